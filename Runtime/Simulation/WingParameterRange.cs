@@ -12,7 +12,7 @@ namespace Alate
 
         const float k_QuarterTurn = 0.5f * math.PI, k_Turn = 2f * math.PI, k_Degree = math.PI / 180f;
 
-        static readonly WingParameterRange[] s_All =
+        internal static readonly WingParameterRange[] s_All =
         {
             new WingParameterRange("maxFrequency", "hertz", 0.1f, 11f, 1000f, (ref WingParameters p) => ref p.maxFrequency),
             new WingParameterRange("maxSpeed", "metres per second", 0.01f, 2f, 100f, (ref WingParameters p) => ref p.maxSpeed),

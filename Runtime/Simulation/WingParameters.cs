@@ -116,7 +116,7 @@ namespace Alate
             get
             {
                 var parameters = new WingParameters { substepsPerBeat = k_DefaultSubsteps, options = ModelOptions.Physical };
-                foreach (var range in WingParameterRange.All)
+                foreach (var range in WingParameterRange.s_All)
                 {
                     range.Of(ref parameters) = range.Default;
                 }
@@ -132,7 +132,7 @@ namespace Alate
         public WingParameters Clamped()
         {
             var clamped = this;
-            foreach (var range in WingParameterRange.All)
+            foreach (var range in WingParameterRange.s_All)
             {
                 ref var value = ref range.Of(ref clamped);
                 value = range.Clamp(value);
@@ -149,7 +149,7 @@ namespace Alate
         public string FindProblem()
         {
             var copy = this;
-            foreach (var range in WingParameterRange.All)
+            foreach (var range in WingParameterRange.s_All)
             {
                 var value = range.Of(ref copy);
                 if (!range.Contains(value))
