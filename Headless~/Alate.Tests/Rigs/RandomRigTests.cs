@@ -58,7 +58,8 @@ namespace Alate.Tests
                 Assert.That(math.cmax(rig.VertexJoints[k]), Is.LessThan(rig.JointCount));
             }
 
-            Assert.That(rig.JointVertices.Length, Is.EqualTo(rig.VertexWeights.ToArray().Sum(w => math.csum(math.select(new int4(0), new int4(1), w != 0f)))));
+            int influences = rig.VertexWeights.ToArray().Sum(w => math.csum(math.select(new int4(0), new int4(1), w != 0f)));
+            Assert.That(rig.JointVertices.Length, Is.EqualTo(influences));
         }
 
         private static void CheckPatches(WingRig rig)
@@ -100,7 +101,8 @@ namespace Alate.Tests
                 : TestWings.Rectangle(random.Next(4, 20), random.Next(2, 12), 1f, 0.7f * chord);
             float height = 0.1f * Next(random), wave = 8f * Next(random), scale = math.exp(8f * Next(random) - 6f);
             float side = random.Next(2) == 0 ? 1f : -1f;
-            quaternion turn = math.normalize(new quaternion(Next(random) - 0.5f, Next(random) - 0.5f, Next(random) - 0.5f, 0.1f + Next(random)));
+            float3 axis = new float3(Next(random), Next(random), Next(random)) - 0.5f;
+            quaternion turn = math.normalize(new quaternion(axis.x, axis.y, axis.z, 0.1f + Next(random)));
 
             Vector3 Turned(Vector3 d) => math.rotate(turn, new float3(side * d.x, d.y, d.z));
             Vector3 Placed(Vector3 p) => scale * (float3)Turned(new Vector3(p.x, p.y + height * math.sin(wave * p.x + p.z), p.z));

@@ -64,7 +64,7 @@ namespace Alate.Tests
                 int chain = bone / 4, joint = bone % 4;
                 double expected = 0.0;
                 for (int k = joint + 1; k < 5; k++)
-                    expected += rig.JointMasses[chain * 5 + k] * math.distancesq(rig.RestJoints[chain * 5 + k], rig.RestJoints[chain * 5 + joint]);
+                    expected += rig.JointMasses[chain * 5 + k] * Math.Pow(Distance(rig, chain, k, joint), 2.0);
                 Assert.That(rig.View.jointInertias[bone], Is.EqualTo(expected).Within(1e-6 * expected), $"bone {bone}");
                 Assert.That(rig.View.jointInertias[bone], Is.GreaterThan(0f));
             }

@@ -57,7 +57,8 @@ namespace Alate.Tests
         public void SpacesAndTheOrderOfKeys_AreFree()
         {
             WingSkeleton read = SkeletonJson.Read(
-                "\uFEFF \r\n{ \"chains\" : [ [ [ 1e-1 , -0.5 , 2E+1 ] ] ] ,\t\"up\":[0,1,0],\"span\":[1,0,0],\"hinge\":[1,2,3],\"version\":1 } \n");
+                "\uFEFF \r\n{ \"chains\" : [ [ [ 1e-1 , -0.5 , 2E+1 ] ] ] ,\t\"up\":[0,1,0],\"span\":[1,0,0],"
+                + "\"hinge\":[1,2,3],\"version\":1 } \n");
 
             Assert.That(read.GetJoint(0, 0), Is.EqualTo(new Vector3(0.1f, -0.5f, 20f)));
             Assert.That(read.Hinge, Is.EqualTo(new Vector3(1f, 2f, 3f)));
