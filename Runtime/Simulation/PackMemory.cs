@@ -152,6 +152,7 @@ namespace Alate
             view.bendRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             view.bentRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
             view.drivenRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
+            view.drivenPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.drivenVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.offsets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.offsetRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
