@@ -136,8 +136,6 @@ namespace Alate
         /// <summary>Tells living wings that values were changed by code.</summary>
         public void NotifyChanged() => Changed?.Invoke();
 
-        void Reset() => ApplyPreset(ModelPreset.Physical);
-
         void OnValidate()
         {
             m_Size.wingLength = math.clamp(m_Size.wingLength, 5e-4f, 1f);
