@@ -1,0 +1,81 @@
+using System.Runtime.CompilerServices;
+
+namespace Unity.Mathematics;
+
+public partial struct int2
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator +(int2 lhs, int2 rhs) => new(lhs.x + rhs.x, lhs.y + rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator +(int2 lhs, int rhs) => new(lhs.x + rhs, lhs.y + rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator +(int lhs, int2 rhs) => new(lhs + rhs.x, lhs + rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator -(int2 lhs, int2 rhs) => new(lhs.x - rhs.x, lhs.y - rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator -(int2 lhs, int rhs) => new(lhs.x - rhs, lhs.y - rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator -(int lhs, int2 rhs) => new(lhs - rhs.x, lhs - rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator *(int2 lhs, int2 rhs) => new(lhs.x * rhs.x, lhs.y * rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator *(int2 lhs, int rhs) => new(lhs.x * rhs, lhs.y * rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator *(int lhs, int2 rhs) => new(lhs * rhs.x, lhs * rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator /(int2 lhs, int2 rhs) => new(lhs.x / rhs.x, lhs.y / rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator /(int2 lhs, int rhs) => new(lhs.x / rhs, lhs.y / rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator /(int lhs, int2 rhs) => new(lhs / rhs.x, lhs / rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator %(int2 lhs, int2 rhs) => new(lhs.x % rhs.x, lhs.y % rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator %(int2 lhs, int rhs) => new(lhs.x % rhs, lhs.y % rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator %(int lhs, int2 rhs) => new(lhs % rhs.x, lhs % rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator -(int2 val) => new(-val.x, -val.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator ~(int2 val) => new(~val.x, ~val.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator &(int2 lhs, int2 rhs) => new(lhs.x & rhs.x, lhs.y & rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator &(int2 lhs, int rhs) => new(lhs.x & rhs, lhs.y & rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator |(int2 lhs, int2 rhs) => new(lhs.x | rhs.x, lhs.y | rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator |(int2 lhs, int rhs) => new(lhs.x | rhs, lhs.y | rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator ^(int2 lhs, int2 rhs) => new(lhs.x ^ rhs.x, lhs.y ^ rhs.y);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator ^(int2 lhs, int rhs) => new(lhs.x ^ rhs, lhs.y ^ rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator <<(int2 x, int n) => new(x.x << n, x.y << n);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int2 operator >>(int2 x, int n) => new(x.x >> n, x.y >> n);
+}

@@ -1,0 +1,148 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace Unity.Mathematics;
+
+public static partial class @math
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 abs(float4 x) => new(Vector4.Abs(x.lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 min(float4 x, float4 y) =>
+        new(Vector128.ConditionalSelect(Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Vector128.MinNative(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 max(float4 x, float4 y) =>
+        new(Vector128.ConditionalSelect(Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Vector128.MaxNative(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 clamp(float4 valueToClamp, float4 lowerBound, float4 upperBound) =>
+        max(min(valueToClamp, upperBound), lowerBound);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 saturate(float4 x) =>
+        new(Vector128.MaxNative(Vector128.MinNative(x.lanes.AsVector128(), Vector128<float>.One), Vector128<float>.Zero).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 sqrt(float4 x) => new(Vector4.SquareRoot(x.lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 rsqrt(float4 x) => new(Vector4.One / Vector4.SquareRoot(x.lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 rcp(float4 x) => new(Vector4.One / x.lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 floor(float4 x) => new(Vector128.Floor(x.lanes.AsVector128()).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 ceil(float4 x) => new(Vector128.Ceiling(x.lanes.AsVector128()).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 round(float4 x) => new(Vector128.Round(x.lanes.AsVector128()).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 trunc(float4 x) => new(Vector128.Truncate(x.lanes.AsVector128()).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 frac(float4 x) => new(x.lanes - Vector128.Floor(x.lanes.AsVector128()).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 mad(float4 mulA, float4 mulB, float4 addC) => new(mulA.lanes * mulB.lanes + addC.lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 lerp(float4 start, float4 end, float t) => new(start.lanes + (end.lanes - start.lanes) * t);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 lerp(float4 start, float4 end, float4 t) => new(start.lanes + t.lanes * (end.lanes - start.lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float dot(float4 x, float4 y) => Vector4.Dot(x.lanes, y.lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float csum(float4 x) => Vector128.Sum(x.lanes.AsVector128());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 select(float4 falseValue, float4 trueValue, bool4 test) =>
+        new(Vector128.ConditionalSelect(test.Mask.AsSingle(), trueValue.lanes.AsVector128(), falseValue.lanes.AsVector128()).AsVector4());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 sign(float4 x) => select(0f, new float4(1f), x > 0f) - select(0f, new float4(1f), x < 0f);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool4 isnan(float4 x) => new(Vector128.IsNaN(x.lanes.AsVector128()).AsUInt32());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool4 isfinite(float4 x) => abs(x) < INFINITY;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool4 isinf(float4 x) => abs(x) == INFINITY;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 select(float4 falseValue, float4 trueValue, bool test) => test ? trueValue : falseValue;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 unlerp(float4 start, float4 end, float4 x) => (x - start) / (end - start);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 remap(float4 srcStart, float4 srcEnd, float4 dstStart, float4 dstEnd, float4 x) =>
+        lerp(dstStart, dstEnd, unlerp(srcStart, srcEnd, x));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 step(float4 threshold, float4 x) => select(new float4(0f), new float4(1f), x >= threshold);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 smoothstep(float4 xMin, float4 xMax, float4 x)
+    {
+        float4 t = saturate((x - xMin) / (xMax - xMin));
+        return t * t * (3f - 2f * t);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float cmin(float4 x) => min(min(x.x, x.y), min(x.z, x.w));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float cmax(float4 x) => max(max(x.x, x.y), max(x.z, x.w));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool any(float4 x) => any(x != 0f);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool all(float4 x) => all(x != 0f);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float length(float4 x) => sqrt(dot(x, x));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float lengthsq(float4 x) => dot(x, x);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float distance(float4 x, float4 y) => length(y - x);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float distancesq(float4 x, float4 y) => lengthsq(y - x);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 normalize(float4 x) => rsqrt(dot(x, x)) * x;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 normalizesafe(float4 x, float4 defaultvalue = default)
+    {
+        float len = dot(x, x);
+        return select(defaultvalue, x * rsqrt(len), len > FLT_MIN_NORMAL);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 reflect(float4 i, float4 n) => i - 2f * n * dot(i, n);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 project(float4 a, float4 ontoB) => dot(a, ontoB) / dot(ontoB, ontoB) * ontoB;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 degrees(float4 x) => x * 57.29577951308232f;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float4 radians(float4 x) => x * 0.017453292519943296f;
+}

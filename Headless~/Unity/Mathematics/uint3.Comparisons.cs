@@ -1,0 +1,60 @@
+using System.Runtime.CompilerServices;
+
+namespace Unity.Mathematics;
+
+public partial struct uint3
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator <(uint3 lhs, uint3 rhs) => new(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator <(uint3 lhs, uint rhs) => new(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator <(uint lhs, uint3 rhs) => new(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator <=(uint3 lhs, uint3 rhs) => new(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator <=(uint3 lhs, uint rhs) => new(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator <=(uint lhs, uint3 rhs) => new(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator >(uint3 lhs, uint3 rhs) => new(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator >(uint3 lhs, uint rhs) => new(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator >(uint lhs, uint3 rhs) => new(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator >=(uint3 lhs, uint3 rhs) => new(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator >=(uint3 lhs, uint rhs) => new(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator >=(uint lhs, uint3 rhs) => new(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator ==(uint3 lhs, uint3 rhs) => new(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator ==(uint3 lhs, uint rhs) => new(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator ==(uint lhs, uint3 rhs) => new(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator !=(uint3 lhs, uint3 rhs) => new(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator !=(uint3 lhs, uint rhs) => new(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool3 operator !=(uint lhs, uint3 rhs) => new(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+}
