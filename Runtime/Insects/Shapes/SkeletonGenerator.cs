@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate
@@ -10,7 +9,8 @@ namespace Alate
     /// </summary>
     public static class SkeletonGenerator
     {
-        const int k_EdgeSamples = 256;
+        /// <summary>Even steps of span in which an edge is walked to measure its arc length, here to 3·10⁻⁵ of it.</summary>
+        const int k_EdgeSteps = 400;
 
         /// <summary>Makes a skeleton.</summary>
         /// <param name="outline">The wing's contour.</param>
@@ -71,8 +71,9 @@ namespace Alate
         static PlanarPath LeadingEdge(WingOutline outline)
         {
             var path = new PlanarPath();
-            foreach (var span in Spans(outline, 0, 1))
+            for (var step = 0; step <= k_EdgeSteps; step++)
             {
+                var span = (double)step / k_EdgeSteps;
                 path.Add(span, outline.LeadingAt(span));
             }
 
@@ -83,34 +84,13 @@ namespace Alate
         {
             var path = new PlanarPath();
             path.Add(1, outline.LeadingAt(1));
-            var spans = Spans(outline, lastTipSpan, 1);
-            for (var i = spans.Length - 1; i >= 0; i--)
+            for (var step = 0; step <= k_EdgeSteps; step++)
             {
-                path.Add(spans[i], outline.TrailingAt(spans[i]));
+                var span = 1 + (lastTipSpan - 1) * step / k_EdgeSteps;
+                path.Add(span, outline.TrailingAt(span));
             }
 
             return path;
-        }
-
-        static double[] Spans(WingOutline outline, double from, double to)
-        {
-            var spans = new SortedSet<double> { from, to };
-            foreach (var landmark in outline.LandmarkSpans)
-            {
-                if (landmark > from && landmark < to)
-                {
-                    spans.Add(landmark);
-                }
-            }
-
-            for (var i = 1; i < k_EdgeSamples; i++)
-            {
-                spans.Add(from + (to - from) * i / k_EdgeSamples);
-            }
-
-            var sorted = new double[spans.Count];
-            spans.CopyTo(sorted);
-            return sorted;
         }
 
         static void Check(WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale)
