@@ -72,7 +72,7 @@ namespace Alate
             var scale = (float)Outline.Length * unitsPerMetre;
             var surface = WingMesher.Strips(Contour, TriangleCount, scale);
             var spacing = Math.Sqrt(2 * Contour.Area / TriangleCount);
-            surface.colours = Pattern?.ColourVertices(surface, scale, 0.5 * spacing);
+            surface.colours = Pattern?.ColourVertices(surface, scale, spacing);
             return side == WingSide.Right ? surface : surface.Mirrored();
         }
 

@@ -3,22 +3,21 @@ using System;
 namespace Alate
 {
     /// <summary>
-    /// Into how many pieces each station's chord is cut, so that pieces are as long as stations are apart and the triangles between
-    /// the stations, c_k + c_(k+1) for each strip, come to an exact number.
+    /// Where the stations of an even mesh lie and into how many pieces each one's chord is cut, so that pieces are as long as stations are apart and the
+    /// triangles between the stations, c_k + c_(k+1) for each strip, come to an exact number.
     /// </summary>
     static class ChordSegments
     {
         const double k_PointedChord = 1e-6;
 
-        public static int[] For(WingOutline outline, int triangleCount)
-        {
-            var stations = StationCount(outline, triangleCount);
-            var chords = new double[stations];
-            for (var k = 0; k < stations; k++)
-            {
-                chords[k] = outline.ChordAt((double)k / (stations - 1));
-            }
+        /// <summary>Width of the outermost strip of a rounded tip over that of the others: a wider one would cut the round off.</summary>
+        const double k_CapStrip = 0.35;
 
+        public static int[] For(WingOutline outline, int triangleCount, out double[] spans)
+        {
+            spans = Stations(outline, triangleCount);
+            var stations = spans.Length;
+            var chords = Array.ConvertAll(spans, outline.ChordAt);
             var ideal = IdealSegments(chords, triangleCount);
             var segments = Array.ConvertAll(ideal, pieces => Math.Max(1, (int)Math.Round(pieces)));
             for (var k = 0; k < stations; k++)
@@ -41,10 +40,19 @@ namespace Alate
             return count;
         }
 
-        static int StationCount(WingOutline outline, int triangleCount)
+        static double[] Stations(WingOutline outline, int triangleCount)
         {
             var spacing = Math.Sqrt(2 * outline.Area / triangleCount);
-            return Math.Clamp((int)Math.Round(1 / spacing) + 1, 3, triangleCount / 2);
+            var strips = Math.Clamp((int)Math.Round(1 / spacing), 2, triangleCount / 2 - 1);
+            var spans = new double[strips + 1];
+            var evenWidth = 1 / (outline.HasRoundedTip ? strips - 1 + k_CapStrip : strips);
+            for (var k = 0; k < strips; k++)
+            {
+                spans[k] = k * evenWidth;
+            }
+
+            spans[strips] = 1;
+            return spans;
         }
 
         static double[] IdealSegments(double[] chords, int triangleCount)

@@ -7,7 +7,7 @@ namespace Alate
     /// <summary>A monarch's body, 29 mm long; proportions chosen by us.</summary>
     static class MonarchBody
     {
-        const float k_DotRadius = 0.55f;
+        const float k_DotRadius = 0.55f, k_SegmentLength = 2.5f;
 
         static readonly Color32 s_Black = new Color32(30, 25, 24, 255);
         static readonly Color32 s_Belly = new Color32(62, 50, 44, 255);
@@ -51,18 +51,24 @@ namespace Alate
                 radii[ring] = new Vector2(1.75f * (float)girth, 1.9f * (float)girth);
             }
 
-            return new TubePart(spine, radii, 12, place => place.y < -1.6f - 0.08f * -place.z ? s_Belly : s_Black);
+            return new TubePart(spine, radii, 12, Segmented);
+        }
+
+        static Color32 Segmented(Vector3 place)
+        {
+            var ring = place.z / k_SegmentLength;
+            return ring - Math.Floor(ring) < 0.4 ? s_Belly : s_Black;
         }
 
         static TubePart Antenna(int side)
         {
-            const int rings = 12;
+            const int rings = 20;
             var spine = new Vector3[rings + 1];
             var radii = new Vector2[rings + 1];
             for (var ring = 0; ring <= rings; ring++)
             {
                 var t = (float)ring / rings;
-                var club = Math.Exp(-Math.Pow((t - 0.93) / 0.06, 2));
+                var club = Math.Exp(-Math.Pow((t - 0.92) / 0.055, 2));
                 var radius = ring == 0 || ring == rings ? 0f : 0.13f + 0.24f * (float)club;
                 spine[ring] = new Vector3(side * (0.5f + 6.2f * t - 1.2f * t * t), 1.2f + 4.6f * t - 1.5f * t * t, 5.7f + 11.5f * t);
                 radii[ring] = new Vector2(radius, radius);

@@ -10,7 +10,9 @@ namespace Alate
     /// </summary>
     public sealed class MonarchPattern : WingPattern
     {
-        const double k_VeinHalfWidth = 0.0045, k_CostaWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.052, k_SpotRadius = 0.0105;
+        const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.052, k_SpotRadius = 0.0105;
+        const double k_MarginStart = 0.93, k_MarginEnd = 0.4;
+        const double k_LeastFeature = 0.35;
         const int k_EdgeSamples = 96;
 
         static readonly Color s_Ground = new Color(0.90f, 0.44f, 0.08f);
@@ -50,7 +52,7 @@ namespace Alate
         };
 
         readonly StrokeSet m_Veins = new StrokeSet();
-        readonly StrokeSet m_Costa = new StrokeSet();
+        readonly StrokeSet m_ThinRim = new StrokeSet();
         readonly StrokeSet m_Margin = new StrokeSet();
 
         /// <summary>Lays the pattern into an outline.</summary>
@@ -61,9 +63,10 @@ namespace Alate
                 m_Veins.Add(vein);
             }
 
-            m_Costa.Add(Edge(outline.LeadingAt, 0, 0.9));
-            var margin = Edge(outline.LeadingAt, 0.9, 1);
-            margin.AddRange(Edge(outline.TrailingAt, 1, 0.06));
+            m_ThinRim.Add(Edge(outline.LeadingAt, 0, k_MarginStart));
+            m_ThinRim.Add(Edge(outline.TrailingAt, k_MarginEnd, 0));
+            var margin = Edge(outline.LeadingAt, k_MarginStart, 1);
+            margin.AddRange(Edge(outline.TrailingAt, 1, k_MarginEnd));
             m_Margin.Add(margin);
         }
 
@@ -73,12 +76,13 @@ namespace Alate
             var colour = Color.Lerp(s_Ground, s_Base, Inside(Math.Sqrt(span * span + forward * forward), 0.1, 0.16));
             colour = Color.Lerp(colour, s_Dark, Apex(span, forward, softness));
             colour = Color.Lerp(colour, s_Window, Windows(span, forward, softness));
-            colour = Color.Lerp(colour, s_Dark, Inside(m_Veins.Distance(span, forward, out _), k_VeinHalfWidth, softness));
+            var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
+            colour = Color.Lerp(colour, s_Dark, Inside(m_Veins.Distance(span, forward, out _), vein, softness));
 
             var edge = m_Margin.Distance(span, forward, out var along);
-            var dark = Math.Max(
-                Inside(edge, k_MarginWidth, softness), Inside(m_Costa.Distance(span, forward, out _), k_CostaWidth, softness));
-            colour = Color.Lerp(colour, s_Dark, (float)dark);
+            var rim = m_ThinRim.Distance(span, forward, out _);
+            colour = Color.Lerp(
+                colour, s_Dark, Math.Max(Inside(edge, k_MarginWidth, softness), Inside(rim, k_ThinRimWidth, softness)));
 
             var beside = along - k_SpotSpacing * Math.Round(along / k_SpotSpacing);
             var spot = Math.Sqrt(beside * beside + (edge - k_SpotDepth) * (edge - k_SpotDepth));

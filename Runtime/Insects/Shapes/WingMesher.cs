@@ -36,8 +36,14 @@ namespace Alate
             }
 
             var segments = new int[spanCells + 1];
-            Array.Fill(segments, chordCells);
-            return Mesh(outline, segments, scale);
+            var spans = new double[spanCells + 1];
+            for (var k = 0; k <= spanCells; k++)
+            {
+                segments[k] = chordCells;
+                spans[k] = (double)k / spanCells;
+            }
+
+            return Mesh(outline, spans, segments, scale);
         }
 
         /// <summary>
@@ -58,12 +64,13 @@ namespace Alate
                     nameof(triangleCount), triangleCount, $"A wing is meshed with {k_MinTriangles} to {k_MaxTriangles} triangles.");
             }
 
-            return Mesh(outline, ChordSegments.For(outline, triangleCount), scale);
+            var segments = ChordSegments.For(outline, triangleCount, out var spans);
+            return Mesh(outline, spans, segments, scale);
         }
 
-        static SurfaceMesh Mesh(WingOutline outline, int[] segments, float scale)
+        static SurfaceMesh Mesh(WingOutline outline, double[] spans, int[] segments, float scale)
         {
-            var positions = StationVertices(outline, segments, scale);
+            var positions = StationVertices(outline, spans, segments, scale);
             var normals = new Vector3[positions.Length];
             Array.Fill(normals, new Vector3(0f, 1f, 0f));
             return new SurfaceMesh
@@ -75,13 +82,13 @@ namespace Alate
             };
         }
 
-        static Vector3[] StationVertices(WingOutline outline, int[] segments, float scale)
+        static Vector3[] StationVertices(WingOutline outline, double[] spans, int[] segments, float scale)
         {
             var positions = new Vector3[StripStitcher.CountVertices(segments)];
             var vertex = 0;
             for (var station = 0; station < segments.Length; station++)
             {
-                var span = (double)station / (segments.Length - 1);
+                var span = spans[station];
                 var leading = outline.LeadingAt(span);
                 var trailing = outline.TrailingAt(span);
                 for (var c = 0; c <= segments[station]; c++)
