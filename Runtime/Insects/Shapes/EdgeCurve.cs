@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 
 namespace Alate
 {
@@ -18,6 +19,10 @@ namespace Alate
             m_Values = values;
             m_Slopes = slopes;
         }
+
+        public double Largest => m_Values.Max();
+
+        public double Smallest => m_Values.Min();
 
         public static EdgeCurve Straight(double[] spans, double[] values) => new EdgeCurve(spans, values, null);
 

@@ -62,7 +62,7 @@ namespace Alate
 
         static TubePart Antenna(int side)
         {
-            const int rings = 20;
+            const int rings = 16;
             var spine = new Vector3[rings + 1];
             var radii = new Vector2[rings + 1];
             for (var ring = 0; ring <= rings; ring++)

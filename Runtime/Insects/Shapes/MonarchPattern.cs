@@ -10,7 +10,7 @@ namespace Alate
     /// </summary>
     public sealed class MonarchPattern : WingPattern
     {
-        const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.052, k_SpotRadius = 0.0105;
+        const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.055, k_SpotRadius = 0.0115;
         const double k_MarginStart = 0.93, k_MarginEnd = 0.4;
         const double k_LeastFeature = 0.35;
         const int k_EdgeSamples = 96;
@@ -47,8 +47,8 @@ namespace Alate
 
         static readonly double[] s_Windows =
         {
-            0.66, 0.118, 0.035, 0.012, 0.70, 0.076, 0.04, 0.013, 0.68, 0.038, 0.045, 0.012, 0.83, 0.112, 0.018, 0.01, 0.85, 0.075, 0.018, 0.01,
-            0.82, 0.035, 0.018, 0.01,
+            0.72, 0.122, 0.03, 0.012, 0.76, 0.08, 0.035, 0.013, 0.745, 0.04, 0.035, 0.012, 0.86, 0.112, 0.018, 0.01, 0.88, 0.075, 0.018, 0.01,
+            0.85, 0.035, 0.018, 0.01,
         };
 
         readonly StrokeSet m_Veins = new StrokeSet();
@@ -75,23 +75,23 @@ namespace Alate
         {
             var colour = Color.Lerp(s_Ground, s_Base, Inside(Math.Sqrt(span * span + forward * forward), 0.1, 0.16));
             colour = Color.Lerp(colour, s_Dark, Apex(span, forward, softness));
-            colour = Color.Lerp(colour, s_Window, Windows(span, forward, softness));
             var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
             colour = Color.Lerp(colour, s_Dark, Inside(m_Veins.Distance(span, forward, out _), vein, softness));
+            colour = Color.Lerp(colour, s_Window, Windows(span, forward, 0.5 * softness));
 
             var edge = m_Margin.Distance(span, forward, out var along);
             var rim = m_ThinRim.Distance(span, forward, out _);
             colour = Color.Lerp(
                 colour, s_Dark, Math.Max(Inside(edge, k_MarginWidth, softness), Inside(rim, k_ThinRimWidth, softness)));
 
-            var beside = along - k_SpotSpacing * Math.Round(along / k_SpotSpacing);
+            var beside = along - k_SpotSpacing * (Math.Floor(along / k_SpotSpacing) + 0.5);
             var spot = Math.Sqrt(beside * beside + (edge - k_SpotDepth) * (edge - k_SpotDepth));
-            return Color.Lerp(colour, s_Spot, Inside(spot, k_SpotRadius, softness));
+            return Color.Lerp(colour, s_Spot, Inside(spot, k_SpotRadius, 0.5 * softness));
         }
 
         static float Apex(double span, double forward, double softness)
         {
-            return Inside(0.62 + 0.9 * (0.13 - forward) - span, 0, 2 * softness);
+            return Inside(0.63 + 0.8 * (0.13 - forward) - span, 0, 2 * softness);
         }
 
         static float Windows(double span, double forward, double softness)

@@ -5,7 +5,7 @@ namespace Alate
 {
     /// <summary>
     /// Triangulates a right wing's outline in the plane y = 0, facing up: span along X from the hinge line, leading edge towards +Z, one wing length
-    /// long times <c>scale</c>. Texture coordinates: u along the span, v from the rearmost to the foremost point. The same input gives
+    /// long times <c>scale</c>. Texture coordinates: u along the span, v from the rearmost to the foremost point of the outline. The same input gives
     /// the same mesh, bit for bit.
     /// </summary>
     public static class WingMesher
@@ -77,7 +77,7 @@ namespace Alate
             {
                 positions = positions,
                 normals = normals,
-                uvs = TextureCoordinates(positions),
+                uvs = TextureCoordinates(outline, positions, scale),
                 triangles = StripStitcher.Stitch(positions, segments),
             };
         }
@@ -101,18 +101,11 @@ namespace Alate
             return positions;
         }
 
-        static Vector2[] TextureCoordinates(Vector3[] positions)
+        static Vector2[] TextureCoordinates(WingOutline outline, Vector3[] positions, float scale)
         {
-            var low = positions[0];
-            var high = positions[0];
-            foreach (var position in positions)
-            {
-                low = Vector3.Min(low, position);
-                high = Vector3.Max(high, position);
-            }
-
-            return Array.ConvertAll(
-                positions, p => new Vector2((p.x - low.x) / (high.x - low.x), (p.z - low.z) / (high.z - low.z)));
+            var rear = (float)outline.Rear;
+            var depth = (float)(outline.Front - outline.Rear);
+            return Array.ConvertAll(positions, p => new Vector2(p.x / scale, (p.z / scale - rear) / depth));
         }
     }
 }

@@ -31,6 +31,12 @@ namespace Alate
         /// <summary>The span coordinates of the landmarks, wing lengths, from 0 to 1, rising.</summary>
         public IReadOnlyList<double> LandmarkSpans => m_Spans;
 
+        /// <summary>The foremost point ahead of the hinge line, wing lengths.</summary>
+        public double Front => m_Leading.Largest;
+
+        /// <summary>The rearmost point ahead of the hinge line, wing lengths; mostly negative.</summary>
+        public double Rear => m_Trailing.Smallest;
+
         /// <summary>The area of the surface inside, square wing lengths.</summary>
         public double Area => MeasureArea();
 
