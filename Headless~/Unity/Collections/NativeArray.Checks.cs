@@ -1,0 +1,118 @@
+using System;
+using System.Diagnostics;
+using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
+using Unity.Jobs;
+
+namespace Unity.Collections;
+
+public unsafe partial struct NativeArray<T>
+{
+    private static string Name => $"NativeArray<{typeof(T).Name}>";
+
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly void CheckReadAt(int index)
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        if ((uint)(index - m_First) >= (uint)m_Count || m_Safety.RefusesRead)
+            ThrowAt(index, false);
+#endif
+    }
+
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly void CheckWriteAt(int index)
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        if ((uint)(index - m_First) >= (uint)m_Count || m_Safety.RefusesWrite)
+            ThrowAt(index, true);
+#endif
+    }
+
+    /// <summary>All of the array is about to be read.</summary>
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    internal readonly void CheckRead()
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        if (m_Safety.cell != null && m_Safety.RefusesRead)
+            SafetyErrors.Throw(m_Safety, Name, false);
+#endif
+    }
+
+    /// <summary>All of the array is about to be written, or handed out for writing.</summary>
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    internal readonly void CheckWrite()
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        if (m_Safety.cell != null && m_Safety.RefusesWrite)
+            SafetyErrors.Throw(m_Safety, Name, true);
+#endif
+    }
+
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    private readonly void CheckDispose(JobHandle dependency = default)
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        if (m_Safety.cell != null)
+            SafetyErrors.CheckRelease(m_Safety, Name, dependency);
+#endif
+    }
+
+    private readonly void CheckOwned()
+    {
+        if (m_AllocatorLabel <= Allocator.None)
+            throw new InvalidOperationException($"This {Name} does not own its memory, so it cannot be disposed.");
+    }
+
+    private ContainerSafety CreateSafety()
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        var safety = ContainerSafety.Create(Name, m_AllocatorLabel);
+        m_Safety = safety.Handle();
+        m_Count = m_Length;
+        return safety;
+#else
+        return null;
+#endif
+    }
+
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    private readonly void ReleaseSafety()
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        ContainerSafety.Of(m_Safety).Release();
+#endif
+    }
+
+    private readonly ContainerSafety DetachSafety()
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        var safety = ContainerSafety.Of(m_Safety);
+        safety.ReleaseMain();
+        return safety;
+#else
+        return null;
+#endif
+    }
+
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+    [DoesNotReturn]
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private readonly void ThrowAt(int index, bool writes)
+    {
+        if (m_Safety.cell == null)
+            throw new NullReferenceException($"This {Name} has not been created.");
+        if ((uint)index < (uint)m_Length && (uint)(index - m_First) >= (uint)m_Count)
+        {
+            throw new IndexOutOfRangeException(
+                $"Index {index} is outside of what this index of the parallel job may use [{m_First}..{m_First + m_Count - 1}] of the {Name}. "
+                + "Mark the field with [ReadOnly], or with [NativeDisableParallelForRestriction] if no two indices write the same element.");
+        }
+
+        if (m_Safety.Exists && (uint)index >= (uint)m_Length)
+            throw new IndexOutOfRangeException($"Index {index} is out of the range of the {Name} of length {m_Length}.");
+        SafetyErrors.Throw(m_Safety, Name, writes);
+    }
+#endif
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
+using Unity.Collections;
+
+namespace Unity.StandIns;
+
+/// <summary>All native memory that is allocated and not yet freed, for tests that assert that nothing leaks.</summary>
+[StandInExtension]
+public static class NativeMemoryLedger
+{
+    internal struct Entry
+    {
+        public long size;
+        public Allocator allocator;
+        public Type type;
+        public string trace;
+        public ContainerSafety safety;
+    }
+
+    private static readonly object s_Gate = new();
+    private static readonly Dictionary<nint, Entry> s_Lasting = [];
+    private static readonly Dictionary<nint, Entry> s_Temporary = [];
+
+    /// <summary>Live allocations of Allocator.Persistent and Allocator.TempJob.</summary>
+    public static int LiveCount
+    {
+        get
+        {
+            lock (s_Gate)
+                return s_Lasting.Count;
+        }
+    }
+
+    /// <summary>Bytes in those allocations.</summary>
+    public static long LiveBytes
+    {
+        get
+        {
+            long bytes = 0;
+            lock (s_Gate)
+            {
+                foreach (var entry in s_Lasting.Values)
+                    bytes += entry.size;
+            }
+
+            return bytes;
+        }
+    }
+
+    /// <summary>One line for each live allocation; empty if there is none.</summary>
+    public static string Describe()
+    {
+        var text = new StringBuilder();
+        lock (s_Gate)
+        {
+            foreach (var entry in s_Lasting.Values)
+            {
+                string what = entry.type == null ? "UnsafeUtility.Malloc" : $"NativeArray<{entry.type.Name}>";
+                text.Append(CultureInfo.InvariantCulture, $"{what}, {entry.size} bytes, Allocator.{entry.allocator}").AppendLine();
+                if (entry.trace != null)
+                    text.AppendLine(entry.trace);
+            }
+        }
+
+        return text.ToString();
+    }
+
+    /// <summary>Frees what was allocated with Allocator.Temp and not disposed, as Unity does at the end of each frame.</summary>
+    public static unsafe void EndFrame()
+    {
+        KeyValuePair<nint, Entry>[] temporary;
+        lock (s_Gate)
+        {
+            if (s_Temporary.Count == 0)
+                return;
+            temporary = [.. s_Temporary];
+            s_Temporary.Clear();
+        }
+
+        foreach (var (address, entry) in temporary)
+        {
+            entry.safety?.Release();
+            NativeHeap.Release((void*)address, entry.size);
+        }
+    }
+
+    internal static void Add(nint address, in Entry entry)
+    {
+        lock (s_Gate)
+            (entry.allocator == Allocator.Temp ? s_Temporary : s_Lasting).Add(address, entry);
+    }
+
+    internal static bool Remove(nint address, out Entry entry)
+    {
+        lock (s_Gate)
+            return s_Lasting.Remove(address, out entry) || s_Temporary.Remove(address, out entry);
+    }
+}

@@ -1,0 +1,28 @@
+using System;
+
+namespace Unity.Jobs;
+
+/// <summary>Nothing to do but to wait for several jobs.</summary>
+internal sealed class JobFence : JobRecord
+{
+    public override string Name => "CombineDependencies";
+
+    public static JobHandle Combine(ReadOnlySpan<JobHandle> handles)
+    {
+        lock (JobTable.Gate)
+        {
+            var fence = JobPool<JobFence>.Take();
+            fence.Begin(0, BatchOrder.Ascending);
+            foreach (var handle in handles)
+                fence.DependOn(handle);
+            if (fence.DependencyCount > 0)
+                return JobTable.Submit(fence);
+            JobPool<JobFence>.Return(fence);
+            return default;
+        }
+    }
+
+    public override void Execute() => throw new NotSupportedException();
+
+    public override void ReturnToPool() => JobPool<JobFence>.Return(this);
+}

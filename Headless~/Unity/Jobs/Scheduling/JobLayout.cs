@@ -1,0 +1,151 @@
+using System;
+using System.Diagnostics;
+using System.Runtime.CompilerServices;
+using Unity.Collections;
+
+namespace Unity.Jobs;
+
+/// <summary>What the safety system has to know of a type of job, and what it does with each job of the type.</summary>
+internal sealed unsafe class JobLayout
+{
+    private readonly JobFields m_Fields;
+
+    private JobLayout(Type type)
+    {
+        m_Fields = new JobFields(type);
+        Name = type.Name;
+    }
+
+    public string Name { get; }
+
+    public static JobLayout Of(Type type) => new(type);
+
+    /// <summary>The job that is being executed, and its container of the given number.</summary>
+    public static (string Job, string Field) Describe(int container)
+    {
+        var layout = JobContext.Layout;
+        return layout == null || container >= layout.m_Fields.Containers.Length
+            ? ("job", "container")
+            : (layout.Name, layout.m_Fields.Containers[container].name);
+    }
+
+    public void SetThreadIndex<T>(ref T job)
+    {
+        foreach (int offset in m_Fields.ThreadIndices)
+            Unsafe.As<byte, int>(ref Unsafe.Add(ref Unsafe.As<T, byte>(ref job), offset)) = JobContext.ThreadIndex;
+    }
+
+    /// <summary>Throws if a job must not be scheduled or run: for its fields, or for other jobs that use its containers.</summary>
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    public void Check<T>(ref T job, JobHandle dependency, bool scheduled)
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        if (m_Fields.Problem != null)
+            throw new InvalidOperationException(m_Fields.Problem);
+        fixed (byte* data = &Unsafe.As<T, byte>(ref job))
+        {
+            for (int i = 0; i < m_Fields.Containers.Length; i++)
+            {
+                ref readonly var container = ref m_Fields.Containers[i];
+                if (!container.exempt)
+                    Check(data, container, i, dependency, scheduled);
+            }
+        }
+#endif
+    }
+
+    /// <summary>Gives the job's copy of each container the job's rights, and marks the containers as in use.</summary>
+    /// <param name="record">Null if the job is run at once.</param>
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    public void Attach<T>(ref T job, JobRecord record)
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        fixed (byte* data = &Unsafe.As<T, byte>(ref job))
+        {
+            for (int i = 0; i < m_Fields.Containers.Length; i++)
+            {
+                ref readonly var container = ref m_Fields.Containers[i];
+                var handle = Handle(data, container);
+                if (handle->cell == null || (container.exempt && !handle->Exists))
+                    continue;
+                var safety = ContainerSafety.Of(*handle);
+                *handle = safety.JobHandle(i, container.readOnly && !container.exempt, container.writeOnly && !container.exempt);
+                if (!container.exempt)
+                    record?.Use(safety, !container.readOnly);
+            }
+        }
+#endif
+    }
+
+    /// <summary>Gives the containers of a job that was run the rights back that they had before.</summary>
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    public void Detach<T>(ref T job, ref T original)
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        fixed (byte* data = &Unsafe.As<T, byte>(ref job), before = &Unsafe.As<T, byte>(ref original))
+        {
+            foreach (ref readonly var container in m_Fields.Containers.AsSpan())
+                *Handle(data, container) = *Handle(before, container);
+        }
+#endif
+    }
+
+    /// <summary>Before an index of a parallel job: the containers that it writes are open at that index only.</summary>
+    [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+    public void Restrict<T>(ref T job, int index, bool parallel)
+    {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        if (!parallel)
+            return;
+        fixed (byte* data = &Unsafe.As<T, byte>(ref job))
+        {
+            foreach (int offset in m_Fields.Restricted)
+            {
+                var array = (NativeArray<byte>*)(data + offset);
+                array->m_First = index;
+                array->m_Count = index < array->m_Length ? 1 : 0;
+            }
+        }
+#endif
+    }
+
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+    private void Check(byte* data, in JobFields.Container container, int index, JobHandle dependency, bool scheduled)
+    {
+        var handle = Handle(data, container);
+        if (handle->cell == null)
+            throw new InvalidOperationException($"{What(container)} has not been created. All containers of a job must be when it is scheduled.");
+        if (!handle->Exists)
+            throw new ObjectDisposedException(What(container), $"{What(container)} has been disposed of, so the job cannot be scheduled.");
+        var safety = ContainerSafety.Of(*handle);
+        if (scheduled && safety.IsTemporary)
+        {
+            throw new InvalidOperationException(
+                $"{What(container)} was allocated with Allocator.Temp, so it cannot be passed to a job. Use Allocator.TempJob.");
+        }
+
+        var pending = safety.FindConflict(!container.readOnly, dependency, out bool otherWrites);
+        if (pending != null)
+        {
+            throw new InvalidOperationException(
+                $"The scheduled job {pending.Name} {(otherWrites ? "writes to" : "reads from")} the {safety.Name} that the new job "
+                + $"{(container.readOnly ? "reads from" : "writes to")} as {What(container)}. Make the new job depend on it, or complete it first.");
+        }
+
+        for (int i = 0; i < index; i++)
+        {
+            ref readonly var other = ref m_Fields.Containers[i];
+            if (other.exempt || (other.readOnly && container.readOnly) || Handle(data, other)->cell != handle->cell)
+                continue;
+            throw new InvalidOperationException(
+                $"{What(container)} is the same {safety.Name} as {What(other)}, and the job may write it: containers of a job must not overlap.");
+        }
+    }
+
+    private string What(in JobFields.Container container) => $"{Name}.{container.name}";
+
+    private static SafetyHandle* Handle(byte* data, in JobFields.Container container) => container.isView
+        ? &((NativeArray<byte>.ReadOnly*)(data + container.offset))->m_Safety
+        : &((NativeArray<byte>*)(data + container.offset))->m_Safety;
+#endif
+}

@@ -1,0 +1,13 @@
+using Unity.Jobs;
+
+namespace Unity.StandIns;
+
+/// <summary>How jobs are executed, for tests. JobsUtility.JobWorkerCount = 0 executes all of them in Complete().</summary>
+[StandInExtension]
+public static class JobExecution
+{
+    public static JobOrder Order { get; set; } = JobOrder.Ascending;
+
+    /// <summary>Scheduled jobs that have not been completed, directly or through a job that depends on them.</summary>
+    public static int PendingCount => JobTable.PendingCount;
+}
