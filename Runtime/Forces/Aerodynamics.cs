@@ -12,7 +12,8 @@ namespace Alate
         /// <summary>Adds the air's forces and damping to the joints' and returns the force on the whole wing.</summary>
         public static SoaFloat3 Apply(in WingPack pack, in StepScratch scratch)
         {
-            Carry(pack, scratch);
+            CellMotion.Carry(pack, scratch);
+            CellSheet.Carry(pack, scratch);
             PatchLoad* loads = pack.recordedLoads != null ? pack.recordedLoads : scratch.loads;
             SoaFloat3 total = default;
             CellMotion motion;
@@ -23,31 +24,18 @@ namespace Alate
                 PatchCell* patches = pack.rig.patchCells + cell;
                 if (patches->patchCount == 0)
                     continue;
-                int joint = cell / bonesPerChain * pack.rig.jointsPerChain + cell % bonesPerChain;
-                CellMotion.Fill(&motion, pack, scratch, *patches, joint);
+                int joint = cell + cell / bonesPerChain;
+                int next = joint + pack.rig.jointsPerChain;
+                CellMotion.Gather(&motion, scratch, joint, next);
                 MeetAir(pack, scratch, patches, &motion);
-                CellSheet.Fill(&sheet, pack, scratch, joint);
+                CellSheet.Gather(&sheet, pack, scratch, joint, next);
                 Normals(pack, scratch, patches, &sheet);
+                DropSpanwiseFlow(pack, scratch, patches, &sheet);
                 Forces(pack, scratch, patches, loads);
                 total += Distribute(pack, scratch, patches, joint, loads);
             }
 
             return total;
-        }
-
-        // Joint frames and positions moved on by what the driven pose has moved since the last substep.
-        private static void Carry(in WingPack pack, in StepScratch scratch)
-        {
-            int joints = pack.rig.jointsPerChain;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-            {
-                int i = joint / joints;
-                int bone = i * (joints - 1) + math.min(joint - i * joints, joints - 2);
-                SoaQuaternion turned = scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
-                scratch.carriedFrames[joint] = new SoaFloat3x3(turned * pack.pose[joint].rotation);
-                scratch.carriedPositions[joint] =
-                    pack.pose[joint].position + scratch.drivenPositions[joint] - pack.drivenPositions[joint];
-            }
         }
 
         private static void MeetAir(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellMotion* motion)
@@ -63,20 +51,31 @@ namespace Alate
 
         private static void Normals(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
         {
-            bool keepSpan = pack.options.tangent == AirTangent.BaseToTip;
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
-                float4 u = pack.rig.patchU[patch], v = pack.rig.patchV[patch];
-                SoaFloat3 normal = SoaFloat3.NormalizeSafe(CellSheet.NormalAt(sheet, u, v));
-                SoaFloat3 span = BilinearField.At(&sheet->span, u, v);
+                SoaFloat3 normal = CellSheet.NormalAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+                scratch.normals[patch] = normal * (1f / math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-20f)));
+            }
+        }
+
+        // The stream that makes the force has no part along the span: that flows off without turning. The printed tangent (base to
+        // tip) keeps the stream and measures the angle of attack against its part along the span.
+        private static void DropSpanwiseFlow(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
+        {
+            bool keep = pack.options.tangent == AirTangent.BaseToTip;
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                SoaFloat3 normal = scratch.normals[patch], wind = scratch.relativeWind[patch];
+                SoaFloat3 span = CellSheet.SpanAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
                 span -= normal * SoaFloat3.Dot(span, normal);
-                SoaFloat3 wind = scratch.relativeWind[patch];
-                scratch.normals[patch] = normal;
-                if (keepSpan)
-                    scratch.alongSpan[patch] = math.abs(SoaFloat3.Dot(wind, SoaFloat3.NormalizeSafe(span)));
+                float4 square = math.max(SoaFloat3.LengthSquared(span), 1e-12f);
+                float4 along = SoaFloat3.Dot(wind, span);
+                if (keep)
+                    scratch.alongSpan[patch] = math.abs(along) / math.sqrt(square);
                 else
-                    scratch.relativeWind[patch] = PatchAir.WithoutSpan(wind, span);
+                    scratch.relativeWind[patch] = wind - span * (along / square);
             }
         }
 

@@ -176,8 +176,9 @@ namespace Alate
         {
             if (array.IsCreated && array.Length >= count)
                 return;
+            int grown = math.max(count, 2 * array.Length);
             Free(ref array);
-            array = new NativeArray<T>(math.ceilpow2(math.max(count, 4)), Allocator.Persistent);
+            array = new NativeArray<T>(grown, Allocator.Persistent);
         }
 
         private static void Free<T>(ref NativeArray<T> array) where T : struct

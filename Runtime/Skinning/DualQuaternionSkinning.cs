@@ -9,75 +9,104 @@ namespace Alate
     /// </summary>
     internal static unsafe class DualQuaternionSkinning
     {
+        /// <summary>Quads that pass from the first pass to the second at a time: 4 KB, well within the first cache.</summary>
+        private const int k_BlockQuads = 32;
+
+        /// <summary>A quad between the passes.</summary>
+        private struct Blended
+        {
+            public SoaFloat3 q;
+            public float4 w;
+            public float4 scale;
+            public SoaFloat3 position;
+        }
+
         /// <summary>Skins the quads of one cell from <paramref name="first"/> up to <paramref name="end"/> and widens the bounds.</summary>
-        public static void Cell(
-            in CellBlend blend, SkinQuad* quads, int first, int end, SkinnedVertex* vertices, ref SoaFloat3 min, ref SoaFloat3 max)
+        public static void Cell(in CellBlend blend, in SkinTarget target, int first, int end, SoaBounds* bounds)
         {
+            Blended* block = stackalloc Blended[k_BlockQuads];
             fixed (CellBlend* b = &blend)
             {
-                SoaFloat3 low = min, high = max;
-                for (int k = first; k < end; k++)
+                for (; first < end; first += k_BlockQuads)
                 {
-                    SkinQuad* quad = quads + k;
-                    Blend(b, quad->u, quad->v, out SoaFloat3 q, out float4 w, out SoaFloat3 e, out float4 ew);
-                    float4 s = 2f / (SoaFloat3.LengthSquared(q) + w * w);
-                    var p = new SoaFloat3(quad->px, quad->py, quad->pz);
-                    p += (SoaFloat3.Cross(q, SoaFloat3.Cross(q, p) + p * w + e) + e * w - q * ew) * s;
-                    low = new SoaFloat3(math.min(low.x, p.x), math.min(low.y, p.y), math.min(low.z, p.z));
-                    high = new SoaFloat3(math.max(high.x, p.x), math.max(high.y, p.y), math.max(high.z, p.z));
-                    var n = new SoaFloat3(quad->nx, quad->ny, quad->nz);
-                    n += SoaFloat3.Cross(q, SoaFloat3.Cross(q, n) + n * w) * s;
-                    Write(vertices, quad->target, p, n);
-                }
-
-                min = low;
-                max = high;
-            }
-        }
-
-        /// <summary>Turns the tangents of the same quads; their handedness w stays.</summary>
-        public static void CellTangents(
-            in CellBlend blend, SkinQuad* quads, SkinTangentQuad* tangents, int first, int end, float4* output)
-        {
-            fixed (CellBlend* b = &blend)
-            {
-                for (int k = first; k < end; k++)
-                {
-                    SkinQuad* quad = quads + k;
-                    SkinTangentQuad* rest = tangents + k;
-                    Blend(b, quad->u, quad->v, out SoaFloat3 q, out float4 w, out _, out _);
-                    float4 s = 2f / (SoaFloat3.LengthSquared(q) + w * w);
-                    var t = new SoaFloat3(rest->tx, rest->ty, rest->tz);
-                    t += SoaFloat3.Cross(q, SoaFloat3.Cross(q, t) + t * w) * s;
-                    float4x4 rows = math.transpose(new float4x4(t.x, t.y, t.z, rest->tw));
-                    output[quad->target.x] = rows.c0;
-                    output[quad->target.y] = rows.c1;
-                    output[quad->target.z] = rows.c2;
-                    output[quad->target.w] = rows.c3;
+                    int count = math.min(end - first, k_BlockQuads);
+                    SkinQuad* quads = target.rig.skinQuads + first;
+                    Positions(b, quads, count, block);
+                    Widen(block, count, bounds);
+                    Normals(quads, count, block, target.vertices);
+                    if (target.tangents != null)
+                        Tangents(quads, target.rig.skinTangents + first, count, block, target.tangents);
                 }
             }
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static void Blend(
-            CellBlend* b, float4 u, float4 v, out SoaFloat3 real, out float4 realW, out SoaFloat3 dual, out float4 dualW)
+        private static void Positions(CellBlend* b, SkinQuad* quads, int count, Blended* block)
         {
-            real = b->c.real + b->cu.real * u + (b->cv.real + b->cuv.real * u) * v;
-            realW = b->c.realW + b->cu.realW * u + (b->cv.realW + b->cuv.realW * u) * v;
-            dual = b->c.dual + b->cu.dual * u + (b->cv.dual + b->cuv.dual * u) * v;
-            dualW = b->c.dualW + b->cu.dualW * u + (b->cv.dualW + b->cuv.dualW * u) * v;
+            for (int k = 0; k < count; k++)
+            {
+                SkinQuad* quad = quads + k;
+                Blended* blended = block + k;
+                float4 u = quad->u, v = quad->v;
+                SoaFloat3 q = b->c.real + b->cu.real * u + (b->cv.real + b->cuv.real * u) * v;
+                float4 w = b->c.realW + b->cu.realW * u + (b->cv.realW + b->cuv.realW * u) * v;
+                SoaFloat3 e = b->c.dual + b->cu.dual * u + (b->cv.dual + b->cuv.dual * u) * v;
+                float4 ew = b->c.dualW + b->cu.dualW * u + (b->cv.dualW + b->cuv.dualW * u) * v;
+                float4 scale = 2f / (SoaFloat3.LengthSquared(q) + w * w);
+                var p = new SoaFloat3(quad->px, quad->py, quad->pz);
+                blended->q = q;
+                blended->w = w;
+                blended->scale = scale;
+                blended->position = p + (SoaFloat3.Cross(q, SoaFloat3.Cross(q, p) + p * w + e) + e * w - q * ew) * scale;
+            }
         }
 
-        // Interleaves position and normal: four components in one store, then the last two.
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static void Write(SkinnedVertex* vertices, int4 target, SoaFloat3 p, SoaFloat3 n)
+        private static void Widen(Blended* block, int count, SoaBounds* bounds)
         {
-            float4x4 head = math.transpose(new float4x4(p.x, p.y, p.z, n.x));
-            float4x4 tail = math.transpose(new float4x4(n.y, n.z, n.y, n.z));
-            Store(vertices + target.x, head.c0, tail.c0);
-            Store(vertices + target.y, head.c1, tail.c1);
-            Store(vertices + target.z, head.c2, tail.c2);
-            Store(vertices + target.w, head.c3, tail.c3);
+            SoaBounds all = *bounds;
+            for (int k = 0; k < count; k++)
+                all.Encapsulate(block[k].position);
+            *bounds = all;
+        }
+
+        // Turns the normals, and writes positions and normals interleaved: four components in one store, then the last two.
+        private static void Normals(SkinQuad* quads, int count, Blended* block, SkinnedVertex* vertices)
+        {
+            for (int k = 0; k < count; k++)
+            {
+                SkinQuad* quad = quads + k;
+                SoaFloat3 p = block[k].position;
+                SoaFloat3 n = Turn(block + k, new SoaFloat3(quad->nx, quad->ny, quad->nz));
+                float4x4 head = math.transpose(new float4x4(p.x, p.y, p.z, n.x));
+                float4x4 tail = math.transpose(new float4x4(n.y, n.z, n.y, n.z));
+                int4 target = quad->target;
+                Store(vertices + target.x, head.c0, tail.c0);
+                Store(vertices + target.y, head.c1, tail.c1);
+                Store(vertices + target.z, head.c2, tail.c2);
+                Store(vertices + target.w, head.c3, tail.c3);
+            }
+        }
+
+        // The handedness in w stays.
+        private static void Tangents(SkinQuad* quads, SkinTangentQuad* tangents, int count, Blended* block, float4* output)
+        {
+            for (int k = 0; k < count; k++)
+            {
+                SkinTangentQuad* rest = tangents + k;
+                SoaFloat3 t = Turn(block + k, new SoaFloat3(rest->tx, rest->ty, rest->tz));
+                float4x4 rows = math.transpose(new float4x4(t.x, t.y, t.z, rest->tw));
+                int4 target = quads[k].target;
+                output[target.x] = rows.c0;
+                output[target.y] = rows.c1;
+                output[target.z] = rows.c2;
+                output[target.w] = rows.c3;
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static SoaFloat3 Turn(Blended* blended, SoaFloat3 n)
+        {
+            SoaFloat3 q = blended->q;
+            return n + SoaFloat3.Cross(q, SoaFloat3.Cross(q, n) + n * blended->w) * blended->scale;
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

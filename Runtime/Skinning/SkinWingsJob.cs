@@ -31,8 +31,7 @@ namespace Alate
         /// <summary>Skins a range of quads, cell by cell.</summary>
         public static ChunkBounds SkinQuads(in SkinTarget target, DualQuaternion* palette, int firstQuad, int endQuad)
         {
-            var min = new SoaFloat3(new float3(float.MaxValue));
-            var max = new SoaFloat3(new float3(float.MinValue));
+            SoaBounds bounds = SoaBounds.Empty;
             int joints = target.rig.jointsPerChain;
             for (int cell = 0; cell < target.rig.cellCount; cell++)
             {
@@ -43,16 +42,13 @@ namespace Alate
                     continue;
                 int joint = cell + cell / (joints - 1);
                 var blend = new CellBlend(palette[joint], palette[joint + 1], palette[joint + joints], palette[joint + joints + 1]);
-                DualQuaternionSkinning.Cell(blend, target.rig.skinQuads, first, end, target.vertices, ref min, ref max);
-                if (target.tangents != null)
-                    DualQuaternionSkinning.CellTangents(
-                        blend, target.rig.skinQuads, target.rig.skinTangents, first, end, target.tangents);
+                DualQuaternionSkinning.Cell(blend, target, first, end, &bounds);
             }
 
             return new ChunkBounds
             {
-                min = new float3(math.cmin(min.x), math.cmin(min.y), math.cmin(min.z)),
-                max = new float3(math.cmax(max.x), math.cmax(max.y), math.cmax(max.z)),
+                min = new float3(math.cmin(bounds.min.x), math.cmin(bounds.min.y), math.cmin(bounds.min.z)),
+                max = new float3(math.cmax(bounds.max.x), math.cmax(bounds.max.y), math.cmax(bounds.max.z)),
             };
         }
     }
