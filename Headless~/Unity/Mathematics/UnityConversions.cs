@@ -31,7 +31,7 @@ public partial struct float4
     public static implicit operator float4(Vector4 v) => new(v.x, v.y, v.z, v.w);
 }
 
-public partial struct quaternion
+public partial struct @quaternion
 {
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator Quaternion(quaternion q) => new(q.value.x, q.value.y, q.value.z, q.value.w);
