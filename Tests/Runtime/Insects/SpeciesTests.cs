@@ -78,7 +78,7 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EachWing_SitsOnItsBody(SpeciesDefinition species)
         {
-            var body = species.Body.CreateSurface(SpeciesDefinition.k_UnitsPerMetre);
+            var body = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre);
             foreach (var wing in species.Wings)
             {
                 var hinge = wing.HingeOn(WingSide.Right);
@@ -88,7 +88,7 @@ namespace Alate.Tests
                     nearest = Math.Min(nearest, (position - hinge).magnitude);
                 }
 
-                Assert.That(nearest, Is.LessThan(0.03f * wing.Outline.Length * SpeciesDefinition.k_UnitsPerMetre));
+                Assert.That(nearest, Is.LessThan(0.03f * wing.Outline.Length * SpeciesDefinition.UnitsPerMetre));
             }
         }
 
