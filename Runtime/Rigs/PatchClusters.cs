@@ -40,7 +40,7 @@ namespace Alate
             int bins = 0;
             for (int cell = 0; cell < grids.Length; cell++)
             {
-                int share = Math.Max(1, (int)(wanted * areas[cell] / triangles.Area));
+                int share = Math.Max(1, (int)Math.Round(wanted * areas[cell] / triangles.Area));
                 grids[cell] = new Grid(rest, cell, share, bins);
                 bins += share;
             }
