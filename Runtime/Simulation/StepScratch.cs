@@ -24,6 +24,7 @@ namespace Alate
 
         // Loads, per joint and per patch.
         public SoaFloat3x3* carriedFrames;
+        public SoaFloat3* carriedPositions;
         public SoaFloat3* forces;
         public float4* airDamping;
         public SoaFloat3* relativeWind;
@@ -71,6 +72,7 @@ namespace Alate
             scratch.drivenVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.drivenAccelerations = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.carriedFrames = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(joints);
+            scratch.carriedPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.forces = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.airDamping = (float4*)carver.Take<float4>(joints);
             scratch.relativeWind = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
