@@ -68,6 +68,19 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ASmoothedEdge_DoesNotOvershoot_BesideASteepRise()
+        {
+            var smooth = WingOutline.FromMillimetres(
+                new[] { 0.0, 10, 20, 30, 40 }, new[] { 1.0, 1.1, 11, 11.1, 11.1 }, new[] { 0.0, 0, 0, 0, 11 }).Smoothed();
+
+            for (var span = 0.0; span < 0.25; span += 0.005)
+            {
+                AssertBetween(smooth.LeadingAt(span), 1.0 / 40, 1.1 / 40);
+                AssertBetween(smooth.LeadingAt(span + 0.5), 11.0 / 40, 11.1 / 40);
+            }
+        }
+
+        [Test]
         public void Smoothing_NeverPinchesTheWing()
         {
             var steep = WingOutline.FromMillimetres(
