@@ -71,7 +71,7 @@ namespace Alate.Tests
         public void ASmoothedEdge_DoesNotOvershoot_BesideASteepRise()
         {
             var smooth = WingOutline.FromMillimetres(
-                new[] { 0.0, 10, 20, 30, 40 }, new[] { 1.0, 1.1, 11, 11.1, 11.1 }, new[] { 0.0, 0, 0, 0, 11 }).Smoothed();
+                new[] { 0.0, 10, 20, 30, 40 }, new[] { 1.0, 1.1, 11, 11.1, 11.1 }, new[] { -20.0, -20, -20, -20, 11 }).Smoothed();
 
             for (var span = 0.0; span < 0.25; span += 0.005)
             {
