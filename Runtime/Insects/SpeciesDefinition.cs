@@ -9,7 +9,7 @@ namespace Alate
         /// Mesh units of one metre of the real insect: ten times life size, so that a monarch spans more than a unit and even a firefly lies beyond a
         /// camera's near plane. The model takes its lengths from <see cref="SpeciesSize"/>; this number and any scale of a transform change the picture only.
         /// </summary>
-        public const float k_UnitsPerMetre = 10f;
+        public const float UnitsPerMetre = 10f;
 
         internal SpeciesDefinition(
             string name, string displayName, IReadOnlyList<SpeciesWing> wings, InsectBody body, IReadOnlyList<SpeciesSource> sources)

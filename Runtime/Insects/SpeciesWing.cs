@@ -61,13 +61,13 @@ namespace Alate
         }
 
         /// <summary>The base of the wing on the body, in mesh units.</summary>
-        public Vector3 HingeOn(WingSide side, float unitsPerMetre = SpeciesDefinition.k_UnitsPerMetre)
+        public Vector3 HingeOn(WingSide side, float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
         {
             return new Vector3(side == WingSide.Right ? Hinge.x : -Hinge.x, Hinge.y, Hinge.z) * unitsPerMetre;
         }
 
         /// <summary>The wing's surface at rest around its base, <see cref="TriangleCount"/> triangles.</summary>
-        public SurfaceMesh CreateSurface(WingSide side, float unitsPerMetre = SpeciesDefinition.k_UnitsPerMetre)
+        public SurfaceMesh CreateSurface(WingSide side, float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
         {
             var scale = (float)Outline.Length * unitsPerMetre;
             var surface = WingMesher.Strips(Contour, TriangleCount, scale);
@@ -77,7 +77,7 @@ namespace Alate
         }
 
         /// <summary>The wing's skeleton in the space of <see cref="CreateSurface"/>.</summary>
-        public WingSkeleton CreateSkeleton(WingSide side, float unitsPerMetre = SpeciesDefinition.k_UnitsPerMetre)
+        public WingSkeleton CreateSkeleton(WingSide side, float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
         {
             return SkeletonGenerator.Generate(
                 Outline, Chains, JointsPerChain, LastTipSpan, (float)Outline.Length * unitsPerMetre, side);

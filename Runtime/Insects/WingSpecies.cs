@@ -8,7 +8,7 @@ namespace Alate
     /// A preset of one kind of wing, as it is authored: degrees, hertz, metres, kilograms. A new asset is a monarch's wing.
     /// <see cref="ToParameters"/> turns it into what the model computes with.
     /// </summary>
-    [CreateAssetMenu(menuName = "Alate/Wing Species", fileName = "Wing Species")]
+    [CreateAssetMenu(fileName = "Wing Species", menuName = "Alate/Wing Species", order = 311)]
     public sealed class WingSpecies : ScriptableObject
     {
         /// <summary>Least speed of the wing tip that the reference frequency counts with, as a share of u_max: a wing that hardly flaps stays finite in stiffness.</summary>
@@ -27,9 +27,9 @@ namespace Alate
         SpeciesStiffness m_Stiffness = WingSpeciesPresets.Stiffness;
 
         [SerializeField]
-        [Range(WingParameters.k_MinSubsteps, WingParameters.k_MaxSubsteps)]
+        [Range(WingParameters.MinSubsteps, WingParameters.MaxSubsteps)]
         [Tooltip("Substeps of one beat; 24. 12 is the cheapest that holds; soft wings want 48.")]
-        int m_SubstepsPerBeat = WingParameters.k_DefaultSubsteps;
+        int m_SubstepsPerBeat = WingParameters.DefaultSubsteps;
 
         [SerializeField]
         ModelOptions m_Options = ModelOptions.Physical;

@@ -13,7 +13,7 @@ namespace Alate.Tests
         static Arbitrary<(WingOutline Outline, int Count)> Wings { get; } = Arb.From(
             from landmarks in Gen.Choose(2, 12)
             from seed in Gen.Choose(0, int.MaxValue - 1)
-            from count in Gen.Frequency((3, Gen.Choose(WingMesher.k_MinTriangles, 400)), (1, Gen.Choose(400, 13000)))
+            from count in Gen.Frequency((3, Gen.Choose(WingMesher.MinTriangles, 400)), (1, Gen.Choose(400, 13000)))
             select (RandomOutline(landmarks, new System.Random(seed)), count));
 
         [Test]
@@ -48,7 +48,7 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void TheMonarch_IsMeshedExactly_WithEveryCount([Range(50, 3000, 59)] int count)
+        public void TheMonarch_IsMeshedExactly_WithEveryCount([NUnit.Framework.Range(50, 3000, 59)] int count)
         {
             var wing = Species.Find("monarch").Wings[0];
 

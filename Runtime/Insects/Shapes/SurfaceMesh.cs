@@ -52,6 +52,12 @@ namespace Alate
             };
         }
 
+        /// <summary>The same arrays, not copied, as a rig is baked from them.</summary>
+        public WingSurface ToWingSurface(string name)
+        {
+            return new WingSurface { name = name, positions = positions, normals = normals, triangles = triangles };
+        }
+
         /// <summary>A readable mesh of the same content, with its bounds set.</summary>
         public Mesh ToMesh(string name)
         {

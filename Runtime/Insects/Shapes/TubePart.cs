@@ -84,21 +84,21 @@ namespace Alate
                 var next = (side + 1) % sides;
                 if (from.Count > 1)
                 {
-                    Append(triangles, from.Start + side, from.Start + next, to.Start + (to.Count > 1 ? side : 0));
+                    AppendFacingOut(triangles, from.Start + side, from.Start + next, to.Start + (to.Count > 1 ? side : 0));
                 }
 
                 if (to.Count > 1)
                 {
-                    Append(triangles, from.Start + (from.Count > 1 ? next : 0), to.Start + next, to.Start + side);
+                    AppendFacingOut(triangles, from.Start + (from.Count > 1 ? next : 0), to.Start + next, to.Start + side);
                 }
             }
         }
 
-        static void Append(List<int> triangles, int a, int b, int c)
+        static void AppendFacingOut(List<int> triangles, int a, int b, int c)
         {
             triangles.Add(a);
-            triangles.Add(b);
             triangles.Add(c);
+            triangles.Add(b);
         }
     }
 }

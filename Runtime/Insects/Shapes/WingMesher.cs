@@ -11,10 +11,10 @@ namespace Alate
     public static class WingMesher
     {
         /// <summary>Fewest triangles <see cref="Strips"/> makes.</summary>
-        public const int k_MinTriangles = 50;
+        public const int MinTriangles = 50;
 
         /// <summary>Most triangles <see cref="Strips"/> makes.</summary>
-        public const int k_MaxTriangles = 1000000;
+        public const int MaxTriangles = 1000000;
 
         /// <summary>
         /// A regular grid: stations evenly along the span, vertices evenly along each chord from leading to trailing edge. Vertex (k, c) has the index
@@ -50,7 +50,7 @@ namespace Alate
         /// An even mesh of an exact number of triangles: the chord of every station is cut into pieces of nearly one size, and neighbouring stations are
         /// stitched along the shorter diagonals.
         /// </summary>
-        /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="k_MinTriangles"/> and <see cref="k_MaxTriangles"/>.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and <see cref="MaxTriangles"/>.</exception>
         public static SurfaceMesh Strips(WingOutline outline, int triangleCount, float scale = 1f)
         {
             if (outline == null)
@@ -58,10 +58,10 @@ namespace Alate
                 throw new ArgumentNullException(nameof(outline));
             }
 
-            if (triangleCount < k_MinTriangles || triangleCount > k_MaxTriangles)
+            if (triangleCount < MinTriangles || triangleCount > MaxTriangles)
             {
                 throw new ArgumentOutOfRangeException(
-                    nameof(triangleCount), triangleCount, $"A wing is meshed with {k_MinTriangles} to {k_MaxTriangles} triangles.");
+                    nameof(triangleCount), triangleCount, $"A wing is meshed with {MinTriangles} to {MaxTriangles} triangles.");
             }
 
             var segments = ChordSegments.For(outline, triangleCount, out var spans);

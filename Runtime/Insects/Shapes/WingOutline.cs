@@ -9,7 +9,7 @@ namespace Alate
     /// </summary>
     public sealed class WingOutline
     {
-        const int k_CapPanels = 64;
+        const int k_CapPanels = 64, k_PinchSteps = 16;
 
         readonly double[] m_Spans;
         readonly EdgeCurve m_Leading;
@@ -62,14 +62,16 @@ namespace Alate
 
         /// <summary>
         /// The same landmarks joined by monotone cubics, and the tip closed by an elliptic cap inside them, as long as the tip edge is wide. Wing length and the
-        /// bounds of the landmarks are kept.
+        /// bounds of the landmarks are kept. Edges that would pinch the wing to less than half its straight chord between two landmarks stay straight.
         /// </summary>
         public WingOutline Smoothed()
         {
             var last = m_Spans.Length - 1;
             var tipEdge = m_Leading.ValueAtLandmark(last) - m_Trailing.ValueAtLandmark(last);
             var capStart = 1 - Math.Min(tipEdge, 0.25);
-            return new WingOutline(m_Spans, m_Leading.Smoothed(), m_Trailing.Smoothed(), capStart, Length);
+            var smooth = new WingOutline(m_Spans, m_Leading.Smoothed(), m_Trailing.Smoothed(), 1, Length);
+            var edges = IsPinched(smooth) ? this : smooth;
+            return new WingOutline(m_Spans, edges.m_Leading, edges.m_Trailing, capStart, Length);
         }
 
         /// <summary>The leading edge ahead of the hinge line at a span from 0 to 1, wing lengths.</summary>
@@ -88,6 +90,23 @@ namespace Alate
 
         /// <summary>The chord at a span from 0 to 1, wing lengths.</summary>
         public double ChordAt(double span) => Math.Max(0, LeadingAt(span) - TrailingAt(span));
+
+        bool IsPinched(WingOutline smooth)
+        {
+            for (var i = 0; i + 1 < m_Spans.Length; i++)
+            {
+                for (var step = 1; step < k_PinchSteps; step++)
+                {
+                    var span = m_Spans[i] + (m_Spans[i + 1] - m_Spans[i]) * step / k_PinchSteps;
+                    if (smooth.ChordAt(span) < 0.5 * ChordAt(span))
+                    {
+                        return true;
+                    }
+                }
+            }
+
+            return false;
+        }
 
         double Cap(double span, double edge)
         {

@@ -76,9 +76,25 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
+        public void EachWing_BakesIntoARig_OfItsOwnAreaAndLength(SpeciesDefinition species)
+        {
+            foreach (var wing in species.Wings)
+            {
+                var skeleton = wing.CreateSkeleton(WingSide.Right);
+                var rig = WingRig.Bake(skeleton, wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name), WingRigSettings.Default);
+
+                Assert.That(rig.TriangleCount, Is.EqualTo(wing.TriangleCount));
+                Assert.That(rig.ChainCount, Is.EqualTo(wing.Chains));
+                Assert.That(rig.Frame.length, Is.EqualTo(wing.Outline.Length * SpeciesDefinition.UnitsPerMetre).Within(0.01).Percent);
+                rig.Release();
+                UnityEngine.Object.DestroyImmediate(skeleton);
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
         public void EachWing_SitsOnItsBody(SpeciesDefinition species)
         {
-            var body = species.Body.CreateSurface(SpeciesDefinition.k_UnitsPerMetre);
+            var body = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre);
             foreach (var wing in species.Wings)
             {
                 var hinge = wing.HingeOn(WingSide.Right);
@@ -88,7 +104,7 @@ namespace Alate.Tests
                     nearest = Math.Min(nearest, (position - hinge).magnitude);
                 }
 
-                Assert.That(nearest, Is.LessThan(0.03f * wing.Outline.Length * SpeciesDefinition.k_UnitsPerMetre));
+                Assert.That(nearest, Is.LessThan(0.03f * wing.Outline.Length * SpeciesDefinition.UnitsPerMetre));
             }
         }
 

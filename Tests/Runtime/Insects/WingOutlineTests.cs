@@ -40,10 +40,10 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void SmoothedEdges_NeverLeaveTheBandBetweenTwoLandmarks()
+        public void SmoothedEdges_StayInTheBandBetweenTwoLandmarks_UpToTheTip()
         {
             var smooth = Monarch.Smoothed();
-            for (var i = 0; i + 2 < Monarch.LandmarkSpans.Count; i++)
+            for (var i = 0; i + 3 < Monarch.LandmarkSpans.Count; i++)
             {
                 var from = Monarch.LandmarkSpans[i];
                 var to = Monarch.LandmarkSpans[i + 1];
@@ -65,6 +65,33 @@ namespace Alate.Tests
             Assert.That(smooth.ChordAt(1), Is.EqualTo(0).Within(1e-12));
             Assert.That(smooth.ChordAt(0.995), Is.GreaterThan(0.3 * Monarch.ChordAt(1)));
             Assert.That(smooth.Area, Is.EqualTo(Monarch.Area).Within(1).Percent);
+        }
+
+        [Test]
+        public void ASmoothedEdge_DoesNotOvershoot_BesideASteepRise()
+        {
+            var smooth = WingOutline.FromMillimetres(
+                new[] { 0.0, 10, 20, 30, 40 }, new[] { 1.0, 1.1, 11, 11.1, 11.1 }, new[] { -20.0, -20, -20, -20, 11 }).Smoothed();
+
+            for (var span = 0.0; span < 0.25; span += 0.005)
+            {
+                AssertBetween(smooth.LeadingAt(span), 1.0 / 40, 1.1 / 40);
+                AssertBetween(smooth.LeadingAt(span + 0.5), 11.0 / 40, 11.1 / 40);
+            }
+        }
+
+        [Test]
+        public void Smoothing_NeverPinchesTheWing()
+        {
+            var steep = WingOutline.FromMillimetres(
+                new[] { 0.0, 10, 20, 30 }, new[] { 12.0, 6, 0, 0 }, new[] { 5.5, 5.4, -1, -12 });
+
+            var smooth = steep.Smoothed();
+
+            for (var span = 0.0; span < 0.7; span += 0.01)
+            {
+                Assert.That(smooth.ChordAt(span), Is.GreaterThanOrEqualTo(0.5 * steep.ChordAt(span)));
+            }
         }
 
         [Test]
