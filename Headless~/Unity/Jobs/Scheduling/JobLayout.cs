@@ -69,7 +69,9 @@ internal sealed unsafe class JobLayout
                 if (handle->cell == null || (container.exempt && !handle->Exists))
                     continue;
                 var safety = ContainerSafety.Of(*handle);
+                int before = handle->IsOfJob ? handle->obeys : 0;
                 *handle = safety.JobHandle(i, container.readOnly && !container.exempt, container.writeOnly && !container.exempt);
+                handle->obeys |= before & (SafetyHandle.ReadDenied | SafetyHandle.WriteDenied);
                 if (!container.exempt)
                     record?.Use(safety, !container.readOnly);
             }
@@ -124,7 +126,8 @@ internal sealed unsafe class JobLayout
                 $"{What(container)} was allocated with Allocator.Temp, so it cannot be passed to a job. Use Allocator.TempJob.");
         }
 
-        var pending = safety.FindConflict(!container.readOnly, dependency, out bool otherWrites);
+        bool otherWrites = false;
+        var pending = handle->IsOfJob ? null : safety.FindConflict(!container.readOnly, dependency, out otherWrites);
         if (pending != null)
         {
             throw new InvalidOperationException(
