@@ -1,33 +1,36 @@
-using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace Alate
 {
     /// <summary>
     /// Eq. 9–11 over the whole wing: the surface of the last substep is carried along with the driven motion, each patch meets the
-    /// air, and its load goes to the four joints of its cell. A patch is a point (u, v) of its cell, so what varies over a cell is
-    /// bilinear: four coefficients per quantity, made once a cell.
+    /// air, and its load goes to the four joints of its cell. A patch is a point (u, v) of its cell, so what varies over a cell is a
+    /// small polynomial whose coefficients are made once a cell.
     /// </summary>
     internal static unsafe class Aerodynamics
     {
         /// <summary>Adds the air's forces and damping to the joints' and returns the force on the whole wing.</summary>
         public static SoaFloat3 Apply(in WingPack pack, in StepScratch scratch)
         {
-            CarryFrames(pack, scratch);
+            CellMotion.Carry(pack, scratch);
+            CellSheet.Carry(pack, scratch);
             PatchLoad* loads = pack.recordedLoads != null ? pack.recordedLoads : scratch.loads;
             SoaFloat3 total = default;
-            CellField field;
+            CellMotion motion;
+            CellSheet sheet;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
             for (int cell = 0; cell < pack.rig.cellCount; cell++)
             {
                 PatchCell* patches = pack.rig.patchCells + cell;
                 if (patches->patchCount == 0)
                     continue;
-                int joint = cell / bonesPerChain * pack.rig.jointsPerChain + cell % bonesPerChain;
-                Velocities(pack, scratch, patches, joint, &field);
-                MeetAir(pack, scratch, patches, &field);
-                Frames(pack, scratch, patches, joint, &field);
-                Normals(pack, scratch, patches, &field);
+                int joint = cell + cell / bonesPerChain;
+                int next = joint + pack.rig.jointsPerChain;
+                CellMotion.Gather(&motion, scratch, joint, next);
+                MeetAir(pack, scratch, patches, &motion);
+                CellSheet.Gather(&sheet, pack, scratch, joint, next);
+                Normals(pack, scratch, patches, &sheet);
+                DropSpanwiseFlow(pack, scratch, patches, &sheet);
                 Forces(pack, scratch, patches, loads);
                 total += Distribute(pack, scratch, patches, joint, loads);
             }
@@ -35,107 +38,44 @@ namespace Alate
             return total;
         }
 
-        /// <summary>Bilinear field over a cell: value(u, v) = c + u·cu + v·(cv + u·cuv), for up to three vectors at once.</summary>
-        private struct CellField
-        {
-            public Bilinear a;
-            public Bilinear b;
-            public Bilinear c;
-        }
-
-        private struct Bilinear
-        {
-            public SoaFloat3 c;
-            public SoaFloat3 cu;
-            public SoaFloat3 cv;
-            public SoaFloat3 cuv;
-
-            public void Set(SoaFloat3 at00, SoaFloat3 at01, SoaFloat3 at10, SoaFloat3 at11)
-            {
-                c = at00;
-                cu = at10 - at00;
-                cv = at01 - at00;
-                cuv = at11 - at10 - cv;
-            }
-
-            [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            public static SoaFloat3 At(Bilinear* f, float4 u, float4 v) => f->c + f->cu * u + (f->cv + f->cuv * u) * v;
-        }
-
-        // Joint frames turned on by what the driven rotation turned since the last substep.
-        private static void CarryFrames(in WingPack pack, in StepScratch scratch)
-        {
-            JointPose* poses = pack.pose;
-            int joints = pack.rig.jointsPerChain;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-            {
-                int i = joint / joints;
-                int bone = i * (joints - 1) + math.min(joint - i * joints, joints - 2);
-                SoaQuaternion turned = scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
-                scratch.carriedFrames[joint] = new SoaFloat3x3(turned * poses[joint].rotation);
-            }
-        }
-
-        // Velocity of the surface at the cell's origin and its slopes along the cell's span and chord.
-        private static void Velocities(in WingPack pack, in StepScratch scratch, PatchCell* cell, int joint, CellField* field)
-        {
-            int next = joint + pack.rig.jointsPerChain;
-            field->a.Set(VelocityAt(pack, scratch, joint, cell->origin), VelocityAt(pack, scratch, joint + 1, cell->origin),
-                VelocityAt(pack, scratch, next, cell->origin), VelocityAt(pack, scratch, next + 1, cell->origin));
-            JointMotion* m = pack.motions;
-            field->b.Set(SoaFloat3x3.Mul(m[joint].rate, cell->span), SoaFloat3x3.Mul(m[joint + 1].rate, cell->span),
-                SoaFloat3x3.Mul(m[next].rate, cell->span), SoaFloat3x3.Mul(m[next + 1].rate, cell->span));
-            field->c.Set(SoaFloat3x3.Mul(m[joint].rate, cell->chord), SoaFloat3x3.Mul(m[joint + 1].rate, cell->chord),
-                SoaFloat3x3.Mul(m[next].rate, cell->chord), SoaFloat3x3.Mul(m[next + 1].rate, cell->chord));
-        }
-
-        // The joint's frame moved so in the last substep, and the driven velocity has changed since.
-        private static SoaFloat3 VelocityAt(in WingPack pack, in StepScratch scratch, int joint, float3 point)
-        {
-            JointMotion* motion = pack.motions + joint;
-            SoaFloat3 carried = scratch.drivenVelocities[joint] - pack.drivenVelocities[joint];
-            return motion->velocity + carried + SoaFloat3x3.Mul(motion->rate, point - pack.rig.restJoints[joint]);
-        }
-
-        private static void MeetAir(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellField* field)
+        private static void MeetAir(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellMotion* motion)
         {
             SoaFloat3 wind = pack.surroundings->wind;
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
-                float4 u = pack.rig.patchU[patch], v = pack.rig.patchV[patch];
-                SoaFloat3 surface = Bilinear.At(&field->a, u, v)
-                    + Bilinear.At(&field->b, u, v) * pack.rig.patchSpan[patch]
-                    + Bilinear.At(&field->c, u, v) * pack.rig.patchChord[patch];
-                scratch.relativeWind[patch] = wind - surface;
+                scratch.relativeWind[patch] = wind - CellMotion.At(
+                    motion, pack.rig.patchU[patch], pack.rig.patchV[patch], pack.rig.patchSpan[patch], pack.rig.patchChord[patch]);
             }
         }
 
-        private static void Frames(in WingPack pack, in StepScratch scratch, PatchCell* cell, int joint, CellField* field)
+        private static void Normals(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
         {
-            int next = joint + pack.rig.jointsPerChain;
-            SoaFloat3x3* f = scratch.carriedFrames;
-            field->a.Set(SoaFloat3x3.Mul(f[joint], cell->normal), SoaFloat3x3.Mul(f[joint + 1], cell->normal),
-                SoaFloat3x3.Mul(f[next], cell->normal), SoaFloat3x3.Mul(f[next + 1], cell->normal));
-            field->b.Set(SoaFloat3x3.Mul(f[joint], cell->span), SoaFloat3x3.Mul(f[joint + 1], cell->span),
-                SoaFloat3x3.Mul(f[next], cell->span), SoaFloat3x3.Mul(f[next + 1], cell->span));
-        }
-
-        private static void Normals(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellField* field)
-        {
-            bool keepSpan = pack.options.tangent == AirTangent.BaseToTip;
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
-                float4 u = pack.rig.patchU[patch], v = pack.rig.patchV[patch];
-                SoaFloat3 normal = Bilinear.At(&field->a, u, v);
-                scratch.normals[patch] = normal * (1f / math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-12f)));
-                SoaFloat3 span = Bilinear.At(&field->b, u, v);
-                SoaFloat3 wind = scratch.relativeWind[patch];
-                if (keepSpan)
-                    scratch.alongSpan[patch] = math.abs(SoaFloat3.Dot(wind, SoaFloat3.NormalizeSafe(span)));
+                SoaFloat3 normal = CellSheet.NormalAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+                scratch.normals[patch] = normal * (1f / math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-20f)));
+            }
+        }
+
+        // The stream that makes the force has no part along the span: that flows off without turning. The printed tangent (base to
+        // tip) keeps the stream and measures the angle of attack against its part along the span.
+        private static void DropSpanwiseFlow(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
+        {
+            bool keep = pack.options.tangent == AirTangent.BaseToTip;
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                SoaFloat3 normal = scratch.normals[patch], wind = scratch.relativeWind[patch];
+                SoaFloat3 span = CellSheet.SpanAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+                span -= normal * SoaFloat3.Dot(span, normal);
+                float4 square = math.max(SoaFloat3.LengthSquared(span), 1e-12f);
+                float4 along = SoaFloat3.Dot(wind, span);
+                if (keep)
+                    scratch.alongSpan[patch] = math.abs(along) / math.sqrt(square);
                 else
-                    scratch.relativeWind[patch] = PatchAir.WithoutSpan(wind, span);
+                    scratch.relativeWind[patch] = wind - span * (along / square);
             }
         }
 

@@ -57,8 +57,9 @@ namespace Alate
             SoaFloat3 angles = pack.bendAngles[bone], rates = pack.bendRates[bone];
 
             float4 bend = torque.x * axis.x + torque.y * axis.y + torque.z * axis.z;
-            float4 dorsal = math.select(stiffness, stiffness * p.dorsalAsymmetry, angles.x > 0f);
-            angles.x = Hinge(inertia, damping, airDamping, dorsal, bend, p.jointLimit, dt, angles.x, ref rates.x);
+            float4 dorsal = math.select(1f, p.dorsalAsymmetry, angles.x > 0f);
+            angles.x = Hinge(inertia, damping * math.sqrt(dorsal), airDamping, stiffness * dorsal, bend, p.jointLimit, dt,
+                angles.x, ref rates.x);
 
             float4 inPlane = stiffness * p.inPlaneFactor;
             angles.y = Hinge(inertia, damping * math.sqrt(p.inPlaneFactor), airDamping, inPlane, torque.y, p.jointLimit, dt,

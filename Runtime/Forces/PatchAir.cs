@@ -15,11 +15,6 @@ namespace Alate
         /// <summary>The damping estimate divides by the sine of the angle of attack, never by less.</summary>
         private const float k_LeastSine = 0.05f;
 
-        /// <summary>The stream that makes the force: without its part along the span, which flows off without turning.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 WithoutSpan(SoaFloat3 wind, SoaFloat3 span) =>
-            wind - span * (SoaFloat3.Dot(wind, span) / math.max(SoaFloat3.LengthSquared(span), 1e-12f));
-
         /// <summary>Eq. 9 and 10 for one element of four wings.</summary>
         /// <param name="options">Coefficients and tangent.</param>
         /// <param name="wind">V, air minus surface velocity.</param>

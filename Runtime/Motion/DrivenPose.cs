@@ -12,31 +12,36 @@ namespace Alate
         /// <summary>From the angles of <see cref="DelayedWaves"/> to positions, velocities and accelerations of the joints.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
-            Rotations(pack, scratch);
+            Flap(pack, scratch);
+            Sweep(pack, scratch);
+            Feather(pack, scratch);
             Rates(pack, scratch);
             Chains(pack, scratch);
         }
 
-        private static void Rotations(in WingPack pack, in StepScratch scratch)
+        // R_X(tilt) R_Z(flap)
+        private static void Flap(in WingPack pack, in StepScratch scratch)
         {
-            ref readonly LaneParameters parameters = ref *pack.parameters;
-            float3 edge = pack.rig.leadingEdge;
+            float4 tiltSin = pack.parameters->tiltHalfSin, tiltCos = pack.parameters->tiltHalfCos;
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
-                SoaFloat3 half = scratch.angle[bone] * 0.5f;
-                SoaMath.SinCos(half.x, out float4 flapSin, out float4 flapCos);
-                var flap = new SoaQuaternion(
-                    new SoaFloat3(parameters.tiltHalfSin * flapCos, -parameters.tiltHalfSin * flapSin, parameters.tiltHalfCos * flapSin),
-                    parameters.tiltHalfCos * flapCos);
-                scratch.drivenRotations[bone] = flap;
+                SoaMath.SinCos(scratch.angle[bone].x * 0.5f, out float4 sin, out float4 cos);
+                scratch.drivenRotations[bone] = new SoaQuaternion(new SoaFloat3(tiltSin * cos, -tiltSin * sin, tiltCos * sin), tiltCos * cos);
             }
+        }
 
+        private static void Sweep(in WingPack pack, in StepScratch scratch)
+        {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 SoaMath.SinCos(scratch.angle[bone].y * 0.5f, out float4 sin, out float4 cos);
                 scratch.drivenRotations[bone] = TurnBackY(scratch.drivenRotations[bone], sin, cos);
             }
+        }
 
+        private static void Feather(in WingPack pack, in StepScratch scratch)
+        {
+            float3 edge = pack.rig.leadingEdge;
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 SoaMath.SinCos(scratch.angle[bone].z * 0.5f, out float4 sin, out float4 cos);

@@ -26,7 +26,6 @@ namespace Alate
             int count = firsts[rest.CellCount];
             areas = new float[count];
             float3[] centres = Centres(triangles, clusters, count);
-            float3[] normals = Normals(rest, triangles, located);
 
             u = new float[count];
             v = new float[count];
@@ -35,7 +34,6 @@ namespace Alate
             cells = new PatchCell[rest.CellCount];
             for (int cell = 0; cell < cells.Length; cell++)
             {
-                cells[cell] = Frame(rest, cell, normals[cell]);
                 cells[cell].firstPatch = firsts[cell];
                 cells[cell].patchCount = firsts[cell + 1] - firsts[cell];
                 Place(map, cell, centres);
@@ -58,50 +56,16 @@ namespace Alate
             return centres;
         }
 
-        private static float3[] Normals(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] located)
-        {
-            var sums = new float3[rest.CellCount];
-            for (int t = 0; t < triangles.Count; t++)
-                sums[located[t].cell] += triangles.areas[t] * triangles.normals[t];
-            for (int cell = 0; cell < sums.Length; cell++)
-                sums[cell] = math.normalizesafe(sums[cell], new float3(0f, 1f, 0f));
-            return sums;
-        }
-
-        private static PatchCell Frame(RestSkeleton rest, int cell, float3 normal)
-        {
-            int joint = rest.FirstJoint(cell), next = joint + rest.jointsPerChain;
-            float3 across = math.cross(normal, new float3(0f, 0f, 1f));
-            float3 x = new float3(1f, 0f, 0f), along = math.normalizesafe(x - normal * normal.x, math.normalizesafe(across, x));
-            return new PatchCell
-            {
-                origin = 0.25f * (rest.joints[joint] + rest.joints[joint + 1] + rest.joints[next] + rest.joints[next + 1]),
-                span = along,
-                chord = math.cross(along, normal),
-                normal = normal,
-            };
-        }
-
         private void Place(CellMap map, int cell, float3[] centres)
         {
             int first = cells[cell].firstPatch, end = first + cells[cell].patchCount;
-            float3 sum = default;
-            float area = 0f;
-            for (int patch = first; patch < end; patch++)
-            {
-                sum += areas[patch] * centres[patch];
-                area += areas[patch];
-            }
-
-            if (area > 0f)
-                cells[cell].origin = sum / area;
             for (int patch = first; patch < end; patch++)
             {
                 CellPoint at = map.LocateIn(cell, centres[patch]);
                 u[patch] = at.u;
                 v[patch] = at.v;
-                span[patch] = math.dot(centres[patch] - cells[cell].origin, cells[cell].span);
-                chord[patch] = math.dot(centres[patch] - cells[cell].origin, cells[cell].chord);
+                span[patch] = centres[patch].x;
+                chord[patch] = centres[patch].z;
             }
         }
     }

@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace Alate
@@ -16,6 +15,7 @@ namespace Alate
         public static void Evaluate(in WingPack pack, in StepScratch scratch, JointPose* poses)
         {
             Bones(pack, scratch);
+            CrossDirections(pack, scratch);
             Roll(pack, scratch);
             int joints = pack.rig.jointsPerChain;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
@@ -58,38 +58,42 @@ namespace Alate
             }
         }
 
-        private static void Roll(in WingPack pack, in StepScratch scratch)
+        // The rest cross-chain direction and the deformed one, both seen along the bone.
+        private static void CrossDirections(in WingPack pack, in StepScratch scratch)
         {
             int bonesPerChain = pack.rig.jointsPerChain - 1;
+            SoaFloat3* r = scratch.positions;
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 int i = bone / bonesPerChain;
                 int joint = bone + i;
                 int before = i > 0 ? joint - pack.rig.jointsPerChain : joint;
                 int after = i < pack.rig.chainCount - 1 ? joint + pack.rig.jointsPerChain : joint;
-                SoaFloat3* r = scratch.positions;
-                SoaFloat3 across = r[after] + r[after + 1] - r[before] - r[before + 1];
                 SoaFloat3 along = SoaFloat3.NormalizeSafe(r[joint + 1] - r[joint]);
-                SoaQuaternion rotation = scratch.boneRotations[bone];
-                SoaFloat3 rest = SoaQuaternion.Rotate(rotation, new SoaFloat3(pack.rig.crossDirections[bone]));
-                scratch.boneRotations[bone] = SoaQuaternion.Normalize(About(along, rest, across) * rotation);
+                SoaFloat3 to = r[after] + r[after + 1] - r[before] - r[before + 1];
+                SoaFloat3 from = SoaQuaternion.Rotate(scratch.boneRotations[bone], new SoaFloat3(pack.rig.crossDirections[bone]));
+                scratch.rollFrom[bone] = from - along * SoaFloat3.Dot(along, from);
+                scratch.rollTo[bone] = to - along * SoaFloat3.Dot(along, to);
             }
         }
 
-        // The turn about a unit axis, at most 60°, that brings one direction onto another as seen along the axis.
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static SoaQuaternion About(SoaFloat3 axis, SoaFloat3 from, SoaFloat3 to)
+        // The turn about each bone, at most 60°, that brings one direction onto the other.
+        private static void Roll(in WingPack pack, in StepScratch scratch)
         {
-            from -= axis * SoaFloat3.Dot(axis, from);
-            to -= axis * SoaFloat3.Dot(axis, to);
-            float4 scale2 = SoaFloat3.LengthSquared(from) * SoaFloat3.LengthSquared(to);
-            float4 inverse = SoaMath.SafeReciprocal(math.sqrt(scale2));
-            float4 cos = math.select(SoaFloat3.Dot(from, to) * inverse, 1f, scale2 < 1e-20f);
-            float4 sin = SoaFloat3.Dot(axis, SoaFloat3.Cross(from, to)) * inverse;
-            bool4 tooFar = cos < k_RollCos;
-            cos = math.select(cos, k_RollCos, tooFar);
-            sin = math.select(sin, k_RollSin * SoaMath.Sign(sin), tooFar);
-            return new SoaQuaternion(axis * sin, 1f + cos);
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+            {
+                SoaFloat3 from = scratch.rollFrom[bone], to = scratch.rollTo[bone];
+                float4 scale2 = SoaFloat3.LengthSquared(from) * SoaFloat3.LengthSquared(to);
+                float4 inverse = SoaMath.SafeReciprocal(math.sqrt(scale2));
+                float4 cos = math.select(SoaFloat3.Dot(from, to) * inverse, 1f, scale2 < 1e-20f);
+                SoaFloat3 turn = SoaFloat3.Cross(from, to) * inverse;
+                bool4 tooFar = cos < k_RollCos;
+                float4 sin2 = math.max(SoaFloat3.LengthSquared(turn), 1e-12f);
+                turn *= math.select(1f, k_RollSin / math.sqrt(sin2), tooFar);
+                cos = math.select(cos, k_RollCos, tooFar);
+                var roll = new SoaQuaternion(turn, 1f + cos);
+                scratch.boneRotations[bone] = SoaQuaternion.Normalize(roll * scratch.boneRotations[bone]);
+            }
         }
     }
 }

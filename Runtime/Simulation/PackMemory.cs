@@ -17,6 +17,9 @@ namespace Alate
         /// <summary>The view that the job takes.</summary>
         public WingPack view;
 
+        /// <summary>Position among the packs of the world.</summary>
+        public int index;
+
         /// <summary>Lanes that hold wings of their own: always the first ones.</summary>
         public int Count { get; private set; }
 
@@ -50,15 +53,29 @@ namespace Alate
         }
 
         /// <summary>Takes over a wing from another pack (or another lane), state and all, into a lane.</summary>
-        public void CopyLane(PackMemory from, int fromLane, int lane)
+        public void Take(PackMemory from, int fromLane, int lane)
         {
-            var source = (float*)from.m_Block;
-            var target = (float*)m_Block;
-            long count = m_Bytes / sizeof(float4);
-            for (long k = 0; k < count; k++)
-                target[4 * k + lane] = source[4 * k + fromLane];
+            for (int l = 0; l < WingPack.Lanes; l++)
+            {
+                if (Writes(lane, l))
+                    CopyLane(from, fromLane, l);
+            }
+
             wings[lane] = from.wings[fromLane];
         }
+
+        /// <summary>A pack of its own that holds one wing's state.</summary>
+        public PackMemory Snapshot(int lane)
+        {
+            var copy = new PackMemory(view.rig, view.options) { Count = 1 };
+            copy.view.substeps = view.substeps;
+            copy.view.slotStride = view.slotStride;
+            copy.Take(this, lane, 0);
+            return copy;
+        }
+
+        /// <summary>Writes into a lane; what the first lane holds is also written into the empty ones.</summary>
+        public bool Writes(int wingLane, int lane) => lane == wingLane || (wingLane == 0 && lane >= Count);
 
         /// <summary>Gives up the last lane; it becomes a copy of the first.</summary>
         public void RemoveLast()
@@ -95,6 +112,30 @@ namespace Alate
             m_Block = null;
         }
 
+        private void CopyLane(PackMemory from, int fromLane, int lane)
+        {
+            var source = (float*)from.m_Block;
+            var target = (float*)m_Block;
+            long count = m_Bytes / sizeof(float4);
+            for (long k = 0; k < count; k++)
+                target[4 * k + lane] = source[4 * k + fromLane];
+            if (from.view.substeps != view.substeps || from.view.slotStride != view.slotStride)
+                FreezeSlots(lane);
+        }
+
+        // The wing's poses of the last step lie at other times than this pack's: show the newest until the next step.
+        private void FreezeSlots(int lane)
+        {
+            int joints = view.rig.jointCount, floats = sizeof(JointPose) / sizeof(float);
+            for (int k = 0; k < joints * WingPack.PoseSlots; k++)
+            {
+                var slot = (float*)(view.slots + k);
+                var pose = (float*)(view.pose + k % joints);
+                for (int c = lane; c < floats; c += WingPack.Lanes)
+                    slot[c] = pose[c];
+            }
+        }
+
         private static long Layout(in RigView rig, byte* block, out WingPack view)
         {
             int joints = rig.jointCount, bones = rig.boneCount;
@@ -111,6 +152,7 @@ namespace Alate
             view.bendRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             view.bentRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
             view.drivenRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
+            view.drivenPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.drivenVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.offsets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.offsetRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);

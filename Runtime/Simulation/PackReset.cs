@@ -56,6 +56,8 @@ namespace Alate
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 scratch.positions[joint] = SoaFloat3.Select(pack.pose[joint].position, scratch.drivenPositions[joint], lanes);
+                pack.drivenPositions[joint] =
+                    SoaFloat3.Select(pack.drivenPositions[joint], scratch.drivenPositions[joint], lanes);
                 pack.drivenVelocities[joint] =
                     SoaFloat3.Select(pack.drivenVelocities[joint], scratch.drivenVelocities[joint], lanes);
                 pack.offsets[joint] = SoaFloat3.Select(pack.offsets[joint], default, lanes);

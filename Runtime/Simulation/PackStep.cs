@@ -81,6 +81,7 @@ namespace Alate
         {
             int joints = pack.rig.jointCount, bones = pack.rig.boneCount;
             UnsafeUtility.MemCpy(pack.pose, scratch.pose, (long)joints * sizeof(JointPose));
+            UnsafeUtility.MemCpy(pack.drivenPositions, scratch.drivenPositions, (long)joints * sizeof(SoaFloat3));
             UnsafeUtility.MemCpy(pack.drivenVelocities, scratch.drivenVelocities, (long)joints * sizeof(SoaFloat3));
             UnsafeUtility.MemCpy(pack.drivenRotations, scratch.drivenRotations, (long)bones * sizeof(SoaQuaternion));
         }

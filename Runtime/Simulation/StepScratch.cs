@@ -24,6 +24,13 @@ namespace Alate
 
         // Loads, per joint and per patch.
         public SoaFloat3x3* carriedFrames;
+        public SoaFloat3* carriedPositions;
+        public SoaFloat3* carriedSpans;
+        public SoaFloat3* alongEdges;
+        public SoaFloat3* acrossEdges;
+        public SoaFloat3* hingeVelocities;
+        public SoaFloat3* spanRates;
+        public SoaFloat3* chordRates;
         public SoaFloat3* forces;
         public float4* airDamping;
         public SoaFloat3* relativeWind;
@@ -49,6 +56,8 @@ namespace Alate
 
         // Frames.
         public SoaQuaternion* boneRotations;
+        public SoaFloat3* rollFrom;
+        public SoaFloat3* rollTo;
         public JointPose* pose;
 
         /// <summary>Lays the arrays out one behind the other; with <paramref name="memory"/> null it only measures.</summary>
@@ -71,6 +80,13 @@ namespace Alate
             scratch.drivenVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.drivenAccelerations = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.carriedFrames = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(joints);
+            scratch.carriedPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.carriedSpans = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.alongEdges = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.acrossEdges = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.hingeVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.spanRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.chordRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.forces = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.airDamping = (float4*)carver.Take<float4>(joints);
             scratch.relativeWind = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
@@ -92,6 +108,8 @@ namespace Alate
             scratch.image = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.springs = (SpringLinearisation*)carver.Take<SpringLinearisation>(size.springs);
             scratch.boneRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
+            scratch.rollFrom = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.rollTo = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.pose = (JointPose*)carver.Take<JointPose>(joints);
             return carver.Size;
         }

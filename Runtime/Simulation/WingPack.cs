@@ -37,6 +37,9 @@ namespace Alate
         /// <summary>G per bone: driven alone, of the last substep.</summary>
         public SoaQuaternion* drivenRotations;
 
+        /// <summary>d per joint: driven position of the last substep.</summary>
+        public SoaFloat3* drivenPositions;
+
         /// <summary>ḋ per joint of the last substep.</summary>
         public SoaFloat3* drivenVelocities;
 

@@ -115,7 +115,7 @@ namespace Alate
         {
             get
             {
-                var parameters = new WingParameters { substepsPerBeat = k_DefaultSubsteps, options = ModelOptions.Physical };
+                var parameters = new WingParameters { substepsPerBeat = DefaultSubsteps, options = ModelOptions.Physical };
                 foreach (var range in WingParameterRange.s_All)
                 {
                     range.Of(ref parameters) = range.Default;
@@ -126,7 +126,7 @@ namespace Alate
         }
 
         /// <summary>Bounds of <see cref="substepsPerBeat"/> and its default.</summary>
-        public const int k_MinSubsteps = 12, k_MaxSubsteps = 480, k_DefaultSubsteps = 24;
+        public const int MinSubsteps = 12, MaxSubsteps = 480, DefaultSubsteps = 24;
 
         /// <summary>The same parameters with every value moved into its range; a value that is not a number becomes its default.</summary>
         public WingParameters Clamped()
@@ -138,7 +138,7 @@ namespace Alate
                 value = range.Clamp(value);
             }
 
-            clamped.substepsPerBeat = math.clamp(substepsPerBeat, k_MinSubsteps, k_MaxSubsteps);
+            clamped.substepsPerBeat = math.clamp(substepsPerBeat, MinSubsteps, MaxSubsteps);
             return clamped;
         }
 
@@ -158,10 +158,10 @@ namespace Alate
                 }
             }
 
-            if (substepsPerBeat < k_MinSubsteps || substepsPerBeat > k_MaxSubsteps)
+            if (substepsPerBeat < MinSubsteps || substepsPerBeat > MaxSubsteps)
             {
                 return FormattableString.Invariant(
-                    $"substepsPerBeat is {substepsPerBeat}; it must be between {k_MinSubsteps} and {k_MaxSubsteps}.");
+                    $"substepsPerBeat is {substepsPerBeat}; it must be between {MinSubsteps} and {MaxSubsteps}.");
             }
 
             return null;

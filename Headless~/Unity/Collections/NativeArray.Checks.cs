@@ -8,7 +8,7 @@ namespace Unity.Collections;
 
 public unsafe partial struct NativeArray<T>
 {
-    private static string Name => $"NativeArray<{typeof(T).Name}>";
+    private static string Name => NativeArrayName<T>.Value;
 
     [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -3,94 +3,77 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace Unity.Mathematics;
 
-/// <summary>Four truth values, one in the lowest byte of each lane of a vector register; the other bytes are zero.</summary>
+/// <summary>Four truth values. Each is a lane of a vector register: true has its lowest bit, which the field shows, and its highest, which selects.</summary>
 [StructLayout(LayoutKind.Explicit, Size = 16)]
 public partial struct bool4 : IEquatable<bool4>
 {
-    [FieldOffset(0)] public bool x;
-    [FieldOffset(4)] public bool y;
-    [FieldOffset(8)] public bool z;
-    [FieldOffset(12)] public bool w;
-    [FieldOffset(0)] internal Vector4 lanes;
+    private const uint k_True = 0x80000001u;
+
+    // Read-only, unlike Unity's: writing one would leave the highest bit as it was. The indexer can write.
+    [FieldOffset(0)] public readonly bool x;
+    [FieldOffset(4)] public readonly bool y;
+    [FieldOffset(8)] public readonly bool z;
+    [FieldOffset(12)] public readonly bool w;
+    [FieldOffset(0)] internal readonly Vector4 lanes;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool y, bool z, bool w)
     {
-        lanes = default;
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
+        Unsafe.SkipInit(out this);
+        lanes = Vector128.Create(Lane(x), Lane(y), Lane(z), Lane(w)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool y, bool2 zw)
     {
-        lanes = default;
-        this.x = x;
-        this.y = y;
-        this.z = zw.x;
-        this.w = zw.y;
+        Unsafe.SkipInit(out this);
+        lanes = Vector128.Create(Lane(x), Lane(y), Lane(zw.x), Lane(zw.y)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool2 yz, bool w)
     {
-        lanes = default;
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-        this.w = w;
+        Unsafe.SkipInit(out this);
+        lanes = Vector128.Create(Lane(x), Lane(yz.x), Lane(yz.y), Lane(w)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool3 yzw)
     {
-        lanes = default;
-        this.x = x;
-        this.y = yzw.x;
-        this.z = yzw.y;
-        this.w = yzw.z;
+        Unsafe.SkipInit(out this);
+        lanes = Vector128.Create(Lane(x), Lane(yzw.x), Lane(yzw.y), Lane(yzw.z)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool2 xy, bool z, bool w)
     {
-        lanes = default;
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-        this.w = w;
+        Unsafe.SkipInit(out this);
+        lanes = Vector128.Create(Lane(xy.x), Lane(xy.y), Lane(z), Lane(w)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool2 xy, bool2 zw)
     {
-        lanes = default;
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = zw.x;
-        this.w = zw.y;
+        Unsafe.SkipInit(out this);
+        lanes = Vector128.Create(Lane(xy.x), Lane(xy.y), Lane(zw.x), Lane(zw.y)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool3 xyz, bool w)
     {
-        lanes = default;
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-        this.w = w;
+        Unsafe.SkipInit(out this);
+        lanes = Vector128.Create(Lane(xyz.x), Lane(xyz.y), Lane(xyz.z), Lane(w)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool v)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(v ? 1u : 0u).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(v)).AsSingle().AsVector4();
     }
 
     // From a mask whose lanes are all zeros or all ones.
@@ -98,7 +81,7 @@ public partial struct bool4 : IEquatable<bool4>
     internal bool4(Vector128<uint> mask)
     {
         Unsafe.SkipInit(out this);
-        lanes = (mask >>> 31).AsSingle().AsVector4();
+        lanes = (mask & Vector128.Create(k_True)).AsSingle().AsVector4();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -114,12 +97,14 @@ public partial struct bool4 : IEquatable<bool4>
         get => lanes.AsVector128().AsUInt32();
     }
 
-    // All ones where true.
-    internal Vector128<int> Mask
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Vector128.GreaterThan(lanes.AsVector128().AsInt32(), Vector128<int>.Zero);
-    }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static uint Lane(bool v) => v ? k_True : 0u;
+
+    /// <summary>Lanes of onTrue where true, else of onFalse.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal Vector128<float> Select(Vector128<float> onFalse, Vector128<float> onTrue) => Sse41.IsSupported
+        ? Sse41.BlendVariable(onFalse, onTrue, lanes.AsVector128())
+        : Vector128.ConditionalSelect((lanes.AsVector128().AsInt32() >> 31).AsSingle(), onTrue, onFalse);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator bool4(bool v) => new(v);
@@ -134,20 +119,20 @@ public partial struct bool4 : IEquatable<bool4>
     public static bool4 operator ^(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits).AsSingle().AsVector4());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator ==(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits ^ Vector128<uint>.One).AsSingle().AsVector4());
+    public static bool4 operator ==(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits ^ Vector128.Create(k_True)).AsSingle().AsVector4());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool4 operator !=(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits).AsSingle().AsVector4());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator !(bool4 val) => new((val.Bits ^ Vector128<uint>.One).AsSingle().AsVector4());
+    public static bool4 operator !(bool4 val) => new((val.Bits ^ Vector128.Create(k_True)).AsSingle().AsVector4());
 
     public bool this[int index]
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Unsafe.Add(ref Unsafe.As<bool4, bool>(ref Unsafe.AsRef(in this)), Index.Checked(index, 4) * 4);
+        get => Unsafe.Add(ref Unsafe.As<bool4, uint>(ref Unsafe.AsRef(in this)), Index.Checked(index, 4)) != 0u;
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        set => Unsafe.Add(ref Unsafe.As<bool4, bool>(ref this), Index.Checked(index, 4) * 4) = value;
+        set => Unsafe.Add(ref Unsafe.As<bool4, uint>(ref this), Index.Checked(index, 4)) = Lane(value);
     }
 
     public bool Equals(bool4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;

@@ -21,10 +21,10 @@ public static partial class @math
     public static bool any(bool4 x) => x.Bits != Vector128<uint>.Zero;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool all(bool4 x) => x.Bits == Vector128<uint>.One;
+    public static bool all(bool4 x) => Vector128.ExtractMostSignificantBits(x.Bits) == 15u;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int bitmask(bool4 value) => (int)Vector128.ExtractMostSignificantBits(value.Bits << 31);
+    public static int bitmask(bool4 value) => (int)Vector128.ExtractMostSignificantBits(value.Bits);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool any(int2 x) => any(x != 0);

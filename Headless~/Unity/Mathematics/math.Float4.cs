@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace Unity.Mathematics;
 
@@ -10,20 +11,23 @@ public static partial class @math
     public static float4 abs(float4 x) => new(Vector4.Abs(x.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 min(float4 x, float4 y) =>
-        new(Vector128.ConditionalSelect(Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Vector128.MinNative(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4());
+    public static float4 min(float4 x, float4 y) => Sse.IsSupported
+        ? new(Vector128.ConditionalSelect(
+            Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Sse.Min(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4())
+        : new(Vector128.MinNumber(x.lanes.AsVector128(), y.lanes.AsVector128()).AsVector4());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 max(float4 x, float4 y) =>
-        new(Vector128.ConditionalSelect(Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Vector128.MaxNative(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4());
+    public static float4 max(float4 x, float4 y) => Sse.IsSupported
+        ? new(Vector128.ConditionalSelect(
+            Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Sse.Max(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4())
+        : new(Vector128.MaxNumber(x.lanes.AsVector128(), y.lanes.AsVector128()).AsVector4());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 clamp(float4 valueToClamp, float4 lowerBound, float4 upperBound) =>
         max(min(valueToClamp, upperBound), lowerBound);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 saturate(float4 x) =>
-        new(Vector128.MaxNative(Vector128.MinNative(x.lanes.AsVector128(), Vector128<float>.One), Vector128<float>.Zero).AsVector4());
+    public static float4 saturate(float4 x) => max(min(x, new float4(1f)), new float4(0f));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 sqrt(float4 x) => new(Vector4.SquareRoot(x.lanes));
@@ -66,7 +70,7 @@ public static partial class @math
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 select(float4 falseValue, float4 trueValue, bool4 test) =>
-        new(Vector128.ConditionalSelect(test.Mask.AsSingle(), trueValue.lanes.AsVector128(), falseValue.lanes.AsVector128()).AsVector4());
+        new(test.Select(falseValue.lanes.AsVector128(), trueValue.lanes.AsVector128()).AsVector4());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 sign(float4 x) => select(0f, new float4(1f), x > 0f) - select(0f, new float4(1f), x < 0f);

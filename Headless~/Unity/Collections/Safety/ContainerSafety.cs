@@ -12,7 +12,6 @@ internal sealed unsafe class ContainerSafety
     {
         public SafetyCell main;
         public SafetyCell job;
-        public int index;
     }
 
     private struct User
@@ -33,7 +32,7 @@ internal sealed unsafe class ContainerSafety
     {
         // Stays for the life of the process, so that stale handles can always be recognised.
         m_Cells = (Cells*)NativeMemory.AllocZeroed((nuint)sizeof(Cells));
-        m_Cells->index = index;
+        m_Cells->main.container = m_Cells->job.container = index;
         m_Cells->main.version = m_Cells->job.version = 1;
     }
 
@@ -57,11 +56,10 @@ internal sealed unsafe class ContainerSafety
         }
     }
 
-    /// <summary>Of a handle that the main thread holds.</summary>
     public static ContainerSafety Of(in SafetyHandle handle)
     {
         lock (s_All)
-            return s_All[((Cells*)handle.cell)->index];
+            return s_All[handle.cell->container];
     }
 
     public SafetyHandle Handle() => new()

@@ -31,6 +31,8 @@ internal static class SafetyErrors
     public static void CheckRelease(in SafetyHandle handle, string name, JobHandle dependency)
     {
         CheckExists(handle, name);
+        if (handle.IsOfJob)
+            throw new InvalidOperationException($"A job must not dispose of the {name} that was passed to it.");
         var pending = ContainerSafety.Of(handle).FindConflict(true, dependency, out _);
         if (pending != null)
             throw new InvalidOperationException(

@@ -7,6 +7,7 @@ internal struct SafetyCell
 {
     public int version;
     public int blocked;
+    public int container;
 }
 
 /// <summary>The right of one copy of a container to its memory; a job's copy has another cell than the main thread's.</summary>
@@ -34,6 +35,9 @@ internal unsafe struct SafetyHandle
 
     // Which of the above this copy obeys.
     public int obeys;
+
+    /// <summary>A job's copy, not the main thread's.</summary>
+    public readonly bool IsOfJob => (obeys & (ReadBlocked | WriteBlocked)) == 0;
 
     public readonly bool Exists => cell->version == version;
 

@@ -14,9 +14,9 @@ internal sealed unsafe class DisposeJob : JobRecord
     public static JobHandle Schedule(void* memory, ContainerSafety safety, JobHandle dependency)
     {
         JobContext.CheckOutside("dispose of a container after a job");
-        JobWorkers.EnsureStarted();
         lock (JobTable.Gate)
         {
+            JobWorkers.EnsureStarted();
             var record = JobPool<DisposeJob>.Take();
             record.m_Memory = memory;
             record.m_Safety = safety;

@@ -20,9 +20,9 @@ internal sealed class ForJob<T> : JobRecord where T : struct, IJobFor
         ArgumentOutOfRangeException.ThrowIfNegative(length);
         JobContext.CheckOutside("schedule a job");
         s_Layout.Check(ref data, dependency, true);
-        JobWorkers.EnsureStarted();
         lock (JobTable.Gate)
         {
+            JobWorkers.EnsureStarted();
             var record = JobPool<ForJob<T>>.Take();
             var order = parallel ? JobWorkers.NextOrder() : BatchOrder.Ascending;
             record.m_Length = length;

@@ -69,7 +69,9 @@ internal sealed unsafe class JobLayout
                 if (handle->cell == null || (container.exempt && !handle->Exists))
                     continue;
                 var safety = ContainerSafety.Of(*handle);
+                int before = handle->IsOfJob ? handle->obeys : 0;
                 *handle = safety.JobHandle(i, container.readOnly && !container.exempt, container.writeOnly && !container.exempt);
+                handle->obeys |= before & (SafetyHandle.ReadDenied | SafetyHandle.WriteDenied);
                 if (!container.exempt)
                     record?.Use(safety, !container.readOnly);
             }
@@ -112,21 +114,25 @@ internal sealed unsafe class JobLayout
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
     private void Check(byte* data, in JobFields.Container container, int index, JobHandle dependency, bool scheduled)
     {
-        string what = $"{Name}.{container.name}";
         var handle = Handle(data, container);
         if (handle->cell == null)
-            throw new InvalidOperationException($"{what} has not been created. All containers of a job must be when it is scheduled.");
+            throw new InvalidOperationException($"{What(container)} has not been created. All containers of a job must be when it is scheduled.");
         if (!handle->Exists)
-            throw new ObjectDisposedException(what, $"{what} has been disposed of, so the job cannot be scheduled.");
+            throw new ObjectDisposedException(What(container), $"{What(container)} has been disposed of, so the job cannot be scheduled.");
         var safety = ContainerSafety.Of(*handle);
         if (scheduled && safety.IsTemporary)
-            throw new InvalidOperationException($"{what} was allocated with Allocator.Temp, so it cannot be passed to a job. Use Allocator.TempJob.");
-        var pending = safety.FindConflict(!container.readOnly, dependency, out bool otherWrites);
+        {
+            throw new InvalidOperationException(
+                $"{What(container)} was allocated with Allocator.Temp, so it cannot be passed to a job. Use Allocator.TempJob.");
+        }
+
+        bool otherWrites = false;
+        var pending = handle->IsOfJob ? null : safety.FindConflict(!container.readOnly, dependency, out otherWrites);
         if (pending != null)
         {
             throw new InvalidOperationException(
                 $"The scheduled job {pending.Name} {(otherWrites ? "writes to" : "reads from")} the {safety.Name} that the new job "
-                + $"{(container.readOnly ? "reads from" : "writes to")} as {what}. Make the new job depend on it, or complete it first.");
+                + $"{(container.readOnly ? "reads from" : "writes to")} as {What(container)}. Make the new job depend on it, or complete it first.");
         }
 
         for (int i = 0; i < index; i++)
@@ -134,9 +140,12 @@ internal sealed unsafe class JobLayout
             ref readonly var other = ref m_Fields.Containers[i];
             if (other.exempt || (other.readOnly && container.readOnly) || Handle(data, other)->cell != handle->cell)
                 continue;
-            throw new InvalidOperationException($"{what} is the same {safety.Name} as {Name}.{other.name}, and one of them is written: they must not be.");
+            throw new InvalidOperationException(
+                $"{What(container)} is the same {safety.Name} as {What(other)}, and the job may write it: containers of a job must not overlap.");
         }
     }
+
+    private string What(in JobFields.Container container) => $"{Name}.{container.name}";
 
     private static SafetyHandle* Handle(byte* data, in JobFields.Container container) => container.isView
         ? &((NativeArray<byte>.ReadOnly*)(data + container.offset))->m_Safety

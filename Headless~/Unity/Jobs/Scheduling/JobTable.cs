@@ -102,12 +102,8 @@ internal static class JobTable
             Array.Resize(ref s_Ready, 2 * s_ReadyCount);
         s_Ready[s_ReadyCount] = record;
         s_ReadyCount++;
-        if (s_Sleeping == 0)
-            return;
-        if (record.BatchCount > 1)
+        if (s_Sleeping > 0)
             Monitor.PulseAll(Gate);
-        else
-            Monitor.Pulse(Gate);
     }
 
     public static void Finish(JobRecord record)

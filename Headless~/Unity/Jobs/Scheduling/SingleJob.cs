@@ -15,9 +15,9 @@ internal sealed class SingleJob<T> : JobRecord where T : struct, IJob
     {
         JobContext.CheckOutside("schedule a job");
         s_Layout.Check(ref data, dependency, true);
-        JobWorkers.EnsureStarted();
         lock (JobTable.Gate)
         {
+            JobWorkers.EnsureStarted();
             var record = JobPool<SingleJob<T>>.Take();
             record.m_Data = data;
             record.Begin(1, BatchOrder.Ascending);
