@@ -55,8 +55,8 @@ namespace Alate
         public float* jointInertias;
 
         /// <summary>
-        /// [(i·m + j)·m + k] For k &gt; j |p_ik−p_ij| Λ_ik with Λ_ik = Σ_{l&lt;k} |p_ik−p_il|, else 0: turns the air's damping at joint
-        /// k into that of the bend at joint j.
+        /// [(i·m + j)·m + k] For k &gt; j |p_ik−p_ij| Λ_ik with Λ_ik = Σ_{l&lt;k} |p_ik−p_il|, else 0: turns the air's damping at
+        /// joint k into that of the bend at joint j.
         /// </summary>
         public float* leverDamping;
 

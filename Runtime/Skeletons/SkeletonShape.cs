@@ -155,7 +155,7 @@ namespace Alate
             if (inOrder && IsReversed(plan))
             {
                 AddNotLeading(problems,
-                    "Chain 0 is the principal chain, along the leading edge to the tip, but the last chain is far longer: is the order reversed?");
+                    "Chain 0 is the principal chain, on the leading edge, but the last chain is far longer: is the order reversed?");
             }
         }
 
