@@ -72,10 +72,10 @@ namespace Alate
         /// <summary>[patch] Bilinear coordinate of the centre along the chains, in [0, 1].</summary>
         public float* patchV;
 
-        /// <summary>[patch] Centre minus the cell's origin, along the cell's span.</summary>
+        /// <summary>[patch] Rest centre along the span, x.</summary>
         public float* patchSpan;
 
-        /// <summary>[patch] Centre minus the cell's origin, along the cell's chord.</summary>
+        /// <summary>[patch] Rest centre forward of the hinge, z.</summary>
         public float* patchChord;
 
         /// <summary>[patch] Rest area, L².</summary>

@@ -18,9 +18,6 @@ namespace Alate
         /// <summary>Areas, L².</summary>
         public readonly List<float> areas = new List<float>();
 
-        /// <summary>Unit normals on the dorsal side.</summary>
-        public readonly List<float3> normals = new List<float3>();
-
         /// <summary>Centroids.</summary>
         public readonly List<float3> centres = new List<float3>();
 
@@ -34,15 +31,13 @@ namespace Alate
             {
                 var corner = new int3(triangles[k], triangles[k + 1], triangles[k + 2]);
                 float3 a = points[corner.x], b = points[corner.y], c = points[corner.z];
-                float3 doubled = math.cross(b - a, c - a);
-                float length = math.length(doubled);
-                if (!(length > k_LeastDoubledArea) || !seen.Add(Sorted(places[corner.x], places[corner.y], places[corner.z])))
+                float doubled = math.length(math.cross(b - a, c - a));
+                if (!(doubled > k_LeastDoubledArea) || !seen.Add(Sorted(places[corner.x], places[corner.y], places[corner.z])))
                     continue;
                 corners.Add(corner);
-                areas.Add(0.5f * length);
-                normals.Add((doubled.y < 0f ? -doubled : doubled) / length);
+                areas.Add(0.5f * doubled);
                 centres.Add((a + b + c) / 3f);
-                Area += 0.5 * length;
+                Area += 0.5 * doubled;
             }
         }
 

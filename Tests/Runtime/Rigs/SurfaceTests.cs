@@ -122,10 +122,9 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void AMeshOfLines_HasNoTriangles()
+        public void AMeshOfVerticesAlone_HasNoTriangles()
         {
-            Mesh mesh = TestWings.ToMesh(TestWings.Ellipse());
-            mesh.SetIndices(new[] { 0, 1, 1, 2 }, MeshTopology.Lines, 0);
+            var mesh = new Mesh { name = "Points", vertices = TestWings.Ellipse().positions };
 
             Assert.That(Assert.Throws<ArgumentException>(() => BakeMesh(mesh)).Message, Does.Contain("no triangles"));
         }
