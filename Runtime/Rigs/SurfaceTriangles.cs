@@ -13,20 +13,24 @@ namespace Alate
         private const float k_LeastDoubledArea = 1e-12f;
 
         /// <summary>Vertex indices of the corners.</summary>
-        public readonly List<int3> corners = new List<int3>();
+        public readonly List<int3> corners;
 
         /// <summary>Areas, L².</summary>
-        public readonly List<float> areas = new List<float>();
+        public readonly List<float> areas;
 
         /// <summary>Centroids.</summary>
-        public readonly List<float3> centres = new List<float3>();
+        public readonly List<float3> centres;
 
         /// <param name="points">Vertex positions in the wing frame.</param>
         /// <param name="triangles">Three indices a triangle.</param>
         public SurfaceTriangles(float3[] points, int[] triangles)
         {
             int[] places = Places(points);
-            var seen = new HashSet<(int, int, int)>();
+            int most = triangles.Length / 3;
+            corners = new List<int3>(most);
+            areas = new List<float>(most);
+            centres = new List<float3>(most);
+            var seen = new HashSet<(int, int, int)>(most);
             for (int k = 0; k < triangles.Length; k += 3)
             {
                 var corner = new int3(triangles[k], triangles[k + 1], triangles[k + 2]);
