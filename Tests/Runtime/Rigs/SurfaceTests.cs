@@ -36,6 +36,31 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void AThinClosedShell_HasTheAreaOfOneSide()
+        {
+            const int k_Columns = 12, k_Rows = 6;
+            WingSurface top = TestWings.Ellipse(k_Columns, k_Rows), bottom = TestWings.Ellipse(k_Columns, k_Rows);
+            int vertices = top.positions.Length;
+            for (int k = 0; k < vertices; k++)
+            {
+                int column = k / (k_Rows + 1), row = k % (k_Rows + 1);
+                bool rim = column == 0 || column == k_Columns || row == 0 || row == k_Rows;
+                top.positions[k].y = rim ? 0f : 0.004f;
+                bottom.positions[k].y = rim ? 0f : -0.004f;
+            }
+
+            var shell = new WingSurface
+            {
+                positions = top.positions.Concat(bottom.positions).ToArray(),
+                triangles = top.triangles.Concat(bottom.triangles.Reverse().Select(index => index + vertices)).ToArray(),
+            };
+            WingRig rig = Bake(TestWings.Fan(), shell), flat = Bake();
+
+            Assert.That(rig.Area, Is.EqualTo(flat.Area).Within(0.01f * flat.Area));
+            Assert.That(rig.JointMasses.ToArray(), Is.EqualTo(flat.JointMasses.ToArray()).Within(2e-3f));
+        }
+
+        [Test]
         public void TrianglesWithoutArea_ChangeNothing()
         {
             WingSurface surface = TestWings.Ellipse();
