@@ -1,4 +1,3 @@
-#if !STANDIN_NO_ENGINE
 using System.Runtime.CompilerServices;
 using UnityEngine;
 
@@ -30,26 +29,3 @@ public partial struct float4
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator float4(Vector4 v) => new(v.x, v.y, v.z, v.w);
 }
-
-public partial struct @quaternion
-{
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator Quaternion(quaternion q) => new(q.value.x, q.value.y, q.value.z, q.value.w);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator quaternion(Quaternion q) => new(q.x, q.y, q.z, q.w);
-}
-
-public partial struct float4x4
-{
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator Matrix4x4(float4x4 m) => new(m.c0, m.c1, m.c2, m.c3);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator float4x4(Matrix4x4 m) => new(
-        m.m00, m.m01, m.m02, m.m03,
-        m.m10, m.m11, m.m12, m.m13,
-        m.m20, m.m21, m.m22, m.m23,
-        m.m30, m.m31, m.m32, m.m33);
-}
-#endif

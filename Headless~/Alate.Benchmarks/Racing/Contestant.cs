@@ -1,0 +1,9 @@
+using System;
+
+namespace Alate.Benchmarks;
+
+/// <summary>One way to do a piece of work.</summary>
+/// <param name="Name">What the table calls it.</param>
+/// <param name="Units">Pieces (vertices, joints, frames) that one call does: times are reported per piece.</param>
+/// <param name="Work">Does the work and leaves its result where it can be read, so that none of it can be left out.</param>
+internal sealed record Contestant(string Name, double Units, Action Work);

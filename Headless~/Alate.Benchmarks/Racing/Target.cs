@@ -1,0 +1,33 @@
+namespace Alate.Benchmarks;
+
+/// <summary>A figure of the report and what it should be.</summary>
+/// <param name="Key">Its name in the JSON.</param>
+/// <param name="Title">Its name in the table: baseline / ours, or ours / limit.</param>
+/// <param name="Unit">Unit of both times.</param>
+/// <param name="Must">The value that must be reached.</param>
+/// <param name="Aim">The value to strive for.</param>
+internal sealed record Target(string Key, string Title, string Unit, double Must, double Aim)
+{
+    /// <summary>Whether larger is better: so it is where the baseline is divided by ours.</summary>
+    public bool LargerIsBetter => Aim > Must;
+
+    public string Verdict(double value) => Reaches(value, Aim) ? "aim" : Reaches(value, Must) ? "must" : "MISSED";
+
+    private bool Reaches(double value, double target) => LargerIsBetter ? value >= target : value <= target;
+}
+
+/// <summary>All ratios that are measured, and their targets on a machine like the one they were set on.</summary>
+internal static class Targets
+{
+    public static readonly Target NaiveDqs = new("naive_dqs_over_grouped", "naive DQS / grouped DQS", "ns/vertex", 5, 8);
+    public static readonly Target NaiveLbs = new("naive_lbs_over_grouped", "naive LBS / grouped DQS", "ns/vertex", 2.5, 4);
+    public static readonly Target Calibration = new("grouped_over_fma", "grouped DQS / multiply-adds alone", "ns/vertex", 2.0, 1.3);
+    public static readonly Target Triangle = new("naive_triangle_over_patch", "naive triangle / patch", "ns/element", 4, 6.5);
+    public static readonly Target Cholesky = new("cholesky_over_pcg", "dense Cholesky / batched PCG", "us/iteration", 25, 50);
+    public static readonly Target Motion = new("scalar_fk_over_lanes", "scalar FK / lane FK", "ns/joint", 2.5, 4);
+    public static readonly Target Frame = new("naive_frame_over_frame", "naive frame / frame, 64 monarchs", "us/insect", 12, 25);
+    public static readonly Target Indexer = new("indexer_over_pointer", "NativeArray indexer / pointer", "ns/element", 1.2, 1.0);
+    public static readonly Target Crowd = new("crowd_400_over_16", "an insect of 400 / of 16", "us/insect", 1.3, 1.1);
+    public static readonly Target Cores = new("two_cores_over_one", "two cores / one, 64 insects", "us/insect", 1.7, 1.9);
+    public static readonly Target Single = new("single_insect_over_crowd", "an insect alone / of 64", "us/insect", 2.0, 2.0);
+}

@@ -1,0 +1,20 @@
+namespace UnityEngine
+{
+    public enum MeshTopology
+    {
+        Triangles = 0,
+        Quads = 2,
+        Lines = 3,
+        LineStrip = 4,
+        Points = 5,
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    public enum IndexFormat
+    {
+        UInt16 = 0,
+        UInt32 = 1,
+    }
+}

@@ -1,0 +1,91 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Solves H · step = −gradient over the joints that are no roots, preconditioned by the joints' own 3×3 blocks.</summary>
+    internal static unsafe class ConjugateGradients
+    {
+        /// <summary>A fixed small number of iterations from step = 0; a wing whose residual is spent stands still.</summary>
+        /// <returns>Wings that met a direction of negative curvature: their step is not to be used.</returns>
+        public static bool4 Solve(in WingPack pack, in StepScratch scratch, int iterations)
+        {
+            float4 rz = Begin(pack, scratch);
+            bool4 negative = false;
+            for (int k = 0; k < iterations; k++)
+            {
+                SpringEnergy.Apply(pack, scratch, scratch.direction, scratch.image);
+                float4 curvature = Curvature(pack, scratch);
+                negative |= (curvature <= 0f) & (rz > 0f);
+                float4 alpha = math.select(rz / math.max(curvature, 1e-30f), 0f, (curvature <= 0f) | (rz <= 1e-30f));
+                float4 next = Advance(pack, scratch, alpha);
+                float4 beta = math.select(next / math.max(rz, 1e-30f), 0f, rz <= 1e-30f);
+                Turn(pack, scratch, beta);
+                rz = next;
+            }
+
+            return negative;
+        }
+
+        private static float4 Begin(in WingPack pack, in StepScratch scratch)
+        {
+            float4 rz = default;
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                scratch.step[joint] = default;
+                if (joint % joints == 0)
+                {
+                    scratch.direction[joint] = default;
+                    continue;
+                }
+
+                SymmetricBlock.Invert(scratch.blocks + joint);
+                SoaFloat3 residual = -scratch.gradient[joint];
+                SoaFloat3 preconditioned = SymmetricBlock.Mul(scratch.blocks + joint, residual);
+                scratch.residual[joint] = residual;
+                scratch.direction[joint] = preconditioned;
+                rz += SoaFloat3.Dot(residual, preconditioned);
+            }
+
+            return rz;
+        }
+
+        private static float4 Curvature(in WingPack pack, in StepScratch scratch)
+        {
+            float4 sum = default;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                sum += SoaFloat3.Dot(scratch.direction[joint], scratch.image[joint]);
+            return sum;
+        }
+
+        private static float4 Advance(in WingPack pack, in StepScratch scratch, float4 alpha)
+        {
+            float4 rz = default;
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                if (joint % joints == 0)
+                    continue;
+                scratch.step[joint] += scratch.direction[joint] * alpha;
+                SoaFloat3 residual = scratch.residual[joint] - scratch.image[joint] * alpha;
+                SoaFloat3 preconditioned = SymmetricBlock.Mul(scratch.blocks + joint, residual);
+                scratch.residual[joint] = residual;
+                scratch.preconditioned[joint] = preconditioned;
+                rz += SoaFloat3.Dot(residual, preconditioned);
+            }
+
+            return rz;
+        }
+
+        private static void Turn(in WingPack pack, in StepScratch scratch, float4 beta)
+        {
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                if (joint % joints == 0)
+                    continue;
+                scratch.direction[joint] = scratch.preconditioned[joint] + scratch.direction[joint] * beta;
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// Newton's method for Eq. 14 on four wings at once: exact Hessian, steps by preconditioned conjugate gradients without a matrix, and
+    /// Armijo halving per wing. A wing that meets negative curvature repeats the iteration with its Hessian kept convex; one that has
+    /// converged stands still while the others go on.
+    /// </summary>
+    internal static unsafe class NewtonSolver
+    {
+        /// <summary>How long the solver may work.</summary>
+        public struct Limits
+        {
+            /// <summary>Newton iterations.</summary>
+            public int newton;
+
+            /// <summary>Conjugate-gradient iterations in each.</summary>
+            public int inner;
+
+            /// <summary>Converged when no joint moves further in an iteration, wing lengths.</summary>
+            public float tolerance;
+
+            /// <summary>What a substep uses: 4 Newton iterations, 1e-5 L, and inner iterations measured to reach 1e-4 L at the presets.</summary>
+            public static Limits Default => new Limits { newton = 4, inner = 8, tolerance = 1e-5f };
+        }
+
+        /// <summary>Armijo: the share of the predicted decrease that a step must bring.</summary>
+        private const float k_Decrease = 1e-4f;
+
+        /// <summary>Relative rounding of the energy sum; a rise below it is no rise.</summary>
+        private const float k_Rounding = 1e-6f;
+
+        private const int k_MaxHalvings = 10;
+
+        /// <summary>Minimises from scratch.positions, in place, the roots fixed.</summary>
+        /// <returns>Iterations that each wing took.</returns>
+        public static float4 Minimise(in WingPack pack, in StepScratch scratch, in Limits limits)
+        {
+            bool4 convex = false;
+            bool4 active = true;
+            float4 iterations = default;
+            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
+            for (int k = 0; k < limits.newton; k++)
+            {
+                bool4 negative = ConjugateGradients.Solve(pack, scratch, limits.inner) & active & !convex;
+                if (math.any(negative))
+                {
+                    convex |= negative;
+                    SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
+                    ConjugateGradients.Solve(pack, scratch, limits.inner);
+                }
+
+                iterations += math.select(0f, 1f, active);
+                bool4 moved = active & (LargestMove(pack, scratch) >= limits.tolerance * limits.tolerance);
+                convex = false;
+                value = LineSearch(pack, scratch, value, active);
+                active = moved;
+                if (!math.any(active))
+                    break;
+            }
+
+            return iterations;
+        }
+
+        // Halves the step of each wing until its energy falls; leaves the linearisation at the accepted positions.
+        private static float4 LineSearch(in WingPack pack, in StepScratch scratch, float4 value, bool4 active)
+        {
+            float4 slope = Slope(pack, scratch);
+            float4 length = math.select(0f, 1f, active);
+            float4 found = value;
+            for (int halving = 0; ; halving++)
+            {
+                for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                    scratch.candidate[joint] = scratch.positions[joint] + scratch.step[joint] * length;
+                found = SpringEnergy.Linearise(pack, scratch, scratch.candidate, false);
+                bool4 tooHigh = !(found <= value + k_Decrease * length * slope + k_Rounding * math.abs(value)) & (length > 0f);
+                if (!math.any(tooHigh))
+                    break;
+                length = math.select(length, halving < k_MaxHalvings ? 0.5f * length : 0f, tooHigh);
+            }
+
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                scratch.positions[joint] = scratch.candidate[joint];
+            return found;
+        }
+
+        private static float4 Slope(in WingPack pack, in StepScratch scratch)
+        {
+            float4 slope = default;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                slope += SoaFloat3.Dot(scratch.gradient[joint], scratch.step[joint]);
+            return slope;
+        }
+
+        private static float4 LargestMove(in WingPack pack, in StepScratch scratch)
+        {
+            float4 largest = default;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                largest = math.max(largest, SoaFloat3.LengthSquared(scratch.step[joint]));
+            return largest;
+        }
+    }
+}

@@ -1,0 +1,66 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>A symmetric 3×3 matrix of four wings.</summary>
+    internal unsafe struct SymmetricBlock
+    {
+        public float4 xx;
+        public float4 yy;
+        public float4 zz;
+        public float4 xy;
+        public float4 xz;
+        public float4 yz;
+
+        /// <summary>diagonal·I.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static SymmetricBlock Diagonal(float4 diagonal)
+        {
+            SymmetricBlock m = default;
+            m.xx = diagonal;
+            m.yy = diagonal;
+            m.zz = diagonal;
+            return m;
+        }
+
+        /// <summary>Adds axial·d dᵀ + transversal·I.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void AddSpring(SymmetricBlock* m, SoaFloat3 d, float4 axial, float4 transversal)
+        {
+            SoaFloat3 s = d * axial;
+            m->xx += s.x * d.x + transversal;
+            m->yy += s.y * d.y + transversal;
+            m->zz += s.z * d.z + transversal;
+            m->xy += s.x * d.y;
+            m->xz += s.x * d.z;
+            m->yz += s.y * d.z;
+        }
+
+        /// <summary>Matrix times vector.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static SoaFloat3 Mul(SymmetricBlock* m, SoaFloat3 v) => new SoaFloat3(
+            m->xx * v.x + m->xy * v.y + m->xz * v.z,
+            m->xy * v.x + m->yy * v.y + m->yz * v.z,
+            m->xz * v.x + m->yz * v.y + m->zz * v.z);
+
+        /// <summary>Replaces the matrix by its inverse; the determinant of a positive definite block is not zero.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Invert(SymmetricBlock* m)
+        {
+            float4 cxx = m->yy * m->zz - m->yz * m->yz;
+            float4 cxy = m->xz * m->yz - m->xy * m->zz;
+            float4 cxz = m->xy * m->yz - m->xz * m->yy;
+            float4 inverse = 1f / (m->xx * cxx + m->xy * cxy + m->xz * cxz);
+            float4 cyy = m->xx * m->zz - m->xz * m->xz;
+            float4 cyz = m->xy * m->xz - m->xx * m->yz;
+            float4 czz = m->xx * m->yy - m->xy * m->xy;
+            m->xx = cxx * inverse;
+            m->xy = cxy * inverse;
+            m->xz = cxz * inverse;
+            m->yy = cyy * inverse;
+            m->yz = cyz * inverse;
+            m->zz = czz * inverse;
+        }
+    }
+}

@@ -1,0 +1,129 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// Eq. 9–11 over the whole wing: the surface of the last substep is carried along with the driven motion, each patch meets the
+    /// air, and its load goes to the four joints of its cell. A patch is a point (u, v) of its cell, so what varies over a cell is a
+    /// small polynomial whose coefficients are made once a cell.
+    /// </summary>
+    internal static unsafe class Aerodynamics
+    {
+        /// <summary>Adds the air's forces and damping to the joints' and returns the force on the whole wing.</summary>
+        public static SoaFloat3 Apply(in WingPack pack, in StepScratch scratch)
+        {
+            CellMotion.Carry(pack, scratch);
+            CellSheet.Carry(pack, scratch);
+            PatchLoad* loads = pack.recordedLoads != null ? pack.recordedLoads : scratch.loads;
+            SoaFloat3 total = default;
+            CellMotion motion;
+            CellSheet sheet;
+            int bonesPerChain = pack.rig.jointsPerChain - 1;
+            for (int cell = 0; cell < pack.rig.cellCount; cell++)
+            {
+                PatchCell* patches = pack.rig.patchCells + cell;
+                if (patches->patchCount == 0)
+                    continue;
+                int joint = cell + cell / bonesPerChain;
+                int next = joint + pack.rig.jointsPerChain;
+                CellMotion.Gather(&motion, scratch, joint, next);
+                MeetAir(pack, scratch, patches, &motion);
+                CellSheet.Gather(&sheet, pack, scratch, joint, next);
+                Normals(pack, scratch, patches, &sheet);
+                DropSpanwiseFlow(pack, scratch, patches, &sheet);
+                Forces(pack, scratch, patches, loads);
+                total += Distribute(pack, scratch, patches, joint, loads);
+            }
+
+            return total;
+        }
+
+        private static void MeetAir(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellMotion* motion)
+        {
+            SoaFloat3 wind = pack.surroundings->wind;
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                scratch.relativeWind[patch] = wind - CellMotion.At(
+                    motion, pack.rig.patchU[patch], pack.rig.patchV[patch], pack.rig.patchSpan[patch], pack.rig.patchChord[patch]);
+            }
+        }
+
+        private static void Normals(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
+        {
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                SoaFloat3 normal = CellSheet.NormalAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+                scratch.normals[patch] = normal * (1f / math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-20f)));
+            }
+        }
+
+        // The stream that makes the force has no part along the span: that flows off without turning. The printed tangent (base to
+        // tip) keeps the stream and measures the angle of attack against its part along the span.
+        private static void DropSpanwiseFlow(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
+        {
+            bool keep = pack.options.tangent == AirTangent.BaseToTip;
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                SoaFloat3 normal = scratch.normals[patch], wind = scratch.relativeWind[patch];
+                SoaFloat3 span = CellSheet.SpanAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+                span -= normal * SoaFloat3.Dot(span, normal);
+                float4 square = math.max(SoaFloat3.LengthSquared(span), 1e-12f);
+                float4 along = SoaFloat3.Dot(wind, span);
+                if (keep)
+                    scratch.alongSpan[patch] = math.abs(along) / math.sqrt(square);
+                else
+                    scratch.relativeWind[patch] = wind - span * (along / square);
+            }
+        }
+
+        private static void Forces(in WingPack pack, in StepScratch scratch, PatchCell* cell, PatchLoad* loads)
+        {
+            float4 halfDensity = 0.5f * pack.parameters->airDensity;
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                loads[patch] = PatchAir.Load(
+                    pack.options, scratch.relativeWind[patch], scratch.normals[patch], scratch.alongSpan[patch],
+                    halfDensity * pack.rig.patchAreas[patch]);
+            }
+        }
+
+        // Weighted sums of the loads, then once a cell to its joints: the weights of a patch are (1−u)(1−v), (1−u)v, u(1−v), uv.
+        private static SoaFloat3 Distribute(in WingPack pack, in StepScratch scratch, PatchCell* cell, int joint, PatchLoad* loads)
+        {
+            SoaFloat3 f = default, fu = default, fv = default, fuv = default;
+            float4 b = default, bu = default, bv = default, buv = default;
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                float4 u = pack.rig.patchU[patch], v = pack.rig.patchV[patch], uv = u * v;
+                SoaFloat3 force = loads[patch].force;
+                float4 damping = loads[patch].damping;
+                f += force;
+                fu += force * u;
+                fv += force * v;
+                fuv += force * uv;
+                b += damping;
+                bu += damping * u;
+                bv += damping * v;
+                buv += damping * uv;
+            }
+
+            int next = joint + pack.rig.jointsPerChain;
+            Add(scratch, joint, f - fu - fv + fuv, b - bu - bv + buv);
+            Add(scratch, joint + 1, fv - fuv, bv - buv);
+            Add(scratch, next, fu - fuv, bu - buv);
+            Add(scratch, next + 1, fuv, buv);
+            return f;
+        }
+
+        private static void Add(in StepScratch scratch, int joint, SoaFloat3 force, float4 damping)
+        {
+            scratch.forces[joint] += force;
+            scratch.airDamping[joint] += damping;
+        }
+    }
+}

@@ -1,0 +1,72 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>All forces on the joints: inertia of the beat (Eq. 5, 8), gravity, air (Eq. 9–11), and their torques (Eq. 4).</summary>
+    internal static unsafe class JointLoads
+    {
+        /// <summary>Fills forces, airDamping and torques; returns the air's force on the wing.</summary>
+        public static SoaFloat3 Evaluate(in WingPack pack, in StepScratch scratch)
+        {
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                scratch.forces[joint] = default;
+                scratch.airDamping[joint] = default;
+            }
+
+            SoaFloat3 air = Aerodynamics.Apply(pack, scratch);
+            AddInertiaAndGravity(pack, scratch);
+            if (pack.options.torqueArm == TorqueArm.OwnLoadAboutRoot)
+                TorquesAboutRoot(pack, scratch);
+            else
+                TorquesOfDistalJoints(pack, scratch);
+            return air;
+        }
+
+        // Eq. 5, 8 in the wing's own frame: the load of the driven motion, −κ m a; and m g of Eq. 4.
+        private static void AddInertiaAndGravity(in WingPack pack, in StepScratch scratch)
+        {
+            SoaFloat3 gravity = pack.surroundings->gravity;
+            float4 inertia = pack.parameters->inertia;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                float4 mass = pack.rig.jointMasses[joint];
+                scratch.forces[joint] += (gravity - scratch.drivenAccelerations[joint] * inertia) * mass;
+            }
+        }
+
+        // Eq. 4 over all loads further out on the chain, about the joint that bends: Σ (r_k − r_j) × F_k, on the last positions.
+        private static void TorquesOfDistalJoints(in WingPack pack, in StepScratch scratch)
+        {
+            JointPose* poses = pack.pose;
+            int joints = pack.rig.jointsPerChain;
+            for (int i = 0; i < pack.rig.chainCount; i++)
+            {
+                SoaFloat3 force = default, moment = default;
+                for (int j = joints - 1; j > 0; j--)
+                {
+                    int joint = i * joints + j;
+                    force += scratch.forces[joint];
+                    moment += SoaFloat3.Cross(poses[joint].position, scratch.forces[joint]);
+                    scratch.torques[joint - 1 - i] = moment - SoaFloat3.Cross(poses[joint - 1].position, force);
+                }
+            }
+        }
+
+        // Eq. 4 as printed: the joint's own load on the arm between the joint and its chain's root.
+        private static void TorquesAboutRoot(in WingPack pack, in StepScratch scratch)
+        {
+            JointPose* poses = pack.pose;
+            int joints = pack.rig.jointsPerChain;
+            for (int i = 0; i < pack.rig.chainCount; i++)
+            {
+                SoaFloat3 root = poses[i * joints].position;
+                for (int j = 0; j < joints - 1; j++)
+                {
+                    int joint = i * joints + j;
+                    scratch.torques[joint - i] = SoaFloat3.Cross(poses[joint].position - root, scratch.forces[joint]);
+                }
+            }
+        }
+    }
+}

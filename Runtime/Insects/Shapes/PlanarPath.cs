@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>A polyline in the plane of the wing, walked by its arc length.</summary>
+    sealed class PlanarPath
+    {
+        readonly List<(double X, double Z)> m_Points = new List<(double X, double Z)>();
+        readonly List<double> m_Distances = new List<double>();
+
+        public double Length => m_Distances.Count == 0 ? 0 : m_Distances[m_Distances.Count - 1];
+
+        public void Add(double x, double z)
+        {
+            var distance = 0.0;
+            if (m_Points.Count > 0)
+            {
+                var (lastX, lastZ) = m_Points[m_Points.Count - 1];
+                distance = Length + Math.Sqrt((x - lastX) * (x - lastX) + (z - lastZ) * (z - lastZ));
+            }
+
+            m_Points.Add((x, z));
+            m_Distances.Add(distance);
+        }
+
+        public (double X, double Z) At(double distance)
+        {
+            var found = m_Distances.BinarySearch(distance);
+            if (found >= 0)
+            {
+                return m_Points[found];
+            }
+
+            var after = Math.Clamp(~found, 1, m_Points.Count - 1);
+            var stretch = m_Distances[after] - m_Distances[after - 1];
+            var t = stretch > 0 ? Math.Clamp((distance - m_Distances[after - 1]) / stretch, 0, 1) : 0;
+            var (x0, z0) = m_Points[after - 1];
+            var (x1, z1) = m_Points[after];
+            return (x0 + t * (x1 - x0), z0 + t * (z1 - z0));
+        }
+    }
+}

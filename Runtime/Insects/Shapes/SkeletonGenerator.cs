@@ -1,0 +1,126 @@
+using System;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>
+    /// Makes the radial skeleton of a right or left wing from its outline (Sec. 4.1): roots evenly on the base chord, tips evenly along the contour from the leading corner
+    /// of the tip over the trailing edge, chain 0 along the leading edge, the others straight, joints evenly along each chain.
+    /// </summary>
+    public static class SkeletonGenerator
+    {
+        /// <summary>Even steps of span in which an edge is walked to measure its arc length, here to 3·10⁻⁵ of it.</summary>
+        const int k_EdgeSteps = 400;
+
+        /// <summary>Makes a skeleton.</summary>
+        /// <param name="outline">The wing's contour.</param>
+        /// <param name="chains">Radial chains, <see cref="WingSkeleton.MinChains"/> to <see cref="WingSkeleton.MaxChains"/>.</param>
+        /// <param name="jointsPerChain">Joints of each chain, <see cref="WingSkeleton.MinJoints"/> to <see cref="WingSkeleton.MaxJoints"/>.</param>
+        /// <param name="lastTipSpan">Span of the last chain's tip on the trailing edge, wing lengths, above 0 and below 1.</param>
+        /// <param name="scale">Length of the wing in mesh units.</param>
+        /// <param name="side">Left gives the mirror image.</param>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+        public static WingSkeleton Generate(
+            WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale = 1f, WingSide side = WingSide.Right)
+        {
+            Check(outline, chains, jointsPerChain, lastTipSpan, scale);
+            var leadingEdge = LeadingEdge(outline);
+            var rim = TipAndTrailingEdge(outline, lastTipSpan);
+            var sign = side == WingSide.Right ? 1f : -1f;
+            var made = new JointChain[chains];
+            for (var i = 0; i < chains; i++)
+            {
+                var across = (double)i / (chains - 1);
+                var path = i == 0 ? leadingEdge : Straight(Root(outline, across), rim.At(rim.Length * across));
+                made[i] = new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) };
+            }
+
+            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            skeleton.Hinge = made[0].joints[0];
+            skeleton.SpanAxis = new Vector3(sign, 0f, 0f);
+            skeleton.UpAxis = new Vector3(0f, 1f, 0f);
+            skeleton.Chains = made;
+            return skeleton;
+        }
+
+        static Vector3[] JointsAlong(PlanarPath path, int count, float scale, float sign)
+        {
+            var joints = new Vector3[count];
+            for (var j = 0; j < count; j++)
+            {
+                var (x, z) = path.At(path.Length * j / (count - 1));
+                joints[j] = new Vector3((float)(sign * scale * x), 0f, (float)(scale * z));
+            }
+
+            return joints;
+        }
+
+        static (double X, double Z) Root(WingOutline outline, double across)
+        {
+            return (0, outline.LeadingAt(0) - across * outline.ChordAt(0));
+        }
+
+        static PlanarPath Straight((double X, double Z) root, (double X, double Z) tip)
+        {
+            var path = new PlanarPath();
+            path.Add(root.X, root.Z);
+            path.Add(tip.X, tip.Z);
+            return path;
+        }
+
+        static PlanarPath LeadingEdge(WingOutline outline)
+        {
+            var path = new PlanarPath();
+            for (var step = 0; step <= k_EdgeSteps; step++)
+            {
+                var span = (double)step / k_EdgeSteps;
+                path.Add(span, outline.LeadingAt(span));
+            }
+
+            return path;
+        }
+
+        static PlanarPath TipAndTrailingEdge(WingOutline outline, double lastTipSpan)
+        {
+            var path = new PlanarPath();
+            path.Add(1, outline.LeadingAt(1));
+            for (var step = 0; step <= k_EdgeSteps; step++)
+            {
+                var span = 1 + (lastTipSpan - 1) * step / k_EdgeSteps;
+                path.Add(span, outline.TrailingAt(span));
+            }
+
+            return path;
+        }
+
+        static void Check(WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale)
+        {
+            if (outline == null)
+            {
+                throw new ArgumentNullException(nameof(outline));
+            }
+
+            if (chains < WingSkeleton.MinChains || chains > WingSkeleton.MaxChains)
+            {
+                throw new ArgumentOutOfRangeException(
+                    nameof(chains), chains, $"A skeleton has {WingSkeleton.MinChains} to {WingSkeleton.MaxChains} chains.");
+            }
+
+            if (jointsPerChain < WingSkeleton.MinJoints || jointsPerChain > WingSkeleton.MaxJoints)
+            {
+                throw new ArgumentOutOfRangeException(
+                    nameof(jointsPerChain), jointsPerChain, $"A chain has {WingSkeleton.MinJoints} to {WingSkeleton.MaxJoints} joints.");
+            }
+
+            if (!(lastTipSpan > 0 && lastTipSpan < 1))
+            {
+                throw new ArgumentOutOfRangeException(nameof(lastTipSpan), lastTipSpan, "The last chain ends between the base and the tip.");
+            }
+
+            if (!(scale > 0 && scale <= float.MaxValue))
+            {
+                throw new ArgumentOutOfRangeException(nameof(scale), scale, "The wing length is a positive number.");
+            }
+        }
+    }
+}

@@ -1,0 +1,38 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Where four wings are in their beat; lane = wing (model of Eq. 6–7: frequency and amplitude change per cycle).</summary>
+    internal struct BeatState
+    {
+        /// <summary>Φ in [0, 2π).</summary>
+        public float4 phase;
+
+        /// <summary>Cycles completed since the reset.</summary>
+        public float4 cycles;
+
+        /// <summary>Latched frequency of this cycle, Hz.</summary>
+        public float4 frequency;
+
+        /// <summary>Latched frequency of the cycle before, Hz.</summary>
+        public float4 previousFrequency;
+
+        /// <summary>1 while the body is pitched up beyond the threshold of Eq. 6–7 (with hysteresis), else 0.</summary>
+        public float4 pitchedUp;
+
+        /// <summary>Latched half amplitudes of this cycle: flap, sweep, feather, radians.</summary>
+        public SoaFloat3 amplitude;
+
+        /// <summary>The same, one cycle back.</summary>
+        public SoaFloat3 amplitude1;
+
+        /// <summary>The same, two cycles back.</summary>
+        public SoaFloat3 amplitude2;
+
+        /// <summary>The same, three cycles back.</summary>
+        public SoaFloat3 amplitude3;
+
+        /// <summary>ω, the angular rate of the phase now, rad/s.</summary>
+        public float4 rate;
+    }
+}

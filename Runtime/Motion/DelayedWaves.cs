@@ -1,0 +1,128 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// Eq. 1–3: flap, sweep and feather as cosine waves that reach each chain and joint with a delay, with their first and second
+    /// derivatives with respect to the phase. Several passes over small arrays: each stays small enough to be compiled without calls.
+    /// </summary>
+    internal static unsafe class DelayedWaves
+    {
+        private const float k_TwoPi = 2f * math.PI;
+        private const float k_InversePi = 1f / math.PI;
+
+        /// <summary>Fills angle, angleRate and angleCurvature of every bone: cumulative along its chain; derivatives per radian of Φ.</summary>
+        public static void Evaluate(in WingPack pack, in StepScratch scratch)
+        {
+            LocalPhases(pack, scratch);
+            Waves(pack, scratch);
+            Accumulate(pack, scratch);
+        }
+
+        // Eq. 2 as a phase δ = λπρ + μπσ, and the Heaviside of Eq. 3: the local phase goes back into earlier cycles, and stands
+        // at the start of the first one until the wave arrives.
+        private static void LocalPhases(in WingPack pack, in StepScratch scratch)
+        {
+            ref readonly LaneParameters parameters = ref *pack.parameters;
+            ref readonly BeatState beat = ref *pack.beat;
+            int bonesPerChain = pack.rig.jointsPerChain - 1;
+            for (int i = 0, bone = 0; i < pack.rig.chainCount; i++)
+            {
+                float4 chainPhase = beat.phase - parameters.wingDelay - parameters.chordDelay * pack.rig.chainRatio[i];
+                for (int j = 0; j < bonesPerChain; j++, bone++)
+                {
+                    float4 p = chainPhase - parameters.spanDelay * pack.rig.jointRatio[j];
+                    SoaFloat3 now = beat.amplitude;
+                    SoaFloat3 before = beat.amplitude1;
+                    bool4 earlier = (p < 0f) & (beat.cycles >= 1f);
+                    p = math.select(p, p + k_TwoPi, earlier);
+                    now = SoaFloat3.Select(now, beat.amplitude1, earlier);
+                    before = SoaFloat3.Select(before, beat.amplitude2, earlier);
+                    earlier = (p < 0f) & (beat.cycles >= 2f);
+                    p = math.select(p, p + k_TwoPi, earlier);
+                    now = SoaFloat3.Select(now, beat.amplitude2, earlier);
+                    before = SoaFloat3.Select(before, beat.amplitude3, earlier);
+
+                    scratch.localPhase[bone] = p;
+                    Envelope(pack.options.cycleChange, scratch, bone, p, now, before);
+                }
+            }
+        }
+
+        // Amplitude of its own cycle: glides from the last cycle's over the first half, or steps.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Envelope(
+            CycleChange change, in StepScratch scratch, int bone, float4 p, SoaFloat3 now, SoaFloat3 before)
+        {
+            if (change == CycleChange.Step)
+            {
+                scratch.amplitude[bone] = now;
+                scratch.amplitudeRate[bone] = default;
+                scratch.amplitudeCurvature[bone] = default;
+                return;
+            }
+
+            float4 x = math.min(math.max(p * k_InversePi, 0f), 1f);
+            SoaFloat3 rise = now - before;
+            scratch.amplitude[bone] = before + rise * (x * x * (3f - 2f * x));
+            scratch.amplitudeRate[bone] = rise * (6f * k_InversePi * x * (1f - x));
+            float4 curvature = k_InversePi * k_InversePi * (6f - 12f * x);
+            scratch.amplitudeCurvature[bone] = rise * math.select(curvature, 0f, (p <= 0f) | (p >= math.PI));
+        }
+
+        // Eq. 1: θ = A cos(p + φ) with both derivatives, where A varies too.
+        private static void Waves(in WingPack pack, in StepScratch scratch)
+        {
+            SoaFloat3 phaseCos = pack.parameters->phaseCos;
+            SoaFloat3 phaseSin = pack.parameters->phaseSin;
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+            {
+                float4 p = scratch.localPhase[bone];
+                float4 moving = math.select(1f, 0f, p < 0f);
+                SoaMath.SinCos(math.max(p, 0f), out float4 sin, out float4 cos);
+                Wave(scratch, bone, moving, phaseCos * cos - phaseSin * sin, phaseCos * sin + phaseSin * cos);
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Wave(in StepScratch scratch, int bone, float4 moving, SoaFloat3 cos, SoaFloat3 sin)
+        {
+            SoaFloat3 a = scratch.amplitude[bone];
+            SoaFloat3 rate = scratch.amplitudeRate[bone];
+            SoaFloat3 curvature = scratch.amplitudeCurvature[bone];
+            scratch.angle[bone] = Times(a, cos);
+            scratch.angleRate[bone] = (Times(rate, cos) - Times(a, sin)) * moving;
+            scratch.angleCurvature[bone] = (Times(curvature, cos) - Times(rate + rate, sin) - Times(a, cos)) * moving;
+        }
+
+        // The angle at a joint is the sum over the joints from the root, the root taking its own share.
+        private static void Accumulate(in WingPack pack, in StepScratch scratch)
+        {
+            int bonesPerChain = pack.rig.jointsPerChain - 1;
+            float4 rootShare = pack.parameters->rootShare;
+            float4 share = (1f - rootShare) * (1f / (bonesPerChain - 1));
+            for (int first = 0; first < pack.rig.boneCount; first += bonesPerChain)
+            {
+                SoaFloat3 angle = scratch.angle[first] * rootShare;
+                SoaFloat3 rate = scratch.angleRate[first] * rootShare;
+                SoaFloat3 curvature = scratch.angleCurvature[first] * rootShare;
+                angle.x += pack.parameters->meanFlap;
+                for (int bone = first; ;)
+                {
+                    scratch.angle[bone] = angle;
+                    scratch.angleRate[bone] = rate;
+                    scratch.angleCurvature[bone] = curvature;
+                    if (++bone == first + bonesPerChain)
+                        break;
+                    angle += scratch.angle[bone] * share;
+                    rate += scratch.angleRate[bone] * share;
+                    curvature += scratch.angleCurvature[bone] * share;
+                }
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static SoaFloat3 Times(SoaFloat3 a, SoaFloat3 b) => new SoaFloat3(a.x * b.x, a.y * b.y, a.z * b.z);
+    }
+}

@@ -1,0 +1,23 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>A point of the wing by its cell of the skeleton and its bilinear coordinates there.</summary>
+    internal struct CellPoint
+    {
+        /// <summary>Cell index.</summary>
+        public int cell;
+
+        /// <summary>Across the chains, 0 on the forward chain, in [0, 1].</summary>
+        public float u;
+
+        /// <summary>Along the chains, 0 at the inner joints, in [0, 1].</summary>
+        public float v;
+
+        /// <summary>Distance in plan from the point that (u, v) names; 0 inside the cell. Wing lengths.</summary>
+        public float distance;
+
+        /// <summary>Weights of the cell's joints (i, j), (i, j+1), (i+1, j), (i+1, j+1); their sum is 1.</summary>
+        public float4 Weights => new float4((1f - u) * (1f - v), (1f - u) * v, u * (1f - v), u * v);
+    }
+}

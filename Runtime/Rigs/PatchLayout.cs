@@ -1,0 +1,72 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>The surface patches that meet the air, cell by cell: the triangles themselves, or clusters of them.</summary>
+    internal sealed class PatchLayout
+    {
+        /// <summary>[cell]</summary>
+        public readonly PatchCell[] cells;
+        public readonly float[] u;
+        public readonly float[] v;
+        public readonly float[] span;
+        public readonly float[] chord;
+        public readonly float[] areas;
+
+        /// <param name="rest">The skeleton.</param>
+        /// <param name="map">Its cells.</param>
+        /// <param name="triangles">The wing.</param>
+        /// <param name="located">Where the centres of the triangles lie.</param>
+        /// <param name="wanted">About how many patches; 0 for one per triangle.</param>
+        public PatchLayout(RestSkeleton rest, CellMap map, SurfaceTriangles triangles, CellPoint[] located, int wanted)
+        {
+            int[] clusters = wanted == 0 || wanted >= triangles.Count
+                ? PatchClusters.OnePerTriangle(rest, located, out int[] firsts)
+                : PatchClusters.Make(rest, triangles, located, wanted, out firsts);
+            int count = firsts[rest.CellCount];
+            areas = new float[count];
+            float3[] centres = Centres(triangles, clusters, count);
+
+            u = new float[count];
+            v = new float[count];
+            span = new float[count];
+            chord = new float[count];
+            cells = new PatchCell[rest.CellCount];
+            for (int cell = 0; cell < cells.Length; cell++)
+            {
+                cells[cell].firstPatch = firsts[cell];
+                cells[cell].patchCount = firsts[cell + 1] - firsts[cell];
+                Place(map, cell, centres);
+            }
+        }
+
+        public int Count => areas.Length;
+
+        private float3[] Centres(SurfaceTriangles triangles, int[] clusters, int count)
+        {
+            var centres = new float3[count];
+            for (int t = 0; t < triangles.Count; t++)
+            {
+                areas[clusters[t]] += triangles.areas[t];
+                centres[clusters[t]] += triangles.areas[t] * triangles.centres[t];
+            }
+
+            for (int patch = 0; patch < count; patch++)
+                centres[patch] /= areas[patch];
+            return centres;
+        }
+
+        private void Place(CellMap map, int cell, float3[] centres)
+        {
+            int first = cells[cell].firstPatch, end = first + cells[cell].patchCount;
+            for (int patch = first; patch < end; patch++)
+            {
+                CellPoint at = map.LocateIn(cell, centres[patch]);
+                u[patch] = at.u;
+                v[patch] = at.v;
+                span[patch] = centres[patch].x;
+                chord[patch] = centres[patch].z;
+            }
+        }
+    }
+}

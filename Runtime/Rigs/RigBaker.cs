@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Makes the content of a rig from a skeleton and a surface, step by step.</summary>
+    internal static class RigBaker
+    {
+        public static RigContent Bake(WingSkeleton skeleton, in WingSurface surface, in WingRigSettings settings)
+        {
+            CheckSkeleton(skeleton);
+            SurfaceCheck.Run(surface);
+            if (settings.patchCount < 0)
+                throw new ArgumentOutOfRangeException(nameof(settings), settings.patchCount, "The number of patches cannot be negative.");
+
+            WingFrame frame = WingFraming.Frame(skeleton, surface);
+            float3[] points = WingFraming.ToWing(frame, surface);
+            var rest = new RestSkeleton(skeleton, frame);
+            var cells = new CellMap(rest);
+            var triangles = new SurfaceTriangles(points, surface.triangles);
+            CellPoint[] centres = cells.Locate(triangles.centres.ToArray());
+            FitCheck.Run(SurfaceCheck.Name(surface), rest, triangles, centres);
+
+            CellPoint[] weights = cells.Locate(points);
+            float[] masses = JointMasses.OfJoints(rest, triangles, weights);
+            return new RigContent
+            {
+                frame = frame,
+                rest = rest,
+                triangleCount = triangles.Count,
+                area = (float)triangles.Area,
+                jointMasses = masses,
+                jointInertias = JointMasses.Inertias(rest, masses),
+                leverDamping = JointMasses.LeverDamping(rest),
+                springs = SpringNetwork.Make(rest),
+                patches = new PatchLayout(rest, cells, triangles, centres, settings.patchCount),
+                influences = new VertexInfluences(rest, weights),
+                skin = new SkinLayout(rest.CellCount, weights, surface, SurfaceNormals.Make(surface, frame)),
+            };
+        }
+
+        private static void CheckSkeleton(WingSkeleton skeleton)
+        {
+            if (skeleton == null)
+                throw new ArgumentNullException(nameof(skeleton));
+            List<SkeletonProblem> problems = skeleton.Validate();
+            if (problems.Count > 0)
+            {
+                string name = string.IsNullOrEmpty(skeleton.name) ? "The skeleton" : $"Skeleton '{skeleton.name}'";
+                throw new ArgumentException($"{name} cannot be used: {problems[0].Message}");
+            }
+        }
+    }
+}

@@ -1,0 +1,18 @@
+namespace Alate
+{
+    /// <summary>All that a bake finds out, still in managed arrays.</summary>
+    internal sealed class RigContent
+    {
+        public WingFrame frame;
+        public RestSkeleton rest;
+        public int triangleCount;
+        public float area;
+        public float[] jointMasses;
+        public float[] jointInertias;
+        public float[] leverDamping;
+        public Spring[] springs;
+        public PatchLayout patches;
+        public VertexInfluences influences;
+        public SkinLayout skin;
+    }
+}

@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>The native arrays of a rig.</summary>
+    internal sealed unsafe class RigMemory : IDisposable
+    {
+        public readonly NativeArray<float3> restJoints;
+        public readonly NativeArray<float> jointMasses;
+        public readonly NativeArray<Spring> springs;
+        public readonly NativeArray<int4> vertexJoints;
+        public readonly NativeArray<float4> vertexWeights;
+        public readonly NativeArray<int> jointVertexStarts;
+        public readonly NativeArray<int> jointVertices;
+        public readonly RigView view;
+
+        private readonly List<IDisposable> m_Owned = new List<IDisposable>();
+
+        public RigMemory(RigContent content)
+        {
+            RestSkeleton rest = content.rest;
+            restJoints = Own(rest.joints);
+            jointMasses = Own(content.jointMasses);
+            springs = Own(content.springs);
+            vertexJoints = Own(content.influences.joints);
+            vertexWeights = Own(content.influences.weights);
+            jointVertexStarts = Own(content.influences.jointVertexStarts);
+            jointVertices = Own(content.influences.jointVertices);
+            view = new RigView
+            {
+                chainCount = rest.chainCount,
+                jointsPerChain = rest.jointsPerChain,
+                jointCount = rest.joints.Length,
+                boneCount = rest.BoneCount,
+                cellCount = rest.CellCount,
+                springCount = content.springs.Length,
+                patchCount = content.patches.Count,
+                vertexCount = content.influences.joints.Length,
+                quadCount = content.skin.quads.Length,
+                leadingEdge = rest.leadingEdge,
+                chainRatio = (float*)Pointer(rest.chainRatio),
+                jointRatio = (float*)Pointer(rest.jointRatio),
+                restJoints = (float3*)restJoints.GetUnsafeReadOnlyPtr(),
+                bones = (float3*)Pointer(rest.bones),
+                boneDirections = (float3*)Pointer(rest.boneDirections),
+                bendAxes = (float3*)Pointer(rest.bendAxes),
+                crossDirections = (float3*)Pointer(rest.crossDirections),
+                jointMasses = (float*)jointMasses.GetUnsafeReadOnlyPtr(),
+                jointInertias = (float*)Pointer(content.jointInertias),
+                leverDamping = (float*)Pointer(content.leverDamping),
+                springs = (Spring*)springs.GetUnsafeReadOnlyPtr(),
+                patchCells = (PatchCell*)Pointer(content.patches.cells),
+                patchU = (float*)Pointer(content.patches.u),
+                patchV = (float*)Pointer(content.patches.v),
+                patchSpan = (float*)Pointer(content.patches.span),
+                patchChord = (float*)Pointer(content.patches.chord),
+                patchAreas = (float*)Pointer(content.patches.areas),
+                skinCells = (SkinCell*)Pointer(content.skin.cells),
+                skinQuads = (SkinQuad*)Pointer(content.skin.quads),
+                skinTangents = content.skin.tangents == null ? null : (SkinTangentQuad*)Pointer(content.skin.tangents),
+            };
+        }
+
+        public void Dispose()
+        {
+            foreach (IDisposable array in m_Owned)
+                array.Dispose();
+            m_Owned.Clear();
+        }
+
+        private void* Pointer<T>(T[] content) where T : struct => Own(content).GetUnsafeReadOnlyPtr();
+
+        private NativeArray<T> Own<T>(T[] content) where T : struct
+        {
+            var array = new NativeArray<T>(content, Allocator.Persistent);
+            m_Owned.Add(array);
+            return array;
+        }
+    }
+}

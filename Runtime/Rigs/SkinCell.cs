@@ -1,0 +1,9 @@
+namespace Alate
+{
+    /// <summary>The vertices that one cell's four joints move: a run of <see cref="SkinQuad"/>.</summary>
+    internal struct SkinCell
+    {
+        public int firstQuad;
+        public int quadCount;
+    }
+}

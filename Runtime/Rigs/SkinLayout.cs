@@ -1,0 +1,80 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>The vertices in the order in which they are skinned: cell by cell, four at a time.</summary>
+    internal sealed class SkinLayout
+    {
+        /// <summary>[cell]</summary>
+        public readonly SkinCell[] cells;
+
+        /// <summary>Every vertex once, those of no triangle too; a cell's last vertex may be repeated.</summary>
+        public readonly SkinQuad[] quads;
+
+        /// <summary>Beside <see cref="quads"/>; null when the mesh has none.</summary>
+        public readonly SkinTangentQuad[] tangents;
+
+        public SkinLayout(int cellCount, CellPoint[] points, in WingSurface surface, float3[] normals)
+        {
+            int[] order = ByCell(cellCount, points, out int[] starts);
+            cells = new SkinCell[cellCount];
+            int quadCount = 0;
+            for (int cell = 0; cell < cellCount; cell++)
+            {
+                cells[cell] = new SkinCell { firstQuad = quadCount, quadCount = (starts[cell + 1] - starts[cell] + 3) / 4 };
+                quadCount += cells[cell].quadCount;
+            }
+
+            bool hasTangents = surface.tangents != null && surface.tangents.Length > 0;
+            quads = new SkinQuad[quadCount];
+            tangents = hasTangents ? new SkinTangentQuad[quadCount] : null;
+            for (int cell = 0; cell < cellCount; cell++)
+            {
+                for (int lane = 0; lane < 4 * cells[cell].quadCount; lane++)
+                {
+                    int vertex = order[math.min(starts[cell] + lane, starts[cell + 1] - 1)];
+                    int quad = cells[cell].firstQuad + lane / 4;
+                    Set(ref quads[quad], lane % 4, vertex, points[vertex], surface.positions[vertex], normals[vertex]);
+                    if (hasTangents)
+                        Set(ref tangents[quad], lane % 4, surface.tangents[vertex]);
+                }
+            }
+        }
+
+        private static int[] ByCell(int cellCount, CellPoint[] points, out int[] starts)
+        {
+            starts = new int[cellCount + 1];
+            foreach (CellPoint point in points)
+                starts[point.cell + 1]++;
+            for (int cell = 0; cell < cellCount; cell++)
+                starts[cell + 1] += starts[cell];
+            var next = (int[])starts.Clone();
+            var order = new int[points.Length];
+            for (int vertex = 0; vertex < points.Length; vertex++)
+                order[next[points[vertex].cell]++] = vertex;
+            return order;
+        }
+
+        private static void Set(ref SkinQuad quad, int lane, int vertex, CellPoint at, float3 position, float3 normal)
+        {
+            quad.u[lane] = at.u;
+            quad.v[lane] = at.v;
+            quad.px[lane] = position.x;
+            quad.py[lane] = position.y;
+            quad.pz[lane] = position.z;
+            quad.nx[lane] = normal.x;
+            quad.ny[lane] = normal.y;
+            quad.nz[lane] = normal.z;
+            quad.target[lane] = vertex;
+        }
+
+        private static void Set(ref SkinTangentQuad quad, int lane, Vector4 tangent)
+        {
+            quad.tx[lane] = tangent.x;
+            quad.ty[lane] = tangent.y;
+            quad.tz[lane] = tangent.z;
+            quad.tw[lane] = tangent.w;
+        }
+    }
+}

@@ -1,0 +1,15 @@
+namespace Alate
+{
+    /// <summary>What a user may choose when a rig is baked.</summary>
+    public struct WingRigSettings
+    {
+        /// <summary>
+        /// About how many surface patches meet the air; 0 for one per triangle. A cell of the skeleton with any area keeps at least
+        /// one, so the patches are at most this many and one per cell.
+        /// </summary>
+        public int patchCount;
+
+        /// <summary>256 patches, enough for a 5 × 5 skeleton to feel its air as with every triangle.</summary>
+        public static WingRigSettings Default => new WingRigSettings { patchCount = 256 };
+    }
+}

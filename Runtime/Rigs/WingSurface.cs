@@ -1,0 +1,50 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>The triangles of a wing as plain arrays, in mesh space.</summary>
+    public struct WingSurface
+    {
+        /// <summary>How messages call it; may be null.</summary>
+        public string name;
+
+        /// <summary>Vertex positions.</summary>
+        public Vector3[] positions;
+
+        /// <summary>A normal per vertex; null or empty to compute them.</summary>
+        public Vector3[] normals;
+
+        /// <summary>A tangent per vertex; null or empty for none.</summary>
+        public Vector4[] tangents;
+
+        /// <summary>Three vertex indices a triangle.</summary>
+        public int[] triangles;
+
+        /// <summary>The triangles of all submeshes of a mesh.</summary>
+        /// <exception cref="System.ArgumentNullException">There is no mesh.</exception>
+        /// <exception cref="System.ArgumentException">The mesh is not readable.</exception>
+        public static WingSurface FromMesh(Mesh mesh)
+        {
+            if (mesh == null)
+                throw new System.ArgumentNullException(nameof(mesh));
+            if (!mesh.isReadable)
+                throw new System.ArgumentException($"Mesh '{mesh.name}' is not readable: turn on Read/Write in its import settings.");
+            var triangles = new List<int>();
+            for (int s = 0; s < mesh.subMeshCount; s++)
+            {
+                if (mesh.GetTopology(s) == MeshTopology.Triangles)
+                    triangles.AddRange(mesh.GetTriangles(s));
+            }
+
+            return new WingSurface
+            {
+                name = mesh.name,
+                positions = mesh.vertices,
+                normals = mesh.normals,
+                tangents = mesh.tangents,
+                triangles = triangles.ToArray(),
+            };
+        }
+    }
+}

@@ -1,0 +1,12 @@
+namespace Alate
+{
+    /// <summary>How frequency and amplitude go from one cycle's values to the next (Eq. 6 and 7 set them once per cycle).</summary>
+    public enum CycleChange
+    {
+        /// <summary>They move over the first half of the new cycle by 3x² − 2x³, so that angle and angular rate are continuous. The default.</summary>
+        Smooth,
+
+        /// <summary>They jump at the start of the cycle, as printed. With a phase other than 0 the wing jumps with them.</summary>
+        Step,
+    }
+}

@@ -1,0 +1,190 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Jobs.LowLevel.Unsafe;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>The arrays that the two jobs run over, rebuilt only when wings come or go, and the workers' scratch blocks.</summary>
+    internal sealed unsafe class JobArrays : IDisposable
+    {
+        /// <summary>One step job and one skinning job.</summary>
+        public const int JobsPerFrame = 2;
+
+        /// <summary>Quads of one index of the skinning job: about 1000 vertices, several microseconds.</summary>
+        private const int k_QuadsPerChunk = 256;
+
+        private NativeArray<WingPack> m_Packs;
+        private NativeArray<SkinTarget> m_Targets;
+        private NativeArray<SkinChunk> m_Chunks;
+        private NativeArray<ChunkBounds> m_Bounds;
+        private int m_PackCount;
+        private int m_ChunkCount;
+
+        private RigSize m_ScratchSize;
+        private long m_ScratchStride;
+        private byte* m_Scratch;
+
+        /// <summary>Takes over what the step job wrote into the packs, before they are rearranged.</summary>
+        public void KeepTiming(IReadOnlyList<PackMemory> packs)
+        {
+            for (int k = 0; k < m_PackCount; k++)
+            {
+                packs[k].view.substeps = m_Packs[k].substeps;
+                packs[k].view.slotStride = m_Packs[k].slotStride;
+            }
+        }
+
+        /// <summary>Lays the jobs' arrays out for the packs and wings there are now.</summary>
+        public void Rebuild(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
+        {
+            m_PackCount = packs.Count;
+            Reserve(ref m_Packs, m_PackCount);
+            RigSize size = default;
+            for (int k = 0; k < m_PackCount; k++)
+            {
+                packs[k].index = k;
+                m_Packs[k] = packs[k].view;
+                size = RigSize.Max(size, RigSize.Of(packs[k].view.rig));
+            }
+
+            ReserveScratch(size);
+            int chunks = 0, targets = 0;
+            foreach (WingEntry entry in entries)
+            {
+                if (entry == null)
+                    continue;
+                targets++;
+                entry.chunkCount = (entry.rig.View.quadCount + k_QuadsPerChunk - 1) / k_QuadsPerChunk;
+                chunks += entry.chunkCount;
+            }
+
+            Reserve(ref m_Targets, targets);
+            Reserve(ref m_Chunks, chunks);
+            Reserve(ref m_Bounds, chunks);
+            m_ChunkCount = 0;
+            int target = 0;
+            foreach (WingEntry entry in entries)
+            {
+                if (entry != null)
+                    Place(entry, target++);
+            }
+        }
+
+        public JobHandle ScheduleStep(float dt, JobHandle after) => new StepWingsJob
+        {
+            dt = dt,
+            scratchSize = m_ScratchSize,
+            scratchStride = m_ScratchStride,
+            scratch = m_Scratch,
+            packs = m_Packs,
+        }.ScheduleParallel(m_PackCount, 1, after);
+
+        public JobHandle ScheduleSkin(float alpha, JobHandle after) => new SkinWingsJob
+        {
+            alpha = alpha,
+            chunks = m_Chunks,
+            targets = m_Targets,
+            packs = m_Packs,
+            bounds = m_Bounds,
+        }.ScheduleParallel(m_ChunkCount, 1, after);
+
+        /// <summary>The pack as the jobs left it.</summary>
+        public WingPack Pack(PackMemory pack) => m_Packs[pack.index];
+
+        /// <summary>After a change of a wing's parameters: derives what depends on them; restarts the wing where asked.</summary>
+        public void Refresh(PackMemory pack, int lane, bool restart)
+        {
+            WingPack view = m_Packs[pack.index];
+            Bending.DeriveStiffness(view);
+            if (!restart)
+                return;
+            StepScratch.Layout(m_ScratchSize, m_Scratch, out StepScratch scratch);
+            bool4 lanes = false;
+            for (int l = 0; l < WingPack.Lanes; l++)
+                lanes[l] = pack.Writes(lane, l);
+            PackReset.Restart(view, scratch, lanes);
+        }
+
+        /// <summary>Bounds of one wing's deformed vertices.</summary>
+        public Bounds Bounds(WingEntry entry)
+        {
+            ChunkBounds all = m_Bounds[entry.firstChunk];
+            for (int k = 1; k < entry.chunkCount; k++)
+            {
+                all.min = math.min(all.min, m_Bounds[entry.firstChunk + k].min);
+                all.max = math.max(all.max, m_Bounds[entry.firstChunk + k].max);
+            }
+
+            return new Bounds(0.5f * (all.min + all.max), all.max - all.min);
+        }
+
+        public void Dispose()
+        {
+            Free(ref m_Packs);
+            Free(ref m_Targets);
+            Free(ref m_Chunks);
+            Free(ref m_Bounds);
+            if (m_Scratch != null)
+                UnsafeUtility.Free(m_Scratch, Allocator.Persistent);
+            m_Scratch = null;
+        }
+
+        private void Place(WingEntry entry, int index)
+        {
+            m_Targets[index] = new SkinTarget
+            {
+                rig = entry.rig.View,
+                frame = entry.rig.Frame,
+                pack = entry.pack.index,
+                lane = entry.lane,
+                vertices = (SkinnedVertex*)entry.vertices.GetUnsafePtr(),
+                tangents = entry.tangents.IsCreated ? (float4*)entry.tangents.GetUnsafePtr() : null,
+            };
+            entry.firstChunk = m_ChunkCount;
+            int quads = entry.rig.View.quadCount;
+            for (int k = 0; k < entry.chunkCount; k++)
+            {
+                m_Chunks[m_ChunkCount++] = new SkinChunk
+                {
+                    target = index,
+                    firstQuad = (int)((long)quads * k / entry.chunkCount),
+                    endQuad = (int)((long)quads * (k + 1) / entry.chunkCount),
+                };
+            }
+        }
+
+        private void ReserveScratch(in RigSize size)
+        {
+            RigSize grown = RigSize.Max(m_ScratchSize, size);
+            long stride = StepScratch.Layout(grown, null, out _);
+            if (m_Scratch != null && stride == m_ScratchStride)
+                return;
+            if (m_Scratch != null)
+                UnsafeUtility.Free(m_Scratch, Allocator.Persistent);
+            m_ScratchSize = grown;
+            m_ScratchStride = stride;
+            m_Scratch = (byte*)UnsafeUtility.Malloc(stride * JobsUtility.ThreadIndexCount, JobsUtility.CacheLineSize, Allocator.Persistent);
+            UnsafeUtility.MemClear(m_Scratch, stride * JobsUtility.ThreadIndexCount);
+        }
+
+        private static void Reserve<T>(ref NativeArray<T> array, int count) where T : struct
+        {
+            if (array.IsCreated && array.Length >= count)
+                return;
+            int grown = math.max(count, 2 * array.Length);
+            Free(ref array);
+            array = new NativeArray<T>(grown, Allocator.Persistent);
+        }
+
+        private static void Free<T>(ref NativeArray<T> array) where T : struct
+        {
+            if (array.IsCreated)
+                array.Dispose();
+        }
+    }
+}

@@ -1,0 +1,96 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>The live parameters of four wings, as the kernels read them; lane = wing. A moved slider rewrites only these.</summary>
+    internal struct LaneParameters
+    {
+        public float4 maxFrequency;
+        public float4 maxSpeed;
+        public float4 frequencyFloor;
+        public float4 amplitudeFloor;
+        public SoaFloat3 amplitude;
+        public SoaFloat3 phaseSin;
+        public SoaFloat3 phaseCos;
+        public float4 meanFlap;
+        public float4 tiltSin;
+        public float4 tiltCos;
+        public float4 tiltHalfSin;
+        public float4 tiltHalfCos;
+
+        /// <summary>λπ: delay of the last chain, radians.</summary>
+        public float4 chordDelay;
+
+        /// <summary>μπ: delay of the last joint, radians.</summary>
+        public float4 spanDelay;
+
+        /// <summary>The whole wing's delay, radians: 2π less its phase lead.</summary>
+        public float4 wingDelay;
+
+        public float4 rootShare;
+        public float4 inertia;
+        public float4 airDensity;
+
+        /// <summary>k_e (2π f_ref)², s⁻²: times a joint's inertia and N² it is the bending stiffness.</summary>
+        public float4 bendScale;
+
+        public float4 stiffnessRoot;
+        public float4 stiffnessTip;
+        public float4 stiffnessDecay;
+        public float4 bendDamping;
+        public float4 dorsalAsymmetry;
+        public float4 inPlaneFactor;
+        public float4 torsionFactor;
+        public float4 jointLimit;
+
+        /// <summary>k of Eq. 12, in wing masses per second squared.</summary>
+        public float4 springStiffness;
+
+        /// <summary>Ω, the rate at which a joint returns to its pose, rad/s.</summary>
+        public float4 anchorRate;
+
+        public float4 springDamping;
+        public float4 substepsPerBeat;
+
+        /// <summary>Writes one wing's parameters; they are in range.</summary>
+        public void Set(int lane, in WingParameters p)
+        {
+            maxFrequency[lane] = p.maxFrequency;
+            maxSpeed[lane] = p.maxSpeed;
+            frequencyFloor[lane] = p.frequencyFloor;
+            amplitudeFloor[lane] = p.amplitudeFloor;
+            amplitude[lane] = p.amplitude * p.amplitudeScale;
+            phaseSin[lane] = math.sin(p.phase);
+            phaseCos[lane] = math.cos(p.phase);
+            meanFlap[lane] = p.meanFlap;
+            tiltSin[lane] = math.sin(p.tilt);
+            tiltCos[lane] = math.cos(p.tilt);
+            tiltHalfSin[lane] = math.sin(0.5f * p.tilt);
+            tiltHalfCos[lane] = math.cos(0.5f * p.tilt);
+            chordDelay[lane] = math.PI * p.chordDelay;
+            spanDelay[lane] = math.PI * p.spanDelay;
+            float lead = p.phaseLead / (2f * math.PI);
+            wingDelay[lane] = 2f * math.PI * (math.ceil(lead) - lead);
+            rootShare[lane] = p.rootShare;
+            inertia[lane] = p.inertia;
+            airDensity[lane] = p.airDensity;
+
+            float beatRate = 2f * math.PI * p.referenceFrequency;
+            bendScale[lane] = p.elasticity * beatRate * beatRate;
+            stiffnessRoot[lane] = p.stiffnessRoot;
+            stiffnessTip[lane] = p.stiffnessTip;
+            stiffnessDecay[lane] = p.stiffnessDecay;
+            bendDamping[lane] = p.bendDamping;
+            dorsalAsymmetry[lane] = p.dorsalAsymmetry;
+            inPlaneFactor[lane] = p.inPlaneFactor;
+            torsionFactor[lane] = p.torsionFactor;
+            jointLimit[lane] = p.jointLimit;
+            springStiffness[lane] = p.options.springUnits == SpringUnits.Printed
+                ? p.elasticity
+                : p.elasticity * p.springScale * beatRate * beatRate;
+            anchorRate[lane] = p.anchor * beatRate * math.sqrt(p.elasticity);
+            springDamping[lane] = p.springDamping;
+            substepsPerBeat[lane] = p.substepsPerBeat;
+        }
+    }
+}

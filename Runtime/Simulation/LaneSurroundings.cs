@@ -1,0 +1,29 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>What four wings feel of the world, each in its own wing frame; lane = wing.</summary>
+    internal struct LaneSurroundings
+    {
+        /// <summary>Air velocity relative to the body, wing lengths per second.</summary>
+        public SoaFloat3 wind;
+
+        /// <summary>Gravity, wing lengths per second squared.</summary>
+        public SoaFloat3 gravity;
+
+        /// <summary>Speed of the body, m/s.</summary>
+        public float4 speed;
+
+        /// <summary>Pitch of the body (AoA of Eq. 6–7), radians.</summary>
+        public float4 pitch;
+
+        /// <summary>Writes one wing's surroundings.</summary>
+        public void Set(int lane, in WingSurroundings surroundings)
+        {
+            wind[lane] = surroundings.wind;
+            gravity[lane] = surroundings.gravity;
+            speed[lane] = surroundings.speed;
+            pitch[lane] = surroundings.angleOfAttack;
+        }
+    }
+}

@@ -1,0 +1,70 @@
+using System;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>
+    /// Where the printed equations leave a choice, or where following them to the letter breaks the wing: each place is one option here, and
+    /// each option's own page gives the reason.
+    /// </summary>
+    [Serializable]
+    public struct ModelOptions : IEquatable<ModelOptions>
+    {
+        /// <summary>Lift and drag coefficients (Fig. 6).</summary>
+        [Tooltip("Lift and drag against the angle of attack. Dickinson 1999 was measured on a model fly wing; Paper is Fig. 6; Flat Plate suits water and fins.")]
+        public CoefficientSet coefficients;
+
+        /// <summary>The tangent the angle of attack is measured against (Eq. 10).</summary>
+        [Tooltip("Chordwise: only flow across the span counts. Base To Tip: as printed; nearly all drag in hover.")]
+        public AirTangent tangent;
+
+        /// <summary>
+        /// Whether a negative lift coefficient counts as zero. Only <see cref="CoefficientSet.Paper"/> ever goes below zero (under 3.9°), where it would push
+        /// the wing against the flow. On in both presets.
+        /// </summary>
+        [Tooltip("Counts a negative lift coefficient as zero. Only the Paper coefficients go below zero, under 3.9 degrees.")]
+        public bool clampLift;
+
+        /// <summary>How frequency and amplitude change between cycles (Eq. 6, 7).</summary>
+        [Tooltip("Smooth: over half a beat. Step: at once, as printed.")]
+        public CycleChange cycleChange;
+
+        /// <summary>Which loads turn a joint (Eq. 4).</summary>
+        [Tooltip("Distal Joints: everything farther out bends the joint. Own Load About Root: as printed.")]
+        public TorqueArm torqueArm;
+
+        /// <summary>The unit of k_e in the springs (Eq. 12).</summary>
+        [Tooltip("Beat Rate: the springs keep pace with the beat. Printed: k_e alone, far too soft to matter.")]
+        public SpringUnits springUnits;
+
+        /// <summary>The options of <see cref="ModelPreset.Physical"/>.</summary>
+        public static ModelOptions Physical => new ModelOptions { clampLift = true };
+
+        /// <summary>The options of <see cref="ModelPreset.Paper"/>.</summary>
+        public static ModelOptions Paper => new ModelOptions
+        {
+            coefficients = CoefficientSet.Paper,
+            tangent = AirTangent.BaseToTip,
+            clampLift = true,
+            cycleChange = CycleChange.Step,
+            torqueArm = TorqueArm.OwnLoadAboutRoot,
+            springUnits = SpringUnits.Printed,
+        };
+
+        /// <summary>Whether every option has the same value.</summary>
+        public bool Equals(ModelOptions other)
+        {
+            return coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift
+                && cycleChange == other.cycleChange && torqueArm == other.torqueArm && springUnits == other.springUnits;
+        }
+
+        /// <inheritdoc/>
+        public override bool Equals(object obj) => obj is ModelOptions other && Equals(other);
+
+        /// <inheritdoc/>
+        public override int GetHashCode()
+        {
+            return HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits);
+        }
+    }
+}

@@ -1,0 +1,165 @@
+using System;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Owns the block behind one <see cref="WingPack"/>. Every byte of it belongs to a float4, so lanes can be copied blindly.</summary>
+    internal sealed unsafe class PackMemory : IDisposable
+    {
+        private byte* m_Block;
+        private readonly long m_Bytes;
+
+        /// <summary>The wings that live in the lanes; −1 where a lane is a copy.</summary>
+        public readonly int[] wings = { -1, -1, -1, -1 };
+
+        /// <summary>The view that the job takes.</summary>
+        public WingPack view;
+
+        /// <summary>Position among the packs of the world.</summary>
+        public int index;
+
+        /// <summary>Lanes that hold wings of their own: always the first ones.</summary>
+        public int Count { get; private set; }
+
+        /// <summary>Allocates a pack for a rig, its lanes empty.</summary>
+        public PackMemory(in RigView rig, in ModelOptions options)
+        {
+            m_Bytes = Layout(rig, null, out _);
+            m_Block = (byte*)UnsafeUtility.Malloc(m_Bytes, 64, Allocator.Persistent);
+            UnsafeUtility.MemClear(m_Block, m_Bytes);
+            Layout(rig, m_Block, out view);
+            view.options = options;
+        }
+
+        /// <summary>True until disposed.</summary>
+        public bool IsCreated => m_Block != null;
+
+        /// <summary>Puts a new wing into the next lane; the first one also fills the lanes that are empty.</summary>
+        /// <returns>Its lane.</returns>
+        public int Add(int wing, in WingParameters parameters, in WingSurroundings surroundings)
+        {
+            int lane = Count++;
+            wings[lane] = wing;
+            for (int l = lane; l < (lane == 0 ? WingPack.Lanes : lane + 1); l++)
+            {
+                view.parameters->Set(l, parameters);
+                view.surroundings->Set(l, surroundings);
+            }
+
+            view.readings->resets[lane] = 0f;
+            return lane;
+        }
+
+        /// <summary>Takes over a wing from another pack (or another lane), state and all, into a lane.</summary>
+        public void Take(PackMemory from, int fromLane, int lane)
+        {
+            for (int l = 0; l < WingPack.Lanes; l++)
+            {
+                if (Writes(lane, l))
+                    CopyLane(from, fromLane, l);
+            }
+
+            wings[lane] = from.wings[fromLane];
+        }
+
+        /// <summary>A pack of its own that holds one wing's state.</summary>
+        public PackMemory Snapshot(int lane)
+        {
+            var copy = new PackMemory(view.rig, view.options) { Count = 1 };
+            copy.view.substeps = view.substeps;
+            copy.view.slotStride = view.slotStride;
+            copy.Take(this, lane, 0);
+            return copy;
+        }
+
+        /// <summary>Writes into a lane; what the first lane holds is also written into the empty ones.</summary>
+        public bool Writes(int wingLane, int lane) => lane == wingLane || (wingLane == 0 && lane >= Count);
+
+        /// <summary>Gives up the last lane; it becomes a copy of the first.</summary>
+        public void RemoveLast()
+        {
+            int lane = --Count;
+            if (lane > 0)
+                CopyLane(this, 0, lane);
+            wings[lane] = -1;
+        }
+
+        /// <summary>Starts or stops keeping the aerodynamic loads of every patch for tools.</summary>
+        public void Record(bool on)
+        {
+            if (on == (view.recordedLoads != null))
+                return;
+            if (on)
+            {
+                long bytes = (long)view.rig.patchCount * sizeof(PatchLoad);
+                view.recordedLoads = (PatchLoad*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
+                UnsafeUtility.MemClear(view.recordedLoads, bytes);
+                return;
+            }
+
+            UnsafeUtility.Free(view.recordedLoads, Allocator.Persistent);
+            view.recordedLoads = null;
+        }
+
+        public void Dispose()
+        {
+            if (m_Block == null)
+                return;
+            Record(false);
+            UnsafeUtility.Free(m_Block, Allocator.Persistent);
+            m_Block = null;
+        }
+
+        private void CopyLane(PackMemory from, int fromLane, int lane)
+        {
+            var source = (float*)from.m_Block;
+            var target = (float*)m_Block;
+            long count = m_Bytes / sizeof(float4);
+            for (long k = 0; k < count; k++)
+                target[4 * k + lane] = source[4 * k + fromLane];
+            if (from.view.substeps != view.substeps || from.view.slotStride != view.slotStride)
+                FreezeSlots(lane);
+        }
+
+        // The wing's poses of the last step lie at other times than this pack's: show the newest until the next step.
+        private void FreezeSlots(int lane)
+        {
+            int joints = view.rig.jointCount, floats = sizeof(JointPose) / sizeof(float);
+            for (int k = 0; k < joints * WingPack.PoseSlots; k++)
+            {
+                var slot = (float*)(view.slots + k);
+                var pose = (float*)(view.pose + k % joints);
+                for (int c = lane; c < floats; c += WingPack.Lanes)
+                    slot[c] = pose[c];
+            }
+        }
+
+        private static long Layout(in RigView rig, byte* block, out WingPack view)
+        {
+            int joints = rig.jointCount, bones = rig.boneCount;
+            var carver = new BlockCarver(block);
+            view = default;
+            view.rig = rig;
+            view.slotStride = 1;
+            view.parameters = (LaneParameters*)carver.Take<LaneParameters>(1);
+            view.surroundings = (LaneSurroundings*)carver.Take<LaneSurroundings>(1);
+            view.readings = (PackReadings*)carver.Take<PackReadings>(1);
+            view.beat = (BeatState*)carver.Take<BeatState>(1);
+            view.bendStiffness = (float4*)carver.Take<float4>(bones);
+            view.bendAngles = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            view.bendRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            view.bentRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
+            view.drivenRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
+            view.drivenPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            view.drivenVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            view.offsets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            view.offsetRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            view.motions = (JointMotion*)carver.Take<JointMotion>(joints);
+            view.pose = (JointPose*)carver.Take<JointPose>(joints);
+            view.slots = (JointPose*)carver.Take<JointPose>(joints * WingPack.PoseSlots);
+            return carver.Size;
+        }
+    }
+}

@@ -1,0 +1,93 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Puts wings of a pack back into the driven pose: on request, or because their state is not finite.</summary>
+    internal static unsafe class PackReset
+    {
+        /// <summary>Starts the chosen wings anew: first cycle, phase 0, driven pose, no bend, no velocity.</summary>
+        public static void Restart(in WingPack pack, in StepScratch scratch, bool4 lanes)
+        {
+            BeatClock.Reset(ref *pack.beat, *pack.parameters, *pack.surroundings, lanes);
+            DelayedWaves.Evaluate(pack, scratch);
+            DrivenPose.Evaluate(pack, scratch);
+            ToDrivenPose(pack, scratch, lanes);
+        }
+
+        /// <summary>Brings wings whose state is not finite back to the driven pose of this substep, in phase, and counts it.</summary>
+        public static void Recover(in WingPack pack, in StepScratch scratch, bool4 lanes)
+        {
+            ToDrivenPose(pack, scratch, lanes);
+            pack.readings->resets += math.select(0f, 1f, lanes);
+            pack.readings->airForce = SoaFloat3.Select(pack.readings->airForce, default, lanes);
+        }
+
+        /// <summary>Wings with a joint, deviation or bend rate that is not a number or infinite.</summary>
+        public static bool4 NotFinite(in WingPack pack)
+        {
+            // Finite times zero is zero; anything else is not a number.
+            float4 sum = default;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                SoaFloat3 all = pack.pose[joint].position * 0f + pack.offsetRates[joint] * 0f;
+                sum += all.x + all.y + all.z + pack.pose[joint].rotation.w * 0f;
+            }
+
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+            {
+                SoaFloat3 all = pack.bendRates[bone] * 0f;
+                sum += all.x + all.y + all.z;
+            }
+
+            return sum != 0f;
+        }
+
+        private static void ToDrivenPose(in WingPack pack, in StepScratch scratch, bool4 lanes)
+        {
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+            {
+                SoaQuaternion driven = scratch.drivenRotations[bone];
+                pack.bendAngles[bone] = SoaFloat3.Select(pack.bendAngles[bone], default, lanes);
+                pack.bendRates[bone] = SoaFloat3.Select(pack.bendRates[bone], default, lanes);
+                pack.bentRotations[bone] = SoaQuaternion.Select(pack.bentRotations[bone], driven, lanes);
+                pack.drivenRotations[bone] = SoaQuaternion.Select(pack.drivenRotations[bone], driven, lanes);
+            }
+
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                scratch.positions[joint] = SoaFloat3.Select(pack.pose[joint].position, scratch.drivenPositions[joint], lanes);
+                pack.drivenPositions[joint] =
+                    SoaFloat3.Select(pack.drivenPositions[joint], scratch.drivenPositions[joint], lanes);
+                pack.drivenVelocities[joint] =
+                    SoaFloat3.Select(pack.drivenVelocities[joint], scratch.drivenVelocities[joint], lanes);
+                pack.offsets[joint] = SoaFloat3.Select(pack.offsets[joint], default, lanes);
+                pack.offsetRates[joint] = SoaFloat3.Select(pack.offsetRates[joint], default, lanes);
+                Still(pack.motions + joint, lanes);
+            }
+
+            JointFrames.Evaluate(pack, scratch, scratch.pose);
+            int slots = WingPack.PoseSlots * pack.rig.jointCount;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                JointPose pose = scratch.pose[joint];
+                pack.pose[joint] = Select(pack.pose[joint], pose, lanes);
+                for (int slot = joint; slot < slots; slot += pack.rig.jointCount)
+                    pack.slots[slot] = Select(pack.slots[slot], pose, lanes);
+            }
+        }
+
+        private static JointPose Select(JointPose a, JointPose b, bool4 lanes) => new JointPose
+        {
+            rotation = SoaQuaternion.Select(a.rotation, b.rotation, lanes),
+            position = SoaFloat3.Select(a.position, b.position, lanes),
+        };
+
+        private static void Still(JointMotion* motion, bool4 lanes)
+        {
+            motion->velocity = SoaFloat3.Select(motion->velocity, default, lanes);
+            motion->rate.c0 = SoaFloat3.Select(motion->rate.c0, default, lanes);
+            motion->rate.c1 = SoaFloat3.Select(motion->rate.c1, default, lanes);
+            motion->rate.c2 = SoaFloat3.Select(motion->rate.c2, default, lanes);
+        }
+    }
+}

@@ -1,0 +1,95 @@
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>One fixed step of a pack: how many substeps, and what happens in each, in order.</summary>
+    internal static unsafe class PackStep
+    {
+        /// <summary>Steps that are a whole number of substeps must not round up to one more.</summary>
+        private const float k_CountRounding = 1e-3f;
+
+        /// <summary>Advances the pack by <paramref name="dt"/> seconds; by nothing where dt is not positive.</summary>
+        public static void Run(ref WingPack pack, in StepScratch scratch, float dt)
+        {
+            if (!(dt > 0f))
+                return;
+
+            int count = SubstepCount(pack, ref dt);
+            float h = dt / count;
+            BeginStep(ref pack, count);
+            for (int k = 1; k <= count; k++)
+            {
+                Substep(pack, scratch, h);
+                if (k % pack.slotStride == 0 || k == count)
+                    KeepPose(pack, (k + pack.slotStride - 1) / pack.slotStride);
+            }
+
+            EndStep(pack, count);
+        }
+
+        /// <summary>Enough substeps for the fastest wing of the pack; a step longer than its beat is cut to one beat.</summary>
+        public static int SubstepCount(in WingPack pack, ref float dt)
+        {
+            float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
+            float rate = math.cmax(frequency * pack.parameters->substepsPerBeat);
+            int most = (int)math.ceil(math.cmax(pack.parameters->substepsPerBeat));
+            int wanted = (int)math.min(math.ceil(dt * rate - k_CountRounding), most + 1f);
+            if (wanted > most)
+                dt = most / rate;
+            return math.clamp(wanted, 1, most);
+        }
+
+        /// <summary>The model, in the order of its equations.</summary>
+        public static void Substep(in WingPack pack, in StepScratch scratch, float h)
+        {
+            BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
+            DelayedWaves.Evaluate(pack, scratch);
+            DrivenPose.Evaluate(pack, scratch);
+            SoaFloat3 air = JointLoads.Evaluate(pack, scratch);
+            Bending.Step(pack, scratch, h);
+            Bending.Pose(pack, scratch);
+            float4 iterations = ElasticStep.Step(pack, scratch, h);
+            JointFrames.Evaluate(pack, scratch, scratch.pose);
+            JointFrames.Motions(pack, pack.pose, scratch.pose, h);
+            Keep(pack, scratch);
+            pack.readings->airForce += air;
+            pack.readings->newtonIterations += iterations;
+            bool4 broken = PackReset.NotFinite(pack);
+            if (math.any(broken))
+                PackReset.Recover(pack, scratch, broken);
+        }
+
+        private static void BeginStep(ref WingPack pack, int count)
+        {
+            pack.substeps = count;
+            pack.slotStride = (count + WingPack.PoseSlots - 2) / (WingPack.PoseSlots - 1);
+            KeepPose(pack, 0);
+            pack.readings->airForce = default;
+            pack.readings->newtonIterations = default;
+        }
+
+        private static void EndStep(in WingPack pack, int count)
+        {
+            float mean = 1f / count;
+            pack.readings->airForce *= mean;
+            pack.readings->newtonIterations *= mean;
+            pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose);
+        }
+
+        private static void Keep(in WingPack pack, in StepScratch scratch)
+        {
+            int joints = pack.rig.jointCount, bones = pack.rig.boneCount;
+            UnsafeUtility.MemCpy(pack.pose, scratch.pose, (long)joints * sizeof(JointPose));
+            UnsafeUtility.MemCpy(pack.drivenPositions, scratch.drivenPositions, (long)joints * sizeof(SoaFloat3));
+            UnsafeUtility.MemCpy(pack.drivenVelocities, scratch.drivenVelocities, (long)joints * sizeof(SoaFloat3));
+            UnsafeUtility.MemCpy(pack.drivenRotations, scratch.drivenRotations, (long)bones * sizeof(SoaQuaternion));
+        }
+
+        private static void KeepPose(in WingPack pack, int slot)
+        {
+            int joints = pack.rig.jointCount;
+            UnsafeUtility.MemCpy(pack.slots + slot * joints, pack.pose, (long)joints * sizeof(JointPose));
+        }
+    }
+}

@@ -1,0 +1,117 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
+    internal unsafe struct StepScratch
+    {
+        // Waves, per bone.
+        public float4* localPhase;
+        public SoaFloat3* amplitude;
+        public SoaFloat3* amplitudeRate;
+        public SoaFloat3* amplitudeCurvature;
+        public SoaFloat3* angle;
+        public SoaFloat3* angleRate;
+        public SoaFloat3* angleCurvature;
+
+        // Driven pose.
+        public SoaQuaternion* drivenRotations;
+        public SoaFloat3* angularVelocity;
+        public SoaFloat3* angularAcceleration;
+        public SoaFloat3* drivenPositions;
+        public SoaFloat3* drivenVelocities;
+        public SoaFloat3* drivenAccelerations;
+
+        // Loads, per joint and per patch.
+        public SoaFloat3x3* carriedFrames;
+        public SoaFloat3* carriedPositions;
+        public SoaFloat3* carriedSpans;
+        public SoaFloat3* alongEdges;
+        public SoaFloat3* acrossEdges;
+        public SoaFloat3* hingeVelocities;
+        public SoaFloat3* spanRates;
+        public SoaFloat3* chordRates;
+        public SoaFloat3* forces;
+        public float4* airDamping;
+        public SoaFloat3* relativeWind;
+        public SoaFloat3* normals;
+        public float4* alongSpan;
+        public PatchLoad* loads;
+        public SoaFloat3* torques;
+
+        // Elasticity, per joint and per spring.
+        public SoaFloat3* targets;
+        public SoaFloat3* anchors;
+        public float4* inertia;
+        public SoaFloat3* positions;
+        public SoaFloat3* candidate;
+        public SoaFloat3* gradient;
+        public SymmetricBlock* blocks;
+        public SoaFloat3* step;
+        public SoaFloat3* residual;
+        public SoaFloat3* preconditioned;
+        public SoaFloat3* direction;
+        public SoaFloat3* image;
+        public SpringLinearisation* springs;
+
+        // Frames.
+        public SoaQuaternion* boneRotations;
+        public SoaFloat3* rollFrom;
+        public SoaFloat3* rollTo;
+        public JointPose* pose;
+
+        /// <summary>Lays the arrays out one behind the other; with <paramref name="memory"/> null it only measures.</summary>
+        /// <returns>Bytes needed.</returns>
+        public static long Layout(in RigSize size, byte* memory, out StepScratch scratch)
+        {
+            int joints = size.joints, bones = size.bones, patches = size.patches;
+            var carver = new BlockCarver(memory);
+            scratch.localPhase = (float4*)carver.Take<float4>(bones);
+            scratch.amplitude = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.amplitudeRate = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.amplitudeCurvature = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.angle = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.angleRate = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.angleCurvature = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.drivenRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
+            scratch.angularVelocity = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.angularAcceleration = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.drivenPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.drivenVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.drivenAccelerations = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.carriedFrames = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(joints);
+            scratch.carriedPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.carriedSpans = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.alongEdges = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.acrossEdges = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.hingeVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.spanRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.chordRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.forces = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.airDamping = (float4*)carver.Take<float4>(joints);
+            scratch.relativeWind = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
+            scratch.normals = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
+            scratch.alongSpan = (float4*)carver.Take<float4>(patches);
+            scratch.loads = (PatchLoad*)carver.Take<PatchLoad>(patches);
+            scratch.torques = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.targets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.anchors = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.inertia = (float4*)carver.Take<float4>(joints);
+            scratch.positions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.candidate = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.gradient = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.blocks = (SymmetricBlock*)carver.Take<SymmetricBlock>(joints);
+            scratch.step = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.residual = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.preconditioned = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.direction = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.image = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.springs = (SpringLinearisation*)carver.Take<SpringLinearisation>(size.springs);
+            scratch.boneRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
+            scratch.rollFrom = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.rollTo = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.pose = (JointPose*)carver.Take<JointPose>(joints);
+            return carver.Size;
+        }
+    }
+}

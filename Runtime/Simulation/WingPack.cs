@@ -1,0 +1,113 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// Four wings that share a rig and its model options: where their live state lies. Pointers into one block that
+    /// <see cref="PackMemory"/> owns; arrays are indexed by joint or bone, every element holds the four wings.
+    /// </summary>
+    internal unsafe struct WingPack
+    {
+        /// <summary>Poses kept of a step, so that rendering can pick any time within it.</summary>
+        public const int PoseSlots = 13;
+
+        /// <summary>Wings in a pack.</summary>
+        public const int Lanes = 4;
+
+        public RigView rig;
+        public ModelOptions options;
+
+        public LaneParameters* parameters;
+        public LaneSurroundings* surroundings;
+        public PackReadings* readings;
+        public BeatState* beat;
+
+        /// <summary>Bending stiffness per bone, from the parameters and the rig.</summary>
+        public float4* bendStiffness;
+
+        /// <summary>Bend angles per bone: x about the bend axis, y in the plane, z torsion; radians.</summary>
+        public SoaFloat3* bendAngles;
+
+        /// <summary>Their rates, rad/s.</summary>
+        public SoaFloat3* bendRates;
+
+        /// <summary>H per bone: driven and bent.</summary>
+        public SoaQuaternion* bentRotations;
+
+        /// <summary>G per bone: driven alone, of the last substep.</summary>
+        public SoaQuaternion* drivenRotations;
+
+        /// <summary>d per joint: driven position of the last substep.</summary>
+        public SoaFloat3* drivenPositions;
+
+        /// <summary>ḋ per joint of the last substep.</summary>
+        public SoaFloat3* drivenVelocities;
+
+        /// <summary>e per joint: elastic minus posed position.</summary>
+        public SoaFloat3* offsets;
+
+        /// <summary>ė per joint.</summary>
+        public SoaFloat3* offsetRates;
+
+        /// <summary>How each joint's frame moved in the last substep.</summary>
+        public JointMotion* motions;
+
+        /// <summary>Aerodynamic loads per patch of the last substep; null unless recording.</summary>
+        public PatchLoad* recordedLoads;
+
+        /// <summary>[joint]: where the wing is now, the start of the next substep.</summary>
+        public JointPose* pose;
+
+        /// <summary>[slot][joint]: the poses within the last step, every <see cref="slotStride"/> substeps; slot 0 is its start.</summary>
+        public JointPose* slots;
+
+        /// <summary>Substeps of the last step; 0 before the first.</summary>
+        public int substeps;
+
+        /// <summary>Substeps from slot to slot; the last slot may follow sooner.</summary>
+        public int slotStride;
+    }
+
+    /// <summary>One joint's frame: S and the joint's position r; lane = wing.</summary>
+    internal struct JointPose
+    {
+        public SoaQuaternion rotation;
+        public SoaFloat3 position;
+    }
+
+    /// <summary>Rates of one joint's frame over the last substep: velocity of the joint and rate of the rotation matrix.</summary>
+    internal struct JointMotion
+    {
+        public SoaFloat3 velocity;
+        public SoaFloat3x3 rate;
+    }
+
+    /// <summary>Aerodynamic load on one patch.</summary>
+    internal struct PatchLoad
+    {
+        /// <summary>Force, wing mass · L/s².</summary>
+        public SoaFloat3 force;
+
+        /// <summary>Estimate of −dF/dv, for the implicit bending step.</summary>
+        public float4 damping;
+
+        /// <summary>Sine of the angle of attack.</summary>
+        public float4 sinAttack;
+    }
+
+    /// <summary>What four wings report of their last step.</summary>
+    internal struct PackReadings
+    {
+        /// <summary>Aerodynamic force, mean over the substeps of the last step, wing mass · L/s².</summary>
+        public SoaFloat3 airForce;
+
+        /// <summary>Spring energy (Eq. 12) at the end, wing mass · L²/s².</summary>
+        public float4 springEnergy;
+
+        /// <summary>Newton iterations, mean over the substeps of the last step.</summary>
+        public float4 newtonIterations;
+
+        /// <summary>How often the wing was reset because its state was not finite.</summary>
+        public float4 resets;
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// The state of one wing at the end of the last step, read in place: wing frame, wing lengths, wing masses, radians. Valid until the next
+    /// call that changes the <see cref="WingWorld"/> it came from.
+    /// </summary>
+    public readonly unsafe struct WingReading
+    {
+        private readonly WingPack m_Pack;
+        private readonly int m_Lane;
+
+        internal WingReading(in WingPack pack, int lane)
+        {
+            m_Pack = pack;
+            m_Lane = lane;
+        }
+
+        /// <summary>Chains n; joints are addressed by chain 0…n−1 and joint 0…m−1.</summary>
+        public int ChainCount => m_Pack.rig.chainCount;
+
+        /// <summary>Joints per chain, m.</summary>
+        public int JointsPerChain => m_Pack.rig.jointsPerChain;
+
+        /// <summary>Φ, radians, [0, 2π).</summary>
+        public float Phase => m_Pack.beat->phase[m_Lane];
+
+        /// <summary>Beats completed since the last reset.</summary>
+        public int Beats => (int)m_Pack.beat->cycles[m_Lane];
+
+        /// <summary>Frequency of this beat (Eq. 6), hertz.</summary>
+        public float Frequency => m_Pack.beat->frequency[m_Lane];
+
+        /// <summary>Half amplitudes of this beat (Eq. 7), radians: x flap, y sweep, z feather.</summary>
+        public float3 Amplitude => m_Pack.beat->amplitude[m_Lane];
+
+        /// <summary>Aerodynamic force (Eq. 11), mean over the last step, wing masses · L/s².</summary>
+        public float3 AirForce => m_Pack.readings->airForce[m_Lane];
+
+        /// <summary>Spring energy (Eq. 12), wing masses · L²/s².</summary>
+        public float SpringEnergy => m_Pack.readings->springEnergy[m_Lane];
+
+        /// <summary>Newton iterations per substep, mean over the last step.</summary>
+        public float NewtonIterations => m_Pack.readings->newtonIterations[m_Lane];
+
+        /// <summary>How often the wing fell back to its driven pose because its state was not finite.</summary>
+        public int Resets => (int)m_Pack.readings->resets[m_Lane];
+
+        /// <summary>Substeps of the last step.</summary>
+        public int Substeps => m_Pack.substeps;
+
+        /// <summary>Position of a joint, wing lengths from the hinge.</summary>
+        public float3 JointPosition(int chain, int joint) => m_Pack.pose[Joint(chain, joint)].position[m_Lane];
+
+        /// <summary>Rotation of a joint's frame out of its rest pose.</summary>
+        public quaternion JointRotation(int chain, int joint) => m_Pack.pose[Joint(chain, joint)].rotation[m_Lane];
+
+        /// <summary>Rotation that the muscles drive at a bone, before it bends.</summary>
+        public quaternion DrivenRotation(int chain, int bone) => m_Pack.drivenRotations[Bone(chain, bone)][m_Lane];
+
+        /// <summary>Bend of the joint at the root side of a bone, radians: x up, y in the plane, z torsion.</summary>
+        public float3 BendAngles(int chain, int bone) => m_Pack.bendAngles[Bone(chain, bone)][m_Lane];
+
+        /// <summary>Whether patch loads are kept; see <see cref="WingWorld.RecordPatches"/>.</summary>
+        public bool HasPatchLoads => m_Pack.recordedLoads != null;
+
+        /// <summary>Aerodynamic patches.</summary>
+        public int PatchCount => m_Pack.rig.patchCount;
+
+        /// <summary>Force on a patch in the last substep, wing masses · L/s².</summary>
+        /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
+        public float3 PatchForce(int patch) => Load(patch)->force[m_Lane];
+
+        /// <summary>Angle of attack of a patch in the last substep (Eq. 10), radians, 0…π/2.</summary>
+        /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
+        public float PatchAngleOfAttack(int patch) => math.asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
+
+        private int Joint(int chain, int joint)
+        {
+            Check(chain, ChainCount, nameof(chain));
+            Check(joint, JointsPerChain, nameof(joint));
+            return chain * JointsPerChain + joint;
+        }
+
+        private int Bone(int chain, int bone)
+        {
+            Check(chain, ChainCount, nameof(chain));
+            Check(bone, JointsPerChain - 1, nameof(bone));
+            return chain * (JointsPerChain - 1) + bone;
+        }
+
+        private PatchLoad* Load(int patch)
+        {
+            if (!HasPatchLoads)
+                throw new InvalidOperationException("Patch loads are not kept; call WingWorld.RecordPatches first.");
+            Check(patch, PatchCount, nameof(patch));
+            return m_Pack.recordedLoads + patch;
+        }
+
+        private static void Check(int index, int count, string name)
+        {
+            if ((uint)index >= (uint)count)
+                throw new ArgumentOutOfRangeException(name, index, $"Must be 0 to {count - 1}.");
+        }
+    }
+}

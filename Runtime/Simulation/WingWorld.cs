@@ -1,0 +1,268 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>
+    /// A set of wings that are stepped and skinned together, in two jobs a frame whatever their number. Owns all live native memory.
+    /// Not thread-safe: call from one thread. Nothing is allocated by stepping and skinning.
+    /// </summary>
+    /// <example><code>
+    /// using var world = new WingWorld();
+    /// WingHandle wing = world.Add(rig, species.ToParameters());
+    /// world.Step(1f / 50f);
+    /// world.Skin();
+    /// NativeArray&lt;SkinnedVertex&gt; deformed = world.Vertices(wing);
+    /// </code></example>
+    public sealed class WingWorld : IDisposable
+    {
+        private readonly List<WingEntry> m_Entries = new List<WingEntry>();
+        private readonly Stack<int> m_Free = new Stack<int>();
+        private readonly PackTable m_Packs = new PackTable();
+        private readonly JobArrays m_Arrays = new JobArrays();
+        private JobHandle m_Pending;
+        private int m_NextVersion = 1;
+        private bool m_Disposed;
+
+        /// <summary>Wings in the world.</summary>
+        public int Count { get; private set; }
+
+        /// <summary>Jobs scheduled by the last step and skin together; the same for one wing and for a thousand.</summary>
+        public int JobsPerFrame => JobArrays.JobsPerFrame;
+
+        /// <summary>Packs of four wings in use.</summary>
+        public int PackCount => m_Packs.Packs.Count;
+
+        /// <summary>Adds a wing in its driven pose at the start of its beat.</summary>
+        /// <exception cref="ArgumentNullException">No rig.</exception>
+        /// <exception cref="ArgumentException">The rig is disposed, or a parameter is out of its range; names it, its value and the range.</exception>
+        public WingHandle Add(WingRig rig, in WingParameters parameters) => Add(rig, parameters, default);
+
+        /// <summary>Adds a wing that starts in the given surroundings.</summary>
+        /// <inheritdoc cref="Add(WingRig, in WingParameters)"/>
+        public WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings)
+        {
+            if (rig == null)
+                throw new ArgumentNullException(nameof(rig));
+            if (rig.IsDisposed)
+                throw new ArgumentException("The rig has been disposed.", nameof(rig));
+            Check(parameters);
+            Check(surroundings);
+            CompleteUse();
+
+            int index = m_Free.Count > 0 ? m_Free.Pop() : m_Entries.Count;
+            if (index == m_Entries.Count)
+                m_Entries.Add(null);
+            var entry = new WingEntry(rig, m_NextVersion++, parameters) { surroundings = surroundings };
+            m_Entries[index] = entry;
+            Count++;
+            m_Arrays.KeepTiming(m_Packs.Packs);
+            m_Packs.Add(entry, index);
+            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
+            DeriveAndRestart(entry, restart: true);
+            return new WingHandle(index, entry.version);
+        }
+
+        /// <summary>Removes a wing and frees its vertices.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public void Remove(WingHandle wing)
+        {
+            WingEntry entry = Entry(wing);
+            m_Arrays.KeepTiming(m_Packs.Packs);
+            Detach(entry);
+            m_Entries[wing.index] = null;
+            m_Free.Push(wing.index);
+            Count--;
+            entry.Dispose();
+            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
+        }
+
+        /// <summary>True while the wing is in this world.</summary>
+        public bool Contains(WingHandle wing) =>
+            !m_Disposed && !wing.IsNone && wing.index < m_Entries.Count && m_Entries[wing.index]?.version == wing.version;
+
+        /// <summary>Changes a wing's parameters; they are seen from the next substep on, frequency and amplitude from the next beat on.</summary>
+        /// <exception cref="ArgumentException">No such wing, or a parameter is out of its range.</exception>
+        public void SetParameters(WingHandle wing, in WingParameters parameters)
+        {
+            Check(parameters);
+            WingEntry entry = Entry(wing);
+            bool regroup = !entry.parameters.options.Equals(parameters.options);
+            entry.parameters = parameters;
+            if (!regroup)
+            {
+                Write(entry);
+                return;
+            }
+
+            m_Arrays.KeepTiming(m_Packs.Packs);
+            PackMemory from = entry.pack.Snapshot(entry.lane);
+            Detach(entry);
+            m_Packs.Add(entry, wing.index).Take(from, 0, entry.lane);
+            from.Dispose();
+            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
+            Write(entry);
+        }
+
+        /// <summary>Tells a wing what it feels; seen from the next substep on.</summary>
+        /// <exception cref="ArgumentException">No such wing, or a value that is not finite.</exception>
+        public unsafe void SetSurroundings(WingHandle wing, in WingSurroundings surroundings)
+        {
+            Check(surroundings);
+            WingEntry entry = Entry(wing);
+            entry.surroundings = surroundings;
+            for (int lane = 0; lane < WingPack.Lanes; lane++)
+            {
+                if (entry.pack.Writes(entry.lane, lane))
+                    entry.pack.view.surroundings->Set(lane, surroundings);
+            }
+        }
+
+        /// <summary>Puts a wing back to the start of its beat, in the driven pose, at rest.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public void Reset(WingHandle wing) => DeriveAndRestart(Entry(wing), restart: true);
+
+        /// <summary>Advances all wings by one fixed step, seconds; does nothing where dt is not positive. Returns when done.</summary>
+        public void Step(float dt)
+        {
+            ScheduleStep(dt);
+            Complete();
+        }
+
+        /// <summary>Schedules a step behind what is pending and <paramref name="after"/>; does nothing where dt is not positive.</summary>
+        /// <exception cref="ArgumentException">dt is not finite.</exception>
+        public JobHandle ScheduleStep(float dt, JobHandle after = default)
+        {
+            CheckNotDisposed();
+            if (!math.isfinite(dt))
+                throw new ArgumentException($"The time step must be finite, not {dt}.", nameof(dt));
+            if (dt > 0f && Count > 0)
+                m_Pending = m_Arrays.ScheduleStep(dt, JobHandle.CombineDependencies(m_Pending, after));
+            return m_Pending;
+        }
+
+        /// <summary>Deforms all meshes at a time within the last step: 0 its start, 1 its end. Returns when done.</summary>
+        public void Skin(float alpha = 1f)
+        {
+            ScheduleSkin(alpha);
+            Complete();
+        }
+
+        /// <summary>Schedules the skinning behind what is pending.</summary>
+        public JobHandle ScheduleSkin(float alpha)
+        {
+            CheckNotDisposed();
+            if (Count > 0)
+                m_Pending = m_Arrays.ScheduleSkin(math.isfinite(alpha) ? alpha : 1f, m_Pending);
+            return m_Pending;
+        }
+
+        /// <summary>Waits for all scheduled work.</summary>
+        public void Complete()
+        {
+            m_Pending.Complete();
+            m_Pending = default;
+        }
+
+        /// <summary>The vertices that the last <see cref="Skin"/> made: mesh space, in the mesh's vertex order. Do not dispose.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public NativeArray<SkinnedVertex> Vertices(WingHandle wing) => Entry(wing).vertices;
+
+        /// <summary>The tangents that go with them, w the handedness; not created where the mesh has none.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public NativeArray<float4> Tangents(WingHandle wing) => Entry(wing).tangents;
+
+        /// <summary>Bounds of the vertices that the last <see cref="Skin"/> made, mesh space.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing));
+
+        /// <summary>Reads a wing's state for tools and tests, without copying it. Valid until the next call that changes the world.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public WingReading Read(WingHandle wing)
+        {
+            WingEntry entry = Entry(wing);
+            return new WingReading(m_Arrays.Pack(entry.pack), entry.lane);
+        }
+
+        /// <summary>Starts or stops keeping the load on every patch, for <see cref="WingReading.PatchForce"/>; all wings of the pack are kept.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public void RecordPatches(WingHandle wing, bool on)
+        {
+            WingEntry entry = Entry(wing);
+            m_Arrays.KeepTiming(m_Packs.Packs);
+            entry.pack.Record(on);
+            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
+        }
+
+        /// <summary>Waits for pending work and frees everything; the rigs are released.</summary>
+        public void Dispose()
+        {
+            if (m_Disposed)
+                return;
+            Complete();
+            m_Disposed = true;
+            foreach (WingEntry entry in m_Entries)
+                entry?.Dispose();
+            m_Packs.Dispose();
+            m_Arrays.Dispose();
+        }
+
+        private void Detach(WingEntry entry)
+        {
+            int moved = m_Packs.Remove(entry);
+            if (moved < 0)
+                return;
+            m_Entries[moved].pack = entry.pack;
+            m_Entries[moved].lane = entry.lane;
+        }
+
+        private unsafe void Write(WingEntry entry)
+        {
+            for (int lane = 0; lane < WingPack.Lanes; lane++)
+            {
+                if (entry.pack.Writes(entry.lane, lane))
+                    entry.pack.view.parameters->Set(lane, entry.parameters);
+            }
+            DeriveAndRestart(entry, restart: false);
+        }
+
+        private void DeriveAndRestart(WingEntry entry, bool restart) => m_Arrays.Refresh(entry.pack, entry.lane, restart);
+
+        private WingEntry Entry(WingHandle wing)
+        {
+            CompleteUse();
+            if (!Contains(wing))
+                throw new ArgumentException($"This world has no such wing: {wing}.", nameof(wing));
+            return m_Entries[wing.index];
+        }
+
+        private void CompleteUse()
+        {
+            CheckNotDisposed();
+            Complete();
+        }
+
+        private void CheckNotDisposed()
+        {
+            if (m_Disposed)
+                throw new ObjectDisposedException(nameof(WingWorld));
+        }
+
+        private static void Check(in WingParameters parameters)
+        {
+            string problem = parameters.FindProblem();
+            if (problem != null)
+                throw new ArgumentException(problem, nameof(parameters));
+        }
+
+        private static void Check(in WingSurroundings surroundings)
+        {
+            if (!surroundings.IsFinite)
+                throw new ArgumentException("Wind, gravity, speed and angle of attack must be finite.", nameof(surroundings));
+        }
+    }
+}

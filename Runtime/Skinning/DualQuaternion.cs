@@ -1,0 +1,36 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// A rigid transform as a dual quaternion q + ε e (Kavan et al. 2007). Sums of them blend transforms without collapsing; a blend
+    /// need not be normalised before it is applied.
+    /// </summary>
+    internal struct DualQuaternion
+    {
+        public float4 real;
+        public float4 dual;
+
+        /// <summary>Rotation, then translation.</summary>
+        public DualQuaternion(quaternion rotation, float3 translation)
+        {
+            real = rotation.value;
+            var t = new quaternion(new float4(translation, 0f));
+            dual = 0.5f * math.mul(t, rotation).value;
+        }
+
+        public static DualQuaternion operator +(DualQuaternion a, DualQuaternion b) =>
+            new DualQuaternion { real = a.real + b.real, dual = a.dual + b.dual };
+
+        public static DualQuaternion operator -(DualQuaternion a, DualQuaternion b) =>
+            new DualQuaternion { real = a.real - b.real, dual = a.dual - b.dual };
+
+        /// <summary>The same transform, its sign chosen to lie on the side of <paramref name="pivot"/> (antipodality).</summary>
+        public DualQuaternion AlignedWith(in DualQuaternion pivot)
+        {
+            float sign = math.dot(real, pivot.real) < 0f ? -1f : 1f;
+            return new DualQuaternion { real = real * sign, dual = dual * sign };
+        }
+    }
+}

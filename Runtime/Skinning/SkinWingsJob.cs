@@ -1,0 +1,55 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Second of the two jobs of a frame: deforms the meshes at a time within the last step; index = chunk of one wing.</summary>
+    [BurstCompile]
+    internal unsafe struct SkinWingsJob : IJobFor
+    {
+        // Input
+        public float alpha;
+        [ReadOnly] public NativeArray<SkinChunk> chunks;
+        [ReadOnly] public NativeArray<SkinTarget> targets;
+        [ReadOnly] public NativeArray<WingPack> packs;
+
+        // Output, besides the vertices behind the targets.
+        public NativeArray<ChunkBounds> bounds;
+
+        public void Execute(int index)
+        {
+            SkinChunk chunk = chunks[index];
+            SkinTarget target = targets[chunk.target];
+            DualQuaternion* palette = stackalloc DualQuaternion[target.rig.jointCount];
+            SkinPalette.Evaluate(packs[target.pack], target, alpha, palette);
+            bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad);
+        }
+
+        /// <summary>Skins a range of quads, cell by cell.</summary>
+        public static ChunkBounds SkinQuads(in SkinTarget target, DualQuaternion* palette, int firstQuad, int endQuad)
+        {
+            SoaBounds bounds = SoaBounds.Empty;
+            int joints = target.rig.jointsPerChain;
+            for (int cell = 0; cell < target.rig.cellCount; cell++)
+            {
+                SkinCell range = target.rig.skinCells[cell];
+                int first = math.max(range.firstQuad, firstQuad);
+                int end = math.min(range.firstQuad + range.quadCount, endQuad);
+                if (first >= end)
+                    continue;
+                int joint = cell + cell / (joints - 1);
+                var blend = new CellBlend(palette[joint], palette[joint + 1], palette[joint + joints], palette[joint + joints + 1]);
+                DualQuaternionSkinning.Cell(blend, target, first, end, &bounds);
+            }
+
+            return new ChunkBounds
+            {
+                min = new float3(math.cmin(bounds.min.x), math.cmin(bounds.min.y), math.cmin(bounds.min.z)),
+                max = new float3(math.cmax(bounds.max.x), math.cmax(bounds.max.y), math.cmax(bounds.max.z)),
+            };
+        }
+    }
+}

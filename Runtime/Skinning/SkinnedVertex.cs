@@ -1,0 +1,16 @@
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>A deformed vertex as it lies in the mesh's first vertex stream: 24 bytes, mesh space.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct SkinnedVertex
+    {
+        /// <summary>Position, mesh units.</summary>
+        public float3 position;
+
+        /// <summary>Normal, not exactly unit length: within 1e-6.</summary>
+        public float3 normal;
+    }
+}

@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    public sealed class SpeciesTests
+    {
+        static IEnumerable<SpeciesDefinition> All => Species.All;
+
+        [TestCase("monarch")]
+        [TestCase("Monarch")]
+        [TestCase(" MON-arch ")]
+        public void ASpecies_IsFound_HoweverItsNameIsWritten(string name)
+        {
+            Assert.That(Species.TryFind(name, out var found), Is.True);
+            Assert.That(found.DisplayName, Is.EqualTo("Monarch"));
+        }
+
+        [TestCase("unicorn")]
+        [TestCase("")]
+        [TestCase(null)]
+        public void AnUnknownSpecies_IsRefused_WithTheNamesThereAre(string name)
+        {
+            Assert.That(Species.TryFind(name, out _), Is.False);
+            Assert.That(Species.TryCreate(name, out var species), Is.False);
+            Assert.That(species == null, Is.True);
+            Assert.That(() => Species.Find(name), Throws.ArgumentException.With.Message.Contains("monarch"));
+        }
+
+        [Test]
+        public void Monarch_HasThePapersTriangles()
+        {
+            Assert.That(Species.Find("monarch").TriangleCount, Is.EqualTo(4192));
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void EachSpecies_SaysWhereItsNumbersComeFrom(SpeciesDefinition species)
+        {
+            Assert.That(species.Sources, Is.Not.Empty);
+            foreach (var source in species.Sources)
+            {
+                Assert.That(source.Source, Is.Not.Empty, source.Quantity);
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void EachWing_HasASkeletonThatIsUsable_AndAsLongAsItsMesh(SpeciesDefinition species)
+        {
+            foreach (var wing in species.Wings)
+            {
+                foreach (var side in new[] { WingSide.Right, WingSide.Left })
+                {
+                    var skeleton = wing.CreateSkeleton(side);
+                    var surface = wing.CreateSurface(side);
+
+                    Assert.That(skeleton.Validate(), Is.Empty);
+                    Assert.That(
+                        Math.Abs(skeleton.GetJoint(0, skeleton.JointsPerChain - 1).x), Is.EqualTo(LargestSpan(surface)).Within(1e-5));
+                    UnityEngine.Object.DestroyImmediate(skeleton);
+                }
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void EachWing_IsMeshedInItsNumberOfTriangles_WithAColourForEachVertex(SpeciesDefinition species)
+        {
+            foreach (var wing in species.Wings)
+            {
+                var surface = wing.CreateSurface(WingSide.Right);
+
+                Assert.That(surface.TriangleCount, Is.EqualTo(wing.TriangleCount));
+                Assert.That(surface.colours, Has.Length.EqualTo(surface.VertexCount));
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void EachWing_BakesIntoARig_OfItsOwnAreaAndLength(SpeciesDefinition species)
+        {
+            foreach (var wing in species.Wings)
+            {
+                var skeleton = wing.CreateSkeleton(WingSide.Right);
+                var rig = WingRig.Bake(skeleton, wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name), WingRigSettings.Default);
+
+                Assert.That(rig.TriangleCount, Is.EqualTo(wing.TriangleCount));
+                Assert.That(rig.ChainCount, Is.EqualTo(wing.Chains));
+                Assert.That(rig.Frame.length, Is.EqualTo(wing.Outline.Length * SpeciesDefinition.UnitsPerMetre).Within(0.01).Percent);
+                rig.Release();
+                UnityEngine.Object.DestroyImmediate(skeleton);
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void EachWing_SitsOnItsBody(SpeciesDefinition species)
+        {
+            var body = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre);
+            foreach (var wing in species.Wings)
+            {
+                var hinge = wing.HingeOn(WingSide.Right);
+                var nearest = float.MaxValue;
+                foreach (var position in body.positions)
+                {
+                    nearest = Math.Min(nearest, (position - hinge).magnitude);
+                }
+
+                Assert.That(nearest, Is.LessThan(0.03f * wing.Outline.Length * SpeciesDefinition.UnitsPerMetre));
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void BothPresets_OfEachWing_AreInRange(SpeciesDefinition species)
+        {
+            foreach (var wing in species.Wings)
+            {
+                foreach (var preset in new[] { ModelPreset.Physical, ModelPreset.Paper })
+                {
+                    var made = wing.CreateSpecies(preset);
+
+                    Assert.That(made.ToParameters().FindProblem(), Is.Null);
+                    Assert.That(made.WingLength, Is.EqualTo(wing.Outline.Length).Within(1).Percent);
+                    UnityEngine.Object.DestroyImmediate(made);
+                }
+            }
+        }
+
+        static float LargestSpan(SurfaceMesh surface)
+        {
+            var largest = 0f;
+            foreach (var position in surface.positions)
+            {
+                largest = Math.Max(largest, Math.Abs(position.x));
+            }
+
+            return largest;
+        }
+    }
+}

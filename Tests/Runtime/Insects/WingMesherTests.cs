@@ -1,0 +1,207 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    public sealed class WingMesherTests
+    {
+        static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
+
+        [Test]
+        public void Grid_SpreadsItsVerticesEvenly_FromLeadingToTrailingEdge()
+        {
+            var outline = Monarch.Outline;
+            var grid = WingMesher.Grid(outline, 48, 22);
+
+            Assert.That(grid.VertexCount, Is.EqualTo(49 * 23));
+            Assert.That(grid.TriangleCount, Is.EqualTo(2 * 48 * 22));
+            var vertex = grid.positions[12 * 23 + 11];
+            Assert.That(vertex.x, Is.EqualTo(0.25f).Within(1e-6f));
+            Assert.That(vertex.y, Is.EqualTo(0f));
+            Assert.That(vertex.z, Is.EqualTo(0.5 * (outline.LeadingAt(0.25) + outline.TrailingAt(0.25))).Within(1e-6));
+        }
+
+        [Test]
+        public void Grid_OfAMonarch_HasTheCheckArea()
+        {
+            Assert.That(Area(WingMesher.Grid(Monarch.Outline, 48, 22)), Is.EqualTo(0.340619).Within(1e-3).Percent);
+        }
+
+        [TestCase(50)]
+        [TestCase(51)]
+        [TestCase(303)]
+        [TestCase(605)]
+        [TestCase(824)]
+        [TestCase(2096)]
+        [TestCase(6284)]
+        public void Strips_GiveTheExactCount_FillTheOutline_AndFaceUp(int count)
+        {
+            var contour = Monarch.Contour;
+            var surface = WingMesher.Strips(contour, count);
+
+            Assert.That(surface.TriangleCount, Is.EqualTo(count));
+            Assert.That(SmallestTriangle(surface), Is.GreaterThan(0));
+            Assert.That(Area(surface), Is.EqualTo(contour.Area).Within(count < 300 ? 2 : 0.5).Percent);
+        }
+
+        [TestCase(303)]
+        [TestCase(2096)]
+        [TestCase(6284)]
+        public void Strips_AreWellShaped(int count)
+        {
+            var angles = SmallestAngles(WingMesher.Strips(Monarch.Contour, count));
+
+            Assert.That(angles[0], Is.GreaterThan(15), "the worst");
+            Assert.That(angles[angles.Count / 20], Is.GreaterThan(38), "19 of 20");
+            Assert.That(angles[angles.Count / 2], Is.GreaterThan(44), "the median");
+        }
+
+        [TestCase(64)]
+        [TestCase(2096)]
+        public void Strips_AreOneSheet_WithoutSeamsOrHoles(int count)
+        {
+            var surface = WingMesher.Strips(Monarch.Contour, count);
+
+            var uses = EdgeUses(surface);
+            var border = 0;
+            foreach (var use in uses.Values)
+            {
+                Assert.That(use, Is.InRange(1, 2));
+                border += use == 1 ? 1 : 0;
+            }
+
+            Assert.That(surface.VertexCount - uses.Count + surface.TriangleCount, Is.EqualTo(1), "Euler's number of a disc");
+            Assert.That(border, Is.EqualTo(2 * uses.Count - 3 * surface.TriangleCount));
+            Assert.That(new HashSet<Vector3>(surface.positions), Has.Count.EqualTo(surface.VertexCount), "no vertex lies on another");
+        }
+
+        [Test]
+        public void TextureCoordinates_CoverTheWing_SpanwiseAndForward()
+        {
+            var surface = WingMesher.Strips(Monarch.Contour, 2096, 3f);
+
+            for (var vertex = 0; vertex < surface.VertexCount; vertex++)
+            {
+                Assert.That(surface.uvs[vertex].x, Is.EqualTo(surface.positions[vertex].x / 3f).Within(1e-6f));
+                Assert.That(surface.uvs[vertex].y, Is.InRange(-1e-6f, 1f + 1e-6f));
+                Assert.That(surface.normals[vertex], Is.EqualTo(new Vector3(0f, 1f, 0f)));
+            }
+        }
+
+        [Test]
+        public void ALeftWing_MirrorsTheRight_AndFacesUpToo()
+        {
+            var right = Monarch.CreateSurface(WingSide.Right);
+            var left = Monarch.CreateSurface(WingSide.Left);
+
+            Assert.That(SmallestTriangle(left), Is.GreaterThan(0));
+            for (var vertex = 0; vertex < right.VertexCount; vertex++)
+            {
+                var mirrored = new Vector3(-right.positions[vertex].x, right.positions[vertex].y, right.positions[vertex].z);
+                Assert.That(left.positions[vertex], Is.EqualTo(mirrored));
+            }
+        }
+
+        [Test]
+        public void TheSameWing_IsMeshedTheSameWay_Twice()
+        {
+            var first = Monarch.CreateSurface(WingSide.Right);
+            var second = Monarch.CreateSurface(WingSide.Right);
+
+            Assert.That(second.positions, Is.EqualTo(first.positions));
+            Assert.That(second.triangles, Is.EqualTo(first.triangles));
+            Assert.That(second.colours, Is.EqualTo(first.colours));
+        }
+
+        [Test]
+        public void AMesh_CarriesAllOfTheSurface()
+        {
+            var surface = Monarch.CreateSurface(WingSide.Right);
+
+            var mesh = surface.ToMesh("Monarch Wing");
+
+            Assert.That(mesh.name, Is.EqualTo("Monarch Wing"));
+            Assert.That(mesh.vertexCount, Is.EqualTo(surface.VertexCount));
+            Assert.That(mesh.triangles, Is.EqualTo(surface.triangles));
+            Assert.That(mesh.colors32, Is.EqualTo(surface.colours));
+            Assert.That(mesh.bounds.max.x, Is.EqualTo(0.61f).Within(1e-4f));
+            Assert.That(mesh.bounds.min.x, Is.EqualTo(0f).Within(1e-4f));
+            UnityEngine.Object.DestroyImmediate(mesh);
+        }
+
+        [TestCase(49)]
+        [TestCase(-1)]
+        [TestCase(1000001)]
+        public void AnImpossibleCount_IsRefused(int count)
+        {
+            Assert.That(() => WingMesher.Strips(Monarch.Contour, count), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+
+        static double Area(SurfaceMesh surface)
+        {
+            var area = 0.0;
+            for (var t = 0; t < surface.TriangleCount; t++)
+            {
+                area += SignedArea(surface, t);
+            }
+
+            return area;
+        }
+
+        static double SmallestTriangle(SurfaceMesh surface)
+        {
+            var smallest = double.MaxValue;
+            for (var t = 0; t < surface.TriangleCount; t++)
+            {
+                smallest = Math.Min(smallest, SignedArea(surface, t));
+            }
+
+            return smallest;
+        }
+
+        static double SignedArea(SurfaceMesh surface, int triangle)
+        {
+            var origin = Corner(surface, triangle, 0);
+            return 0.5 * Vector3.Cross(Corner(surface, triangle, 1) - origin, Corner(surface, triangle, 2) - origin).y;
+        }
+
+        static List<double> SmallestAngles(SurfaceMesh surface)
+        {
+            var angles = new List<double>();
+            for (var t = 0; t < surface.TriangleCount; t++)
+            {
+                var smallest = 180.0;
+                for (var c = 0; c < 3; c++)
+                {
+                    var origin = Corner(surface, t, c);
+                    smallest = Math.Min(
+                        smallest, Vector3.Angle(Corner(surface, t, (c + 1) % 3) - origin, Corner(surface, t, (c + 2) % 3) - origin));
+                }
+
+                angles.Add(smallest);
+            }
+
+            angles.Sort();
+            return angles;
+        }
+
+        static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
+        {
+            var uses = new Dictionary<(int Low, int High), int>();
+            for (var corner = 0; corner < surface.triangles.Length; corner++)
+            {
+                var a = surface.triangles[corner];
+                var b = surface.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+                var edge = (Math.Min(a, b), Math.Max(a, b));
+                uses.TryGetValue(edge, out var count);
+                uses[edge] = count + 1;
+            }
+
+            return uses;
+        }
+
+        static Vector3 Corner(SurfaceMesh surface, int triangle, int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
+    }
+}
