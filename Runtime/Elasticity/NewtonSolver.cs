@@ -25,7 +25,7 @@ namespace Alate
             public float tolerance;
 
             /// <summary>What a substep uses: 4 Newton iterations or 1e-5 L; the inner limits reach the minimum to 1e-4 L at the presets.</summary>
-            public static Limits Default => new Limits { newton = 4, inner = 16, reduction = 0.02f, tolerance = 1e-5f };
+            public static Limits Default => new Limits { newton = 4, inner = 24, reduction = 0.005f, tolerance = 1e-5f };
         }
 
         /// <summary>Armijo: the share of the predicted decrease that a step must bring.</summary>
