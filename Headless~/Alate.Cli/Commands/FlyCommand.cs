@@ -1,0 +1,54 @@
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using Alate.Cli.Flights;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>fly SPECIES</c>: simulates some beats and writes what came of the last one.</summary>
+internal static class FlyCommand
+{
+    private const int k_MostPatches = 1000000;
+
+    public static Command Create(TextWriter output)
+    {
+        var species = new Argument<string>("SPECIES")
+        {
+            Arity = ArgumentArity.ZeroOrOne,
+            Description = $"The insect: {string.Join(", ", Species.Names)}. Not with --mesh.",
+        };
+        var options = new FlyOptions();
+        var command = new Command("fly", "Flies an insect and writes pictures, a 3D file and numbers of its last beat.") { species };
+        options.AddTo(command);
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            var plan = options.Plan(parsed, parsed.GetValue(species));
+            FlightReport.Run(plan, output);
+            return 0;
+        });
+        return command;
+    }
+
+    /// <summary>What meets the air: 0 is every triangle.</summary>
+    public static int Patches(string text)
+    {
+        if (text.ToLowerInvariant() == "triangles")
+            return 0;
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count is >= 1 and <= k_MostPatches)
+            return count;
+        throw new UserException($"--elements takes 'triangles' or a number of patches from 1 to {k_MostPatches}, not '{text}'.");
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  fly monarch\n"
+        + "  fly monarch --speed 0.8 --climb 0.5 --pitch 30 --elasticity 0.5 --out climbing\n"
+        + "  fly --mesh wing.obj --skeleton wing.json --species monarch --out mine\n\n"
+        + "Writes into the output folder:\n"
+        + "  strip.svg     twelve phases of the last beat, seen from the front left\n"
+        + "  wings.glb     that beat as a looped 3D animation (glTF 2.0), metres\n"
+        + "  joints.csv    every joint of the skeleton over that beat, metres\n"
+        + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift and cost\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

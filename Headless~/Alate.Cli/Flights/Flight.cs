@@ -1,0 +1,171 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>Flies an insect: bakes its rigs, steps its wings substep by substep and records the last beat.</summary>
+internal sealed class Flight : IDisposable
+{
+    private const double k_DefaultBeats = 8;
+
+    private readonly FlightPlan m_Plan;
+    private readonly Insect m_Insect;
+    private readonly WingWorld m_World = new();
+    private readonly List<WingHandle> m_Handles = [];
+    private readonly List<RecordedWing> m_Wings = [];
+    private readonly List<WingFrame> m_Frames = [];
+    private readonly double m_Frequency;
+    private readonly int m_SubstepsPerBeat;
+
+    /// <summary>Bakes and places every wing; nothing has moved yet.</summary>
+    /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a beat.</exception>
+    public Flight(FlightPlan plan, Insect insect)
+    {
+        m_Plan = plan;
+        m_Insect = insect;
+        try
+        {
+            foreach (InsectWing wing in insect.Wings)
+                Add(wing);
+            m_Frequency = m_World.Read(m_Handles[0]).Frequency;
+            m_SubstepsPerBeat = m_Wings[0].Parameters.substepsPerBeat;
+            Steps = CountSteps();
+        }
+        catch
+        {
+            m_World.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Substeps of the whole flight.</summary>
+    public int Steps { get; }
+
+    /// <summary>Flies.</summary>
+    /// <param name="progress">Told the substeps done so far.</param>
+    public FlightRecord Run(Action<int> progress)
+    {
+        double step = 1.0 / (m_Frequency * m_SubstepsPerBeat);
+        long started = Stopwatch.GetTimestamp(), spent = 0;
+        int timed = 0;
+        for (int k = 0; k < Steps; k++)
+        {
+            long before = Stopwatch.GetTimestamp();
+            m_World.Step((float)step);
+            if (k >= m_SubstepsPerBeat || Steps <= m_SubstepsPerBeat)
+            {
+                spent += Stopwatch.GetTimestamp() - before;
+                timed++;
+            }
+
+            if (k >= Steps - m_SubstepsPerBeat)
+                Record((k + 1) * step);
+            progress(k + 1);
+        }
+
+        for (int k = 0; k < m_Wings.Count; k++)
+        {
+            WingReading reading = m_World.Read(m_Handles[k]);
+            m_Wings[k].Frequency = reading.Frequency;
+            m_Wings[k].Resets = reading.Resets;
+        }
+
+        return new FlightRecord
+        {
+            Plan = m_Plan,
+            Insect = m_Insect,
+            Wings = m_Wings,
+            Seconds = Steps * step,
+            Beats = (double)Steps / m_SubstepsPerBeat,
+            MicrosecondsPerSubstep = 1e6 * spent / Stopwatch.Frequency / timed,
+        };
+    }
+
+    /// <summary>Frees the world and the rigs.</summary>
+    public void Dispose() => m_World.Dispose();
+
+    private void Add(InsectWing wing)
+    {
+        WingParameters parameters = m_Plan.ParametersOf(wing.Species);
+        WingRig rig = Bake(wing);
+        foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
+        {
+            m_Handles.Add(m_World.Add(rig, parameters, m_Plan.SurroundingsOf(wing.Species, side)));
+            m_Frames.Add(rig.Frame);
+            m_Wings.Add(new RecordedWing
+            {
+                Wing = wing,
+                Placement = wing.PlacementOf(rig.Frame, side),
+                Parameters = parameters,
+                Rest = Array.ConvertAll(wing.Surface.positions, position => rig.Frame.ToWing(position)),
+                Triangles = wing.Surface.triangles,
+                ChainCount = rig.ChainCount,
+                JointsPerChain = rig.JointsPerChain,
+                IsMeshMirrored = rig.Frame.mirrored,
+            });
+        }
+
+        rig.Release();
+    }
+
+    private WingRig Bake(InsectWing wing)
+    {
+        try
+        {
+            return WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = m_Plan.Patches });
+        }
+        catch (ArgumentException problem)
+        {
+            throw new UserException(problem.Message);
+        }
+    }
+
+    private int CountSteps()
+    {
+        if (m_Plan.Seconds is not double seconds)
+            return (int)(k_DefaultBeats * m_SubstepsPerBeat);
+        double steps = Math.Ceiling(seconds * m_Frequency * m_SubstepsPerBeat - 1e-6);
+        if (steps >= m_SubstepsPerBeat)
+            return (int)Math.Min(steps, int.MaxValue);
+        throw new UserException(FormattableString.Invariant(
+            $"--seconds {seconds} is shorter than one beat of this wing, {1.0 / m_Frequency:0.####} s at {m_Frequency:0.###} Hz."));
+    }
+
+    private void Record(double time)
+    {
+        m_World.Skin();
+        for (int k = 0; k < m_Wings.Count; k++)
+            m_Wings[k].Frames.Add(FrameOf(m_World.Read(m_Handles[k]), m_World.Vertices(m_Handles[k]), m_Frames[k], time));
+    }
+
+    private static RecordedFrame FrameOf(in WingReading reading, NativeArray<SkinnedVertex> vertices, in WingFrame frame, double time)
+    {
+        int chains = reading.ChainCount, joints = reading.JointsPerChain;
+        var recorded = new RecordedFrame
+        {
+            Time = time,
+            Phase = reading.Phase,
+            Root = reading.DrivenRotation(0, 0),
+            AirForce = reading.AirForce,
+            NewtonIterations = reading.NewtonIterations,
+            Positions = new float3[vertices.Length],
+            Normals = new float3[vertices.Length],
+            Joints = new float3[chains * joints],
+            Bends = new float3[chains * (joints - 1)],
+        };
+        for (int k = 0; k < vertices.Length; k++)
+        {
+            recorded.Positions[k] = frame.ToWing(vertices[k].position);
+            recorded.Normals[k] = frame.DirectionToWing(vertices[k].normal);
+        }
+
+        for (int k = 0; k < recorded.Joints.Length; k++)
+            recorded.Joints[k] = reading.JointPosition(k / joints, k % joints);
+        for (int k = 0; k < recorded.Bends.Length; k++)
+            recorded.Bends[k] = reading.BendAngles(k / (joints - 1), k % (joints - 1));
+        return recorded;
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using System.IO;
+using System.Text;
+using Alate.Cli.Gltf;
+using Alate.Cli.Output;
+using Alate.Cli.Pictures;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>Flies a plan, shows how it gets on, and writes what came of it: all of the files or none.</summary>
+internal static class FlightReport
+{
+    private const string k_Strip = "strip.svg", k_Glb = "wings.glb", k_Joints = "joints.csv", k_Summary = "summary.json";
+
+    /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
+    public static void Run(FlightPlan plan, TextWriter output)
+    {
+        Insect insect = Insect.Of(plan);
+        using var flight = new Flight(plan, insect);
+        string path = plan.Folder ?? Path.Combine("out", insect.Name);
+        using OutputFolder folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Summary);
+        var terminal = new Terminal(output);
+        FlightSummary summary = null;
+        terminal.ShowProgress(flight.Steps, (steps, stage) =>
+        {
+            FlightRecord record = flight.Run(steps);
+            stage("measuring");
+            summary = FlightSummary.Of(record);
+            stage("drawing");
+            folder.Write(k_Strip, stream => stream.Write(Encoding.UTF8.GetBytes(BeatStrip.Draw(record))));
+            stage("writing");
+            folder.Write(k_Glb, stream => WingsGlb.Write(record, stream));
+            folder.Write(k_Joints, stream => JointTable.Write(record, stream));
+            folder.Write(k_Summary, stream => SummaryJson.Write(summary, stream));
+        });
+        folder.Commit();
+        terminal.ShowSummary(summary, path, k_Strip, k_Glb, k_Joints, k_Summary);
+    }
+}

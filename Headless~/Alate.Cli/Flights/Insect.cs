@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Alate.Cli.Input;
+using Unity.Mathematics;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>What flies: its wings, each kind once, and its body.</summary>
+internal sealed class Insect
+{
+    private Insect(string name, string displayName, IReadOnlyList<InsectWing> wings, SurfaceMesh body)
+    {
+        Name = name;
+        DisplayName = displayName;
+        Wings = wings;
+        Body = body;
+    }
+
+    /// <summary>The species, or the name of the mesh's file.</summary>
+    public string Name { get; }
+
+    public string DisplayName { get; }
+
+    public IReadOnlyList<InsectWing> Wings { get; }
+
+    /// <summary>The body, metres.</summary>
+    public SurfaceMesh Body { get; }
+
+    /// <summary>The insect of a plan.</summary>
+    /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>
+    public static Insect Of(FlightPlan plan)
+    {
+        if (!Species.TryFind(plan.Species, out SpeciesDefinition definition))
+            throw new UserException($"Unknown species '{plan.Species}'. Known: {string.Join(", ", Species.Names)}.");
+        return plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
+    }
+
+    private static Insect FromCatalogue(SpeciesDefinition definition, FlightPlan plan)
+    {
+        var wings = new List<InsectWing>();
+        foreach (SpeciesWing wing in definition.Wings)
+        {
+            SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
+            wings.Add(new InsectWing
+            {
+                Name = wing.Name,
+                Species = wing.CreateSpecies(plan.Preset),
+                Skeleton = wing.CreateSkeleton(WingSide.Right),
+                Surface = surface.ToWingSurface(wing.Name),
+                Colours = surface.colours,
+                Origin = (float3)wing.Hinge,
+            });
+        }
+
+        return new Insect(definition.Name, definition.DisplayName, wings, definition.Body.CreateSurface(1f));
+    }
+
+    private static Insect FromFiles(SpeciesDefinition definition, FlightPlan plan)
+    {
+        string name = Path.GetFileNameWithoutExtension(plan.MeshFile);
+        ObjMesh mesh = TextFile.Read(plan.MeshFile, ObjReader.Read);
+        WingSkeleton skeleton = TextFile.Read(plan.SkeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd()));
+        List<SkeletonProblem> problems = skeleton.Validate();
+        if (problems.Count > 0)
+            throw new UserException($"{plan.SkeletonFile}: {problems[0].Message}");
+        SpeciesWing model = definition.Wings[0];
+        var wing = new InsectWing
+        {
+            Name = model.Name,
+            Species = model.CreateSpecies(plan.Preset),
+            Skeleton = skeleton,
+            Surface = mesh.ToWingSurface(plan.MeshFile),
+            Colours = mesh.Colours,
+            Hinge = model.Hinge,
+        };
+        return new Insect(name, name, [wing], definition.Body.CreateSurface(1f));
+    }
+}
