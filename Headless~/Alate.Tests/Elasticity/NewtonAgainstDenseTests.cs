@@ -55,6 +55,7 @@ namespace Alate.Tests
             var springs = SpringFixture.Grid(chains, perChain, rest);
             float stiffness = elasticity * 10f * k_BeatRate * k_BeatRate, anchorRate = 2f * k_BeatRate * math.sqrt(elasticity);
             quaternion turn = random.NextQuaternionRotation();
+            float noise = 1e-3f / math.max(chains, perChain);
             float3 bend = random.NextFloat3(-0.02f, 0.02f), shear = random.NextFloat3(-0.002f, 0.002f);
             var start = new double[3 * joints];
             var anchors = new double[3 * joints];
@@ -65,7 +66,7 @@ namespace Alate.Tests
                 {
                     bool root = k % perChain == 0;
                     float3 posed = math.rotate(turn, rest[k]);
-                    float3 moved = math.rotate(turn, Motion(rest[k], bend, shear)) + random.NextFloat3(-2e-4f, 2e-4f);
+                    float3 moved = math.rotate(turn, Motion(rest[k], bend, shear)) + random.NextFloat3(-noise, noise);
                     float3 predicted = root ? posed : posed + moved;
                     fixture.Place(k, root ? posed : predicted, predicted, posed, random.NextFloat(0.5f, 1.5f) / joints, k_Dt, anchorRate);
                     for (int axis = 0; axis < 3; axis++)
