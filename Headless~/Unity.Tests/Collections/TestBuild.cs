@@ -5,11 +5,15 @@ namespace Unity.Tests;
 /// <summary>What the build under test can do.</summary>
 internal static class TestBuild
 {
-    /// <summary>Leaves a test out in builds without safety checks.</summary>
+    /// <summary>Leaves a test out in builds without safety checks: Release builds, as Unity's players.</summary>
     public static void RequireChecks()
     {
 #if !ENABLE_UNITY_COLLECTIONS_CHECKS
+#if DEBUG
+        Assert.Fail("ENABLE_UNITY_COLLECTIONS_CHECKS is not defined: a debug build must have its safety checks.");
+#else
         Assert.Ignore("This build has no safety checks.");
+#endif
 #endif
     }
 }

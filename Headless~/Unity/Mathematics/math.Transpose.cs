@@ -31,9 +31,13 @@ public static partial class @math
 
     // a0 a1 b0 b1
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector128<float> LowPairs(Vector128<float> a, Vector128<float> b) => Vector128.Create(a.GetLower(), b.GetLower());
+    private static Vector128<float> LowPairs(Vector128<float> a, Vector128<float> b) => Sse.IsSupported
+        ? Sse.MoveLowToHigh(a, b)
+        : Vector128.Create(a.GetLower(), b.GetLower());
 
     // a2 a3 b2 b3
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector128<float> HighPairs(Vector128<float> a, Vector128<float> b) => Vector128.Create(a.GetUpper(), b.GetUpper());
+    private static Vector128<float> HighPairs(Vector128<float> a, Vector128<float> b) => Sse.IsSupported
+        ? Sse.MoveHighToLow(b, a)
+        : Vector128.Create(a.GetUpper(), b.GetUpper());
 }
