@@ -15,14 +15,13 @@ internal sealed class BeatStrip
     public static readonly PaintedShape MarginLine = new(0x2A211C, true, false);
 
     private const int k_Columns = 4, k_Rows = 3;
-    private const float k_Width = 300f, k_Height = 236f, k_Inset = 14f, k_Header = 58f, k_LabelHeight = 26f;
-    private const float k_Aside = 34f, k_Above = 24f, k_DistanceOverSpan = 5f;
+    private const float k_Aside = 36f, k_Above = 28f, k_DistanceOverSpan = 5f;
     private const float k_TestFineness = 1.5f;
 
     private const string k_Style =
         "<style>text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}"
-        + ".f{fill:currentColor;stroke:currentColor;stroke-width:4;stroke-linejoin:round}"
-        + ".l{fill:none;stroke:currentColor;stroke-width:7;stroke-linejoin:round;stroke-linecap:round}</style>\n";
+        + ".f{fill:currentColor;stroke:currentColor;stroke-width:2;stroke-linejoin:round}"
+        + ".l{fill:none;stroke:currentColor;stroke-width:3.5;stroke-linejoin:round;stroke-linecap:round}</style>\n";
 
     private readonly FlightRecord m_Flight;
     private readonly List<PictureSurface> m_Surfaces = [];
@@ -35,10 +34,11 @@ internal sealed class BeatStrip
         m_Flight = flight;
         float reach = 0f;
         SurfaceMesh body = flight.Insect.Body;
-        m_Surfaces.Add(new PictureSurface(Array.ConvertAll(body.positions, p => (float3)p), body.triangles, body.colours, isThin: false));
+        m_Surfaces.Add(new PictureSurface(
+            Array.ConvertAll(body.positions, p => (float3)p), body.triangles, fine => WingPaint.Of(body.colours, fine), isThin: false));
         foreach (RecordedWing wing in flight.Wings)
         {
-            m_Surfaces.Add(new PictureSurface(wing.Rest, wing.Triangles, wing.Wing.Colours, isThin: true));
+            m_Surfaces.Add(new PictureSurface(wing.Rest, wing.Triangles, fine => WingPaint.Of(wing.Wing, fine), isThin: true));
             reach = math.max(reach, math.length(wing.Placement.Hinge) + wing.Placement.Length);
         }
 
@@ -54,10 +54,10 @@ internal sealed class BeatStrip
         var poses = new List<Pose>();
         for (int k = 0; k < k_Columns * k_Rows; k++)
             poses.Add(PoseAt(k / (double)(k_Columns * k_Rows)));
-        (float scale, float2 centre) = Fit(poses);
-        Begin();
+        var layout = new StripLayout(poses, k_Columns);
+        Begin(layout);
         for (int k = 0; k < poses.Count; k++)
-            DrawPanel(k, poses[k], scale, centre);
+            DrawPanel(k, poses[k], layout);
         m_Svg.Append("</svg>\n");
         return m_Svg.ToString();
     }
@@ -80,29 +80,9 @@ internal sealed class BeatStrip
         return pose;
     }
 
-    // One scale and one place for all panels, so that the insect keeps still from one to the next.
-    private static (float Scale, float2 Centre) Fit(List<Pose> poses)
+    private void Begin(StripLayout layout)
     {
-        float2 min = float.PositiveInfinity, max = float.NegativeInfinity;
-        foreach (Pose pose in poses)
-        {
-            foreach (float3[] surface in pose.Places)
-            {
-                foreach (float3 place in surface)
-                {
-                    min = math.min(min, place.xy);
-                    max = math.max(max, place.xy);
-                }
-            }
-        }
-
-        float2 room = new float2(k_Width, k_Height) - 2f * k_Inset;
-        return (math.cmin(room / math.max(max - min, 1e-9f)), 0.5f * (min + max));
-    }
-
-    private void Begin()
-    {
-        float width = k_Columns * k_Width, height = k_Header + k_Rows * (k_Height + k_LabelHeight);
+        float width = layout.Width, height = layout.Height;
         Line($"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">");
         Line($"<title>{SecurityElement.Escape(Title())}</title>");
         m_Svg.Append(k_Style);
@@ -111,23 +91,19 @@ internal sealed class BeatStrip
         Line($"<text x=\"{width - 26}\" y=\"39\" font-size=\"17\" text-anchor=\"end\">{SecurityElement.Escape(Caption())}</text>");
     }
 
-    private void DrawPanel(int index, Pose pose, float scale, float2 centre)
+    private void DrawPanel(int index, Pose pose, StripLayout layout)
     {
-        float left = index % k_Columns * k_Width, top = k_Header + index / k_Columns * (k_Height + k_LabelHeight);
-        var painter = new Painter(k_Width, k_Height, k_TestFineness);
+        StripPanel panel = layout[index];
+        var painter = new Painter(panel.Width, panel.Height, k_TestFineness);
         var picture = new List<float3>();
         for (int k = 0; k < m_Surfaces.Count; k++)
-        {
-            float3[] places = Array.ConvertAll(
-                pose.Places[k], p => new float3((p.xy - centre) * scale + 0.5f * new float2(k_Width, k_Height), p.z));
-            m_Surfaces[k].Paint(painter, places, pose.Normals[k], picture.Count, m_Shading);
-            picture.AddRange(places);
-        }
+            m_Surfaces[k].Paint(painter, Array.ConvertAll(pose.Places[k], panel.Place), pose.Normals[k], picture, m_Shading);
 
-        Line($"<g transform=\"translate({left} {top})scale({1f / SvgPath.Fineness})\">");
+        Line($"<g transform=\"translate({panel.Left} {panel.Top})scale({1f / SvgPath.Fineness})\">");
         foreach (PaintedLayer layer in painter.Layers())
             DrawLayer(layer, picture);
-        Line($"</g><text x=\"{left + 0.5f * k_Width}\" y=\"{top + k_Height + 12f}\" font-size=\"17\" text-anchor=\"middle\">{index * 360 / (k_Columns * k_Rows)}°</text>");
+        Line($"</g>");
+        Line($"<text x=\"{panel.Left + 0.5f * panel.Width}\" y=\"{panel.Top + panel.Height + 10f}\" font-size=\"17\" text-anchor=\"middle\">{index * 360 / (k_Columns * k_Rows)}°</text>");
     }
 
     private void DrawLayer(PaintedLayer layer, List<float3> picture)
@@ -136,6 +112,8 @@ internal sealed class BeatStrip
         var path = new SvgPath();
         foreach (List<int> line in isLine ? OutlineTracer.Strokes(layer.Vertices) : OutlineTracer.Outlines(layer.Vertices))
             path.Add(line, picture, close: !isLine);
+        if (path.IsEmpty)
+            return;
         Line($"<path class=\"{(isLine ? 'l' : 'f')}\" color=\"#{layer.Shape.Colour:x6}\" d=\"{path}\"/>");
     }
 
@@ -148,13 +126,4 @@ internal sealed class BeatStrip
     }
 
     private void Line(FormattableString text) => m_Svg.Append(text.ToString(CultureInfo.InvariantCulture)).Append('\n');
-
-    private sealed class Pose
-    {
-        /// <summary>[surface][vertex] Seen by the camera.</summary>
-        public List<float3[]> Places { get; } = [];
-
-        /// <summary>[surface][vertex] On the body.</summary>
-        public List<float3[]> Normals { get; } = [];
-    }
 }
