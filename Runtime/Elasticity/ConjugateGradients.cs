@@ -5,11 +5,15 @@ namespace Alate
     /// <summary>Solves H · step = −gradient over the joints that are no roots, preconditioned by the joints' own 3×3 blocks.</summary>
     internal static unsafe class ConjugateGradients
     {
-        /// <summary>A fixed small number of iterations from step = 0; a wing whose residual is spent stands still.</summary>
+        /// <summary>
+        /// A few iterations from step = 0; ends early when the residual of every wing has fallen to <paramref name="reduction"/> of its
+        /// first value, in the norm of the preconditioner.
+        /// </summary>
         /// <returns>Wings that met a direction of negative curvature: their step is not to be used.</returns>
-        public static bool4 Solve(in WingPack pack, in StepScratch scratch, int iterations)
+        public static bool4 Solve(in WingPack pack, in StepScratch scratch, int iterations, float reduction)
         {
             float4 rz = Begin(pack, scratch);
+            float4 enough = math.max(rz * (reduction * reduction), 1e-30f);
             bool4 negative = false;
             for (int k = 0; k < iterations; k++)
             {
@@ -18,6 +22,8 @@ namespace Alate
                 negative |= (curvature <= 0f) & (rz > 0f);
                 float4 alpha = math.select(rz / math.max(curvature, 1e-30f), 0f, (curvature <= 0f) | (rz <= 1e-30f));
                 float4 next = Advance(pack, scratch, alpha);
+                if (math.all(next <= enough))
+                    break;
                 float4 beta = math.select(next / math.max(rz, 1e-30f), 0f, rz <= 1e-30f);
                 Turn(pack, scratch, beta);
                 rz = next;

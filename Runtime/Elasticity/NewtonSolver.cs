@@ -15,14 +15,17 @@ namespace Alate
             /// <summary>Newton iterations.</summary>
             public int newton;
 
-            /// <summary>Conjugate-gradient iterations in each.</summary>
+            /// <summary>Conjugate-gradient iterations in each, at most.</summary>
             public int inner;
+
+            /// <summary>They end early when the residual has fallen to this share.</summary>
+            public float reduction;
 
             /// <summary>Converged when no joint moves further in an iteration, wing lengths.</summary>
             public float tolerance;
 
-            /// <summary>What a substep uses: 4 Newton iterations, 1e-5 L, and inner iterations measured to reach 1e-4 L at the presets.</summary>
-            public static Limits Default => new Limits { newton = 4, inner = 8, tolerance = 1e-5f };
+            /// <summary>What a substep uses: 4 Newton iterations or 1e-5 L; the inner limits reach the minimum to 1e-4 L at the presets.</summary>
+            public static Limits Default => new Limits { newton = 4, inner = 16, reduction = 0.02f, tolerance = 1e-5f };
         }
 
         /// <summary>Armijo: the share of the predicted decrease that a step must bring.</summary>
@@ -43,12 +46,12 @@ namespace Alate
             float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
             for (int k = 0; k < limits.newton; k++)
             {
-                bool4 negative = ConjugateGradients.Solve(pack, scratch, limits.inner) & active & !convex;
+                bool4 negative = ConjugateGradients.Solve(pack, scratch, limits.inner, limits.reduction) & active & !convex;
                 if (math.any(negative))
                 {
                     convex |= negative;
                     SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
-                    ConjugateGradients.Solve(pack, scratch, limits.inner);
+                    ConjugateGradients.Solve(pack, scratch, limits.inner, limits.reduction);
                 }
 
                 iterations += math.select(0f, 1f, active);

@@ -5,7 +5,8 @@ namespace Alate
 {
     /// <summary>
     /// Velocity of the carried surface over one cell: that of the last substep, Σ w ẋ, plus the change of the driven velocity since,
-    /// Σ w (ḋ_new − ḋ_old). Each joint's frame moves a rest point (x, z) with hinge + x·span + z·chord; the cell blends four of them.
+    /// Σ w (ḋ_new − ḋ_old). Each joint's frame moves a rest point (x, z), taken at the joint's height, with
+    /// hinge + x·span + z·chord; the cell blends four of them.
     /// </summary>
     internal unsafe struct CellMotion
     {
@@ -17,9 +18,10 @@ namespace Alate
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 JointMotion* motion = pack.motions + joint;
+                float3 rest = pack.rig.restJoints[joint];
                 SoaFloat3 carried = scratch.drivenVelocities[joint] - pack.drivenVelocities[joint];
                 scratch.hingeVelocities[joint] =
-                    motion->velocity + carried - SoaFloat3x3.Mul(motion->rate, pack.rig.restJoints[joint]);
+                    motion->velocity + carried - motion->rate.c0 * rest.x - motion->rate.c2 * rest.z;
                 scratch.spanRates[joint] = motion->rate.c0;
                 scratch.chordRates[joint] = motion->rate.c2;
             }

@@ -28,6 +28,10 @@ namespace Alate
                 Math.Max(Math.Max(p00.x, p01.x), Math.Max(p10.x, p11.x)), Math.Max(Math.Max(p00.z, p01.z), Math.Max(p10.z, p11.z)));
         }
 
+        /// <summary>The point of the cell with these coordinates.</summary>
+        public PlanPoint At(double u, double v) =>
+            (m_P00 * (1.0 - v) + m_P01 * v) * (1.0 - u) + (m_P10 * (1.0 - v) + m_P11 * v) * u;
+
         /// <summary>A squared distance that the cell is certainly not closer to p than.</summary>
         public double LeastDistanceSquared(PlanPoint p)
         {

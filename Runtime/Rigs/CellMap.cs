@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Finds, for a point of the wing, its cell of the skeleton and its coordinates there, in the plan of the wing frame.</summary>
+    /// <summary>Finds a point's cell of the skeleton and its coordinates there, in the plan of the wing frame.</summary>
     internal sealed class CellMap
     {
         private readonly BilinearCell[] m_Cells;

@@ -44,7 +44,8 @@ namespace Alate
             if (reach < k_LeastReach || reach > k_MostReach)
             {
                 string times = reach.ToString("G3", CultureInfo.InvariantCulture);
-                throw new ArgumentException($"{name} does not fit its skeleton: along the span the joints reach {times} times as far as the mesh.");
+                throw new ArgumentException(
+                    $"{name} does not fit its skeleton: along the span the joints reach {times} times as far as the mesh.");
             }
         }
 

@@ -75,8 +75,9 @@ namespace Alate
             public Grid(RestSkeleton rest, int cell, int bins, int firstBin)
             {
                 int joint = rest.FirstJoint(cell), next = joint + rest.jointsPerChain;
-                float along = math.distance(rest.joints[joint], rest.joints[joint + 1]) + math.distance(rest.joints[next], rest.joints[next + 1]);
-                float across = math.distance(rest.joints[joint], rest.joints[next]) + math.distance(rest.joints[joint + 1], rest.joints[next + 1]);
+                float3 p00 = rest.joints[joint], p01 = rest.joints[joint + 1], p10 = rest.joints[next], p11 = rest.joints[next + 1];
+                float along = math.distance(p00, p01) + math.distance(p10, p11);
+                float across = math.distance(p00, p10) + math.distance(p01, p11);
                 this.firstBin = firstBin;
                 m_Bins = bins;
                 m_Rows = math.clamp((int)math.round(math.sqrt(bins * along / across)), 1, bins);

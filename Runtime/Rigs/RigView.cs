@@ -5,7 +5,7 @@ namespace Alate
     /// <summary>
     /// A rig as the jobs see it: counts and pointers into native memory that a <see cref="WingRig"/> owns. All lengths in wing
     /// lengths, in the wing frame, unless said otherwise; n chains of m joints.
-    /// Joint index = chain · m + joint; bone index = chain · (m−1) + its inner joint; cell index = forward chain · (m−1) + inner joint.
+    /// Joint index = chain · m + joint; bone index = chain · (m−1) + inner joint; cell index = forward chain · (m−1) + inner joint.
     /// </summary>
     internal unsafe struct RigView
     {
@@ -22,7 +22,10 @@ namespace Alate
         /// <summary>e_LE: unit vector from root to tip of the principal chain, the axis of feathering.</summary>
         public float3 leadingEdge;
 
-        /// <summary>[n] ρ_i of Eq. 2: distance of the chain's root from the first chain's, over that of the last chain's; i/(n−1) when all roots are one.</summary>
+        /// <summary>
+        /// [n] ρ_i of Eq. 2: distance of the chain's root from the first chain's, over that of the last chain's; i/(n−1) when all
+        /// roots are one.
+        /// </summary>
         public float* chainRatio;
 
         /// <summary>[m] σ_j = j/(m−1).</summary>
@@ -40,7 +43,9 @@ namespace Alate
         /// <summary>[bone] b_ij = unit(t × Y): positive bend lifts the tip.</summary>
         public float3* bendAxes;
 
-        /// <summary>[bone] From the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.</summary>
+        /// <summary>
+        /// [bone] From the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.
+        /// </summary>
         public float3* crossDirections;
 
         /// <summary>[joint] Sum 1, each above 0.</summary>
@@ -49,7 +54,10 @@ namespace Alate
         /// <summary>[bone] I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>
         public float* jointInertias;
 
-        /// <summary>[(i·m + j)·m + k] For k &gt; j |p_ik−p_ij| Λ_ik with Λ_ik = Σ_{l&lt;k} |p_ik−p_il|, else 0: turns the air's damping at joint k into that of the bend at joint j.</summary>
+        /// <summary>
+        /// [(i·m + j)·m + k] For k &gt; j |p_ik−p_ij| Λ_ik with Λ_ik = Σ_{l&lt;k} |p_ik−p_il|, else 0: turns the air's damping at
+        /// joint k into that of the bend at joint j.
+        /// </summary>
         public float* leverDamping;
 
         /// <summary>[spring] Along chains, across neighbouring chains, both diagonals; none between two roots.</summary>
@@ -64,10 +72,10 @@ namespace Alate
         /// <summary>[patch] Bilinear coordinate of the centre along the chains, in [0, 1].</summary>
         public float* patchV;
 
-        /// <summary>[patch] Centre minus the cell's origin, along the cell's span.</summary>
+        /// <summary>[patch] Rest centre along the span, x.</summary>
         public float* patchSpan;
 
-        /// <summary>[patch] Centre minus the cell's origin, along the cell's chord.</summary>
+        /// <summary>[patch] Rest centre forward of the hinge, z.</summary>
         public float* patchChord;
 
         /// <summary>[patch] Rest area, L².</summary>

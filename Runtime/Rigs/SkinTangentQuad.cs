@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Rest tangents of the four vertices of a <see cref="SkinQuad"/>, mesh space; w is the handedness that Unity keeps there.</summary>
+    /// <summary>Rest tangents of the four vertices of a <see cref="SkinQuad"/>, mesh space; w is Unity's sign of the bitangent.</summary>
     internal struct SkinTangentQuad
     {
         public float4 tx;

@@ -42,7 +42,8 @@ namespace Alate
             {
                 int a = surface.triangles[k], b = surface.triangles[k + 1], c = surface.triangles[k + 2];
                 float3 origin = surface.positions[a];
-                float3 toB = ((float3)surface.positions[b] - origin) / frame.length, toC = ((float3)surface.positions[c] - origin) / frame.length;
+                float3 toB = ((float3)surface.positions[b] - origin) / frame.length;
+                float3 toC = ((float3)surface.positions[c] - origin) / frame.length;
                 float3 doubled = math.cross(toB, toC);
                 sums[a] += doubled;
                 sums[b] += doubled;

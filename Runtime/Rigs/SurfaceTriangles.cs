@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The triangles of a surface that have an area, each place once: of a double-sided wing, one side. Two triangles are one when
-    /// their corners lie at exactly the same three places, whatever their order and indices.
+    /// The triangles of a surface that have an area, each place once, with the area of one side of the wing. Two triangles are one
+    /// place when their corners lie at exactly the same three points, whatever their order and indices. On a surface that is closed,
+    /// every edge between an even number of triangles, a triangle has half its area where it has no double: a thin shell.
     /// </summary>
     internal sealed class SurfaceTriangles
     {
@@ -13,36 +14,43 @@ namespace Alate
         private const float k_LeastDoubledArea = 1e-12f;
 
         /// <summary>Vertex indices of the corners.</summary>
-        public readonly List<int3> corners = new List<int3>();
+        public readonly List<int3> corners;
 
-        /// <summary>Areas, L².</summary>
-        public readonly List<float> areas = new List<float>();
-
-        /// <summary>Unit normals on the dorsal side.</summary>
-        public readonly List<float3> normals = new List<float3>();
+        /// <summary>Areas of one side of the wing, L².</summary>
+        public readonly List<float> areas;
 
         /// <summary>Centroids.</summary>
-        public readonly List<float3> centres = new List<float3>();
+        public readonly List<float3> centres;
 
         /// <param name="points">Vertex positions in the wing frame.</param>
         /// <param name="triangles">Three indices a triangle.</param>
         public SurfaceTriangles(float3[] points, int[] triangles)
         {
             int[] places = Places(points);
-            var seen = new HashSet<(int, int, int)>();
+            int most = triangles.Length / 3;
+            corners = new List<int3>(most);
+            areas = new List<float>(most);
+            centres = new List<float3>(most);
+            var known = new Dictionary<(int, int, int), int>(most);
+            var doubled = new List<bool>(most);
             for (int k = 0; k < triangles.Length; k += 3)
             {
                 var corner = new int3(triangles[k], triangles[k + 1], triangles[k + 2]);
-                float3 a = points[corner.x], b = points[corner.y], c = points[corner.z];
-                float3 doubled = math.cross(b - a, c - a);
-                float length = math.length(doubled);
-                if (!(length > k_LeastDoubledArea) || !seen.Add(Sorted(places[corner.x], places[corner.y], places[corner.z])))
-                    continue;
-                corners.Add(corner);
-                areas.Add(0.5f * length);
-                normals.Add((doubled.y < 0f ? -doubled : doubled) / length);
-                centres.Add((a + b + c) / 3f);
-                Area += 0.5 * length;
+                (int, int, int) place = Sorted(places[corner.x], places[corner.y], places[corner.z]);
+                if (known.TryGetValue(place, out int first))
+                    doubled[first] = true;
+                else if (TryAdd(points, corner))
+                {
+                    known.Add(place, Count - 1);
+                    doubled.Add(false);
+                }
+            }
+
+            bool shell = IsClosed(places, triangles);
+            for (int t = 0; t < Count; t++)
+            {
+                areas[t] *= shell && !doubled[t] ? 0.5f : 1f;
+                Area += areas[t];
             }
         }
 
@@ -68,6 +76,42 @@ namespace Alate
             }
 
             return places;
+        }
+
+        private bool TryAdd(float3[] points, int3 corner)
+        {
+            float3 a = points[corner.x], b = points[corner.y], c = points[corner.z];
+            float doubled = math.length(math.cross(b - a, c - a));
+            if (!(doubled > k_LeastDoubledArea))
+                return false;
+            corners.Add(corner);
+            areas.Add(0.5f * doubled);
+            centres.Add((a + b + c) / 3f);
+            return true;
+        }
+
+        private static bool IsClosed(int[] places, int[] triangles)
+        {
+            var open = new HashSet<(int, int)>(triangles.Length / 3);
+            for (int k = 0; k < triangles.Length; k += 3)
+            {
+                int a = places[triangles[k]], b = places[triangles[k + 1]], c = places[triangles[k + 2]];
+                Pass(open, a, b);
+                Pass(open, b, c);
+                Pass(open, c, a);
+            }
+
+            return open.Count == 0;
+        }
+
+        // An edge is open after its first triangle and closed after its second.
+        private static void Pass(HashSet<(int, int)> open, int a, int b)
+        {
+            if (a == b)
+                return;
+            (int, int) edge = (math.min(a, b), math.max(a, b));
+            if (!open.Add(edge))
+                open.Remove(edge);
         }
 
         private static (int, int, int) Sorted(int a, int b, int c)

@@ -19,7 +19,7 @@ namespace Alate
             foreach (int index in surface.triangles)
                 length = math.max(length, math.dot((float3)surface.positions[index] - hinge, axes.c0));
             if (length <= 0f)
-                throw new ArgumentException($"{SurfaceCheck.Name(surface)} lies behind the hinge of its skeleton: no part of it is along the span axis.");
+                throw new ArgumentException($"{SurfaceCheck.Name(surface)} lies behind the hinge of its skeleton.");
             return new WingFrame(hinge, axes, length, mirrored);
         }
 

@@ -24,7 +24,7 @@ namespace Alate
             Area = content.area;
         }
 
-        /// <summary>Mesh space to wing frame and back. Rests in memory of its own, also after disposal.</summary>
+        /// <summary>Mesh space to wing frame and back; may be read after disposal.</summary>
         public WingFrame Frame { get; }
 
         /// <summary>Triangles with an area, each place once; those that have a say in masses and patches.</summary>
@@ -48,7 +48,7 @@ namespace Alate
         /// <summary>Bones, n·(m−1); bone index = chain · (m−1) + inner joint.</summary>
         public int BoneCount => View.boneCount;
 
-        /// <summary>Cells between neighbouring chains and joints, (n−1)·(m−1); cell index = forward chain · (m−1) + inner joint.</summary>
+        /// <summary>Cells between neighbouring chains, (n−1)·(m−1); cell index = forward chain · (m−1) + inner joint.</summary>
         public int CellCount => View.cellCount;
 
         /// <summary>Springs of the elastic network.</summary>

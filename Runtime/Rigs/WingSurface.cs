@@ -4,6 +4,10 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>The triangles of a wing as plain arrays, in mesh space.</summary>
+    /// <remarks>
+    /// A single sheet, a double-sided one (each triangle twice, with or without vertices of its own) or a thin closed shell. Two
+    /// sheets one above the other that are open at the rim count as twice the area.
+    /// </remarks>
     public struct WingSurface
     {
         /// <summary>How messages call it; may be null.</summary>

@@ -2,7 +2,7 @@ using System;
 
 namespace Alate
 {
-    /// <summary>A point or vector in the plan of a wing, seen from above: x along the span, z forward. Double, for exact geometry.</summary>
+    /// <summary>A point or vector in the plan of a wing, seen from above: x along the span, z across it.</summary>
     internal readonly struct PlanPoint
     {
         public readonly double x;

@@ -46,7 +46,7 @@ namespace Alate
 
         /// <summary>The skeleton that a text describes. Whether it is usable, <see cref="WingSkeleton.Validate"/> says.</summary>
         /// <exception cref="ArgumentNullException">There is no text.</exception>
-        /// <exception cref="FormatException">The text is not such a skeleton; the message is one line with the place and the reason.</exception>
+        /// <exception cref="FormatException">The text is not such a skeleton; the message says where and why, in one line.</exception>
         public static WingSkeleton Read(string json)
         {
             if (json == null)

@@ -52,7 +52,7 @@ namespace Alate
             return (m_Points[a] - m_Points[b]).LengthSquared + height * height;
         }
 
-        /// <summary>Sum over the strips between neighbouring chains of their signed areas: negative where chain 0 lies towards cross(span, up).</summary>
+        /// <summary>Sum of the signed areas of the strips between the chains; negative if chain 0 lies towards cross(span, up).</summary>
         public double SignedArea()
         {
             double area = 0.0;

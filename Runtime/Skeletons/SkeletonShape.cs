@@ -141,15 +141,21 @@ namespace Alate
                     continue;
                 inOrder = false;
                 if (i == 0 && Math.Abs(area) > least)
-                    AddNotLeading(problems, "Chain 0 is the principal chain and must lie on the leading edge, but chain 1 lies before it.");
+                {
+                    AddNotLeading(problems,
+                        "Chain 0 is the principal chain and must lie on the leading edge, but chain 1 lies before it.");
+                }
                 else
-                    Add(problems, SkeletonProblemKind.ChainsOutOfOrder, i + 1, SkeletonProblem.None, $"Chain {i + 1} does not lie behind chain {i}.");
+                {
+                    Add(problems, SkeletonProblemKind.ChainsOutOfOrder, i + 1, SkeletonProblem.None,
+                        $"Chain {i + 1} does not lie behind chain {i}.");
+                }
             }
 
             if (inOrder && IsReversed(plan))
             {
-                AddNotLeading(problems, "Chain 0 is the principal chain, along the leading edge to the tip, but the last chain is far longer: "
-                    + "the chains run from trailing to leading edge.");
+                AddNotLeading(problems,
+                    "Chain 0 is the principal chain, on the leading edge, but the last chain is far longer: is the order reversed?");
             }
         }
 

@@ -1,0 +1,6 @@
+using System;
+
+namespace Alate.Cli;
+
+/// <summary>Something the user can mend: its message is the one line that they see.</summary>
+public sealed class UserException(string message) : Exception(message);

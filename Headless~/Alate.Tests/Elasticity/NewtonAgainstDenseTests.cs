@@ -1,0 +1,98 @@
+using System;
+using FsCheck;
+using FsCheck.Fluent;
+using MathNet.Numerics.LinearAlgebra;
+using NUnit.Framework;
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Alate.Tests
+{
+    public sealed unsafe class NewtonAgainstDenseTests
+    {
+        /// <summary>f_ref and substep of the species' presets lie about here: 12 Hz, 24 substeps of a beat of 10 Hz.</summary>
+        private const float k_BeatRate = 2f * math.PI * 12f, k_Dt = 1f / 240f;
+
+        [Test]
+        public void AtThePresets_TheDefaultLimits_FindTheSameMinimum()
+        {
+            Prop.ForAll(Arb.From(Gen.Choose(1, int.MaxValue)), seed =>
+            {
+                var random = new Random((uint)seed);
+                float elasticity = random.NextFloat(0.5f, 2f);
+                float error = Error(ref random, elasticity, NewtonSolver.Limits.Default);
+                return (error < 1e-4f).Label($"seed {seed}: {error} wing lengths at elasticity {elasticity}");
+            }).QuickCheckThrowOnFailure();
+        }
+
+        [Test]
+        public void AtAnyStiffness_WithoutLimits_FindsTheSameMinimum()
+        {
+            Prop.ForAll(Arb.From(Gen.Choose(1, int.MaxValue)), seed =>
+            {
+                var random = new Random((uint)seed);
+                float elasticity = math.pow(10f, random.NextFloat(-2f, 6f));
+                var limits = new NewtonSolver.Limits { newton = 100, inner = 400, tolerance = 1e-7f };
+                float error = Error(ref random, elasticity, limits);
+                return (error < 1e-4f).Label($"seed {seed}: {error} wing lengths at elasticity {elasticity}");
+            }).QuickCheckThrowOnFailure();
+        }
+
+        // A random grid in a random pose, moved smoothly out of its plane and a little within it, as between two substeps: our solution
+        // against the dense one. (Joints moved each on its own would compress springs by several per cent; a flat grid then
+        // buckles to either side, and there is more than one minimum.)
+        private static float Error(ref Random random, float elasticity, NewtonSolver.Limits limits)
+        {
+            int chains = random.NextInt(3, 9), perChain = random.NextInt(3, 9), joints = chains * perChain;
+            var rest = new float3[joints];
+            for (int k = 0; k < joints; k++)
+            {
+                float along = (float)(k % perChain) / (perChain - 1), across = (float)(k / perChain) / (chains - 1);
+                float jitter = 0.1f / math.max(chains, perChain);
+                rest[k] = new float3(along, 0f, -across * (0.3f + 0.4f * along)) + random.NextFloat3(-jitter, jitter);
+            }
+
+            var springs = SpringFixture.Grid(chains, perChain, rest);
+            float stiffness = elasticity * 10f * k_BeatRate * k_BeatRate, anchorRate = 2f * k_BeatRate * math.sqrt(elasticity);
+            quaternion turn = random.NextQuaternionRotation();
+            float3 bend = random.NextFloat3(-0.02f, 0.02f), shear = random.NextFloat3(-0.002f, 0.002f);
+            var start = new double[3 * joints];
+            var anchors = new double[3 * joints];
+            var inertia = new double[joints];
+            using (var fixture = new SpringFixture(chains, perChain, springs, stiffness))
+            {
+                for (int k = 0; k < joints; k++)
+                {
+                    bool root = k % perChain == 0;
+                    float3 posed = math.rotate(turn, rest[k]);
+                    float3 moved = math.rotate(turn, Motion(rest[k], bend, shear)) + random.NextFloat3(-2e-4f, 2e-4f);
+                    float3 predicted = root ? posed : posed + moved;
+                    fixture.Place(k, root ? posed : predicted, predicted, posed, random.NextFloat(0.5f, 1.5f) / joints, k_Dt, anchorRate);
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        start[3 * k + axis] = fixture.scratch.positions[k][0][axis];
+                        anchors[3 * k + axis] = fixture.scratch.anchors[k][0][axis];
+                    }
+
+                    inertia[k] = fixture.scratch.inertia[k].x;
+                }
+
+                NewtonSolver.Minimise(fixture.pack, fixture.scratch, limits);
+                Vector<double> wanted = new DenseReference(joints, perChain, springs, stiffness, anchors, inertia).Minimise(start);
+                double worst = 0.0;
+                for (int k = 0; k < 3 * joints; k++)
+                {
+                    double found = fixture.scratch.positions[k / 3][k % 4][k % 3];
+                    worst = Math.Max(worst, Math.Abs(found - wanted[k]));
+                    if (double.IsNaN(found))
+                        return float.NaN;
+                }
+
+                return (float)worst;
+            }
+        }
+
+        private static float3 Motion(float3 p, float3 bend, float3 shear) => new float3(
+            shear.x * p.x, bend.x * p.x + bend.y * p.x * p.x + bend.z * p.x * p.z, shear.y * p.x + shear.z * p.z);
+    }
+}

@@ -1,0 +1,116 @@
+using System.Collections.Generic;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests
+{
+    public sealed unsafe class NewtonSolverTests
+    {
+        [TestCase(1, 0.514686, 0.0340419, 5.1497e-5)]
+        [TestCase(30, 0.514746, 0.0345269, 1.2291e-4)]
+        public void TwoSprings_FromTheCheckedStart_GoWhereTheyShould(int newton, double x, double y, double z)
+        {
+            using (SpringFixture springs = TwoSprings())
+            {
+                NewtonSolver.Minimise(springs.pack, springs.scratch, new NewtonSolver.Limits { newton = newton, inner = 20, tolerance = 1e-7f });
+                float3 joint = springs.scratch.positions[1][0];
+                Assert.That(joint.x, Is.EqualTo(x).Within(0.01 * x));
+                Assert.That(joint.y, Is.EqualTo(y).Within(0.01 * y));
+                Assert.That(joint.z, Is.EqualTo(z).Within(0.01 * z));
+            }
+        }
+
+        [Test]
+        public void Gradient_IsTheSlopeOfTheEnergy()
+        {
+            using (SpringFixture springs = TwoSprings())
+            {
+                SoaFloat3* x = springs.scratch.positions;
+                SpringEnergy.Linearise(springs.pack, springs.scratch, x, false);
+                float3 gradient1 = springs.scratch.gradient[1][0], gradient2 = springs.scratch.gradient[2][0];
+                const float h = 2e-3f;
+                for (int joint = 1; joint <= 2; joint++)
+                {
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        double slope = (EnergyMoved(springs, joint, axis, h) - EnergyMoved(springs, joint, axis, -h)) / (2.0 * h);
+                        float analytic = joint == 1 ? gradient1[axis] : gradient2[axis];
+                        Assert.That(analytic, Is.EqualTo(slope).Within(1.5), $"joint {joint}, axis {axis}");
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public void HessianProduct_IsTheSlopeOfTheGradient()
+        {
+            using (SpringFixture springs = TwoSprings())
+            {
+                var v = new[] { float3.zero, new float3(0.3f, -0.8f, 0.2f), new float3(-0.5f, 0.1f, 0.9f) };
+                for (int joint = 0; joint < 3; joint++)
+                    springs.scratch.direction[joint] = new SoaFloat3(v[joint]);
+                SpringEnergy.Linearise(springs.pack, springs.scratch, springs.scratch.positions, false);
+                SpringEnergy.Apply(springs.pack, springs.scratch, springs.scratch.direction, springs.scratch.image);
+                float3 image1 = springs.scratch.image[1][0], image2 = springs.scratch.image[2][0];
+
+                const float h = 1e-3f;
+                float3[] ahead = GradientMoved(springs, v, h), behind = GradientMoved(springs, v, -h);
+                Assert.That(math.distance(image1, (ahead[1] - behind[1]) / (2f * h)), Is.LessThan(0.002f * math.length(image1)));
+                Assert.That(math.distance(image2, (ahead[2] - behind[2]) / (2f * h)), Is.LessThan(0.002f * math.length(image2)));
+            }
+        }
+
+        [Test]
+        public void CompressedSpring_MeetsNegativeCurvature_AndStillConverges()
+        {
+            var spring = new List<Spring> { new Spring { a = 0, b = 1, length = 1f } };
+            using (var springs = new SpringFixture(1, 2, spring, 1e5f))
+            {
+                // Pushed to a tenth of its length, a little off axis: the transversal curvature is far below what mass holds.
+                springs.Place(0, float3.zero, float3.zero, float3.zero, 0.1f, 0.01f, 10f);
+                springs.Place(1, new float3(0.1f, 0.001f, 0f), new float3(0.1f, 0.001f, 0f), new float3(1f, 0f, 0f), 0.1f, 0.01f, 10f);
+                float4 before = SpringEnergy.Linearise(springs.pack, springs.scratch, springs.scratch.positions, false);
+                NewtonSolver.Minimise(springs.pack, springs.scratch, new NewtonSolver.Limits { newton = 60, inner = 10, tolerance = 1e-6f });
+                float4 after = SpringEnergy.Linearise(springs.pack, springs.scratch, springs.scratch.positions, false);
+                Assert.That(after.x, Is.LessThan(before.x));
+                Assert.That(math.length(springs.scratch.positions[1][0]), Is.EqualTo(1f).Within(0.02f));
+                Assert.That(math.length(springs.scratch.gradient[1][0]), Is.LessThan(5f));
+            }
+        }
+
+        private static SpringFixture TwoSprings()
+        {
+            var springs = new List<Spring> { new Spring { a = 0, b = 1, length = 0.5f }, new Spring { a = 1, b = 2, length = 0.5f } };
+            var fixture = new SpringFixture(1, 3, springs, 4000f);
+            float anchorRate = 44f * math.PI;
+            var first = new float3(0.52f, 0.05f, 0f);
+            var second = new float3(1.05f, 0.2f, 0.02f);
+            fixture.Place(0, float3.zero, float3.zero, float3.zero, 1f, 0.005f, anchorRate);
+            fixture.Place(1, first, first, new float3(0.5f, 0f, 0f), 0.3f, 0.005f, anchorRate);
+            fixture.Place(2, second, second, new float3(1f, 0f, 0f), 0.2f, 0.005f, anchorRate);
+            return fixture;
+        }
+
+        private static double EnergyMoved(SpringFixture springs, int joint, int axis, float h)
+        {
+            SoaFloat3 kept = springs.scratch.positions[joint];
+            float3 moved = kept[0];
+            moved[axis] += h;
+            springs.scratch.positions[joint] = new SoaFloat3(moved);
+            float4 energy = SpringEnergy.Linearise(springs.pack, springs.scratch, springs.scratch.positions, false);
+            springs.scratch.positions[joint] = kept;
+            return energy.x;
+        }
+
+        private static float3[] GradientMoved(SpringFixture springs, float3[] v, float h)
+        {
+            var gradient = new float3[v.Length];
+            for (int joint = 0; joint < v.Length; joint++)
+                springs.scratch.candidate[joint] = springs.scratch.positions[joint] + new SoaFloat3(v[joint] * h);
+            SpringEnergy.Linearise(springs.pack, springs.scratch, springs.scratch.candidate, false);
+            for (int joint = 0; joint < v.Length; joint++)
+                gradient[joint] = springs.scratch.gradient[joint][0];
+            return gradient;
+        }
+    }
+}

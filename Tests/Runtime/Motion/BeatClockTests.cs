@@ -1,0 +1,98 @@
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests
+{
+    public sealed class BeatClockTests
+    {
+        [TestCase(0.25f, 0.0179862)]
+        [TestCase(0.9f, 0.998341)]
+        public void Slope_IsThatOfFigure5(float relativeSpeed, double expected)
+        {
+            Assert.That(BeatClock.Slope(relativeSpeed).x, Is.EqualTo(expected).Within(expected * Lanes.CheckTolerance));
+        }
+
+        [TestCase(1.3f, 10.0851)]
+        [TestCase(0f, 8.8)]
+        public void Frequency_IsLatchedFromTheSpeed(float speed, double expected)
+        {
+            LaneParameters parameters = Lanes.Parameters(WingParameters.Default);
+            LaneSurroundings air = default;
+            air.speed = speed;
+            BeatState beat = default;
+            BeatClock.Reset(ref beat, parameters, air, true);
+            Assert.That(beat.frequency.x, Is.EqualTo(expected).Within(expected * Lanes.CheckTolerance));
+        }
+
+        [Test]
+        public void RestingInsect_BeatsAtHalfAmplitude()
+        {
+            LaneParameters parameters = Lanes.Parameters(WingParameters.Default);
+            BeatState beat = default;
+            BeatClock.Reset(ref beat, parameters, default, true);
+            Assert.That(beat.amplitude.x.x, Is.EqualTo(0.5 * parameters.amplitude.x.x).Within(1e-6));
+        }
+
+        [Test]
+        public void SteepBody_BeatsHard_AndKeepsDoingSoWithinTheHysteresis()
+        {
+            WingParameters slow = WingParameters.Default;
+            slow.frequencyFloor = 0f;
+            LaneParameters parameters = Lanes.Parameters(slow);
+            LaneSurroundings air = default;
+            BeatState beat = default;
+            BeatClock.Reset(ref beat, parameters, air, true);
+            Assert.That(beat.frequency.x, Is.LessThan(0.01f), "level and at rest");
+
+            air.pitch = math.radians(33f);
+            FinishCycle(ref beat, parameters, air);
+            Assert.That(beat.frequency.x, Is.EqualTo(0.85f * slow.maxFrequency).Within(1e-4), "pitched up");
+
+            air.pitch = math.radians(29f);
+            FinishCycle(ref beat, parameters, air);
+            Assert.That(beat.frequency.x, Is.EqualTo(0.85f * slow.maxFrequency).Within(1e-4), "a little below the threshold");
+
+            air.pitch = math.radians(27f);
+            FinishCycle(ref beat, parameters, air);
+            Assert.That(beat.frequency.x, Is.LessThan(0.01f), "clearly below the threshold");
+        }
+
+        [Test]
+        public void Frequency_ChangesOnlyAtTheStartOfACycle()
+        {
+            LaneParameters parameters = Lanes.Parameters(WingParameters.Default);
+            LaneSurroundings air = default;
+            BeatState beat = default;
+            BeatClock.Reset(ref beat, parameters, air, true);
+            air.speed = 2f;
+            BeatClock.Advance(ref beat, parameters, air, CycleChange.Smooth, 0.05f);
+            Assert.That(beat.frequency.x, Is.EqualTo(8.8f).Within(1e-4));
+            BeatClock.Advance(ref beat, parameters, air, CycleChange.Smooth, 0.08f);
+            Assert.That(beat.cycles.x, Is.EqualTo(1f));
+            Assert.That(beat.frequency.x, Is.GreaterThan(10.9f));
+            Assert.That(beat.previousFrequency.x, Is.EqualTo(8.8f).Within(1e-4));
+        }
+
+        [Test]
+        public void Latching_OfOneWing_LeavesItsNeighboursAlone()
+        {
+            LaneParameters parameters = Lanes.Parameters(WingParameters.Default);
+            LaneSurroundings air = default;
+            BeatState beat = default;
+            BeatClock.Reset(ref beat, parameters, air, true);
+            beat.phase = new float4(6.2f, 1f, 2f, 3f);
+            air.speed = 2f;
+            air.pitch = math.radians(40f);
+            BeatClock.Advance(ref beat, parameters, air, CycleChange.Smooth, 0.005f);
+            Assert.That(beat.cycles, Is.EqualTo(new float4(1f, 0f, 0f, 0f)));
+            Assert.That(beat.frequency.y, Is.EqualTo(8.8f).Within(1e-4));
+            Assert.That(beat.pitchedUp, Is.EqualTo(new float4(1f, 0f, 0f, 0f)));
+        }
+
+        private static void FinishCycle(ref BeatState beat, in LaneParameters parameters, in LaneSurroundings air)
+        {
+            beat.phase = 2f * math.PI;
+            BeatClock.Advance(ref beat, parameters, air, CycleChange.Smooth, 0f);
+        }
+    }
+}
