@@ -12,7 +12,12 @@ public static class BenchmarkSuite
         using var specimen = Specimen.Monarch();
         using var pack = new FlyingPack(specimen, 100);
         var plain = new PlainRig(specimen);
+
+        SubstepBreakdown.Run(report, specimen);
         new SkinningComparison(specimen, plain, pack).Run(report);
+        AerodynamicsComparison.Run(report, specimen, plain, pack);
+        new ElasticityComparison(specimen, plain, pack).Run(report);
+        MotionComparison.Run(report, specimen, plain, pack);
         return report.IsValid ? 0 : 1;
     }
 }
