@@ -18,6 +18,9 @@ public static class BenchmarkSuite
         AerodynamicsComparison.Run(report, specimen, plain, pack);
         new ElasticityComparison(specimen, plain, pack).Run(report);
         MotionComparison.Run(report, specimen, plain, pack);
+        Unity.Jobs.LowLevel.Unsafe.JobsUtility.JobWorkerCount = 0;
+        using var swarm = new Swarm([specimen], 64);
+        new FrameComparison(specimen, plain, swarm).Run(report);
         return report.IsValid ? 0 : 1;
     }
 }
