@@ -1,5 +1,6 @@
 using System;
 using System.CommandLine;
+using System.IO;
 using Alate.Cli.Commands;
 
 namespace Alate.Cli;
@@ -7,29 +8,34 @@ namespace Alate.Cli;
 /// <summary>The command line. Bad usage or input: one line on stderr and exit code 2.</summary>
 public static class Program
 {
-    public static int Main(string[] args)
-    {
-        var root = new RootCommand("Alate flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
-        root.Subcommands.Add(FlyCommand.Create());
-        root.Subcommands.Add(BenchCommand.Create());
-        root.Subcommands.Add(NewProjectCommand.Create());
+    public static int Main(string[] args) => Run(args, Console.Out, Console.Error);
 
-        ParseResult parsed = root.Parse(args);
+    /// <summary>Runs one command.</summary>
+    /// <returns>The exit code: 0 for success, 2 for bad usage or input.</returns>
+    internal static int Run(string[] args, TextWriter output, TextWriter errors)
+    {
+        var root = new RootCommand("Flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
+        root.Subcommands.Add(FlyCommand.Create(output));
+        root.Subcommands.Add(BenchCommand.Create(output));
+        root.Subcommands.Add(NewProjectCommand.Create(output));
+        HelpExamples.AddTo(root);
+
+        ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args);
         if (parsed.Errors.Count > 0)
-            return Fail(parsed.Errors[0].Message);
+            return Fail(parsed.Errors[0].Message, errors);
         try
         {
-            return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false });
+            return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = errors });
         }
         catch (UserException problem)
         {
-            return Fail(problem.Message);
+            return Fail(problem.Message, errors);
         }
     }
 
-    private static int Fail(string message)
+    private static int Fail(string message, TextWriter errors)
     {
-        Console.Error.WriteLine("alate: " + message.ReplaceLineEndings(" ").Trim());
+        errors.WriteLine("alate: " + message.ReplaceLineEndings(" ").Trim());
         return 2;
     }
 }

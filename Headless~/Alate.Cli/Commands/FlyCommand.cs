@@ -1,110 +1,54 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
+using System.Globalization;
+using System.IO;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Commands;
 
-/// <summary><c>fly SPECIES</c>: simulates some beats and writes what came of it.</summary>
+/// <summary><c>fly SPECIES</c>: simulates some beats and writes what came of the last one.</summary>
 internal static class FlyCommand
 {
-    public static Command Create()
+    private const int k_MostPatches = 1000000;
+
+    public static Command Create(TextWriter output)
     {
-        string known = string.Join(", ", Species.Names);
         var species = new Argument<string>("SPECIES")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"The insect: {known}. With --mesh it may be left out.",
+            Description = $"The insect: {string.Join(", ", Species.Names)}. Not with --mesh.",
         };
-        var mesh = new Option<string>("--mesh") { HelpName = "FILE.obj", Description = "A wing of your own, at rest; needs --skeleton and --species." };
-        var skeleton = new Option<string>("--skeleton") { HelpName = "FILE.json", Description = "The skeleton of that wing, in its space." };
-        var preset = new Option<string>("--species") { HelpName = "PRESET", Description = "Whose parameters that wing takes." };
-
-        var speed = Numbers.Option("--speed", "M/S", 1.3, 0, 50, "Speed ahead, m/s.");
-        var climb = Numbers.Option("--climb", "M/S", 0, 0, 50, "Speed up, m/s.");
-        var pitch = Numbers.Option("--pitch", "DEG", 0, -90, 90, "Pitch of the body, degrees, nose up positive.");
-        var seconds = Numbers.Optional("--seconds", "S", 0.01, 600, "Simulated time, s; at least two beats are flown. Default: 8 beats.");
-        var wind = Numbers.Vector("--wind", "X,Y,Z", 100, "Wind in the world, m/s: right, up, ahead.");
-        var lag = Numbers.Optional("--lag", "LAMBDA", 0, 2, "Delay of the trailing edge in half beats. Default: the species'.");
-        var elasticity = Numbers.Option("--elasticity", "FACTOR", 1, 0.01, 100, "Factor on the species' elasticity k_e; below 1 is softer.");
-        var substeps = Numbers.Optional("--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps, "Substeps of a beat. Default: the species'.");
-        var elements = new Option<string>("--elements")
-        {
-            HelpName = "triangles|N",
-            DefaultValueFactory = _ => "256",
-            Description = "What meets the air: every triangle, or about N patches.",
-        };
-        var coefficients = Choice<CoefficientSet?>("--coefficients", "Lift and drag coefficients. Default: the preset's.", new()
-        {
-            ["dickinson"] = CoefficientSet.Dickinson1999, ["paper"] = CoefficientSet.Paper, ["flatplate"] = CoefficientSet.FlatPlate,
-        });
-        var model = Choice<ModelPreset?>("--preset", "The equations as printed, or as resolved. Default: physical.", new()
-        {
-            ["paper"] = ModelPreset.Paper, ["physical"] = ModelPreset.Physical,
-        });
-        var noWave = new Option<bool>("--no-wave") { Description = "All chains beat at once: no deformation wave." };
-        var rigid = new Option<bool>("--rigid") { Description = "The wing neither waves nor bends." };
-        var output = new Option<string>("--out") { HelpName = "DIR", DefaultValueFactory = _ => "out", Description = "Where strip.svg, wings.glb, joints.csv and summary.json go." };
-
-        var command = new Command("fly",
-            "Flies an insect and writes pictures, a 3D file and numbers of its last beat.\n\n"
-            + "Examples:\n"
-            + "  fly monarch\n"
-            + "  fly monarch --speed 0.6 --climb 0.8 --pitch 30 --elasticity 0.5 --out climbing\n"
-            + "  fly --mesh wing.obj --skeleton wing.json --species monarch")
-        {
-            species, mesh, skeleton, preset, speed, climb, pitch, seconds, wind, lag, elasticity, substeps, elements, coefficients, model,
-            noWave, rigid, output,
-        };
+        var options = new FlyOptions();
+        var command = new Command("fly", "Flies an insect and writes pictures, a 3D file and numbers of its last beat.") { species };
+        options.AddTo(command);
+        HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            var plan = new FlightPlan
-            {
-                Species = parsed.GetValue(species) ?? parsed.GetValue(preset),
-                MeshFile = parsed.GetValue(mesh),
-                SkeletonFile = parsed.GetValue(skeleton),
-                Speed = parsed.GetValue(speed),
-                Climb = parsed.GetValue(climb),
-                PitchDegrees = parsed.GetValue(pitch),
-                Seconds = parsed.GetValue(seconds),
-                Wind = parsed.GetValue(wind),
-                Lag = parsed.GetValue(lag),
-                Elasticity = parsed.GetValue(elasticity),
-                Substeps = (int?)parsed.GetValue(substeps),
-                Patches = Patches(parsed.GetValue(elements)),
-                Coefficients = parsed.GetValue(coefficients),
-                Preset = parsed.GetValue(model) ?? ModelPreset.Physical,
-                NoWave = parsed.GetValue(noWave),
-                Rigid = parsed.GetValue(rigid),
-            };
-            if (parsed.GetValue(species) != null && parsed.GetValue(preset) != null)
-                throw new UserException("Give the species once: as SPECIES, or as --species with --mesh.");
-            FlightReport.Run(plan, parsed.GetValue(output));
+            var plan = options.Plan(parsed, parsed.GetValue(species));
+            FlightReport.Run(plan, output);
             return 0;
         });
         return command;
     }
 
-    private static int Patches(string text)
+    /// <summary>What meets the air: 0 is every triangle.</summary>
+    public static int Patches(string text)
     {
-        if (text == "triangles")
+        if (text.ToLowerInvariant() == "triangles")
             return 0;
-        if (int.TryParse(text, out int count) && count is >= 1 and <= 100000)
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count is >= 1 and <= k_MostPatches)
             return count;
-        throw new UserException($"--elements takes 'triangles' or a number of patches from 1 to 100000, not '{text}'.");
+        throw new UserException($"--elements takes 'triangles' or a number of patches from 1 to {k_MostPatches}, not '{text}'.");
     }
 
-    private static Option<T> Choice<T>(string name, string description, Dictionary<string, T> values) => new(name)
-    {
-        Description = description,
-        HelpName = string.Join("|", values.Keys),
-        CustomParser = result =>
-        {
-            string text = result.Tokens.Count > 0 ? result.Tokens[0].Value : "";
-            if (values.TryGetValue(text.ToLowerInvariant(), out T value))
-                return value;
-            result.AddError($"{name} takes {string.Join(", ", values.Keys.SkipLast(1))} or {values.Keys.Last()}, not '{text}'.");
-            return default;
-        },
-    };
+    private const string k_Examples =
+        "Examples:\n"
+        + "  fly monarch\n"
+        + "  fly monarch --speed 0.8 --climb 0.5 --pitch 30 --elasticity 0.5 --out climbing\n"
+        + "  fly --mesh wing.obj --skeleton wing.json --species monarch --out mine\n\n"
+        + "Writes into the output folder:\n"
+        + "  strip.svg     twelve phases of the last beat, seen from the front left\n"
+        + "  wings.glb     that beat as a looped 3D animation (glTF 2.0), metres\n"
+        + "  joints.csv    every joint of the skeleton over that beat, metres\n"
+        + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift and cost\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

@@ -1,79 +1,121 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using Alate.Cli.Output;
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>Flies an insect substep by substep and keeps its last beat.</summary>
-internal sealed class Flight
+/// <summary>Flies an insect: bakes its rigs, steps its wings substep by substep and records the last beat.</summary>
+internal sealed class Flight : IDisposable
 {
-    private const int k_DefaultBeats = 8;
+    private const double k_DefaultBeats = 8;
 
-    private readonly FlightPlan _plan;
-    private readonly Insect _insect;
-    private readonly List<FlyingWing> _wings = [];
-    private readonly Stopwatch _clock = new();
-    private int _substeps;
-    private double _newtonIterations;
+    private readonly FlightPlan m_Plan;
+    private readonly Insect m_Insect;
+    private readonly WingWorld m_World = new();
+    private readonly List<WingHandle> m_Handles = [];
+    private readonly List<RecordedWing> m_Wings = [];
+    private readonly List<WingFrame> m_Frames = [];
+    private readonly double m_Frequency;
+    private readonly int m_SubstepsPerBeat;
 
-    private Flight(FlightPlan plan, Insect insect)
+    /// <summary>Bakes and places every wing; nothing has moved yet.</summary>
+    /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a beat.</exception>
+    public Flight(FlightPlan plan, Insect insect)
     {
-        _plan = plan;
-        _insect = insect;
-    }
-
-    /// <summary>What came of it.</summary>
-    public sealed record Result(FlightRecord Record, BeatMeasurement Measurement, double LiftOverWeight, double NewtonIterations, int Resets, double MicrosecondsPerSubstep);
-
-    /// <summary>Flies; reports progress from 0 to 1.</summary>
-    public static Result Run(FlightPlan plan, Insect insect, Action<double> progress)
-    {
-        using var world = new WingWorld();
-        return new Flight(plan, insect).Fly(world, progress);
-    }
-
-    private Result Fly(WingWorld world, Action<double> progress)
-    {
-        AddWings(world);
-        FlyingWing first = _wings[0];
-        float frequency = first.Reading.Frequency;
-        int perBeat = _plan.ParametersOf(_insect.Kinds[0].Species).substepsPerBeat;
-        float dt = 1f / (perBeat * frequency);
-        int beats = _plan.Seconds is { } seconds ? Math.Max(2, (int)Math.Ceiling(seconds * frequency)) : k_DefaultBeats;
-        int total = beats * perBeat;
-        for (int k = 0; k < total; k++)
+        m_Plan = plan;
+        m_Insect = insect;
+        try
         {
-            Step(world, dt);
-            if (k >= total - perBeat)
+            foreach (InsectWing wing in insect.Wings)
+                Add(wing);
+            m_Frequency = m_World.Read(m_Handles[0]).Frequency;
+            m_SubstepsPerBeat = m_Wings[0].Parameters.substepsPerBeat;
+            Steps = CountSteps();
+        }
+        catch
+        {
+            m_World.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Substeps of the whole flight.</summary>
+    public int Steps { get; }
+
+    /// <summary>Flies.</summary>
+    /// <param name="progress">Told the substeps done so far.</param>
+    public FlightRecord Run(Action<int> progress)
+    {
+        double step = 1.0 / (m_Frequency * m_SubstepsPerBeat);
+        long started = Stopwatch.GetTimestamp(), spent = 0;
+        int timed = 0;
+        for (int k = 0; k < Steps; k++)
+        {
+            long before = Stopwatch.GetTimestamp();
+            m_World.Step((float)step);
+            if (k >= m_SubstepsPerBeat || Steps <= m_SubstepsPerBeat)
             {
-                world.Skin();
-                _wings.ForEach(wing => wing.Record());
+                spent += Stopwatch.GetTimestamp() - before;
+                timed++;
             }
 
-            progress((k + 1.0) / total);
+            if (k >= Steps - m_SubstepsPerBeat)
+                Record((k + 1) * step);
+            progress(k + 1);
         }
 
-        return Evaluate(perBeat, frequency);
-    }
-
-    private void AddWings(WingWorld world)
-    {
-        foreach (Insect.Kind kind in _insect.Kinds)
+        for (int k = 0; k < m_Wings.Count; k++)
         {
-            WingRig rig = Bake(kind);
-            _wings.Add(new FlyingWing(kind, rig, world, left: false, _plan));
-            _wings.Add(new FlyingWing(kind, rig, world, left: true, _plan));
-            rig.Release();
+            WingReading reading = m_World.Read(m_Handles[k]);
+            m_Wings[k].Frequency = reading.Frequency;
+            m_Wings[k].Resets = reading.Resets;
         }
+
+        return new FlightRecord
+        {
+            Plan = m_Plan,
+            Insect = m_Insect,
+            Wings = m_Wings,
+            Seconds = Steps * step,
+            Beats = (double)Steps / m_SubstepsPerBeat,
+            MicrosecondsPerSubstep = 1e6 * spent / Stopwatch.Frequency / timed,
+        };
     }
 
-    private WingRig Bake(Insect.Kind kind)
+    /// <summary>Frees the world and the rigs.</summary>
+    public void Dispose() => m_World.Dispose();
+
+    private void Add(InsectWing wing)
+    {
+        WingParameters parameters = m_Plan.ParametersOf(wing.Species);
+        WingRig rig = Bake(wing);
+        foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
+        {
+            m_Handles.Add(m_World.Add(rig, parameters, m_Plan.SurroundingsOf(wing.Species, side)));
+            m_Frames.Add(rig.Frame);
+            m_Wings.Add(new RecordedWing
+            {
+                Wing = wing,
+                Placement = wing.PlacementOf(rig.Frame, side),
+                Parameters = parameters,
+                Rest = Array.ConvertAll(wing.Surface.positions, position => rig.Frame.ToWing(position)),
+                Triangles = wing.Surface.triangles,
+                ChainCount = rig.ChainCount,
+                JointsPerChain = rig.JointsPerChain,
+                IsMeshMirrored = rig.Frame.mirrored,
+            });
+        }
+
+        rig.Release();
+    }
+
+    private WingRig Bake(InsectWing wing)
     {
         try
         {
-            return WingRig.Bake(kind.Skeleton, kind.Surface, new WingRigSettings { patchCount = _plan.Patches });
+            return WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = m_Plan.Patches });
         }
         catch (ArgumentException problem)
         {
@@ -81,61 +123,49 @@ internal sealed class Flight
         }
     }
 
-    private void Step(WingWorld world, float dt)
+    private int CountSteps()
     {
-        _clock.Start();
-        world.Step(dt);
-        _clock.Stop();
-        _substeps++;
-        foreach (FlyingWing wing in _wings)
-            _newtonIterations += wing.Reading.NewtonIterations / _wings.Count;
+        if (m_Plan.Seconds is not double seconds)
+            return (int)(k_DefaultBeats * m_SubstepsPerBeat);
+        double steps = Math.Ceiling(seconds * m_Frequency * m_SubstepsPerBeat - 1e-6);
+        if (steps >= m_SubstepsPerBeat)
+            return (int)Math.Min(steps, int.MaxValue);
+        throw new UserException(FormattableString.Invariant(
+            $"--seconds {seconds} is shorter than one beat of this wing, {1.0 / m_Frequency:0.####} s at {m_Frequency:0.###} Hz."));
     }
 
-    private Result Evaluate(int perBeat, float frequency)
+    private void Record(double time)
     {
-        float3 force = default;
-        int resets = 0;
-        foreach (FlyingWing wing in _wings)
-        {
-            force += wing.MeanForce;
-            resets += wing.Reading.Resets;
-        }
-
-        SpeciesSize size = _insect.Kinds[0].Species.Size;
-        double lift = math.rotate(FlyingWing.BodyRotation(_plan), force).y / (size.insectMass * 9.81);
-        return new Result(
-            ToRecord(perBeat, frequency),
-            _wings[0].Measure(),
-            lift,
-            _newtonIterations / _substeps,
-            resets,
-            _clock.Elapsed.TotalMicroseconds / (_substeps * _wings.Count));
+        m_World.Skin();
+        for (int k = 0; k < m_Wings.Count; k++)
+            m_Wings[k].Frames.Add(FrameOf(m_World.Read(m_Handles[k]), m_World.Vertices(m_Handles[k]), m_Frames[k], time));
     }
 
-    private FlightRecord ToRecord(int perBeat, float frequency)
+    private static RecordedFrame FrameOf(in WingReading reading, NativeArray<SkinnedVertex> vertices, in WingFrame frame, double time)
     {
-        var phases = new double[perBeat];
-        var times = new double[perBeat];
-        for (int k = 0; k < perBeat; k++)
+        int chains = reading.ChainCount, joints = reading.JointsPerChain;
+        var recorded = new RecordedFrame
         {
-            phases[k] = 360.0 * (k + 1) / perBeat;
-            times[k] = (_substeps - perBeat + k + 1.0) / (perBeat * (double)frequency);
-        }
-
-        return new FlightRecord
-        {
-            Species = _insect.Name,
-            FrequencyHz = frequency,
-            Wings = _wings.ConvertAll(wing => wing.ToRecord()),
-            Body = _insect.Body == null ? null : new RecordedBody
-            {
-                Positions = Array.ConvertAll(_insect.Body.positions, v => (float3)v),
-                Normals = Array.ConvertAll(_insect.Body.normals, v => (float3)v),
-                Triangles = _insect.Body.triangles,
-                Colours = _insect.Body.colours,
-            },
-            PhaseDegrees = phases,
-            Times = times,
+            Time = time,
+            Phase = reading.Phase,
+            Root = reading.DrivenRotation(0, 0),
+            AirForce = reading.AirForce,
+            NewtonIterations = reading.NewtonIterations,
+            Positions = new float3[vertices.Length],
+            Normals = new float3[vertices.Length],
+            Joints = new float3[chains * joints],
+            Bends = new float3[chains * (joints - 1)],
         };
+        for (int k = 0; k < vertices.Length; k++)
+        {
+            recorded.Positions[k] = frame.ToWing(vertices[k].position);
+            recorded.Normals[k] = frame.DirectionToWing(vertices[k].normal);
+        }
+
+        for (int k = 0; k < recorded.Joints.Length; k++)
+            recorded.Joints[k] = reading.JointPosition(k / joints, k % joints);
+        for (int k = 0; k < recorded.Bends.Length; k++)
+            recorded.Bends[k] = reading.BendAngles(k / (joints - 1), k % (joints - 1));
+        return recorded;
     }
 }

@@ -1,31 +1,50 @@
 using System;
+using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>What to fly, how, and with which model.</summary>
+/// <summary>What to fly, how, with which model, and where the files go.</summary>
 internal sealed class FlightPlan
 {
     public string Species { get; init; }
     public string MeshFile { get; init; }
     public string SkeletonFile { get; init; }
-    public double Speed { get; init; }
+
+    /// <summary>Speed of the body ahead and up, m/s.</summary>
+    public double Speed { get; init; } = 1.3;
     public double Climb { get; init; }
+
+    /// <summary>Nose up positive.</summary>
     public double PitchDegrees { get; init; }
+
+    /// <summary>Simulated time; null is eight beats.</summary>
     public double? Seconds { get; init; }
-    public double[] Wind { get; init; }
+
+    /// <summary>Velocity of the air over ground, m/s: right, up, ahead.</summary>
+    public double[] Wind { get; init; } = [0, 0, 0];
+
+    /// <summary>λ; null is the species'.</summary>
     public double? Lag { get; init; }
-    public double Elasticity { get; init; }
+
+    /// <summary>Factor on the species' k_e.</summary>
+    public double Elasticity { get; init; } = 1;
     public int? Substeps { get; init; }
-    public int Patches { get; init; }
+
+    /// <summary>0 is one per triangle.</summary>
+    public int Patches { get; init; } = WingRigSettings.Default.patchCount;
     public CoefficientSet? Coefficients { get; init; }
     public ModelPreset Preset { get; init; }
     public bool NoWave { get; init; }
     public bool Rigid { get; init; }
 
+    /// <summary>Null is out/SPECIES.</summary>
+    public string Folder { get; init; }
+
     /// <summary>|u| of Eq. 6–7, m/s.</summary>
     public double BodySpeed => Math.Sqrt(Speed * Speed + Climb * Climb);
 
     /// <summary>The species' parameters with this plan's changes.</summary>
+    /// <exception cref="UserException">They leave the range that the model takes.</exception>
     public WingParameters ParametersOf(WingSpecies species)
     {
         WingParameters parameters = species.ToParameters();
@@ -41,6 +60,32 @@ internal sealed class FlightPlan
             parameters.jointLimit = 0f;
         }
 
-        return parameters;
+        string problem = parameters.FindProblem();
+        return problem == null ? parameters : throw new UserException(problem);
+    }
+
+    /// <summary>What a wing of a body in this flight feels, in the frame of its right wing or mirrored into that of its left one.</summary>
+    public WingSurroundings SurroundingsOf(WingSpecies species, WingSide side)
+    {
+        const float k_Gravity = 9.81f;
+        float pitch = math.radians((float)PitchDegrees);
+        var air = new float3((float)Wind[0], (float)(Wind[1] - Climb), (float)(Wind[2] - Speed));
+        air.x = side == WingSide.Right ? air.x : -air.x;
+        return new WingSurroundings
+        {
+            wind = ToBody(air, pitch) / species.WingLength,
+            gravity = ToBody(new float3(0f, -k_Gravity, 0f), pitch) * (species.Size.gravityShare / species.WingLength),
+            speed = (float)BodySpeed,
+            angleOfAttack = pitch,
+        };
+    }
+
+    /// <summary>The world's up as the body sees it.</summary>
+    public float3 UpOfBody => ToBody(new float3(0f, 1f, 0f), math.radians((float)PitchDegrees));
+
+    private static float3 ToBody(float3 world, float pitch)
+    {
+        math.sincos(pitch, out float sine, out float cosine);
+        return new float3(world.x, cosine * world.y - sine * world.z, sine * world.y + cosine * world.z);
     }
 }

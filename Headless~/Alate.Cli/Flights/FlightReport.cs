@@ -1,86 +1,39 @@
 using System;
-using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
+using System.Text;
+using Alate.Cli.Gltf;
 using Alate.Cli.Output;
-using Spectre.Console;
+using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>Flies a plan, shows progress and the summary, and writes all files or none.</summary>
+/// <summary>Flies a plan, shows how it gets on, and writes what came of it: all of the files or none.</summary>
 internal static class FlightReport
 {
-    public static void Run(FlightPlan plan, string folder)
+    private const string k_Strip = "strip.svg", k_Glb = "wings.glb", k_Joints = "joints.csv", k_Summary = "summary.json";
+
+    /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
+    public static void Run(FlightPlan plan, TextWriter output)
     {
         Insect insect = Insect.Of(plan);
-        using var files = new OutputFolder(folder);
-        Flight.Result result = Fly(plan, insect);
-        List<KeyValuePair<string, object>> summary = Summarise(plan, insect, result);
-        files.Write("strip.svg", stream => Text(stream, writer => StripPicture.Write(result.Record, writer)));
-        files.Write("wings.glb", stream => GlbWriter.Write(result.Record, stream));
-        files.Write("joints.csv", stream => Text(stream, writer => JointsCsv.Write(result.Record, writer)));
-        files.Write("summary.json", stream => SummaryJson.Write(stream, summary));
-        files.Commit();
-        Show(summary);
-        AnsiConsole.WriteLine($"Wrote strip.svg, wings.glb, joints.csv and summary.json into {files.Path}.");
-    }
-
-    private static Flight.Result Fly(FlightPlan plan, Insect insect)
-    {
-        if (!AnsiConsole.Profile.Capabilities.Interactive)
-            return Flight.Run(plan, insect, _ => { });
-        Flight.Result result = null;
-        AnsiConsole.Progress().Start(context =>
+        using var flight = new Flight(plan, insect);
+        string path = plan.Folder ?? Path.Combine("out", insect.Name);
+        using OutputFolder folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Summary);
+        var terminal = new Terminal(output);
+        FlightSummary summary = null;
+        terminal.ShowProgress(flight.Steps, (steps, stage) =>
         {
-            ProgressTask task = context.AddTask($"Flying {insect.Name}", maxValue: 1.0);
-            result = Flight.Run(plan, insect, done => task.Value = done);
+            FlightRecord record = flight.Run(steps);
+            stage("measuring");
+            summary = FlightSummary.Of(record);
+            stage("drawing");
+            folder.Write(k_Strip, stream => stream.Write(Encoding.UTF8.GetBytes(BeatStrip.Draw(record))));
+            stage("writing");
+            folder.Write(k_Glb, stream => WingsGlb.Write(record, stream));
+            folder.Write(k_Joints, stream => JointTable.Write(record, stream));
+            folder.Write(k_Summary, stream => SummaryJson.Write(summary, stream));
         });
-        return result;
-    }
-
-    private static List<KeyValuePair<string, object>> Summarise(FlightPlan plan, Insect insect, Flight.Result result)
-    {
-        BeatMeasurement m = result.Measurement;
-        var summary = new List<KeyValuePair<string, object>>();
-        void Add(string key, object value) => summary.Add(new(key, value));
-        Add("species", insect.Name);
-        Add("preset", plan.Preset.ToString().ToLowerInvariant());
-        Add("speed_m_per_s", plan.Speed);
-        Add("climb_m_per_s", plan.Climb);
-        Add("pitch_deg", plan.PitchDegrees);
-        Add("frequency_hz", result.Record.FrequencyHz);
-        Add("twist_pp_deg", m.twistPeakToPeak);
-        Add("camber_min_pct", m.camberMin);
-        Add("camber_max_pct", m.camberMax);
-        Add("tip_bend_pp_deg", m.tipBendPeakToPeak);
-        Add("tip_bend_max_deg", m.tipBendMax);
-        Add("lag_deg", m.lag);
-        Add("edge_stretch_max_pct", m.edgeStretchMax);
-        Add("edge_stretch_p99_pct", m.edgeStretchP99);
-        Add("lift_over_weight", result.LiftOverWeight);
-        Add("newton_iterations_mean", result.NewtonIterations);
-        Add("resets", result.Resets);
-        Add("us_per_substep", result.MicrosecondsPerSubstep);
-        return summary;
-    }
-
-    private static void Show(List<KeyValuePair<string, object>> summary)
-    {
-        Table table = new Table().Border(TableBorder.Simple).AddColumn("measure").AddColumn(new TableColumn("value").RightAligned());
-        foreach ((string key, object value) in summary)
-            table.AddRow(Markup.Escape(key), Markup.Escape(Shown(value)));
-        AnsiConsole.Write(table);
-    }
-
-    private static string Shown(object value) => value switch
-    {
-        float or double => Convert.ToDouble(value).ToString("0.###", CultureInfo.InvariantCulture),
-        _ => Convert.ToString(value, CultureInfo.InvariantCulture),
-    };
-
-    private static void Text(Stream stream, Action<TextWriter> write)
-    {
-        using var writer = new StreamWriter(stream, leaveOpen: true) { NewLine = "\n" };
-        write(writer);
+        folder.Commit();
+        terminal.ShowSummary(summary, path, k_Strip, k_Glb, k_Joints, k_Summary);
     }
 }

@@ -2,83 +2,80 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using Alate.Cli.Input;
-using UnityEngine;
+using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>The wings to fly, each kind once; both sides are made from it.</summary>
+/// <summary>What flies: its wings, each kind once, and its body.</summary>
 internal sealed class Insect
 {
-    /// <summary>One kind of wing: its surface and skeleton as a right wing, and where it sits.</summary>
-    public sealed record Kind(string Name, WingSpecies Species, WingSurface Surface, WingSkeleton Skeleton, Color32[] Colours, Vector3 Hinge);
-
-    public string Name { get; private init; }
-    public List<Kind> Kinds { get; } = [];
-    public SurfaceMesh Body { get; private init; }
-
-    /// <summary>The insect of a plan.</summary>
-    /// <exception cref="UserException">An unknown species, or files that cannot be read.</exception>
-    public static Insect Of(FlightPlan plan)
+    private Insect(string name, string displayName, IReadOnlyList<InsectWing> wings, SurfaceMesh body)
     {
-        if (plan.MeshFile == null && plan.SkeletonFile == null)
-            return FromCatalogue(plan);
-        if (plan.MeshFile == null || plan.SkeletonFile == null)
-            throw new UserException("A wing of your own needs both --mesh and --skeleton.");
-        return FromFiles(plan);
+        Name = name;
+        DisplayName = displayName;
+        Wings = wings;
+        Body = body;
     }
 
-    private static Insect FromCatalogue(FlightPlan plan)
+    /// <summary>The species, or the name of the mesh's file.</summary>
+    public string Name { get; }
+
+    public string DisplayName { get; }
+
+    public IReadOnlyList<InsectWing> Wings { get; }
+
+    /// <summary>The body, metres.</summary>
+    public SurfaceMesh Body { get; }
+
+    /// <summary>The insect of a plan.</summary>
+    /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>
+    public static Insect Of(FlightPlan plan)
     {
-        SpeciesDefinition definition = Find(plan.Species);
-        var insect = new Insect { Name = definition.Name, Body = definition.Body?.CreateSurface(SpeciesDefinition.UnitsPerMetre) };
+        if (!Species.TryFind(plan.Species, out SpeciesDefinition definition))
+            throw new UserException($"Unknown species '{plan.Species}'. Known: {string.Join(", ", Species.Names)}.");
+        return plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
+    }
+
+    private static Insect FromCatalogue(SpeciesDefinition definition, FlightPlan plan)
+    {
+        var wings = new List<InsectWing>();
         foreach (SpeciesWing wing in definition.Wings)
         {
             SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
-            insect.Kinds.Add(new Kind(
-                wing.Name,
-                wing.CreateSpecies(plan.Preset),
-                new WingSurface { name = wing.Name, positions = surface.positions, normals = surface.normals, triangles = surface.triangles },
-                wing.CreateSkeleton(WingSide.Right),
-                surface.colours,
-                wing.HingeOn(WingSide.Right)));
+            wings.Add(new InsectWing
+            {
+                Name = wing.Name,
+                Species = wing.CreateSpecies(plan.Preset),
+                Skeleton = wing.CreateSkeleton(WingSide.Right),
+                Surface = surface.ToWingSurface(wing.Name),
+                Colours = surface.colours,
+                Pattern = wing.Pattern,
+                PatternScale = (float)wing.Outline.Length * SpeciesDefinition.UnitsPerMetre,
+                Origin = (float3)wing.Hinge,
+            });
         }
 
-        return insect;
+        return new Insect(definition.Name, definition.DisplayName, wings, definition.Body.CreateSurface(1f));
     }
 
-    private static Insect FromFiles(FlightPlan plan)
+    private static Insect FromFiles(SpeciesDefinition definition, FlightPlan plan)
     {
-        SpeciesDefinition definition = Find(plan.Species);
-        WingSurface surface = Read(plan.MeshFile, reader => ObjReader.Read(reader, plan.MeshFile));
-        WingSkeleton skeleton = Read(plan.SkeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd()));
-        var insect = new Insect { Name = Path.GetFileNameWithoutExtension(plan.MeshFile) };
-        insect.Kinds.Add(new Kind("wing", definition.Wings[0].CreateSpecies(plan.Preset), surface, skeleton, null, Vector3.zero));
-        return insect;
-    }
-
-    private static SpeciesDefinition Find(string name)
-    {
-        if (name == null)
-            throw new UserException($"Which species? Known: {string.Join(", ", Species.Names)}.");
-        return Species.TryFind(name, out SpeciesDefinition definition)
-            ? definition
-            : throw new UserException($"Unknown species '{name}'. Known: {string.Join(", ", Species.Names)}.");
-    }
-
-    private static T Read<T>(string file, Func<TextReader, T> read)
-    {
-        try
+        string name = Path.GetFileNameWithoutExtension(plan.MeshFile);
+        ObjMesh mesh = TextFile.Read(plan.MeshFile, ObjReader.Read);
+        WingSkeleton skeleton = TextFile.Read(plan.SkeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd()));
+        List<SkeletonProblem> problems = skeleton.Validate();
+        if (problems.Count > 0)
+            throw new UserException($"{plan.SkeletonFile}: {problems[0].Message}");
+        SpeciesWing model = definition.Wings[0];
+        var wing = new InsectWing
         {
-            using var reader = new StreamReader(file);
-            return read(reader);
-        }
-        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            throw new UserException($"Cannot read '{file}': {problem.Message}");
-        }
-        catch (FormatException problem)
-        {
-            throw new UserException($"{file}: {problem.Message}");
-        }
+            Name = model.Name,
+            Species = model.CreateSpecies(plan.Preset),
+            Skeleton = skeleton,
+            Surface = mesh.ToWingSurface(plan.MeshFile),
+            Colours = mesh.Colours,
+            Hinge = model.Hinge,
+        };
+        return new Insect(name, name, [wing], definition.Body.CreateSurface(1f));
     }
 }

@@ -16,7 +16,7 @@ public unsafe partial struct NativeArray<T>
     {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         if ((uint)(index - m_First) >= (uint)m_Count || m_Safety.RefusesRead)
-            ThrowAt(index, false);
+            ThrowAt(index, m_Length, m_First, m_Count, m_Safety, false);
 #endif
     }
 
@@ -26,7 +26,7 @@ public unsafe partial struct NativeArray<T>
     {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         if ((uint)(index - m_First) >= (uint)m_Count || m_Safety.RefusesWrite)
-            ThrowAt(index, true);
+            ThrowAt(index, m_Length, m_First, m_Count, m_Safety, true);
 #endif
     }
 
@@ -36,7 +36,7 @@ public unsafe partial struct NativeArray<T>
     {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         if (m_Safety.cell != null && m_Safety.RefusesRead)
-            SafetyErrors.Throw(m_Safety, Name, false);
+            throw SafetyErrors.Of(m_Safety, Name, false);
 #endif
     }
 
@@ -46,7 +46,7 @@ public unsafe partial struct NativeArray<T>
     {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         if (m_Safety.cell != null && m_Safety.RefusesWrite)
-            SafetyErrors.Throw(m_Safety, Name, true);
+            throw SafetyErrors.Of(m_Safety, Name, true);
 #endif
     }
 
@@ -97,22 +97,25 @@ public unsafe partial struct NativeArray<T>
     }
 
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
+    // Static, and nothing but a throw: the compiler sees that it never returns, and keeps the caller's array in registers.
     [DoesNotReturn]
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private readonly void ThrowAt(int index, bool writes)
+    private static void ThrowAt(int index, int length, int first, int count, SafetyHandle safety, bool writes) =>
+        throw ErrorAt(index, length, first, count, safety, writes);
+
+    private static Exception ErrorAt(int index, int length, int first, int count, SafetyHandle safety, bool writes)
     {
-        if (m_Safety.cell == null)
-            throw new NullReferenceException($"This {Name} has not been created.");
-        if ((uint)index < (uint)m_Length && (uint)(index - m_First) >= (uint)m_Count)
+        if (safety.cell == null)
+            return new NullReferenceException($"This {Name} has not been created.");
+        if ((uint)index < (uint)length && (uint)(index - first) >= (uint)count)
         {
-            throw new IndexOutOfRangeException(
-                $"Index {index} is outside of what this index of the parallel job may use [{m_First}..{m_First + m_Count - 1}] of the {Name}. "
+            return new IndexOutOfRangeException(
+                $"Index {index} is outside of what this index of the parallel job may use [{first}..{first + count - 1}] of the {Name}. "
                 + "Mark the field with [ReadOnly], or with [NativeDisableParallelForRestriction] if no two indices write the same element.");
         }
 
-        if (m_Safety.Exists && (uint)index >= (uint)m_Length)
-            throw new IndexOutOfRangeException($"Index {index} is out of the range of the {Name} of length {m_Length}.");
-        SafetyErrors.Throw(m_Safety, Name, writes);
+        return safety.Exists && (uint)index >= (uint)length
+            ? new IndexOutOfRangeException($"Index {index} is out of the range of the {Name} of length {length}.")
+            : SafetyErrors.Of(safety, Name, writes);
     }
 #endif
 }

@@ -84,7 +84,7 @@ public unsafe partial struct NativeArray<T>
         {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
             if (m_Safety.cell != null && m_Safety.RefusesRead)
-                SafetyErrors.Throw(m_Safety, Name, false);
+                throw SafetyErrors.Of(m_Safety, Name, false);
 #endif
         }
 
@@ -94,20 +94,12 @@ public unsafe partial struct NativeArray<T>
         {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
             if ((uint)index >= (uint)m_Length || m_Safety.RefusesRead)
-                ThrowAt(index);
+                ThrowAt(index, m_Length, m_Safety);
 #endif
         }
 
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        private readonly void ThrowAt(int index)
-        {
-            if (m_Safety.cell == null)
-                throw new NullReferenceException($"This {Name}.ReadOnly has not been created.");
-            if (m_Safety.Exists && (uint)index >= (uint)m_Length)
-                throw new IndexOutOfRangeException($"Index {index} is out of the range of the {Name}.ReadOnly of length {m_Length}.");
-            SafetyErrors.Throw(m_Safety, Name, false);
-        }
+        private static void ThrowAt(int index, int length, SafetyHandle safety) => throw ErrorAt(index, length, 0, length, safety, false);
 #endif
 
         public struct Enumerator : IEnumerator<T>

@@ -20,10 +20,14 @@ internal sealed unsafe class ContainerSafety
         public bool writes;
     }
 
+    // Versions are even: the lowest bit of a cell says that pending jobs use the container.
+    private const int k_Step = 2;
+
     private static readonly List<ContainerSafety> s_All = [];
     private static readonly Stack<ContainerSafety> s_Free = [];
 
     private readonly Cells* m_Cells;
+    private int m_Version;
     private User[] m_Users = new User[4];
     private int m_UserCount;
     private bool m_IsReleased;
@@ -33,7 +37,9 @@ internal sealed unsafe class ContainerSafety
         // Stays for the life of the process, so that stale handles can always be recognised.
         m_Cells = (Cells*)NativeMemory.AllocZeroed((nuint)sizeof(Cells));
         m_Cells->main.container = m_Cells->job.container = index;
-        m_Cells->main.version = m_Cells->job.version = 1;
+        m_Version = k_Step;
+        OpenMain();
+        OpenJobs();
     }
 
     public string Name { get; private set; }
@@ -65,16 +71,19 @@ internal sealed unsafe class ContainerSafety
     public SafetyHandle Handle() => new()
     {
         cell = &m_Cells->main,
-        version = m_Cells->main.version,
-        obeys = SafetyHandle.ReadBlocked | SafetyHandle.WriteBlocked,
+        readKey = m_Version,
+        writeKey = m_Version,
+        version = m_Version,
+        slot = SafetyHandle.MainThread,
     };
 
-    public SafetyHandle JobHandle(int field, bool readOnly, bool writeOnly) => new()
+    public SafetyHandle JobHandle(int slot, bool mayRead, bool mayWrite) => new()
     {
         cell = &m_Cells->job,
-        version = m_Cells->job.version,
-        obeys = (field << SafetyHandle.FieldShift)
-            | (readOnly ? SafetyHandle.WriteDenied : 0) | (writeOnly ? SafetyHandle.ReadDenied : 0),
+        readKey = mayRead ? m_Version : SafetyHandle.Denied,
+        writeKey = mayWrite ? m_Version : SafetyHandle.Denied,
+        version = m_Version,
+        slot = slot,
     };
 
     /// <summary>The memory is about to be freed: no handle is valid any more.</summary>
@@ -85,11 +94,15 @@ internal sealed unsafe class ContainerSafety
     }
 
     /// <summary>The main thread's handles end; a job that still runs keeps its own.</summary>
-    public void ReleaseMain() => m_Cells->main.version++;
+    public void ReleaseMain()
+    {
+        m_Version += k_Step;
+        OpenMain();
+    }
 
     public void ReleaseJobs()
     {
-        m_Cells->job.version++;
+        OpenJobs();
         m_IsReleased = true;
         ReuseIfUnused();
     }
@@ -143,9 +156,16 @@ internal sealed unsafe class ContainerSafety
 
     private void UpdateBlocked()
     {
-        int blocked = m_UserCount > 0 ? SafetyHandle.WriteBlocked : 0;
+        OpenMain();
         for (int i = 0; i < m_UserCount; i++)
-            blocked |= m_Users[i].writes ? SafetyHandle.ReadBlocked : 0;
-        m_Cells->main.blocked = blocked;
+        {
+            m_Cells->main.write = m_Version | 1;
+            if (m_Users[i].writes)
+                m_Cells->main.read = m_Version | 1;
+        }
     }
+
+    private void OpenMain() => m_Cells->main.read = m_Cells->main.write = m_Version;
+
+    private void OpenJobs() => m_Cells->job.read = m_Cells->job.write = m_Version;
 }

@@ -2,54 +2,47 @@ using System.Runtime.CompilerServices;
 
 namespace Unity.Collections;
 
-/// <summary>What a container's copies share: its version, and what pending jobs keep the main thread from doing.</summary>
+/// <summary>
+/// What all copies of a container look at: an even version, made odd while pending jobs keep the main thread from reading
+/// or writing. A job's copies look at a cell of their own, which is never odd.
+/// </summary>
 internal struct SafetyCell
 {
-    public int version;
-    public int blocked;
+    public int read;
+    public int write;
     public int container;
 }
 
-/// <summary>The right of one copy of a container to its memory; a job's copy has another cell than the main thread's.</summary>
+/// <summary>The right of one copy of a container to its memory: it may read or write while the key fits the cell.</summary>
 internal unsafe struct SafetyHandle
 {
-    /// <summary>A pending job writes the container.</summary>
-    public const int ReadBlocked = 1;
+    /// <summary>A key that never fits.</summary>
+    public const int Denied = 0;
 
-    /// <summary>A pending job uses the container.</summary>
-    public const int WriteBlocked = 2;
-
-    /// <summary>The job has declared the container as write-only.</summary>
-    public const int ReadDenied = 4;
-
-    /// <summary>The job has declared the container as read-only.</summary>
-    public const int WriteDenied = 8;
-
-    private const int k_Denied = ReadDenied | WriteDenied;
-
-    /// <summary>From this bit on: the container's number among those of the job type.</summary>
-    public const int FieldShift = 8;
+    /// <summary>The <see cref="slot"/> of a copy that the main thread holds.</summary>
+    public const int MainThread = -1;
 
     public SafetyCell* cell;
+    public int readKey;
+    public int writeKey;
     public int version;
 
-    // Which of the above this copy obeys.
-    public int obeys;
+    /// <summary>In a job: the container's number among those of the job type.</summary>
+    public int slot;
 
-    /// <summary>A job's copy, not the main thread's.</summary>
-    public readonly bool IsOfJob => (obeys & (ReadBlocked | WriteBlocked)) == 0;
+    public readonly bool Exists => (cell->read & ~1) == version;
 
-    public readonly bool Exists => cell->version == version;
+    public readonly bool IsOfJob => slot != MainThread;
 
     public readonly bool RefusesRead
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => cell->version != version || ((cell->blocked | k_Denied) & obeys & (ReadBlocked | ReadDenied)) != 0;
+        get => cell->read != readKey;
     }
 
     public readonly bool RefusesWrite
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => cell->version != version || ((cell->blocked | k_Denied) & obeys & (WriteBlocked | WriteDenied)) != 0;
+        get => cell->write != writeKey;
     }
 }

@@ -69,9 +69,9 @@ internal sealed unsafe class JobLayout
                 if (handle->cell == null || (container.exempt && !handle->Exists))
                     continue;
                 var safety = ContainerSafety.Of(*handle);
-                int before = handle->IsOfJob ? handle->obeys : 0;
-                *handle = safety.JobHandle(i, container.readOnly && !container.exempt, container.writeOnly && !container.exempt);
-                handle->obeys |= before & (SafetyHandle.ReadDenied | SafetyHandle.WriteDenied);
+                bool mayRead = container.exempt || (!container.writeOnly && handle->readKey != SafetyHandle.Denied);
+                bool mayWrite = container.exempt || (!container.readOnly && handle->writeKey != SafetyHandle.Denied);
+                *handle = safety.JobHandle(i, mayRead, mayWrite);
                 if (!container.exempt)
                     record?.Use(safety, !container.readOnly);
             }

@@ -1,0 +1,113 @@
+using System.CommandLine;
+using Alate.Cli.Flights;
+
+namespace Alate.Cli.Commands;
+
+/// <summary>The options of <c>fly</c>.</summary>
+internal sealed class FlyOptions
+{
+    private readonly Option<double> m_Speed = Numbers.Option("--speed", "M/S", 1.3, 0, 100, "Speed of the body ahead, metres per second, 0 to 100.");
+
+    private readonly Option<double> m_Climb = Numbers.Option("--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second; negative sinks.");
+
+    private readonly Option<double> m_Pitch = Numbers.Option("--pitch", "DEG", 0, -90, 90, "Pitch of the body, degrees, nose up positive, -90 to 90.");
+
+    private readonly Option<double?> m_Seconds = Numbers.Optional(
+        "--seconds", "S", 0, 3600, "Simulated time, seconds, one beat to an hour; its last beat is reported. [default: 8 beats]");
+
+    private readonly Option<double[]> m_Wind = Numbers.Vector("--wind", "X,Y,Z", 100, "Wind, metres per second: to the right, up, ahead.");
+
+    private readonly Option<double?> m_Lag = Numbers.Optional(
+        "--lag", "LAMBDA", 0, 2, "Delay of the trailing edge, half beats, 0 to 2. [default: the species']");
+
+    private readonly Option<double> m_Elasticity = Numbers.Option(
+        "--elasticity", "FACTOR", 1, 0.001, 1e6, "Factor on the species' elasticity, 0.001 to 1000000; below 1 is softer.");
+
+    private readonly Option<int?> m_Substeps = Numbers.OptionalCount(
+        "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps, "Substeps of a beat, 12 to 480. [default: the species']");
+
+    private readonly Option<string> m_Elements = new("--elements")
+    {
+        HelpName = "triangles|N",
+        DefaultValueFactory = _ => WingRigSettings.Default.patchCount.ToString(),
+        Description = "What meets the air: every triangle, or about N patches of them.",
+    };
+
+    private readonly Option<CoefficientSet?> m_Coefficients = Choice.Optional<CoefficientSet>(
+        "--coefficients", "Lift and drag against the angle of attack. [default: the preset's]", new()
+        {
+            ["dickinson"] = CoefficientSet.Dickinson1999, ["paper"] = CoefficientSet.Paper, ["flatplate"] = CoefficientSet.FlatPlate,
+        });
+
+    private readonly Option<ModelPreset?> m_Preset = Choice.Optional<ModelPreset>(
+        "--preset", "The paper's equations as printed, or as resolved. [default: physical]", new()
+        {
+            ["physical"] = ModelPreset.Physical, ["paper"] = ModelPreset.Paper,
+        });
+
+    private readonly Option<bool> m_NoWave = new("--no-wave") { Description = "No deformation wave: the whole wing is driven at once." };
+
+    private readonly Option<bool> m_Rigid = new("--rigid") { Description = "A stiff wing for comparison: no wave and no bending." };
+
+    private readonly Option<string> m_Mesh = new("--mesh") { HelpName = "FILE.obj", Description = "A wing of your own, at rest. Needs --skeleton and --species." };
+
+    private readonly Option<string> m_Skeleton = new("--skeleton") { HelpName = "FILE.json", Description = "The skeleton of that wing, in the mesh's space." };
+
+    private readonly Option<string> m_Species = new("--species") { HelpName = "PRESET", Description = "The species whose size, beat and stiffness that wing takes." };
+
+    private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
+
+    public void AddTo(Command command)
+    {
+        Option[] all =
+        [
+            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset, m_NoWave, m_Rigid,
+            m_Mesh, m_Skeleton, m_Species, m_Out,
+        ];
+        foreach (Option option in all)
+            command.Options.Add(option);
+    }
+
+    /// <summary>What the user asked for.</summary>
+    /// <exception cref="UserException">Options that exclude or need each other.</exception>
+    public FlightPlan Plan(ParseResult parsed, string species)
+    {
+        var plan = new FlightPlan
+        {
+            Species = species ?? parsed.GetValue(m_Species),
+            MeshFile = parsed.GetValue(m_Mesh),
+            SkeletonFile = parsed.GetValue(m_Skeleton),
+            Speed = parsed.GetValue(m_Speed),
+            Climb = parsed.GetValue(m_Climb),
+            PitchDegrees = parsed.GetValue(m_Pitch),
+            Seconds = parsed.GetValue(m_Seconds),
+            Wind = parsed.GetValue(m_Wind),
+            Lag = parsed.GetValue(m_Lag),
+            Elasticity = parsed.GetValue(m_Elasticity),
+            Substeps = parsed.GetValue(m_Substeps),
+            Patches = FlyCommand.Patches(parsed.GetValue(m_Elements)),
+            Coefficients = parsed.GetValue(m_Coefficients),
+            Preset = parsed.GetValue(m_Preset) ?? ModelPreset.Physical,
+            NoWave = parsed.GetValue(m_NoWave),
+            Rigid = parsed.GetValue(m_Rigid),
+            Folder = parsed.GetValue(m_Out),
+        };
+        Check(plan, species, parsed.GetValue(m_Species));
+        return plan;
+    }
+
+    private static void Check(FlightPlan plan, string species, string preset)
+    {
+        string known = string.Join(", ", Species.Names);
+        if ((plan.MeshFile == null) != (plan.SkeletonFile == null))
+            throw new UserException("A wing of your own needs both --mesh and --skeleton.");
+        if (plan.MeshFile == null && preset != null)
+            throw new UserException("--species goes with --mesh and --skeleton; name a species of the catalogue as 'fly SPECIES'.");
+        if (plan.MeshFile != null && species != null)
+            throw new UserException("With --mesh the species is named by --species, not as an argument.");
+        if (plan.Species == null)
+            throw new UserException(plan.MeshFile == null ? $"Which species? Known: {known}." : $"--mesh needs --species. Known: {known}.");
+        if (plan.Lag != null && (plan.NoWave || plan.Rigid))
+            throw new UserException($"--lag and {(plan.Rigid ? "--rigid" : "--no-wave")} exclude each other.");
+    }
+}

@@ -1,0 +1,19 @@
+using System.Collections.Generic;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>What a flight left behind: the last beat of every wing.</summary>
+internal sealed class FlightRecord
+{
+    public FlightPlan Plan { get; init; }
+    public Insect Insect { get; init; }
+
+    /// <summary>Right and left wing of each kind in turn.</summary>
+    public IReadOnlyList<RecordedWing> Wings { get; init; }
+
+    public double Seconds { get; init; }
+    public double Beats { get; init; }
+
+    /// <summary>Time of one substep of all wings of the insect, microseconds, without the first beat.</summary>
+    public double MicrosecondsPerSubstep { get; init; }
+}

@@ -1,0 +1,37 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>One kind of wing of an insect: a surface and its skeleton, from which both sides fly.</summary>
+internal sealed class InsectWing
+{
+    public string Name { get; init; }
+    public WingSpecies Species { get; init; }
+    public WingSkeleton Skeleton { get; init; }
+    public WingSurface Surface { get; init; }
+
+    /// <summary>[vertex] Null where the mesh has none.</summary>
+    public Color32[] Colours { get; init; }
+
+    /// <summary>The catalogue's colouring, finer than the vertices' colours; else null.</summary>
+    public WingPattern Pattern { get; init; }
+
+    /// <summary>Mesh units of one wing length of the pattern.</summary>
+    public float PatternScale { get; init; }
+
+    /// <summary>Where the mesh's origin sits on the right side of the body, metres; null puts the hinge at <see cref="Hinge"/> and turns the wing frame to the body's.</summary>
+    public float3? Origin { get; init; }
+
+    /// <summary>Where the hinge sits on the right side of the body where <see cref="Origin"/> is null, metres.</summary>
+    public float3 Hinge { get; init; }
+
+    /// <summary>How a wing of this kind sits on the body, once its rig has told the wing frame.</summary>
+    public WingPlacement PlacementOf(in WingFrame frame, WingSide side)
+    {
+        if (Origin == null)
+            return new WingPlacement(Hinge, Species.WingLength, side);
+        const float k_Metre = SpeciesDefinition.UnitsPerMetre;
+        return new WingPlacement(Origin.Value + frame.origin / k_Metre, frame.length / k_Metre, side);
+    }
+}

@@ -1,0 +1,97 @@
+using System;
+using System.Globalization;
+using System.IO;
+using Spectre.Console;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>What a flight shows on the terminal: a bar while it runs, a table in the end. Redirected output gets the table alone, without colours.</summary>
+internal sealed class Terminal
+{
+    private const int k_RedirectedWidth = 100;
+
+    private readonly IAnsiConsole m_Console;
+    private readonly bool m_IsRedirected;
+
+    public Terminal(TextWriter output)
+    {
+        m_IsRedirected = output != Console.Out || Console.IsOutputRedirected;
+        m_Console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Out = new AnsiConsoleOutput(output),
+            Ansi = m_IsRedirected ? AnsiSupport.No : AnsiSupport.Detect,
+            ColorSystem = m_IsRedirected ? ColorSystemSupport.NoColors : ColorSystemSupport.Detect,
+            Interactive = m_IsRedirected ? InteractionSupport.No : InteractionSupport.Detect,
+        });
+        if (m_IsRedirected)
+            m_Console.Profile.Width = k_RedirectedWidth;
+    }
+
+    /// <summary>Runs the work under a progress bar.</summary>
+    /// <param name="steps">Substeps of the flight.</param>
+    /// <param name="work">Told where to report substeps done, and the name of what follows them.</param>
+    public void ShowProgress(int steps, Action<Action<int>, Action<string>> work)
+    {
+        if (m_IsRedirected)
+        {
+            work(_ => { }, _ => { });
+            return;
+        }
+
+        m_Console.Progress().AutoClear(true).HideCompleted(false)
+            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new SpinnerColumn())
+            .Start(context =>
+            {
+                ProgressTask task = context.AddTask("flying", maxValue: steps);
+                work(done => task.Value = done, stage => task.Description = stage);
+            });
+    }
+
+    /// <summary>Shows the numbers and where the files are.</summary>
+    public void ShowSummary(FlightSummary summary, string folder, params string[] files)
+    {
+        FlightRecord flight = summary.Flight;
+        m_Console.Write(new Rule($"[bold]{Markup.Escape(flight.Insect.DisplayName)}[/]").LeftJustified());
+        m_Console.WriteLine(string.Create(CultureInfo.InvariantCulture,
+            $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles. The last beat:"));
+        m_Console.Write(SummaryTable(summary));
+        m_Console.WriteLine("Written:");
+        foreach (string file in files)
+            m_Console.WriteLine("  " + Path.Combine(folder, file));
+    }
+
+    private static Table SummaryTable(FlightSummary summary)
+    {
+        var table = new Table().Border(TableBorder.Rounded).AddColumn("");
+        foreach (WingSummary wing in summary.Wings)
+            table.AddColumn(new TableColumn(summary.Wings.Count == 1 ? "" : wing.Name).RightAligned());
+        table.ShowHeaders = summary.Wings.Count > 1;
+        Row(table, summary, "frequency, Hz", wing => Number(wing.FrequencyHz, 2));
+        Row(table, summary, "twist, peak to peak, °", wing => Number(wing.TwistPpDeg, 1));
+        Row(table, summary, "camber, % of the chord", wing => $"{Number(wing.CamberMinPct, 1)} … {Number(wing.CamberMaxPct, 1)}");
+        Row(table, summary, "tip bend, peak to peak, °", wing => Number(wing.TipBendPpDeg, 1));
+        Row(table, summary, "tip bend, largest, °", wing => Number(wing.TipBendMaxDeg, 1));
+        Row(table, summary, "lag of the trailing edge, °", wing => Number(wing.LagDeg, 1));
+        Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2));
+        Row(table, summary, "edge stretch, 99th percentile, %", wing => Number(wing.EdgeStretchP99Pct, 2));
+        Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));
+        Row(table, summary, "Newton iterations, mean", Number(summary.NewtonIterationsMean, 2));
+        Row(table, summary, "resets", Number(summary.Resets, 0));
+        Row(table, summary, "µs per substep, all wings", Number(summary.Flight.MicrosecondsPerSubstep, 1));
+        return table;
+    }
+
+    private static void Row(Table table, FlightSummary summary, string name, Func<WingSummary, string> value)
+    {
+        var cells = new string[1 + summary.Wings.Count];
+        cells[0] = name;
+        for (int k = 0; k < summary.Wings.Count; k++)
+            cells[k + 1] = value(summary.Wings[k]);
+        table.AddRow(cells);
+    }
+
+    private static void Row(Table table, FlightSummary summary, string name, string value) =>
+        Row(table, summary, name, wing => wing == summary.Main ? value : "");
+
+    private static string Number(double value, int digits) => value.ToString("F" + digits, CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,37 @@
+using System.Linq;
+using Unity.Mathematics;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>The numbers of one kind of wing over the last beat, degrees and per cent.</summary>
+internal sealed record WingSummary(
+    string Name,
+    double FrequencyHz,
+    double TwistPpDeg,
+    double CamberMinPct,
+    double CamberMaxPct,
+    double TipBendPpDeg,
+    double TipBendMaxDeg,
+    double LagDeg,
+    double EdgeStretchMaxPct,
+    double EdgeStretchP99Pct)
+{
+    /// <summary>Measures the right wing of a kind.</summary>
+    public static WingSummary Of(RecordedWing wing)
+    {
+        var measurement = new BeatMeasurement(wing.Rest, wing.Triangles);
+        WingDeformation beat = measurement.Measure(
+            wing.Frames.Select(frame => new BeatFrame(frame.Phase, frame.Root, frame.Positions)).ToList());
+        return new WingSummary(
+            wing.Wing.Name,
+            wing.Frequency,
+            math.degrees(beat.TwistRange),
+            100.0 * beat.CamberMin,
+            100.0 * beat.CamberMax,
+            math.degrees(beat.TipBendRange),
+            math.degrees(beat.TipBendMax),
+            math.degrees(beat.Lag),
+            100.0 * beat.StretchMax,
+            100.0 * beat.Stretch99);
+    }
+}

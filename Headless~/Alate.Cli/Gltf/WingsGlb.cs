@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json.Nodes;
+using Alate.Cli.Flights;
+using Unity.Mathematics;
+
+namespace Alate.Cli.Gltf;
+
+/// <summary>
+/// wings.glb: the body and the wings of an insect, metres, Y up, facing +Z; the last beat as an animation that loops. A wing's mesh is its shape at
+/// phase 0, and each further key frame is one morph target.
+/// </summary>
+internal sealed class WingsGlb
+{
+    private const int k_KeyFrames = 24;
+
+    private readonly GlbBuffer m_Buffer = new();
+    private readonly JsonArray m_Nodes = [];
+    private readonly JsonArray m_Meshes = [];
+    private readonly List<int> m_WingNodes = [];
+
+    public static void Write(FlightRecord flight, Stream stream)
+    {
+        var glb = new WingsGlb();
+        glb.AddBody(flight.Insect.Body);
+        foreach (RecordedWing wing in flight.Wings)
+            glb.AddWing(wing);
+        GlbWriter.Write(glb.Finish(flight), glb.m_Buffer.ToArray(), stream);
+    }
+
+    private void AddBody(SurfaceMesh body)
+    {
+        float3[] positions = Array.ConvertAll(body.positions, position => ToGltf(position));
+        float3[] normals = Array.ConvertAll(body.normals, normal => Unit(ToGltf(normal)));
+        JsonObject primitive = Primitive(positions, normals, body.colours, Indices(body.triangles, flip: true));
+        AddNode("body", new JsonObject { ["name"] = "body", ["primitives"] = new JsonArray(primitive) });
+    }
+
+    private void AddWing(RecordedWing wing)
+    {
+        string name = $"{wing.Wing.Name} {(wing.Placement.IsLeft ? "left" : "right")}";
+        (float3[] rest, float3[] restNormals) = Shape(wing, 0);
+        JsonObject primitive = Primitive(rest, restNormals, wing.Wing.Colours, Indices(wing.Triangles, wing.IsMeshMirrored == wing.Placement.IsLeft));
+        var targets = new JsonArray();
+        for (int key = 1; key < k_KeyFrames; key++)
+        {
+            (float3[] positions, float3[] normals) = Shape(wing, key);
+            targets.Add(new JsonObject
+            {
+                ["POSITION"] = m_Buffer.AddVectors(positions.Zip(rest, (one, other) => one - other).ToList()),
+                ["NORMAL"] = m_Buffer.AddVectors(normals.Zip(restNormals, (one, other) => one - other).ToList()),
+            });
+        }
+
+        primitive["targets"] = targets;
+        var weights = new JsonArray(Enumerable.Repeat(0, k_KeyFrames - 1).Select(zero => (JsonNode)zero).ToArray());
+        m_WingNodes.Add(AddNode(name, new JsonObject { ["name"] = name, ["primitives"] = new JsonArray(primitive), ["weights"] = weights }));
+    }
+
+    private JsonObject Primitive(float3[] positions, float3[] normals, UnityEngine.Color32[] colours, int[] indices)
+    {
+        var attributes = new JsonObject { ["POSITION"] = m_Buffer.AddVectors(positions), ["NORMAL"] = m_Buffer.AddVectors(normals) };
+        if (colours != null)
+            attributes["COLOR_0"] = m_Buffer.AddColours(colours);
+        return new JsonObject
+        {
+            ["attributes"] = attributes,
+            ["indices"] = m_Buffer.AddIndices(indices, positions.Length),
+            ["material"] = colours == null ? 1 : 0,
+            ["mode"] = 4,
+        };
+    }
+
+    private int AddNode(string name, JsonObject mesh)
+    {
+        m_Meshes.Add(mesh);
+        m_Nodes.Add(new JsonObject { ["name"] = name, ["mesh"] = m_Meshes.Count - 1 });
+        return m_Nodes.Count - 1;
+    }
+
+    private JsonObject Finish(FlightRecord flight)
+    {
+        int parts = m_Nodes.Count;
+        m_Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = new JsonArray(Enumerable.Range(0, parts).Select(k => (JsonNode)k).ToArray()) });
+        double period = 1.0 / flight.Wings[0].Frequency;
+        JsonArray animations = [Animation(period)];
+        return new JsonObject
+        {
+            ["asset"] = new JsonObject { ["version"] = "2.0", ["generator"] = "Alate Insect Wings" },
+            ["scene"] = 0,
+            ["scenes"] = new JsonArray(new JsonObject { ["name"] = flight.Insect.DisplayName, ["nodes"] = new JsonArray(parts) }),
+            ["nodes"] = m_Nodes,
+            ["meshes"] = m_Meshes,
+            ["materials"] = new JsonArray(Material("painted", 1.0, 1.0, 1.0), Material("plain", 0.75, 0.72, 0.62)),
+            ["animations"] = animations,
+            ["accessors"] = m_Buffer.Accessors,
+            ["bufferViews"] = m_Buffer.Views,
+            ["buffers"] = new JsonArray(new JsonObject { ["byteLength"] = m_Buffer.ToArray().Length }),
+        };
+    }
+
+    // Between two key frames the weight passes from one target to the next; the last key repeats the first, which is no target at all.
+    private JsonObject Animation(double period)
+    {
+        var times = new float[k_KeyFrames + 1];
+        var weights = new float[(k_KeyFrames + 1) * (k_KeyFrames - 1)];
+        for (int key = 0; key <= k_KeyFrames; key++)
+        {
+            times[key] = (float)(period * key / k_KeyFrames);
+            if (key is > 0 and < k_KeyFrames)
+                weights[key * (k_KeyFrames - 1) + key - 1] = 1f;
+        }
+
+        var sampler = new JsonObject
+        {
+            ["input"] = m_Buffer.AddScalars(times), ["output"] = m_Buffer.AddScalars(weights), ["interpolation"] = "LINEAR",
+        };
+        var channels = new JsonArray();
+        foreach (int node in m_WingNodes)
+            channels.Add(new JsonObject { ["sampler"] = 0, ["target"] = new JsonObject { ["node"] = node, ["path"] = "weights" } });
+        return new JsonObject { ["name"] = "beat", ["samplers"] = new JsonArray(sampler), ["channels"] = channels };
+    }
+
+    private static JsonObject Material(string name, double red, double green, double blue) => new()
+    {
+        ["name"] = name,
+        ["doubleSided"] = true,
+        ["pbrMetallicRoughness"] = new JsonObject
+        {
+            ["baseColorFactor"] = new JsonArray(red, green, blue, 1.0), ["metallicFactor"] = 0.0, ["roughnessFactor"] = 0.75,
+        },
+    };
+
+    private static (float3[] Positions, float3[] Normals) Shape(RecordedWing wing, int key)
+    {
+        var positions = new float3[wing.Rest.Length];
+        var normals = new float3[wing.Rest.Length];
+        wing.At((double)key / k_KeyFrames, positions, normals);
+        return (Array.ConvertAll(positions, ToGltf), Array.ConvertAll(normals, normal => Unit(ToGltf(normal))));
+    }
+
+    private static int[] Indices(int[] triangles, bool flip)
+    {
+        var indices = (int[])triangles.Clone();
+        for (int k = 0; flip && k < indices.Length; k += 3)
+            (indices[k + 1], indices[k + 2]) = (indices[k + 2], indices[k + 1]);
+        return indices;
+    }
+
+    // glTF is right-handed: an insect that faces +Z has its right wing at −X.
+    private static float3 ToGltf(float3 body) => new(-body.x, body.y, body.z);
+
+    private static float3 ToGltf(UnityEngine.Vector3 body) => ToGltf((float3)body);
+
+    private static float3 Unit(float3 normal) => math.normalizesafe(normal, new float3(0f, 1f, 0f));
+}

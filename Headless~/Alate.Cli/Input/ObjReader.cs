@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using UnityEngine;
+
+namespace Alate.Cli.Input;
+
+/// <summary>
+/// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vn and f with triangles, quads and larger polygons as fans, also with
+/// negative indices. Texture coordinates, groups, materials, lines and points are passed over.
+/// </summary>
+internal sealed class ObjReader
+{
+    private static readonly char[] s_Spaces = [' ', '\t'];
+
+    private readonly List<Vector3> m_Positions = [];
+    private readonly List<Vector3> m_Normals = [];
+    private readonly List<Color32> m_Colours = [];
+    private readonly List<(int Position, int Normal)> m_Corners = [];
+    private readonly Dictionary<(int Position, int Normal), int> m_Vertices = [];
+    private readonly List<int> m_Triangles = [];
+    private bool m_EveryCornerHasNormal = true;
+    private int m_TexturePoints;
+    private int m_Line;
+    private bool m_HasLines;
+
+    private ObjReader()
+    {
+    }
+
+    /// <summary>Reads a whole file.</summary>
+    /// <exception cref="FormatException">The text is not such a file or has no triangle; the message is one line with the line's number.</exception>
+    public static ObjMesh Read(TextReader text)
+    {
+        var reader = new ObjReader();
+        while (reader.NextLine(text) is string line)
+            reader.Take(line);
+        return reader.Finish();
+    }
+
+    // A line may go on behind a backslash.
+    private string NextLine(TextReader text)
+    {
+        string line = text.ReadLine();
+        m_Line++;
+        while (line != null && line.EndsWith('\\'))
+        {
+            line = line[..^1] + ' ' + text.ReadLine();
+            m_Line++;
+        }
+
+        return line;
+    }
+
+    private void Take(string line)
+    {
+        int comment = line.IndexOf('#');
+        string[] words = (comment < 0 ? line : line[..comment]).Split(s_Spaces, StringSplitOptions.RemoveEmptyEntries);
+        if (words.Length == 0)
+            return;
+        switch (words[0])
+        {
+            case "v":
+                TakePosition(words);
+                break;
+            case "vn":
+                m_Normals.Add(Vector(words));
+                break;
+            case "vt":
+                m_TexturePoints++;
+                break;
+            case "f":
+                TakeFace(words);
+                break;
+            case "l":
+            case "p":
+                m_HasLines = true;
+                break;
+        }
+    }
+
+    private void TakePosition(string[] words)
+    {
+        m_Positions.Add(Vector(words));
+        if (words.Length >= 7)
+            m_Colours.Add(new Color32(Byte(words[4]), Byte(words[5]), Byte(words[6]), 255));
+    }
+
+    private void TakeFace(string[] words)
+    {
+        if (words.Length < 4)
+            throw Wrong($"a face has {words.Length - 1} corner{(words.Length == 2 ? "" : "s")}, not three or more");
+        int first = Corner(words[1]), before = Corner(words[2]);
+        for (int k = 3; k < words.Length; k++)
+        {
+            int next = Corner(words[k]);
+            m_Triangles.AddRange([first, before, next]);
+            before = next;
+        }
+    }
+
+    private int Corner(string word)
+    {
+        string[] parts = word.Split('/');
+        if (parts.Length > 3)
+            throw Wrong($"'{word}' is no corner of a face");
+        int position = Index(parts[0], m_Positions.Count, "vertex");
+        if (parts.Length > 1 && parts[1].Length > 0)
+            Index(parts[1], m_TexturePoints, "texture point");
+        int normal = parts.Length > 2 && parts[2].Length > 0 ? Index(parts[2], m_Normals.Count, "normal") : -1;
+        m_EveryCornerHasNormal &= normal >= 0;
+        if (m_Vertices.TryGetValue((position, normal), out int vertex))
+            return vertex;
+        vertex = m_Corners.Count;
+        m_Corners.Add((position, normal));
+        m_Vertices.Add((position, normal), vertex);
+        return vertex;
+    }
+
+    // Indices count from 1, or back from the last one with -1.
+    private int Index(string word, int count, string what)
+    {
+        if (!int.TryParse(word, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int index) || index == 0)
+            throw Wrong($"'{word}' is no index of a {what}");
+        int found = index > 0 ? index - 1 : count + index;
+        if (found < 0 || found >= count)
+            throw Wrong($"there is no {what} {index}, only {count} up to here");
+        return found;
+    }
+
+    private Vector3 Vector(string[] words)
+    {
+        if (words.Length < 4)
+            throw Wrong($"'{words[0]}' has {words.Length - 1} numbers, not three");
+        return new Vector3(Number(words[1]), Number(words[2]), Number(words[3]));
+    }
+
+    private float Number(string word)
+    {
+        if (float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && float.IsFinite(value))
+            return value;
+        throw Wrong($"'{word}' is no finite number");
+    }
+
+    private byte Byte(string word) => (byte)Math.Round(255f * Math.Clamp(Number(word), 0f, 1f));
+
+    private ObjMesh Finish()
+    {
+        if (m_Positions.Count == 0)
+            throw new FormatException("the mesh is empty: there is no vertex ('v').");
+        if (m_Triangles.Count == 0)
+            throw new FormatException($"the mesh has no triangles: there {(m_HasLines ? "are only lines or points, no faces" : "is no face")} ('f').");
+        bool coloured = m_Colours.Count == m_Positions.Count;
+        return new ObjMesh
+        {
+            Positions = m_Corners.ConvertAll(corner => m_Positions[corner.Position]).ToArray(),
+            Normals = m_EveryCornerHasNormal ? m_Corners.ConvertAll(corner => m_Normals[corner.Normal]).ToArray() : null,
+            Colours = coloured ? m_Corners.ConvertAll(corner => m_Colours[corner.Position]).ToArray() : null,
+            Triangles = m_Triangles.ToArray(),
+        };
+    }
+
+    private FormatException Wrong(string reason) => new($"line {m_Line}: {reason}.");
+}

@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+
+namespace Alate.Cli.Output;
+
+/// <summary>
+/// A folder that gets all of its files or none: they are written under other names and take their own at <see cref="Commit"/>. Without it, disposal
+/// removes what was written, and the folders that were made.
+/// </summary>
+internal sealed class OutputFolder : IDisposable
+{
+    private readonly string m_Given;
+    private readonly List<string> m_MadeFolders = [];
+    private readonly List<(string Written, string Final)> m_Files = [];
+    private readonly string m_Suffix = $".{Guid.NewGuid():N}.part";
+    private bool m_Committed;
+
+    private OutputFolder(string given)
+    {
+        m_Given = given;
+        Root = given;
+    }
+
+    /// <summary>The full path.</summary>
+    public string Root { get; private set; }
+
+    /// <summary>Makes the folder where there is none and tries whether files of these names can be written into it.</summary>
+    /// <exception cref="UserException">They cannot.</exception>
+    public static OutputFolder Prepare(string given, params string[] names)
+    {
+        var folder = new OutputFolder(given);
+        try
+        {
+            folder.Try(() =>
+            {
+                folder.Root = Path.GetFullPath(given);
+                folder.Make(folder.Root);
+                string probe = Path.Combine(folder.Root, "probe" + folder.m_Suffix);
+                File.WriteAllText(probe, "");
+                File.Delete(probe);
+            });
+            foreach (string name in names)
+            {
+                if (Directory.Exists(Path.Combine(folder.Root, name)))
+                    throw new UserException($"Cannot write '{name}' into '{given}': there is a folder of that name.");
+            }
+
+            return folder;
+        }
+        catch
+        {
+            folder.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Tries whether a single file can be written, and leaves no trace.</summary>
+    /// <exception cref="UserException">It cannot.</exception>
+    public static void CheckFile(string file)
+    {
+        if (Directory.Exists(file) || Path.GetFileName(file).Length == 0)
+            throw new UserException($"Cannot write '{file}': it is a folder, not a file.");
+        try
+        {
+            bool existed = File.Exists(file);
+            using (File.Open(file, FileMode.OpenOrCreate, FileAccess.Write))
+            {
+            }
+
+            if (!existed)
+                File.Delete(file);
+        }
+        catch (Exception problem) when (IsOfFiles(problem))
+        {
+            throw new UserException($"Cannot write '{file}': {problem.Message}");
+        }
+    }
+
+    /// <summary>Writes a file, under another name as yet; folders within it are made.</summary>
+    /// <exception cref="UserException">It cannot be written.</exception>
+    public void Write(string name, Action<Stream> write) => Try(() =>
+    {
+        string final = Path.Combine(Root, name);
+        Make(Path.GetDirectoryName(final));
+        m_Files.Add((final + m_Suffix, final));
+        using FileStream stream = File.Create(final + m_Suffix);
+        write(stream);
+    });
+
+    /// <summary>Makes a folder within it.</summary>
+    /// <exception cref="UserException">It cannot be made.</exception>
+    public void MakeFolder(string name) => Try(() => Make(Path.Combine(Root, name)));
+
+    /// <summary>Gives all files their names.</summary>
+    /// <exception cref="UserException">One cannot be renamed.</exception>
+    public void Commit()
+    {
+        Try(() =>
+        {
+            foreach ((string written, string final) in m_Files)
+                File.Move(written, final, overwrite: true);
+        });
+        m_Committed = true;
+    }
+
+    /// <summary>Removes what was not committed.</summary>
+    public void Dispose()
+    {
+        if (m_Committed)
+            return;
+        foreach ((string written, _) in m_Files)
+            Quietly(() => File.Delete(written));
+        for (int k = m_MadeFolders.Count - 1; k >= 0; k--)
+        {
+            string made = m_MadeFolders[k];
+            Quietly(() => Directory.Delete(made));
+        }
+    }
+
+    private void Make(string folder)
+    {
+        if (Directory.Exists(folder))
+            return;
+        string parent = Path.GetDirectoryName(folder);
+        if (!string.IsNullOrEmpty(parent))
+            Make(parent);
+        Directory.CreateDirectory(folder);
+        m_MadeFolders.Add(folder);
+    }
+
+    private void Try(Action action)
+    {
+        try
+        {
+            action();
+        }
+        catch (Exception problem) when (IsOfFiles(problem))
+        {
+            throw new UserException($"Cannot write into '{m_Given}': {problem.Message}");
+        }
+    }
+
+    private static void Quietly(Action action)
+    {
+        try
+        {
+            action();
+        }
+        catch (Exception problem) when (IsOfFiles(problem))
+        {
+            // What cannot be removed stays; the user has been told the first problem.
+        }
+    }
+
+    private static bool IsOfFiles(Exception problem) =>
+        problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
+}

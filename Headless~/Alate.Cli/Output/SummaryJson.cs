@@ -1,0 +1,105 @@
+using System;
+using System.IO;
+using System.Text.Json;
+using Alate.Cli.Flights;
+
+namespace Alate.Cli.Output;
+
+/// <summary>summary.json: the numbers of the main wing, the flight's, and what was asked for.</summary>
+internal static class SummaryJson
+{
+    public static void Write(FlightSummary summary, Stream stream)
+    {
+        using var json = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true });
+        json.WriteStartObject();
+        json.WriteString("species", summary.Flight.Insect.Name);
+        WriteWing(json, summary.Main);
+        Number(json, "lift_over_weight", summary.LiftOverWeight);
+        Number(json, "newton_iterations_mean", summary.NewtonIterationsMean);
+        json.WriteNumber("resets", summary.Resets);
+        Number(json, "us_per_substep", summary.Flight.MicrosecondsPerSubstep);
+        json.WriteNumber("triangles", summary.Triangles);
+        Number(json, "beats", summary.Flight.Beats);
+        Number(json, "seconds", summary.Flight.Seconds);
+        WriteOtherWings(json, summary);
+        WriteOptions(json, summary.Flight);
+        json.WriteEndObject();
+        json.Flush();
+        stream.WriteByte((byte)'\n');
+    }
+
+    private static void WriteWing(Utf8JsonWriter json, WingSummary wing)
+    {
+        json.WriteString("wing", wing.Name);
+        Number(json, "frequency_hz", wing.FrequencyHz);
+        Number(json, "twist_pp_deg", wing.TwistPpDeg);
+        Number(json, "camber_min_pct", wing.CamberMinPct);
+        Number(json, "camber_max_pct", wing.CamberMaxPct);
+        Number(json, "tip_bend_pp_deg", wing.TipBendPpDeg);
+        Number(json, "tip_bend_max_deg", wing.TipBendMaxDeg);
+        Number(json, "lag_deg", wing.LagDeg);
+        Number(json, "edge_stretch_max_pct", wing.EdgeStretchMaxPct);
+        Number(json, "edge_stretch_p99_pct", wing.EdgeStretchP99Pct);
+    }
+
+    private static void WriteOtherWings(Utf8JsonWriter json, FlightSummary summary)
+    {
+        if (summary.Wings.Count == 1)
+            return;
+        json.WriteStartArray("other_wings");
+        for (int k = 1; k < summary.Wings.Count; k++)
+        {
+            json.WriteStartObject();
+            WriteWing(json, summary.Wings[k]);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteOptions(Utf8JsonWriter json, FlightRecord flight)
+    {
+        FlightPlan plan = flight.Plan;
+        WingParameters parameters = flight.Wings[0].Parameters;
+        json.WriteStartObject("options");
+        json.WriteNumber("speed_m_s", plan.Speed);
+        json.WriteNumber("climb_m_s", plan.Climb);
+        json.WriteNumber("pitch_deg", plan.PitchDegrees);
+        json.WriteStartArray("wind_m_s");
+        foreach (double component in plan.Wind)
+            json.WriteNumberValue(component);
+        json.WriteEndArray();
+        Number(json, "lag", parameters.chordDelay);
+        json.WriteNumber("elasticity_factor", plan.Elasticity);
+        json.WriteNumber("substeps", parameters.substepsPerBeat);
+        if (plan.Patches == 0)
+            json.WriteString("elements", "triangles");
+        else
+            json.WriteNumber("elements", plan.Patches);
+        json.WriteString("coefficients", parameters.options.coefficients.ToString().ToLowerInvariant());
+        json.WriteString("preset", plan.Preset.ToString().ToLowerInvariant());
+        json.WriteBoolean("no_wave", plan.NoWave);
+        json.WriteBoolean("rigid", plan.Rigid);
+        if (plan.MeshFile != null)
+        {
+            json.WriteString("mesh", plan.MeshFile);
+            json.WriteString("skeleton", plan.SkeletonFile);
+            json.WriteString("parameters_of", plan.Species);
+        }
+
+        json.WriteEndObject();
+    }
+
+    // Six significant digits: more are noise of single precision.
+    private static void Number(Utf8JsonWriter json, string key, double value)
+    {
+        if (!double.IsFinite(value))
+        {
+            json.WriteNull(key);
+            return;
+        }
+
+        double magnitude = value == 0.0 ? 0.0 : Math.Floor(Math.Log10(Math.Abs(value)));
+        json.WriteNumber(key, Math.Round(value, (int)Math.Clamp(5.0 - magnitude, 0.0, 12.0)));
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using Alate.Cli.Output;
+
+namespace Alate.Cli.Projects;
+
+/// <summary>Makes a Unity project that hosts this package by its path.</summary>
+internal static class UnityProject
+{
+    /// <summary>The editor that the project names; newer ones upgrade it.</summary>
+    public const string UnityVersion = "2022.3.62f1";
+
+    private const string k_Package = "com.alate.insect-wings";
+
+    private const string k_Readme =
+        "# Assets\n\nAn empty project that hosts the package Alate Insect Wings from the folder that Packages/manifest.json names.\n"
+        + "Begin with GameObject > Alate > Monarch and press Play; run the package's tests from Window > General > Test Runner.\n";
+
+    private const string k_GitIgnore = "Library/\nTemp/\nLogs/\nUserSettings/\nobj/\n*.csproj\n*.sln\n";
+
+    /// <summary>Makes the project in a new or empty folder.</summary>
+    /// <returns>Its full path.</returns>
+    /// <exception cref="UserException">The folder is not empty or cannot be written.</exception>
+    public static string Make(string folder)
+    {
+        if (File.Exists(folder))
+            throw new UserException($"'{folder}' is a file; name a new or empty folder.");
+        if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
+            throw new UserException($"'{folder}' is not empty; name a new or empty folder.");
+        string manifest = Manifest(FindPackage());
+        using OutputFolder project = OutputFolder.Prepare(folder);
+        Write(project, "Packages/manifest.json", manifest);
+        Write(project, "ProjectSettings/ProjectVersion.txt", $"m_EditorVersion: {UnityVersion}\n");
+        Write(project, "Assets/README.md", k_Readme);
+        Write(project, ".gitignore", k_GitIgnore);
+        project.Commit();
+        return project.Root;
+    }
+
+    private static void Write(OutputFolder project, string name, string text) =>
+        project.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+
+    // The package keeps the pins of a hosting project in a manifest of its own; only the path differs.
+    private static string Manifest(string package)
+    {
+        JsonNode manifest = JsonNode.Parse(File.ReadAllText(Path.Combine(package, "Packages", "manifest.json")));
+        manifest["dependencies"][k_Package] = "file:" + package.Replace('\\', '/');
+        var options = new JsonSerializerOptions { WriteIndented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+        return manifest.ToJsonString(options) + "\n";
+    }
+
+    private static string FindPackage()
+    {
+        for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder != null; folder = folder.Parent)
+        {
+            string description = Path.Combine(folder.FullName, "package.json");
+            if (File.Exists(description) && (string)JsonNode.Parse(File.ReadAllText(description))?["name"] == k_Package)
+                return folder.FullName.TrimEnd(Path.DirectorySeparatorChar);
+        }
+
+        throw new UserException("The package's folder was not found above this program; run it from a checkout of the package.");
+    }
+}

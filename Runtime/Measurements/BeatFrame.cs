@@ -1,0 +1,28 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>A wing at one time of its beat.</summary>
+    public readonly struct BeatFrame
+    {
+        /// <summary>A frame of the given content; the array is kept, not copied.</summary>
+        public BeatFrame(float phase, quaternion root, float3[] positions)
+        {
+            Phase = phase;
+            Root = root;
+            Positions = positions;
+        }
+
+        /// <summary>Φ, radians.</summary>
+        public float Phase { get; }
+
+        /// <summary>Rotation by which the muscles turn the root of the leading edge out of its rest pose, about the hinge.</summary>
+        public quaternion Root { get; }
+
+        /// <summary>[vertex] Deformed positions, wing frame, wing lengths.</summary>
+        public float3[] Positions { get; }
+
+        /// <summary>A place of the wing as its root sees it: where it would be if the root stood still.</summary>
+        public float3 AtRoot(float3 position) => math.rotate(math.conjugate(Root), position);
+    }
+}

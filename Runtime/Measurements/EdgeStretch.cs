@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>How much the edges of a mesh are longer or shorter than at rest.</summary>
+    public sealed class EdgeStretch
+    {
+        private readonly Edge[] m_Edges;
+
+        /// <summary>Takes every edge of a mesh once; edges of no length are left out.</summary>
+        /// <param name="rest">[vertex] Rest positions, any unit.</param>
+        /// <param name="triangles">Three vertex indices a triangle.</param>
+        public EdgeStretch(float3[] rest, int[] triangles)
+        {
+            var edges = new List<Edge>();
+            var seen = new HashSet<long>();
+            for (int corner = 0; corner < triangles.Length; corner++)
+            {
+                int a = triangles[corner], b = triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+                float length = math.distance(rest[a], rest[b]);
+                if (length > 0f && seen.Add(((long)math.min(a, b) << 32) | (uint)math.max(a, b)))
+                    edges.Add(new Edge { a = a, b = b, length = length });
+            }
+
+            m_Edges = edges.ToArray();
+        }
+
+        /// <summary>Edges of the mesh.</summary>
+        public int Count => m_Edges.Length;
+
+        /// <summary>Writes |l/l₀ − 1| of every edge.</summary>
+        /// <param name="positions">[vertex] Deformed positions in the unit of the rest positions.</param>
+        /// <param name="stretches">[edge] Where to, <see cref="Count"/> entries.</param>
+        public void Measure(float3[] positions, Span<float> stretches)
+        {
+            for (int k = 0; k < m_Edges.Length; k++)
+                stretches[k] = math.abs(math.distance(positions[m_Edges[k].a], positions[m_Edges[k].b]) / m_Edges[k].length - 1f);
+        }
+
+        /// <summary>The value that the given share of all values does not exceed; sorts the values.</summary>
+        /// <param name="values">One or more.</param>
+        /// <param name="share">0 to 1; 1 is the largest value.</param>
+        public static float Percentile(float[] values, float share)
+        {
+            Array.Sort(values);
+            return values[math.clamp((int)math.ceil(share * values.Length) - 1, 0, values.Length - 1)];
+        }
+
+        private struct Edge
+        {
+            public int a, b;
+            public float length;
+        }
+    }
+}
