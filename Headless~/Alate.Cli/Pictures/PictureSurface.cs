@@ -10,6 +10,9 @@ internal sealed class PictureSurface
     /// <summary>Area on the picture below which a triangle of the mesh is painted as a whole.</summary>
     private const float k_LeastParted = 1.6f;
 
+    /// <summary>Triangles of a wing that is parted no further: enough that they are told apart by their depths.</summary>
+    private const int k_LeastTriangles = 6000;
+
     private readonly int[] m_Triangles;
     private readonly FineTriangles m_Fine;
     private readonly float3[] m_Colours;
@@ -23,7 +26,7 @@ internal sealed class PictureSurface
     public PictureSurface(float3[] rest, int[] triangles, Func<FineTriangles, float3[]> paint, bool isThin)
     {
         m_Triangles = triangles;
-        m_Fine = new FineTriangles(rest.Length, triangles);
+        m_Fine = new FineTriangles(rest.Length, triangles, isThin ? k_LeastTriangles : 0);
         m_Colours = paint(m_Fine);
         m_IsThin = isThin;
         m_Margin = isThin ? Margin(rest, triangles) : [];
@@ -37,13 +40,13 @@ internal sealed class PictureSurface
     /// <param name="shading">The light.</param>
     public void Paint(Painter painter, float3[] vertices, float3[] normals, List<float3> picture, Shading shading)
     {
-        float3[] places = m_Fine.Refine(vertices);
+        float3[] places = m_Fine.Refine(vertices), upright = m_Fine.Refine(normals);
         int first = picture.Count;
         picture.AddRange(places);
-        for (int k = 0; k < m_Triangles.Length / 3; k++)
+        for (int k = 0; k < m_Fine.Parents.Count; k++)
         {
-            float3 normal = Normal(k, normals);
-            var whole = new int3(m_Triangles[3 * k], m_Triangles[3 * k + 1], m_Triangles[3 * k + 2]);
+            int3 whole = m_Fine.Parents[k];
+            float3 normal = math.normalizesafe(upright[whole.x] + upright[whole.y] + upright[whole.z]);
             if (math.abs(Turn(whole, places)) < 2f * k_LeastParted)
             {
                 Paint(painter, whole, Mean(4 * k), normal, places, first, shading);
@@ -67,17 +70,13 @@ internal sealed class PictureSurface
         painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z]);
     }
 
-    private float3 Mean(int first) => Shading.ToEncoded(0.25f * (Shading.ToLinear(m_Colours[first]) + Shading.ToLinear(m_Colours[first + 1])
-        + Shading.ToLinear(m_Colours[first + 2]) + Shading.ToLinear(m_Colours[first + 3])));
+    private float3 Mean(int first) => 0.25f * (m_Colours[first] + m_Colours[first + 1] + m_Colours[first + 2] + m_Colours[first + 3]);
 
     private static float Turn(int3 corners, float3[] places)
     {
         float3 edge = places[corners.y] - places[corners.x], other = places[corners.z] - places[corners.x];
         return edge.x * other.y - edge.y * other.x;
     }
-
-    private float3 Normal(int triangle, float3[] normals) => math.normalizesafe(
-        normals[m_Triangles[3 * triangle]] + normals[m_Triangles[3 * triangle + 1]] + normals[m_Triangles[3 * triangle + 2]]);
 
     private float Depth(int triangle, float3[] vertices) => math.min(
         vertices[m_Triangles[3 * triangle]].z,

@@ -10,8 +10,8 @@ internal sealed class Shading
 {
     private const float k_Ambient = 0.42f, k_Key = 0.68f, k_Through = 0.42f, k_Rim = 0.16f, k_RimPower = 3f, k_Sky = 0.16f;
 
-    /// <summary>Steps of light, rim, paint and shown colour: small enough to look smooth, large enough that neighbouring triangles merge.</summary>
-    private const float k_LightStep = 0.07f, k_RimStep = 0.03f, k_PaintStep = 0.08f;
+    /// <summary>Steps of light, rim and shown colour: small enough to look smooth, large enough that neighbouring triangles merge.</summary>
+    private const float k_LightStep = 0.05f, k_RimStep = 0.03f;
     private const int k_ColourStep = 6;
 
     private static readonly float3 s_ThroughTint = new(1.1f, 0.98f, 0.82f);
@@ -23,8 +23,8 @@ internal sealed class Shading
         m_Key = camera.Direction(-0.45f, 0.8f, 0.55f);
     }
 
-    /// <summary>The shade of a surface.</summary>
-    /// <param name="colour">sRGB, 0 to 1.</param>
+    /// <summary>The shade of a surface, sRGB in six hexadecimal digits.</summary>
+    /// <param name="colour">Linear light, 0 to 1.</param>
     /// <param name="normal">Unit vector on the body; which side it points to does not matter.</param>
     /// <param name="isThin">A wing, which light passes; else a body.</param>
     public int Shade(float3 colour, float3 normal, bool isThin)
@@ -35,8 +35,7 @@ internal sealed class Shading
         float through = isThin ? Stepped(k_Through * math.max(-key, 0f), k_LightStep) : 0f;
         float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), k_RimStep);
         float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), k_LightStep);
-        float3 linear = ToLinear(k_PaintStep * math.round(colour / k_PaintStep));
-        float3 lit = linear * (light + through * s_ThroughTint) + rim * (0.4f * linear + 0.25f);
+        float3 lit = colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f);
         return Quantised(ToEncoded(lit));
     }
 
