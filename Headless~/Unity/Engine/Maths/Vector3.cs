@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-public struct Vector3 : IEquatable<Vector3>
+public struct Vector3 : IEquatable<Vector3>, IFormattable
 {
     public const float kEpsilon = 0.00001f;
 
@@ -22,6 +22,11 @@ public struct Vector3 : IEquatable<Vector3>
     public static Vector3 right => new(1f, 0f, 0f);
     public static Vector3 up => new(0f, 1f, 0f);
     public static Vector3 forward => new(0f, 0f, 1f);
+    public static Vector3 left => new(-1f, 0f, 0f);
+    public static Vector3 down => new(0f, -1f, 0f);
+    public static Vector3 back => new(0f, 0f, -1f);
+    public static Vector3 positiveInfinity => new(float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity);
+    public static Vector3 negativeInfinity => new(float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity);
 
     public float sqrMagnitude => x * x + y * y + z * z;
     public float magnitude => MathF.Sqrt(sqrMagnitude);
@@ -58,6 +63,24 @@ public struct Vector3 : IEquatable<Vector3>
     public static Vector3 Min(Vector3 lhs, Vector3 rhs) => new(MathF.Min(lhs.x, rhs.x), MathF.Min(lhs.y, rhs.y), MathF.Min(lhs.z, rhs.z));
     public static Vector3 Max(Vector3 lhs, Vector3 rhs) => new(MathF.Max(lhs.x, rhs.x), MathF.Max(lhs.y, rhs.y), MathF.Max(lhs.z, rhs.z));
     public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + (b - a) * Mathf.Clamp01(t);
+    public static Vector3 LerpUnclamped(Vector3 a, Vector3 b, float t) => a + (b - a) * t;
+    public static Vector3 Scale(Vector3 a, Vector3 b) => new(a.x * b.x, a.y * b.y, a.z * b.z);
+    public static Vector3 Reflect(Vector3 inDirection, Vector3 inNormal) => inDirection - 2f * Dot(inNormal, inDirection) * inNormal;
+    public static Vector3 ProjectOnPlane(Vector3 vector, Vector3 planeNormal) => vector - Project(vector, planeNormal);
+
+    public static Vector3 ClampMagnitude(Vector3 vector, float maxLength) =>
+        vector.sqrMagnitude > maxLength * maxLength ? vector * (maxLength / vector.magnitude) : vector;
+
+    public static Vector3 MoveTowards(Vector3 current, Vector3 target, float maxDistanceDelta)
+    {
+        Vector3 way = target - current;
+        float length = way.magnitude;
+        return length == 0f || (maxDistanceDelta >= 0f && length <= maxDistanceDelta) ? target : current + way * (maxDistanceDelta / length);
+    }
+
+    public static float SignedAngle(Vector3 from, Vector3 to, Vector3 axis) =>
+        Angle(from, to) * Mathf.Sign(Dot(axis, Cross(from, to)));
+
     public static Vector3 Project(Vector3 vector, Vector3 onNormal)
     {
         float square = Dot(onNormal, onNormal);
@@ -76,8 +99,14 @@ public struct Vector3 : IEquatable<Vector3>
         return length < 1e-15f ? 0f : MathF.Acos(Mathf.Clamp(Dot(from, to) / length, -1f, 1f)) * Mathf.Rad2Deg;
     }
 
+    public void Normalize() => this = Normalize(this);
+    public void Scale(Vector3 scale) => this = Scale(this, scale);
+    public void Set(float newX, float newY, float newZ) => this = new Vector3(newX, newY, newZ);
+
     public bool Equals(Vector3 other) => x == other.x && y == other.y && z == other.z;
     public override bool Equals(object other) => other is Vector3 v && Equals(v);
     public override int GetHashCode() => HashCode.Combine(x, y, z);
-    public override string ToString() => $"({x:F2}, {y:F2}, {z:F2})";
+    public override string ToString() => ToString(null, null);
+    public string ToString(string format) => ToString(format, null);
+    public string ToString(string format, IFormatProvider formatProvider) => Numbers.Tuple(format, "F2", formatProvider, x, y, z);
 }

@@ -13,11 +13,6 @@ public sealed partial class Mesh : Object
     private Bounds _bounds;
     private bool _readable = true;
 
-    public Mesh()
-    {
-        MainThread.Check("Mesh");
-    }
-
     public bool isReadable
     {
         get
@@ -88,8 +83,6 @@ public sealed partial class Mesh : Object
             _indices = _indices.Clone(),
             _bounds = _bounds,
             _readable = _readable,
-            _boneWeights = _boneWeights,
-            _bindposes = _bindposes,
         };
     }
 
