@@ -103,7 +103,9 @@ internal sealed class BeatStrip
         foreach (PaintedLayer layer in painter.Layers())
             DrawLayer(layer, picture);
         Line($"</g>");
-        Line($"<text x=\"{panel.Left + 0.5f * panel.Width}\" y=\"{panel.Top + panel.Height + 10f}\" font-size=\"17\" text-anchor=\"middle\">{index * 360 / (k_Columns * k_Rows)}°</text>");
+        float middle = panel.Left + 0.5f * panel.Width, below = panel.Top + panel.Height + 10f;
+        int phase = index * 360 / (k_Columns * k_Rows);
+        Line($"<text x=\"{middle}\" y=\"{below}\" font-size=\"17\" text-anchor=\"middle\">{phase}°</text>");
     }
 
     private void DrawLayer(PaintedLayer layer, List<float3> picture)
@@ -122,7 +124,9 @@ internal sealed class BeatStrip
     private string Caption()
     {
         double frequency = m_Flight.Wings[0].Frequency;
-        return string.Create(CultureInfo.InvariantCulture, $"one beat, {1000.0 / frequency:0.#} ms at {frequency:0.#} Hz, flying {m_Flight.Plan.BodySpeed:0.##} m/s");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"one beat, {1000.0 / frequency:0.#} ms at {frequency:0.#} Hz, flying {m_Flight.Plan.BodySpeed:0.##} m/s");
     }
 
     private void Line(FormattableString text) => m_Svg.Append(text.ToString(CultureInfo.InvariantCulture)).Append('\n');
