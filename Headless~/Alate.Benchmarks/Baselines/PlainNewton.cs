@@ -44,8 +44,13 @@ internal sealed class PlainNewton
     {
         for (var k = 1; k <= iterations; k++)
         {
-            Assemble();
-            Factorise();
+            Assemble(convex: false);
+            if (!Factorise())
+            {
+                Assemble(convex: true);
+                Factorise();
+            }
+
             Solve();
             Search();
             var largest = 0f;
@@ -58,7 +63,7 @@ internal sealed class PlainNewton
         return iterations;
     }
 
-    private void Assemble()
+    private void Assemble(bool convex)
     {
         foreach (var row in m_Hessian)
             Array.Clear(row);
@@ -78,10 +83,13 @@ internal sealed class PlainNewton
             var force = m_Stiffness * (length - spring.length) * axis;
             AddForce(spring.a, force);
             AddForce(spring.b, -force);
-            AddBlock(m_Rows[spring.a], m_Rows[spring.a], axis, 1f, spring.length / length);
-            AddBlock(m_Rows[spring.b], m_Rows[spring.b], axis, 1f, spring.length / length);
-            AddBlock(m_Rows[spring.a], m_Rows[spring.b], axis, -1f, spring.length / length);
-            AddBlock(m_Rows[spring.b], m_Rows[spring.a], axis, -1f, spring.length / length);
+            var transversal = 1f - spring.length / length;
+            if (convex)
+                transversal = MathF.Max(transversal, 0f);
+            AddBlock(m_Rows[spring.a], m_Rows[spring.a], axis, m_Stiffness, transversal);
+            AddBlock(m_Rows[spring.b], m_Rows[spring.b], axis, m_Stiffness, transversal);
+            AddBlock(m_Rows[spring.a], m_Rows[spring.b], axis, -m_Stiffness, transversal);
+            AddBlock(m_Rows[spring.b], m_Rows[spring.a], axis, -m_Stiffness, transversal);
         }
     }
 
@@ -92,7 +100,7 @@ internal sealed class PlainNewton
     }
 
     // k [d dᵀ + (1 − L/l)(I − d dᵀ)]
-    private void AddBlock(int row, int column, Vector3 axis, float sign, float relativeLength)
+    private void AddBlock(int row, int column, Vector3 axis, float stiffness, float transversal)
     {
         if (row < 0 || column < 0)
             return;
@@ -101,12 +109,13 @@ internal sealed class PlainNewton
             for (var c = 0; c < 3; c++)
             {
                 var along = axis[r] * axis[c];
-                m_Hessian[row + r][column + c] += sign * m_Stiffness * (along + (1f - relativeLength) * ((r == c ? 1f : 0f) - along));
+                m_Hessian[row + r][column + c] += stiffness * (along + transversal * ((r == c ? 1f : 0f) - along));
             }
         }
     }
 
-    private void Factorise()
+    /// <returns>Whether the Hessian is positive definite.</returns>
+    private bool Factorise()
     {
         for (var r = 0; r < m_Size; r++)
         {
@@ -117,9 +126,13 @@ internal sealed class PlainNewton
                 var sum = row[c];
                 for (var k = 0; k < c; k++)
                     sum -= row[k] * column[k];
-                row[c] = r == c ? MathF.Sqrt(MathF.Max(sum, 1e-6f)) : sum / column[c];
+                if (r == c && sum <= 0f)
+                    return false;
+                row[c] = r == c ? MathF.Sqrt(sum) : sum / column[c];
             }
         }
+
+        return true;
     }
 
     private void Solve()

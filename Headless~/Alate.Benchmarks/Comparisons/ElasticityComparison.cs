@@ -32,7 +32,6 @@ internal sealed unsafe class ElasticityComparison
     {
         Lanes(k_Converged);
         Dense(k_Converged);
-        for (int it=1; it<=6; it++) { Lanes(it); Dense(it); for (int lane=0;lane<4;lane++) { double d=0; bool no=false,np=false; for (int j=0;j<m_Start.Length;j++) { var o=PlainRig.Plain(m_Pack.scratch.positions[j][lane]); var p=m_Plain[lane].positions[j]; d=Math.Max(d,(o-p).Length()); no|=float.IsNaN(o.X); np|=float.IsNaN(p.X);} report.Line($"{it} lane {lane} diff {d:G3} nan ours {no} plain {np}"); } }
         report.Check("dense Newton gives the batched one's positions", LargestDifference(), 1e-4);
         const double units = 1000 * k_Iterations * WingPack.Lanes;
         var time = Race.Run(

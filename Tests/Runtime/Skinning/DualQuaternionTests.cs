@@ -13,7 +13,8 @@ namespace Alate.Tests
             foreach (float sign in new[] { 1f, -1f })
             {
                 var turned = new DualQuaternion { real = sign * b.real, dual = sign * b.dual };
-                var blend = new CellBlend(a, turned, a, turned);
+                CellBlend blend = default;
+                blend.Set(a, turned, a, turned);
                 AssertPoint(blend, 0.7f);
             }
         }
@@ -36,7 +37,7 @@ namespace Alate.Tests
             var target = new SkinTarget { vertices = vertices };
             target.rig.skinQuads = &quad;
             SoaBounds bounds = SoaBounds.Empty;
-            DualQuaternionSkinning.Cell(blend, target, 0, 1, &bounds);
+            DualQuaternionSkinning.Cell(&blend, target, 0, 1, &bounds);
             for (int lane = 0; lane < 4; lane++)
             {
                 Assert.That(vertices[lane].position.x, Is.EqualTo(0.457896).Within(Lanes.CheckTolerance));

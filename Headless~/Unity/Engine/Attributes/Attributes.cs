@@ -9,7 +9,10 @@ public sealed class SerializeField : Attribute;
 public sealed class HideInInspector : Attribute;
 
 [AttributeUsage(AttributeTargets.Field)]
-public abstract class PropertyAttribute : Attribute;
+public abstract class PropertyAttribute : Attribute
+{
+    public int order { get; set; }
+}
 
 [AttributeUsage(AttributeTargets.Field)]
 public sealed class RangeAttribute(float min, float max) : PropertyAttribute
