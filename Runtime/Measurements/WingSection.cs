@@ -41,9 +41,9 @@ namespace Alate
             }
 
             places.Sort((one, other) => other.forward.CompareTo(one.forward));
-            for (int k = places.Count - 2; k > 0; k--)
+            for (int k = places.Count - 1; k > 0; k--)
             {
-                if (places[k].forward - places[k + 1].forward < k_SamePlace)
+                if (places[k - 1].forward - places[k].forward < k_SamePlace)
                     places.RemoveAt(k);
             }
 

@@ -15,7 +15,7 @@ internal sealed class FlyOptions
     private readonly Option<double?> m_Seconds = Numbers.Optional(
         "--seconds", "S", 0, 3600, "Simulated time, seconds, one beat to an hour; its last beat is reported. [default: 8 beats]");
 
-    private readonly Option<double[]> m_Wind = Numbers.Vector("--wind", "X,Y,Z", 100, "Wind, metres per second: to the right, up, ahead.");
+    private readonly Option<double[]> m_Wind = Numbers.Vector("--wind", "X,Y,Z", 100, "Wind, metres per second: to the right, up, ahead. [default: 0,0,0]");
 
     private readonly Option<double?> m_Lag = Numbers.Optional(
         "--lag", "LAMBDA", 0, 2, "Delay of the trailing edge, half beats, 0 to 2. [default: the species']");
@@ -81,7 +81,7 @@ internal sealed class FlyOptions
             Climb = parsed.GetValue(m_Climb),
             PitchDegrees = parsed.GetValue(m_Pitch),
             Seconds = parsed.GetValue(m_Seconds),
-            Wind = parsed.GetValue(m_Wind),
+            Wind = parsed.GetValue(m_Wind) is { Length: 3 } wind ? wind : [0, 0, 0],
             Lag = parsed.GetValue(m_Lag),
             Elasticity = parsed.GetValue(m_Elasticity),
             Substeps = parsed.GetValue(m_Substeps),

@@ -19,6 +19,8 @@ internal sealed class WingsGlb
     private readonly GlbBuffer m_Buffer = new();
     private readonly JsonArray m_Nodes = [];
     private readonly JsonArray m_Meshes = [];
+    private readonly JsonArray m_Materials = [];
+    private readonly Dictionary<bool, int> m_MaterialOfPainted = [];
     private readonly List<int> m_WingNodes = [];
 
     public static void Write(FlightRecord flight, Stream stream)
@@ -68,7 +70,7 @@ internal sealed class WingsGlb
         {
             ["attributes"] = attributes,
             ["indices"] = m_Buffer.AddIndices(indices, positions.Length),
-            ["material"] = colours == null ? 1 : 0,
+            ["material"] = MaterialOf(colours != null),
             ["mode"] = 4,
         };
     }
@@ -93,7 +95,7 @@ internal sealed class WingsGlb
             ["scenes"] = new JsonArray(new JsonObject { ["name"] = flight.Insect.DisplayName, ["nodes"] = new JsonArray(parts) }),
             ["nodes"] = m_Nodes,
             ["meshes"] = m_Meshes,
-            ["materials"] = new JsonArray(Material("painted", 1.0, 1.0, 1.0), Material("plain", 0.75, 0.72, 0.62)),
+            ["materials"] = m_Materials,
             ["animations"] = animations,
             ["accessors"] = m_Buffer.Accessors,
             ["bufferViews"] = m_Buffer.Views,
@@ -123,15 +125,25 @@ internal sealed class WingsGlb
         return new JsonObject { ["name"] = "beat", ["samplers"] = new JsonArray(sampler), ["channels"] = channels };
     }
 
-    private static JsonObject Material(string name, double red, double green, double blue) => new()
+    // Vertex colours multiply the material's, so that it is white under them; a membrane without any is pale.
+    private int MaterialOf(bool isPainted)
     {
-        ["name"] = name,
-        ["doubleSided"] = true,
-        ["pbrMetallicRoughness"] = new JsonObject
+        if (m_MaterialOfPainted.TryGetValue(isPainted, out int material))
+            return material;
+        m_Materials.Add(new JsonObject
         {
-            ["baseColorFactor"] = new JsonArray(red, green, blue, 1.0), ["metallicFactor"] = 0.0, ["roughnessFactor"] = 0.75,
-        },
-    };
+            ["name"] = isPainted ? "painted" : "membrane",
+            ["doubleSided"] = true,
+            ["pbrMetallicRoughness"] = new JsonObject
+            {
+                ["baseColorFactor"] = isPainted ? new JsonArray(1.0, 1.0, 1.0, 1.0) : new JsonArray(0.62, 0.57, 0.41, 1.0),
+                ["metallicFactor"] = 0.0,
+                ["roughnessFactor"] = 0.75,
+            },
+        });
+        m_MaterialOfPainted.Add(isPainted, m_Materials.Count - 1);
+        return m_Materials.Count - 1;
+    }
 
     private static (float3[] Positions, float3[] Normals) Shape(RecordedWing wing, int key)
     {

@@ -73,7 +73,7 @@ internal sealed class OutputFolder : IDisposable
         }
         catch (Exception problem) when (IsOfFiles(problem))
         {
-            throw new UserException($"Cannot write '{file}': {problem.Message}");
+            throw new UserException($"Cannot write '{file}': {Reason(problem)}");
         }
     }
 
@@ -122,6 +122,8 @@ internal sealed class OutputFolder : IDisposable
     {
         if (Directory.Exists(folder))
             return;
+        if (File.Exists(folder))
+            throw new IOException($"{folder} is a file, not a folder.");
         string parent = Path.GetDirectoryName(folder);
         if (!string.IsNullOrEmpty(parent))
             Make(parent);
@@ -137,9 +139,17 @@ internal sealed class OutputFolder : IDisposable
         }
         catch (Exception problem) when (IsOfFiles(problem))
         {
-            throw new UserException($"Cannot write into '{m_Given}': {problem.Message}");
+            throw new UserException($"Cannot write into '{m_Given}': {Reason(problem)}");
         }
     }
+
+    // What some file systems say of a file that cannot be made is that it cannot be found.
+    private static string Reason(Exception problem) => problem switch
+    {
+        FileNotFoundException or DirectoryNotFoundException => "no file can be made there.",
+        ArgumentException => "that is no name of a folder.",
+        _ => problem.Message,
+    };
 
     private static void Quietly(Action action)
     {
