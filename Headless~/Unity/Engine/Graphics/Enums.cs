@@ -17,4 +17,12 @@ namespace UnityEngine.Rendering
         UInt16 = 0,
         UInt32 = 1,
     }
+
+    public enum ShadowCastingMode
+    {
+        Off = 0,
+        On = 1,
+        TwoSided = 2,
+        ShadowsOnly = 3,
+    }
 }
