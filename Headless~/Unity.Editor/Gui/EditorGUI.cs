@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-public sealed class EditorGUI
+public sealed partial class EditorGUI
 {
     public static int indentLevel { get; set; }
     public static bool showMixedValue { get; set; }

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-public sealed class EditorGUILayout
+public sealed partial class EditorGUILayout
 {
     public static bool PropertyField(
         SerializedProperty property,

@@ -15,7 +15,6 @@ public sealed class EditorGUIUtility : GUIUtility
     public static float pixelsPerPoint { get; }
     public static bool wideMode { get; set; }
     public static bool hierarchyMode { get; set; }
-    public static new string systemCopyBuffer { get; set; }
 
     public static GUIContent IconContent(string name) => throw Absent.Editor;
     public static GUIContent IconContent(string name, string text) => throw Absent.Editor;

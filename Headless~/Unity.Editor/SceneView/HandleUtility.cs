@@ -8,7 +8,6 @@ public sealed class HandleUtility
 
     public static float GetHandleSize(Vector3 position) => throw Absent.Editor;
     public static float DistanceToLine(Vector3 p1, Vector3 p2) => throw Absent.Editor;
-    public static float DistanceToCircle(CameraProjectionCache projection, Vector3 position, float radius) => throw Absent.Editor;
     public static float DistanceToCircle(Vector3 position, float radius) => throw Absent.Editor;
     public static float DistanceToPolyLine(params Vector3[] points) => throw Absent.Editor;
     public static float DistancePointLine(Vector3 point, Vector3 lineStart, Vector3 lineEnd) => throw Absent.Editor;

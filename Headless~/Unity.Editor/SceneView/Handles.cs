@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace UnityEditor;
 
-public sealed class Handles
+public sealed partial class Handles
 {
     public delegate void CapFunction(int controlID, Vector3 position, Quaternion rotation, float size, EventType eventType);
 

@@ -1,6 +1,7 @@
 using System;
 using NUnit.Framework;
 using NUnit.Framework.Constraints;
+using Unity.StandIns;
 
 namespace UnityEngine.TestTools.Constraints;
 
@@ -9,6 +10,8 @@ public class AllocatingGCMemoryConstraint : Constraint
 {
     public override string Description => "allocates GC memory";
 
+    // Unity's NUnit takes an object.
+    [StandInExtension]
     public override ConstraintResult ApplyTo<TActual>(TActual actual)
     {
         ArgumentNullException.ThrowIfNull(actual);

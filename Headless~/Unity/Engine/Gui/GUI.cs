@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public class GUI
+public partial class GUI
 {
     public static Color color { get; set; }
     public static Color backgroundColor { get; set; }
