@@ -1,10 +1,37 @@
+using System;
+
 namespace UnityEngine;
 
 public class ScriptableObject : Object
 {
-    public static T CreateInstance<T>() where T : ScriptableObject
+    private bool _ended;
+
+    public static T CreateInstance<T>() where T : ScriptableObject => (T)CreateInstance(typeof(T));
+
+    public static ScriptableObject CreateInstance(Type type)
     {
-        var instance = (T)System.Activator.CreateInstance(typeof(T), nonPublic: true);
+        if (!typeof(ScriptableObject).IsAssignableFrom(type) || type.IsAbstract)
+            throw new ArgumentException($"{type.Name} is not a ScriptableObject that can be created.", nameof(type));
+        var instance = (ScriptableObject)Activator.CreateInstance(type, nonPublic: true);
+        instance.Begin();
         return instance;
+    }
+
+    internal void Begin()
+    {
+        var messages = new BehaviourMessages(this);
+        messages.Send(messages.Awake);
+        messages.Send(messages.OnEnable);
+    }
+
+    internal void End()
+    {
+        if (_ended)
+            return;
+        _ended = true;
+        var messages = new BehaviourMessages(this);
+        messages.Send(messages.OnDisable);
+        messages.Send(messages.OnDestroy);
+        MarkDestroyed();
     }
 }

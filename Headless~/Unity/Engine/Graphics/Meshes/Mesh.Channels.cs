@@ -8,7 +8,7 @@ namespace UnityEngine;
 
 public sealed partial class Mesh
 {
-    private static string Name(VertexAttribute channel) => channel switch
+    private static string ChannelName(VertexAttribute channel) => channel switch
     {
         VertexAttribute.Position => "vertices",
         VertexAttribute.TexCoord0 => "uv",
@@ -17,12 +17,12 @@ public sealed partial class Mesh
     };
 
     private T[] ReadChannel<T>(VertexAttribute channel) where T : unmanaged =>
-        CanAccess(Name(channel)) ? _buffer.ReadAll<T>(channel) : [];
+        CanAccess(ChannelName(channel)) ? _buffer.ReadAll<T>(channel) : [];
 
     private void WriteChannel<T>(VertexAttribute channel, ReadOnlySpan<T> values, VertexAttributeFormat format, int dimension)
         where T : unmanaged
     {
-        if (!CanAccess(Name(channel)) || !Resize(channel, values.Length))
+        if (!CanAccess(ChannelName(channel)) || !Resize(channel, values.Length))
             return;
         if (values.Length == 0 && channel != VertexAttribute.Position)
         {
@@ -45,7 +45,7 @@ public sealed partial class Mesh
         where T : struct
     {
         if (System.Runtime.CompilerServices.Unsafe.SizeOf<T>() != floats * 4)
-            throw new ArgumentException($"{Name(channel)} of a NativeArray must be structs of {floats * 4} bytes ({floats} floats).");
+            throw new ArgumentException($"{ChannelName(channel)} of a NativeArray must be structs of {floats * 4} bytes ({floats} floats).");
         ReadOnlySpan<float> all = MemoryMarshal.Cast<T, float>(values.GetSubArray(start, length).AsReadOnlySpan());
         switch (floats)
         {
@@ -74,7 +74,7 @@ public sealed partial class Mesh
         if (count == 0 || count == _buffer.Count)
             return true;
         Debug.LogError(
-            $"Mesh.{Name(channel)} is out of bounds. The supplied array needs to be the same size as the Mesh.vertices array.", this);
+            $"Mesh.{ChannelName(channel)} is out of bounds. The supplied array needs to be the same size as the Mesh.vertices array.", this);
         return false;
     }
 

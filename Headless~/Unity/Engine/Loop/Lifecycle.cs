@@ -1,0 +1,205 @@
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>When objects hear that they awake, start, go to sleep and end.</summary>
+internal static class Lifecycle
+{
+    /// <summary>A component was added by script.</summary>
+    public static void Added(Component component)
+    {
+        if (component is not MonoBehaviour behaviour)
+            return;
+        if (behaviour.Owner.ActiveFlag)
+            Activate(behaviour);
+        if (Application.isPlaying || behaviour.IsDestroyed)
+            return;
+        behaviour.Messages.Send("Reset");
+        behaviour.Messages.Send("OnValidate");
+    }
+
+    /// <summary>Awake if it has not, and OnEnable if it is enabled. Whoever throws in Awake is disabled.</summary>
+    public static void Activate(MonoBehaviour behaviour)
+    {
+        if (behaviour.IsDestroyed || !behaviour.Owner.ActiveFlag || !behaviour.HearsMessages)
+            return;
+        if (!behaviour.Awoken)
+        {
+            behaviour.Awoken = true;
+            if (!behaviour.Messages.Send(behaviour.Messages.Awake))
+                behaviour.SetEnabledQuietly(false);
+        }
+
+        if (behaviour.IsDestroyed || behaviour.Live || !behaviour.EnabledFlag || !behaviour.Owner.ActiveFlag)
+            return;
+        behaviour.Live = true;
+        BehaviourList.Add(behaviour);
+        behaviour.Messages.Send(behaviour.Messages.OnEnable);
+    }
+
+    public static void Start(MonoBehaviour behaviour)
+    {
+        if (behaviour.Started || !behaviour.Live)
+            return;
+        behaviour.Started = true;
+        behaviour.Messages.Send(behaviour.Messages.Start);
+        if (behaviour.Live && behaviour.Messages.StartRoutine is { } routine)
+            behaviour.StartCoroutine(routine());
+    }
+
+    public static void Deactivate(MonoBehaviour behaviour)
+    {
+        if (!behaviour.Live)
+            return;
+        behaviour.Live = false;
+        BehaviourList.Remove(behaviour);
+        behaviour.Messages.Send(behaviour.Messages.OnDisable);
+    }
+
+    /// <summary>Lets a change of activity run down the hierarchy.</summary>
+    public static void UpdateActivity(Transform top)
+    {
+        var awaking = new List<MonoBehaviour>();
+        var sleeping = new List<MonoBehaviour>();
+        Collect(top, awaking, sleeping);
+        foreach (MonoBehaviour behaviour in sleeping)
+        {
+            Deactivate(behaviour);
+            behaviour.StopAllCoroutines();
+        }
+
+        Activate(awaking);
+    }
+
+    /// <summary>Behaviours that come to life together, as of a scene or a copy.</summary>
+    public static void Activate(List<MonoBehaviour> batch)
+    {
+        batch.RemoveAll(b => b.Live);
+        BehaviourList.Sort(batch);
+        foreach (MonoBehaviour behaviour in batch)
+            Activate(behaviour);
+    }
+
+    public static void ParentChanged(Transform child)
+    {
+        foreach (MonoBehaviour behaviour in child.Owner.GetComponentsInChildren<MonoBehaviour>())
+        {
+            if (behaviour.HearsMessages)
+                behaviour.Messages.Send("OnTransformParentChanged");
+        }
+    }
+
+    /// <summary>Ends an object at once.</summary>
+    public static void Destroy(Object doomed)
+    {
+        switch (doomed)
+        {
+            case GameObject gameObject:
+                Destroy(gameObject);
+                break;
+            case Transform transform:
+                Debug.LogError($"Can't destroy Transform component of '{transform.name}'. Destroy the game object instead.", transform);
+                break;
+            case Component component:
+                Destroy(component);
+                break;
+            case ScriptableObject asset:
+                asset.End();
+                break;
+            default:
+                doomed.MarkDestroyed();
+                break;
+        }
+    }
+
+    private static void Destroy(GameObject gameObject)
+    {
+        if (gameObject.Dying)
+            return;
+        var parts = new List<Transform>();
+        CollectHierarchy(gameObject.transform, parts);
+        foreach (Transform part in parts)
+            part.Owner.Dying = true;
+
+        var behaviours = new List<MonoBehaviour>();
+        foreach (Transform part in parts)
+        {
+            foreach (Component component in part.Owner.Components)
+            {
+                if (component is MonoBehaviour behaviour)
+                    behaviours.Add(behaviour);
+            }
+        }
+
+        foreach (MonoBehaviour behaviour in behaviours)
+            Deactivate(behaviour);
+        foreach (MonoBehaviour behaviour in behaviours)
+            SendOnDestroy(behaviour);
+
+        gameObject.transform.Unlink();
+        foreach (Transform part in parts)
+        {
+            foreach (Component component in part.Owner.Components)
+                component.MarkDestroyed();
+            part.Owner.MarkDestroyed();
+        }
+    }
+
+    private static void Destroy(Component component)
+    {
+        GameObject owner = component.Owner;
+        if (owner.Dying)
+            return;
+        if (owner.Dependent(component) is { } dependent)
+        {
+            Debug.LogError($"Can't remove {component.GetType().Name} because {dependent.GetType().Name} depends on it", component);
+            return;
+        }
+
+        if (component is MonoBehaviour behaviour)
+        {
+            Deactivate(behaviour);
+            SendOnDestroy(behaviour);
+        }
+
+        owner.Forget(component);
+        component.MarkDestroyed();
+    }
+
+    private static void SendOnDestroy(MonoBehaviour behaviour)
+    {
+        if (!behaviour.Awoken || !behaviour.HearsMessages)
+            return;
+        behaviour.Awoken = false;
+        behaviour.Messages.Send(behaviour.Messages.OnDestroy);
+    }
+
+    private static void Collect(Transform part, List<MonoBehaviour> awaking, List<MonoBehaviour> sleeping)
+    {
+        if (!part.Owner.InheritActivity())
+            return;
+        foreach (Component component in part.Owner.Components)
+        {
+            if (component is MonoBehaviour behaviour)
+                (part.Owner.ActiveFlag ? awaking : sleeping).Add(behaviour);
+        }
+
+        foreach (Transform child in part.Children)
+            Collect(child, awaking, sleeping);
+    }
+
+    /// <summary>Sets activity down the hierarchy; nobody is told.</summary>
+    public static void InheritQuietly(Transform top)
+    {
+        top.Owner.InheritActivity();
+        foreach (Transform child in top.Children)
+            InheritQuietly(child);
+    }
+
+    private static void CollectHierarchy(Transform top, List<Transform> parts)
+    {
+        parts.Add(top);
+        foreach (Transform child in top.Children)
+            CollectHierarchy(child, parts);
+    }
+}
