@@ -23,9 +23,9 @@ namespace Alate
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 if (joint % joints < joints - 1)
-                    scratch.alongEdges[joint] = Halfway(pack, scratch, joint, joint + 1);
+                    Halfway(scratch.alongEdges + joint, pack, scratch, joint, joint + 1);
                 if (joint + joints < pack.rig.jointCount)
-                    scratch.acrossEdges[joint] = Halfway(pack, scratch, joint, joint + joints);
+                    Halfway(scratch.acrossEdges + joint, pack, scratch, joint, joint + joints);
             }
         }
 
@@ -88,10 +88,11 @@ namespace Alate
         }
 
         // The sheet halfway along an edge of a cell.
-        private static SoaFloat3 Halfway(in WingPack pack, in StepScratch scratch, int a, int b)
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private static void Halfway(SoaFloat3* middle, in WingPack pack, in StepScratch scratch, int a, int b)
         {
             float3 half = 0.5f * (pack.rig.restJoints[b] - pack.rig.restJoints[a]);
-            return (Image(scratch, a, half) + Image(scratch, b, -half)) * 0.5f;
+            *middle = (Image(scratch, a, half) + Image(scratch, b, -half)) * 0.5f;
         }
 
         // The sheet in the middle of a cell.
