@@ -19,7 +19,7 @@ internal sealed class BeatStrip
     private const float k_TestFineness = 1.5f;
 
     private const string k_Style =
-        "<style>text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}"
+        "<style>text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}.t{fill:#8a8272}"
         + ".f{fill:currentColor;stroke:currentColor;stroke-width:2;stroke-linejoin:round}"
         + ".l{fill:none;stroke:currentColor;stroke-width:3.5;stroke-linejoin:round;stroke-linecap:round}</style>\n";
 
@@ -103,7 +103,14 @@ internal sealed class BeatStrip
         foreach (PaintedLayer layer in painter.Layers())
             DrawLayer(layer, picture);
         Line($"</g>");
-        Line($"<text x=\"{panel.Left + 0.5f * panel.Width}\" y=\"{panel.Top + panel.Height + 10f}\" font-size=\"17\" text-anchor=\"middle\">{index * 360 / (k_Columns * k_Rows)}°</text>");
+        DrawLabel(index / (double)(k_Columns * k_Rows), panel.Left + 0.5f * panel.Width, panel.Top + panel.Height + 10f);
+    }
+
+    private void DrawLabel(double turns, float middle, float bottom)
+    {
+        const float k_Gap = 5f;
+        Line($"<text x=\"{middle - k_Gap}\" y=\"{bottom}\" font-size=\"17\" text-anchor=\"end\">{360.0 * turns:0}°</text>");
+        Line($"<text class=\"t\" x=\"{middle + k_Gap}\" y=\"{bottom}\" font-size=\"13\">{1000.0 * turns / m_Flight.Wings[0].Frequency:0.0} ms</text>");
     }
 
     private void DrawLayer(PaintedLayer layer, List<float3> picture)
@@ -122,7 +129,9 @@ internal sealed class BeatStrip
     private string Caption()
     {
         double frequency = m_Flight.Wings[0].Frequency;
-        return string.Create(CultureInfo.InvariantCulture, $"one beat, {1000.0 / frequency:0.#} ms at {frequency:0.#} Hz, flying {m_Flight.Plan.BodySpeed:0.##} m/s");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"one beat, {1000.0 / frequency:0.#} ms at {frequency:0.#} Hz, flying {m_Flight.Plan.BodySpeed:0.##} m/s");
     }
 
     private void Line(FormattableString text) => m_Svg.Append(text.ToString(CultureInfo.InvariantCulture)).Append('\n');

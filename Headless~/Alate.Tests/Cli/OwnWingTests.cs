@@ -19,7 +19,7 @@ namespace Alate.Tests.Cli
             Assert.That(summary.GetProperty("species").GetString(), Is.EqualTo("wing"));
             Assert.That(summary.GetProperty("twist_pp_deg").GetDouble(), Is.InRange(5, 90));
             Assert.That(summary.GetProperty("resets").GetInt32(), Is.Zero);
-            new GlbFile(File.ReadAllBytes(Path.Combine(run.Out, "wings.glb"))).AssertValid();
+            AssertReadable(run);
         }
 
         [Test]
@@ -33,11 +33,19 @@ namespace Alate.Tests.Cli
 
             double[] one = Places(right), other = Places(left);
             Assert.That(other, Is.EqualTo(one).Within(1e-6), "a left wing's mesh makes the same insect");
-            new GlbFile(File.ReadAllBytes(Path.Combine(left.Out, "wings.glb"))).AssertValid();
+            AssertReadable(left);
+        }
+
+        private static void AssertReadable(CommandRun run)
+        {
+            var file = new GlbFile(File.ReadAllBytes(Path.Combine(run.Out, "wings.glb")));
+            for (int k = 0; k < file.AccessorCount; k++)
+                Assert.That(file.Read(k), Is.All.InRange(-1e6, 1e6));
         }
 
         private static double[] Places(CommandRun run) => File.ReadAllLines(Path.Combine(run.Out, "joints.csv")).Skip(1)
-            .SelectMany(line => line.Split(',').Skip(6).Take(3)).Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();
+            .SelectMany(line => line.Split(',').Skip(6).Take(3))
+            .Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();
 
         private static JsonElement Fly(CommandRun run, WingSide side)
         {
