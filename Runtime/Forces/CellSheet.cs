@@ -88,11 +88,10 @@ namespace Alate
         }
 
         // The sheet halfway along an edge of a cell.
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        private static void Halfway(SoaFloat3* middle, in WingPack pack, in StepScratch scratch, int a, int b)
+        private static SoaFloat3 Halfway(in WingPack pack, in StepScratch scratch, int a, int b)
         {
             float3 half = 0.5f * (pack.rig.restJoints[b] - pack.rig.restJoints[a]);
-            *middle = (Image(scratch, a, half) + Image(scratch, b, -half)) * 0.5f;
+            return (Image(scratch, a, half) + Image(scratch, b, -half)) * 0.5f;
         }
 
         // The sheet in the middle of a cell.
