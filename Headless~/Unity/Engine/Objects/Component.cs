@@ -7,6 +7,8 @@ public class Component : Object
 {
     private GameObject _gameObject;
 
+    public Component() => Factory.Announce(this, "Components can only be added using AddComponent().");
+
     public GameObject gameObject
     {
         get
