@@ -36,19 +36,18 @@ namespace Alate.Tests.Cli
         [Test]
         public void APolygonOfManyCorners_KeepsItsArea()
         {
+            // Unevenly along a circle: the area of a regular polygon is that of many a wrong fan, too.
             const int corners = 17;
+            double[] turns = Enumerable.Range(0, corners + 1).Select(k => 2.0 * Math.PI * Math.Pow((double)k / corners, 1.7)).ToArray();
             var text = new StringBuilder();
-            for (int k = 0; k < corners; k++)
-            {
-                double turn = 2.0 * Math.PI * k / corners;
+            foreach (double turn in turns.Take(corners))
                 text.AppendLine(FormattableString.Invariant($"v {Math.Cos(turn):R} 0 {Math.Sin(turn):R}"));
-            }
-
             text.AppendLine("f " + string.Join(" ", Enumerable.Range(1, corners)));
+
             ObjMesh mesh = Read(text.ToString());
 
             Assert.That(mesh.Triangles, Has.Length.EqualTo(3 * (corners - 2)));
-            Assert.That(Area(mesh), Is.EqualTo(0.5 * corners * Math.Sin(2.0 * Math.PI / corners)).Within(1e-5));
+            Assert.That(Area(mesh), Is.EqualTo(turns.Skip(1).Zip(turns, (next, turn) => 0.5 * Math.Sin(next - turn)).Sum()).Within(1e-5));
         }
 
         [Test]
