@@ -22,7 +22,8 @@ internal sealed class Flight : IDisposable
     private readonly int m_SubstepsPerBeat;
 
     /// <summary>Bakes and places every wing; nothing has moved yet.</summary>
-    /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a beat.</exception>
+    /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a
+    /// beat.</exception>
     public Flight(FlightPlan plan, Insect insect)
     {
         m_Plan = plan;

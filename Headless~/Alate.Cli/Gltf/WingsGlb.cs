@@ -9,7 +9,8 @@ using Unity.Mathematics;
 namespace Alate.Cli.Gltf;
 
 /// <summary>
-/// wings.glb: the body and the wings of an insect, metres, Y up, facing +Z; the last beat as an animation that loops. A wing's mesh is its shape at
+/// wings.glb: the body and the wings of an insect, metres, Y up, facing +Z; the last beat as an animation that loops. A wing's mesh is its
+/// shape at
 /// phase 0, and each further key frame is one morph target.
 /// </summary>
 internal sealed class WingsGlb
@@ -44,7 +45,8 @@ internal sealed class WingsGlb
     {
         string name = $"{wing.Wing.Name} {(wing.Placement.IsLeft ? "left" : "right")}";
         (float3[] rest, float3[] restNormals) = Shape(wing, 0);
-        JsonObject primitive = Primitive(rest, restNormals, wing.Wing.Colours, Indices(wing.Triangles, wing.IsMeshMirrored == wing.Placement.IsLeft));
+        int[] indices = Indices(wing.Triangles, flip: wing.IsMeshMirrored == wing.Placement.IsLeft);
+        JsonObject primitive = Primitive(rest, restNormals, wing.Wing.Colours, indices);
         var targets = new JsonArray();
         for (int key = 1; key < k_KeyFrames; key++)
         {
@@ -58,7 +60,8 @@ internal sealed class WingsGlb
 
         primitive["targets"] = targets;
         var weights = new JsonArray(Enumerable.Repeat(0, k_KeyFrames - 1).Select(zero => (JsonNode)zero).ToArray());
-        m_WingNodes.Add(AddNode(name, new JsonObject { ["name"] = name, ["primitives"] = new JsonArray(primitive), ["weights"] = weights }));
+        var mesh = new JsonObject { ["name"] = name, ["primitives"] = new JsonArray(primitive), ["weights"] = weights };
+        m_WingNodes.Add(AddNode(name, mesh));
     }
 
     private JsonObject Primitive(float3[] positions, float3[] normals, UnityEngine.Color32[] colours, int[] indices)
@@ -85,7 +88,8 @@ internal sealed class WingsGlb
     private JsonObject Finish(FlightRecord flight)
     {
         int parts = m_Nodes.Count;
-        m_Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = new JsonArray(Enumerable.Range(0, parts).Select(k => (JsonNode)k).ToArray()) });
+        var children = new JsonArray(Enumerable.Range(0, parts).Select(k => (JsonNode)k).ToArray());
+        m_Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = children });
         double period = 1.0 / flight.Wings[0].Frequency;
         JsonArray animations = [Animation(period)];
         return new JsonObject

@@ -5,7 +5,8 @@ using System.IO;
 namespace Alate.Cli.Output;
 
 /// <summary>
-/// A folder that gets all of its files or none: they are written under other names and take their own at <see cref="Commit"/>. Without it, disposal
+/// A folder that gets all of its files or none: they are written under other names and take their own at <see cref="Commit"/>. Without it,
+/// disposal
 /// removes what was written, and the folders that were made.
 /// </summary>
 internal sealed class OutputFolder : IDisposable

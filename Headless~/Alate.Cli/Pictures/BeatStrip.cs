@@ -129,7 +129,9 @@ internal sealed class BeatStrip
     private string Caption()
     {
         double frequency = m_Flight.Wings[0].Frequency;
-        return string.Create(CultureInfo.InvariantCulture, $"one beat, {1000.0 / frequency:0.#} ms at {frequency:0.#} Hz, flying {m_Flight.Plan.BodySpeed:0.##} m/s");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"one beat, {1000.0 / frequency:0.#} ms at {frequency:0.#} Hz, flying {m_Flight.Plan.BodySpeed:0.##} m/s");
     }
 
     private void Line(FormattableString text) => m_Svg.Append(text.ToString(CultureInfo.InvariantCulture)).Append('\n');

@@ -4,7 +4,8 @@ using Unity.Mathematics;
 namespace Alate.Cli.Pictures;
 
 /// <summary>
-/// A mesh with every triangle parted into four at the middles of its edges, once or until there are enough, so that colours and depths are finer than the mesh.
+/// A mesh with every triangle parted into four at the middles of its edges, once or until there are enough, so that colours and depths are
+/// finer than the mesh.
 /// </summary>
 internal sealed class FineTriangles
 {

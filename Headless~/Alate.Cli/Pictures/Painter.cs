@@ -5,7 +5,8 @@ using Unity.Mathematics;
 namespace Alate.Cli.Pictures;
 
 /// <summary>
-/// Orders what is seen from back to front, and gathers what has one look into layers that can be painted at once: a piece joins an earlier layer of its look
+/// Orders what is seen from back to front, and gathers what has one look into layers that can be painted at once: a piece joins an earlier
+/// layer of its look
 /// as long as nothing that was painted after that layer lies beneath the piece.
 /// </summary>
 internal sealed class Painter

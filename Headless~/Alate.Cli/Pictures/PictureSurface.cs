@@ -58,7 +58,10 @@ internal sealed class PictureSurface
         }
 
         foreach (Rim rim in m_Margin)
-            painter.AddLine(BeatStrip.MarginLine, new int2(rim.A, rim.B) + first, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
+        {
+            var ends = new int2(rim.A, rim.B) + first;
+            painter.AddLine(BeatStrip.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
+        }
     }
 
     private void Paint(Painter painter, int3 corners, float3 colour, float3 normal, float3[] places, int first, Shading shading)

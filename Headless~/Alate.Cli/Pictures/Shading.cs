@@ -3,14 +3,16 @@ using Unity.Mathematics;
 namespace Alate.Cli.Pictures;
 
 /// <summary>
-/// The light of the pictures: a key light from the viewer's upper left, a bright sky, wings that let light through, and a rim where a surface turns away.
+/// The light of the pictures: a key light from the viewer's upper left, a bright sky, wings that let light through, and a rim where a
+/// surface turns away.
 /// All numbers are chosen by eye.
 /// </summary>
 internal sealed class Shading
 {
     private const float k_Ambient = 0.42f, k_Key = 0.68f, k_Through = 0.42f, k_Rim = 0.16f, k_RimPower = 3f, k_Sky = 0.16f;
 
-    /// <summary>Steps of light, rim and shown colour: small enough to look smooth, large enough that neighbouring triangles merge.</summary>
+    /// <summary>Steps of light, rim and shown colour: small enough to look smooth, large enough that neighbouring triangles
+    /// merge.</summary>
     private const float k_LightStep = 0.05f, k_RimStep = 0.03f;
     private const int k_ColourStep = 6;
 

@@ -44,7 +44,8 @@ internal static class WingPaint
         Array.Fill(colours, Shading.ToLinear(s_Membrane));
         if (vertices == null)
             return colours;
-        float3[] lights = fine.Refine(Array.ConvertAll(vertices, colour => Shading.ToLinear(new float3(colour.r, colour.g, colour.b) / 255f)));
+        float3[] lights = fine.Refine(
+            Array.ConvertAll(vertices, colour => Shading.ToLinear(new float3(colour.r, colour.g, colour.b) / 255f)));
         for (int k = 0; k < colours.Length; k++)
         {
             int3 triangle = fine.Triangles[k];

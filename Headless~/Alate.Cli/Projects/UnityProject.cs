@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
+using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using Alate.Cli.Output;
@@ -47,7 +48,7 @@ internal static class UnityProject
     {
         JsonNode manifest = JsonNode.Parse(File.ReadAllText(Path.Combine(package, "Packages", "manifest.json")));
         manifest["dependencies"][PackageRoot.Name] = "file:" + package.Replace('\\', '/');
-        var options = new JsonSerializerOptions { WriteIndented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+        var options = new JsonSerializerOptions { WriteIndented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
         return manifest.ToJsonString(options) + "\n";
     }
 }

@@ -84,7 +84,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void MeshFarFromItsSkeleton_IsRefused() => AssertRefused(
             new[] { "far away" },
-            OwnWingArguments(m_Run.Write("wing.obj", OwnWing.Obj(new Vector3(40f, 30f, 0f))), m_Run.Write("wing.json", OwnWing.Skeleton())));
+            OwnWingArguments(
+                m_Run.Write("wing.obj", OwnWing.Obj(new Vector3(40f, 30f, 0f))), m_Run.Write("wing.json", OwnWing.Skeleton())));
 
         [Test]
         public void SkeletonOfTwoChains_IsRefused() => AssertRefused(

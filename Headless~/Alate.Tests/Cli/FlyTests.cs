@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
@@ -72,13 +73,14 @@ namespace Alate.Tests.Cli
         public void Strip_PaintsWithinItsFrame()
         {
             XDocument svg = XDocument.Load(Path.Combine(m_Run.Out, "strip.svg"));
-            double[] view = svg.Root.Attribute("viewBox").Value.Split(' ').Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();
+            double[] view = svg.Root.Attribute("viewBox").Value.Split(' ').Select(Number).ToArray();
 
             foreach (XElement path in svg.Descendants(XName.Get("path", "http://www.w3.org/2000/svg")))
             {
                 string shift = path.Parent.Attribute("transform").Value;
-                double[] numbers = shift.Split('(', ')', ' ').Where(part => double.TryParse(part, out _)).Select(part => double.Parse(part, CultureInfo.InvariantCulture)).ToArray();
-                string[] first = path.Attribute("d").Value.Substring(1).Replace("-", " -").Split(new[] { ' ', 'm', 'z' }, System.StringSplitOptions.RemoveEmptyEntries);
+                double[] numbers = shift.Split('(', ')', ' ').Where(part => double.TryParse(part, out _)).Select(Number).ToArray();
+                string[] first = path.Attribute("d").Value.Substring(1).Replace("-", " -")
+                    .Split(new[] { ' ', 'm', 'z' }, StringSplitOptions.RemoveEmptyEntries);
                 Assert.That(numbers[0] + numbers[2] * int.Parse(first[0]), Is.InRange(0, view[2]));
                 Assert.That(numbers[1] + numbers[2] * int.Parse(first[1]), Is.InRange(0, view[3]));
             }
@@ -89,7 +91,7 @@ namespace Alate.Tests.Cli
         {
             string[][] rows = File.ReadAllLines(Path.Combine(m_Run.Out, "joints.csv")).Select(line => line.Split(',')).ToArray();
 
-            Assert.That(rows[0].Take(9), Is.EqualTo(new[] { "time_s", "phase_deg", "wing", "side", "chain", "joint", "x_m", "y_m", "z_m" }));
+            Assert.That(rows[0].Take(9), Is.EqualTo("time_s,phase_deg,wing,side,chain,joint,x_m,y_m,z_m".Split(',')));
             Assert.That(rows, Has.Length.EqualTo(1 + 24 * 2 * 25), "24 substeps, two wings, 25 joints");
             Assert.That(rows.Select(row => row.Length), Is.All.EqualTo(rows[0].Length));
             double reach = rows.Skip(1).Max(row => double.Parse(row[6], CultureInfo.InvariantCulture));
@@ -126,7 +128,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void LongerDelay_TwistsMore_AndASofterWingBendsMore()
         {
-            double none = Fly("twist_pp_deg", "--no-wave"), some = Fly("twist_pp_deg", "--lag", "0.1"), much = Fly("twist_pp_deg", "--lag", "0.5");
+            double none = Fly("twist_pp_deg", "--no-wave"), some = Fly("twist_pp_deg", "--lag", "0.1");
+            double much = Fly("twist_pp_deg", "--lag", "0.5");
             double soft = Fly("tip_bend_max_deg", "--elasticity", "0.1"), stiff = Fly("tip_bend_max_deg", "--elasticity", "4");
 
             Assert.That(some, Is.GreaterThan(1.3 * none));
@@ -172,6 +175,9 @@ namespace Alate.Tests.Cli
             return Summary(run.Out).GetProperty(key).GetDouble();
         }
 
-        private static JsonElement Summary(string folder) => JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "summary.json"))).RootElement;
+        private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+
+        private static JsonElement Summary(string folder) =>
+            JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "summary.json"))).RootElement;
     }
 }

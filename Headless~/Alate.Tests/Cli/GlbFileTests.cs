@@ -24,7 +24,8 @@ namespace Alate.Tests.Cli
         public void UnpaddedChunk_IsSeen() => Assert.That(Read(file => file[12]++), Throws.InstanceOf<Exception>());
 
         [Test]
-        public void AccessorBeyondItsView_IsSeen() => Assert.That(Read(file => Replace(file, "\"count\":2", "\"count\":9")), Throws.InstanceOf<AssertionException>());
+        public void AccessorBeyondItsView_IsSeen() =>
+            Assert.That(Read(file => Replace(file, "\"count\":2", "\"count\":9")), Throws.InstanceOf<AssertionException>());
 
         [Test]
         public void UnalignedView_IsSeen() =>

@@ -1,5 +1,4 @@
 using System.IO;
-using System.Linq;
 using System.Text.Json;
 using NUnit.Framework;
 
@@ -20,10 +19,12 @@ namespace Alate.Tests.Cli
             JsonElement manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(run.Out, "Packages", "manifest.json"))).RootElement;
             string path = manifest.GetProperty("dependencies").GetProperty("com.alate.insect-wings").GetString();
             Assert.That(path, Does.StartWith("file:"));
-            Assert.That(File.ReadAllText(Path.Combine(path.Substring("file:".Length), "package.json")), Does.Contain("\"com.alate.insect-wings\""));
-            Assert.That(manifest.GetProperty("testables").EnumerateArray().Select(name => name.GetString()), Does.Contain("com.alate.insect-wings"));
+            string package = Path.Combine(path.Substring("file:".Length), "package.json");
+            Assert.That(File.ReadAllText(package), Does.Contain("\"com.alate.insect-wings\""));
+            Assert.That(manifest.GetProperty("testables")[0].GetString(), Is.EqualTo("com.alate.insect-wings"));
             Assert.That(manifest.GetProperty("dependencies").TryGetProperty("com.unity.test-framework", out _), Is.True);
-            Assert.That(File.ReadAllText(Path.Combine(run.Out, "ProjectSettings", "ProjectVersion.txt")), Does.Match("^m_EditorVersion: 2022\\.3\\.\\d+f1\n$"));
+            string version = File.ReadAllText(Path.Combine(run.Out, "ProjectSettings", "ProjectVersion.txt"));
+            Assert.That(version, Does.Match("^m_EditorVersion: 2022\\.3\\.\\d+f1\n$"));
             Assert.That(Directory.Exists(Path.Combine(run.Out, "Assets")));
             Assert.That(Directory.GetFiles(run.Out, "*.part", SearchOption.AllDirectories), Is.Empty);
         }

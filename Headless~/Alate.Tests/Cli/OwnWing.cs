@@ -23,7 +23,7 @@ namespace Alate.Tests.Cli
             for (int k = 0; k < surface.triangles.Length; k += 3)
             {
                 int a = surface.triangles[k] + 1, b = surface.triangles[k + 1] + 1, c = surface.triangles[k + 2] + 1;
-                text.AppendFormat(CultureInfo.InvariantCulture, "f {0} {1} {2}\n", a, side == WingSide.Right ? b : c, side == WingSide.Right ? c : b);
+                text.AppendLine(side == WingSide.Right ? $"f {a} {b} {c}" : $"f {a} {c} {b}");
             }
 
             return text.ToString();

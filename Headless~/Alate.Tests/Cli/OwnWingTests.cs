@@ -44,7 +44,8 @@ namespace Alate.Tests.Cli
         }
 
         private static double[] Places(CommandRun run) => File.ReadAllLines(Path.Combine(run.Out, "joints.csv")).Skip(1)
-            .SelectMany(line => line.Split(',').Skip(6).Take(3)).Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();
+            .SelectMany(line => line.Split(',').Skip(6).Take(3))
+            .Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();
 
         private static JsonElement Fly(CommandRun run, WingSide side)
         {

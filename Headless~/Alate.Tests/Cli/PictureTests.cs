@@ -9,7 +9,9 @@ namespace Alate.Tests.Cli
     /// <summary>The painter and its paths.</summary>
     public sealed class PictureTests
     {
-        private static readonly PaintedShape s_Red = new PaintedShape(0xff0000, false, false), s_Blue = new PaintedShape(0x0000ff, false, false);
+        private static readonly PaintedShape s_Red = new PaintedShape(0xff0000, false, false);
+
+        private static readonly PaintedShape s_Blue = new PaintedShape(0x0000ff, false, false);
 
         [Test]
         public void FartherTriangle_IsPaintedFirst()
@@ -102,11 +104,16 @@ namespace Alate.Tests.Cli
 
             Assert.That(places.Take(sheet.rest.Length), Is.EqualTo(sheet.rest));
             Assert.That(fine.Triangles, Has.Count.EqualTo(12 * 16));
-            Assert.That(fine.Triangles.Sum(t => math.length(math.cross(places[t.y] - places[t.x], places[t.z] - places[t.x]))), Is.EqualTo(2f * Sheet.Chord).Within(1e-5f));
+            float doubled = fine.Triangles.Sum(t => math.length(math.cross(places[t.y] - places[t.x], places[t.z] - places[t.x])));
+            Assert.That(doubled, Is.EqualTo(2f * Sheet.Chord).Within(1e-5f));
             Assert.That(places.Distinct().Count(), Is.EqualTo(places.Length), "neighbours share the middles of their edges");
         }
 
         private static void Add(Painter painter, PaintedShape shape, int vertex, float x, float depth) => painter.AddTriangle(
-            shape, new int3(vertex, vertex + 1, vertex + 2), new float3(x + 1f, 1f, depth), new float3(x + 11f, 1f, depth), new float3(x + 1f, 11f, depth));
+            shape,
+            new int3(vertex, vertex + 1, vertex + 2),
+            new float3(x + 1f, 1f, depth),
+            new float3(x + 11f, 1f, depth),
+            new float3(x + 1f, 11f, depth));
     }
 }

@@ -54,7 +54,8 @@ namespace Alate.Tests
         [Test]
         public void ParabolicCamber_IsItsHeightOverTheChord([Values(0.06f, -0.1f)] float height)
         {
-            WingDeformation beat = Measure(s_NoStroke, (place, phase) => place + Parabola(place, height * math.max(math.cos(phase), 0f)), 4);
+            WingDeformation beat = Measure(
+                s_NoStroke, (place, phase) => place + Parabola(place, height * math.max(math.cos(phase), 0f)), 4);
 
             float most = height * math.cos(0.15f * math.PI);
             Assert.That(beat.CamberMax, Is.EqualTo(math.max(most, 0f)).Within(1e-4f));
@@ -87,7 +88,7 @@ namespace Alate.Tests
             // Each chordwise place heaves like the leading edge, later in proportion to its distance from it.
             WingDeformation beat = Measure(
                 s_NoStroke,
-                (place, phase) => place + new float3(0f, 0.2f * place.x * math.cos(phase - degrees * k_Degree * -place.z / Sheet.Chord), 0f));
+                (place, phase) => place + new float3(0f, 0.2f * place.x * math.cos(phase + degrees * k_Degree * place.z / Sheet.Chord), 0f));
 
             // A root that does not turn has no phase of its own, so the whole delay counts.
             Assert.That(beat.Lag / k_Degree, Is.EqualTo(degrees).Within(0.2f));
@@ -138,7 +139,8 @@ namespace Alate.Tests
         [Test]
         public void Measurement_DoesNotDependOnHowFineTheMeshIs()
         {
-            Func<float3, float, float3> move = (place, phase) => Arc(Sheet.Feathered(place, 0.4f * place.x * math.sin(phase)), 0.5f * math.cos(phase));
+            Func<float3, float, float3> move = (place, phase) =>
+                Arc(Sheet.Feathered(place, 0.4f * place.x * math.sin(phase)), 0.5f * math.cos(phase));
             var coarse = new Sheet(20, 4);
             var fine = new Sheet(80, 16);
 

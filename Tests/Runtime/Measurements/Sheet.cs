@@ -48,6 +48,7 @@ namespace Alate.Tests
             quaternion.AxisAngle(new float3(1f, 0f, 0f), math.radians(20f) * math.cos(phase - 0.5f * math.PI)));
 
         /// <summary>The place turned about the leading edge.</summary>
-        public static float3 Feathered(float3 place, float angle) => math.rotate(quaternion.AxisAngle(new float3(1f, 0f, 0f), angle), place);
+        public static float3 Feathered(float3 place, float angle) =>
+            math.rotate(quaternion.AxisAngle(new float3(1f, 0f, 0f), angle), place);
     }
 }

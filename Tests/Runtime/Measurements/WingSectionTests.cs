@@ -103,7 +103,8 @@ namespace Alate.Tests
             var sheet = new Sheet();
             var beat = sheet.Beat(phase => quaternion.identity, (place, phase) => place);
 
-            float2 wave = EdgeLag.Fundamental(beat, frame => 0.7f + 0.3f * math.cos(frame.Phase - 0.8f) + 0.2f * math.cos(2f * frame.Phase));
+            float2 wave = EdgeLag.Fundamental(
+                beat, frame => 0.7f + 0.3f * math.cos(frame.Phase - 0.8f) + 0.2f * math.cos(2f * frame.Phase));
 
             Assert.That(math.length(wave), Is.EqualTo(0.3f).Within(1e-4f));
             Assert.That(math.atan2(wave.y, wave.x), Is.EqualTo(0.8f).Within(1e-4f));

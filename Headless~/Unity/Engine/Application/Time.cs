@@ -35,6 +35,15 @@ public class Time
         set => s_MaximumDeltaTime = Math.Max(value, s_FixedDeltaTime);
     }
 
+    /// <summary>If above 0, each frame takes so many seconds, however long it took.</summary>
+    public static float captureDeltaTime { get; set; }
+
+    public static int captureFramerate
+    {
+        get => captureDeltaTime == 0f ? 0 : (int)MathF.Round(1f / captureDeltaTime);
+        set => captureDeltaTime = value <= 0 ? 0f : 1f / value;
+    }
+
     public static float deltaTime => inFixedTimeStep ? s_FixedDeltaTime : Clock.DeltaTime;
     public static float unscaledDeltaTime => inFixedTimeStep ? fixedUnscaledDeltaTime : Clock.UnscaledDeltaTime;
     public static float fixedUnscaledDeltaTime => s_TimeScale > 0f ? s_FixedDeltaTime / s_TimeScale : 0f;

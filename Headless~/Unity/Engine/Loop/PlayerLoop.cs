@@ -88,6 +88,7 @@ public static class PlayerLoop
         {
             Clock.InFixedStep = true;
             BehaviourList.Send(s_FixedUpdate);
+            Rigidbody.StepAll(Time.fixedDeltaTime);
             CoroutineSet.ResumeAll(FramePoint.FixedUpdate);
             Clock.InFixedStep = false;
         }
@@ -97,6 +98,7 @@ public static class PlayerLoop
         BehaviourList.Send(s_LateUpdate);
         CoroutineSet.ResumeAll(FramePoint.EndOfFrame);
         FrameEnding?.Invoke();
+        Visibility.Update();
         Doomed.End();
         NativeMemoryLedger.EndFrame();
     }

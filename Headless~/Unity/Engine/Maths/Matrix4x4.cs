@@ -109,6 +109,24 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
     public static Matrix4x4 LookAt(Vector3 from, Vector3 to, Vector3 up) =>
         TRS(from, Quaternion.LookRotation(to - from, up), Vector3.one);
 
+    /// <summary>Clip space as OpenGL has it: z from -1 at the near plane to 1 at the far one.</summary>
+    public static Matrix4x4 Perspective(float fov, float aspect, float zNear, float zFar)
+    {
+        float y = 1f / MathF.Tan(0.5f * fov * Mathf.Deg2Rad), depth = zNear - zFar;
+        return new Matrix4x4 { m00 = y / aspect, m11 = y, m22 = (zFar + zNear) / depth, m23 = 2f * zFar * zNear / depth, m32 = -1f };
+    }
+
+    public static Matrix4x4 Ortho(float left, float right, float bottom, float top, float zNear, float zFar) => new()
+    {
+        m00 = 2f / (right - left),
+        m11 = 2f / (top - bottom),
+        m22 = -2f / (zFar - zNear),
+        m03 = -(right + left) / (right - left),
+        m13 = -(top + bottom) / (top - bottom),
+        m23 = -(zFar + zNear) / (zFar - zNear),
+        m33 = 1f,
+    };
+
     public void SetTRS(Vector3 pos, Quaternion q, Vector3 s) => this = TRS(pos, q, s);
 
     public Vector4 GetColumn(int index) => index switch

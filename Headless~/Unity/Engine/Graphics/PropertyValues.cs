@@ -1,0 +1,27 @@
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>Shader properties by name.</summary>
+internal sealed class PropertyValues
+{
+    private readonly Dictionary<int, object> _values = [];
+
+    public bool IsEmpty => _values.Count == 0;
+
+    public void Set(string name, object value) => Set(Shader.PropertyToID(name), value);
+    public void Set(int id, object value) => _values[id] = value;
+    public T Get<T>(string name) => Get<T>(Shader.PropertyToID(name));
+    public T Get<T>(int id) => _values.TryGetValue(id, out object value) && value is T t ? t : default;
+    public bool Has(string name) => _values.ContainsKey(Shader.PropertyToID(name));
+    public void Clear() => _values.Clear();
+
+    public void TakeFrom(PropertyValues other)
+    {
+        _values.Clear();
+        if (other == null)
+            return;
+        foreach (var (id, value) in other._values)
+            _values.Add(id, value);
+    }
+}

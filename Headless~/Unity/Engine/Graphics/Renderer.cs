@@ -1,0 +1,121 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Rendering;
+
+namespace UnityEngine;
+
+public class Renderer : Component, IStateful
+{
+    private Material[] _materials = [];
+    private Bounds? _localBounds;
+    private bool _enabled = true;
+    private MaterialPropertyBlock _properties;
+
+    public Renderer() => Visibility.Add(this);
+
+    public bool enabled
+    {
+        get
+        {
+            CheckAlive();
+            return _enabled;
+        }
+        set
+        {
+            CheckAlive();
+            _enabled = value;
+        }
+    }
+
+    public bool forceRenderingOff { get; set; }
+    public bool receiveShadows { get; set; } = true;
+    public ShadowCastingMode shadowCastingMode { get; set; } = ShadowCastingMode.On;
+    public uint renderingLayerMask { get; set; } = 1;
+    public int sortingOrder { get; set; }
+    public int rendererPriority { get; set; }
+
+    /// <summary>Whether a camera saw the bounds at the end of the last frame.</summary>
+    public bool isVisible => VisibleFlag;
+
+    public Material sharedMaterial
+    {
+        get => Alive()._materials.Length > 0 ? _materials[0] : null;
+        set => sharedMaterials = _materials.Length > 1 ? [value, .. _materials[1..]] : [value];
+    }
+
+    public Material[] sharedMaterials
+    {
+        get => (Material[])Alive()._materials.Clone();
+        set => Alive()._materials = (Material[])value.Clone();
+    }
+
+    /// <summary>A copy of the first material for this renderer alone.</summary>
+    public Material material
+    {
+        get
+        {
+            if (sharedMaterial is { } shared && shared != null && !shared.name.EndsWith("(Instance)", StringComparison.Ordinal))
+                sharedMaterial = new Material(shared) { name = shared.name + " (Instance)" };
+            return sharedMaterial;
+        }
+        set => sharedMaterial = value;
+    }
+
+    public Bounds localBounds
+    {
+        get => Alive()._localBounds ?? ShapeBounds;
+        set => Alive()._localBounds = value;
+    }
+
+    /// <summary>The box of world axes around the local bounds.</summary>
+    public Bounds bounds => GeometryUtility.Around(localBounds, BoundsToWorld);
+
+    public Matrix4x4 localToWorldMatrix => transform.localToWorldMatrix;
+    public Matrix4x4 worldToLocalMatrix => transform.worldToLocalMatrix;
+
+    internal bool VisibleFlag { get; set; }
+
+    internal bool IsDrawn => !IsDestroyed && Owner is { ActiveFlag: true } && _enabled && !forceRenderingOff;
+
+    private protected virtual Bounds ShapeBounds => default;
+
+    private protected virtual Matrix4x4 BoundsToWorld => localToWorldMatrix;
+
+    public void ResetLocalBounds() => Alive()._localBounds = null;
+    public void GetSharedMaterials(List<Material> m)
+    {
+        m.Clear();
+        m.AddRange(Alive()._materials);
+    }
+
+    public void SetSharedMaterials(List<Material> materials) => sharedMaterials = materials.ToArray();
+
+    public bool HasPropertyBlock() => _properties is { isEmpty: false };
+    public void SetPropertyBlock(MaterialPropertyBlock properties) => Alive()._properties = properties?.Copy();
+    public void GetPropertyBlock(MaterialPropertyBlock properties) => properties.TakeFrom(_properties);
+
+    void IStateful.CopyStateTo(Component copy)
+    {
+        var to = (Renderer)copy;
+        to._materials = [.. _materials];
+        to._localBounds = _localBounds;
+        to._enabled = _enabled;
+        to._properties = _properties?.Copy();
+        to.forceRenderingOff = forceRenderingOff;
+        to.receiveShadows = receiveShadows;
+        to.shadowCastingMode = shadowCastingMode;
+        CopyShapeTo(to);
+    }
+
+    private protected virtual void CopyShapeTo(Renderer copy)
+    {
+    }
+
+    private protected override void Released() => Visibility.Remove(this);
+
+    private Renderer Alive()
+    {
+        CheckAlive();
+        return this;
+    }
+}

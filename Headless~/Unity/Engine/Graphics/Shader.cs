@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+public sealed class Shader : Object
+{
+    private static readonly string[] s_BuiltIn =
+    [
+        "Standard", "Diffuse", "Unlit/Color", "Unlit/Texture", "Sprites/Default", "Hidden/Internal-Colored",
+    ];
+
+    private static readonly Dictionary<string, Shader> s_Found = [];
+    private static readonly Dictionary<string, int> s_Ids = [];
+
+    public bool isSupported => true;
+    public int renderQueue => 2000;
+
+    /// <summary>One of the built-in render pipeline's, or null.</summary>
+    public static Shader Find(string name)
+    {
+        if (Array.IndexOf(s_BuiltIn, name) < 0)
+            return null;
+        if (!s_Found.TryGetValue(name, out Shader shader) || shader == null)
+            s_Found[name] = shader = new Shader { name = name };
+        return shader;
+    }
+
+    public static int PropertyToID(string name)
+    {
+        if (!s_Ids.TryGetValue(name, out int id))
+            s_Ids.Add(name, id = s_Ids.Count + 1);
+        return id;
+    }
+}
