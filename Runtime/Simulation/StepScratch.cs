@@ -36,6 +36,7 @@ namespace Alate
         public SoaFloat3* relativeWind;
         public SoaFloat3* normals;
         public float4* alongSpan;
+        public PatchStream* streams;
         public PatchLoad* loads;
         public SoaFloat3* torques;
 
@@ -92,6 +93,7 @@ namespace Alate
             scratch.relativeWind = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
             scratch.normals = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
             scratch.alongSpan = (float4*)carver.Take<float4>(patches);
+            scratch.streams = (PatchStream*)carver.Take<PatchStream>(patches);
             scratch.loads = (PatchLoad*)carver.Take<PatchLoad>(patches);
             scratch.torques = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.targets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
