@@ -53,7 +53,8 @@ namespace Alate.Tests.Cli
         public void TheWings_AreHighAtTheStart_AndLowHalfABeatLater()
         {
             // Heights over the body's, which lies at the same place within a row; y points down.
-            (int Top, int Bottom) start = Extent(m_Panels[0]), later = Extent(m_Panels[3]), half = Extent(m_Panels[6]), rowStart = Extent(m_Panels[4]);
+            (int Top, int Bottom) start = Extent(m_Panels[0]), later = Extent(m_Panels[3]);
+            (int Top, int Bottom) rowStart = Extent(m_Panels[4]), half = Extent(m_Panels[6]);
 
             Assert.That(start.Top, Is.LessThan(later.Top - 100));
             Assert.That(half.Bottom, Is.GreaterThan(rowStart.Bottom + 100));
@@ -123,7 +124,8 @@ namespace Alate.Tests.Cli
             return (points.Min(point => point.Y), points.Max(point => point.Y));
         }
 
-        private static List<(int X, int Y)> Points(XElement panel) => panel.Elements(s_Svg + "path").SelectMany(Loops).SelectMany(loop => loop).ToList();
+        private static List<(int X, int Y)> Points(XElement panel) =>
+            panel.Elements(s_Svg + "path").SelectMany(Loops).SelectMany(loop => loop).ToList();
 
         private static double Area(XElement path)
         {
