@@ -48,7 +48,6 @@ namespace Alate
                 }
 
                 BlockCholesky.Solve(pack, scratch);
-
                 iterations += math.select(0f, 1f, active);
                 bool4 moved = active & (LargestMove(pack, scratch) >= limits.tolerance * limits.tolerance);
                 value = LineSearch(pack, scratch, value, active);
