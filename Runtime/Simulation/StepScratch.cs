@@ -49,11 +49,9 @@ namespace Alate
         public SoaFloat3* gradient;
         public SymmetricBlock* blocks;
         public SoaFloat3* step;
-        public SoaFloat3* residual;
-        public SoaFloat3* preconditioned;
-        public SoaFloat3* direction;
-        public SoaFloat3* image;
         public SpringLinearisation* springs;
+        public SoaFloat3x3* band;
+        public SoaFloat3x3* lower;
 
         // Frames.
         public SoaQuaternion* boneRotations;
@@ -104,11 +102,9 @@ namespace Alate
             scratch.gradient = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.blocks = (SymmetricBlock*)carver.Take<SymmetricBlock>(joints);
             scratch.step = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.residual = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.preconditioned = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.direction = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.image = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.springs = (SpringLinearisation*)carver.Take<SpringLinearisation>(size.springs);
+            scratch.band = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(size.bandBlocks);
+            scratch.lower = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(size.bandBlocks);
             scratch.boneRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
             scratch.rollFrom = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.rollTo = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
