@@ -35,6 +35,15 @@ public class Time
         set => s_MaximumDeltaTime = Math.Max(value, s_FixedDeltaTime);
     }
 
+    /// <summary>What each frame is to take, 0 for real time.</summary>
+    public static float captureDeltaTime { get; set; }
+
+    public static int captureFramerate
+    {
+        get => captureDeltaTime > 0f ? (int)Math.Round(1f / captureDeltaTime) : 0;
+        set => captureDeltaTime = value > 0 ? 1f / value : 0f;
+    }
+
     public static float deltaTime => inFixedTimeStep ? s_FixedDeltaTime : Clock.DeltaTime;
     public static float unscaledDeltaTime => inFixedTimeStep ? fixedUnscaledDeltaTime : Clock.UnscaledDeltaTime;
     public static float fixedUnscaledDeltaTime => s_TimeScale > 0f ? s_FixedDeltaTime / s_TimeScale : 0f;

@@ -64,7 +64,10 @@ public sealed class Coroutine : YieldInstruction
         Done = true;
     }
 
-    private bool MayResume(FramePoint point) => _waitsFor switch
+    /// <summary>What was yielded last.</summary>
+    internal object WaitsFor => _waitsFor;
+
+    internal bool MayResume(FramePoint point) => _waitsFor switch
     {
         WaitForFixedUpdate => point == FramePoint.FixedUpdate,
         WaitForEndOfFrame => point == FramePoint.EndOfFrame,

@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Unity.Editor")]
+[assembly: InternalsVisibleTo("Unity.TestFramework")]
