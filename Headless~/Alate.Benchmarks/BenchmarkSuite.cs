@@ -1,18 +1,104 @@
 using System;
 using System.IO;
+using System.Runtime.InteropServices;
+using System.Text.Json;
+using Unity.Jobs.LowLevel.Unsafe;
 
 namespace Alate.Benchmarks;
 
+/// <summary>
+/// All measurements in one process: kernels, frames, crowds, species. Every ratio is taken between variants that run in turn, so it depends
+/// little on the machine; the absolute times are for this one.
+/// </summary>
 public static class BenchmarkSuite
 {
+    private const int k_WarmUpSubsteps = 100;
+
+    /// <summary>Measures, prints a table and writes the figures.</summary>
+    /// <param name="jsonPath">Where to; null for the table alone.</param>
+    /// <param name="output">Takes the table, line by line as it grows.</param>
+    /// <returns>0; 1 if a baseline does not compute what ours does; 2 if the file cannot be written.</returns>
     public static int Run(string jsonPath, TextWriter output)
     {
+        using var file = Open(jsonPath, output, out var opened);
+        if (!opened)
+            return 2;
         var report = new Report(output);
+        Machine(report);
         report.Heading();
-        using var specimen = Specimen.Monarch();
-        using var pack = new FlyingPack(specimen, 100);
-        var plain = new PlainRig(specimen);
-        new SkinningComparison(specimen, plain, pack).Run(report);
+        Measure(report);
+        if (file != null)
+            JsonSerializer.Serialize(file, report.Content, new JsonSerializerOptions { WriteIndented = true });
         return report.IsValid ? 0 : 1;
+    }
+
+    private static void Measure(Report report)
+    {
+        HotCode.Run(report);
+        using var specimen = Specimen.Monarch();
+        var plain = new PlainRig(specimen);
+        using (var pack = new FlyingPack(specimen, k_WarmUpSubsteps))
+        {
+            new SkinningComparison(specimen, plain, pack).Run(report);
+            AerodynamicsComparison.Run(report, specimen, plain, pack);
+            new ElasticityComparison(specimen, plain, pack).Run(report);
+            MotionComparison.Run(report, specimen, plain, pack);
+        }
+
+        ArrayComparison.Run(report);
+        SubstepBreakdown.Run(report, specimen);
+        OnOneCore(() => Crowds(report, specimen, plain));
+    }
+
+    private static void Crowds(Report report, Specimen specimen, PlainRig plain)
+    {
+        using (var swarm = new Swarm([specimen], FrameComparison.Insects))
+        {
+            new FrameComparison(specimen, plain, swarm).Run(report);
+            new CrowdComparison(specimen).Run(report, swarm);
+        }
+
+        SpeciesFigures.Run(report);
+    }
+
+    private static void OnOneCore(Action measure)
+    {
+        var workers = JobsUtility.JobWorkerCount;
+        JobsUtility.JobWorkerCount = 0;
+        try
+        {
+            measure();
+        }
+        finally
+        {
+            JobsUtility.JobWorkerCount = workers;
+        }
+    }
+
+    private static void Machine(Report report)
+    {
+        report.Content["runtime"] = RuntimeInformation.FrameworkDescription;
+        report.Content["processor"] = RuntimeInformation.ProcessArchitecture.ToString();
+        report.Content["processor_count"] = Environment.ProcessorCount;
+        report.Content["note"] = "RyuJIT on the headless stand-ins; Burst was not measured.";
+        report.Line($"{report.Content["runtime"]}, {Environment.ProcessorCount} processors. {report.Content["note"]}");
+    }
+
+    // Before anything is measured, so that a wrong path does not cost a minute.
+    private static FileStream Open(string path, TextWriter output, out bool opened)
+    {
+        opened = true;
+        if (path == null)
+            return null;
+        try
+        {
+            return File.Create(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            output.WriteLine($"Cannot write '{path}': {e.Message}");
+            opened = false;
+            return null;
+        }
     }
 }

@@ -19,6 +19,7 @@ public static class Program
         root.Subcommands.Add(BenchCommand.Create(output));
         root.Subcommands.Add(NewProjectCommand.Create(output));
         HelpExamples.AddTo(root);
+        PackageVersion.AddTo(root);
 
         ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args);
         if (parsed.Errors.Count > 0)

@@ -6,27 +6,27 @@ namespace Alate
     internal static unsafe class ConjugateGradients
     {
         /// <summary>
-        /// A few iterations from step = 0; ends early when the residual of every wing has fallen to <paramref name="reduction"/> of its
-        /// first value, in the norm of the preconditioner.
+        /// A few iterations from step = 0. A wing whose residual has fallen to <paramref name="reduction"/> of its first value, in the
+        /// norm of the preconditioner, stands still: what it gets does not depend on its neighbours.
         /// </summary>
-        /// <returns>Wings that met a direction of negative curvature: their step is not to be used.</returns>
+        /// <returns>Wings whose Hessian, or one of its blocks, showed negative curvature: their step is not to be used.</returns>
         public static bool4 Solve(in WingPack pack, in StepScratch scratch, int iterations, float reduction)
         {
             float4 rz = Begin(pack, scratch);
             float4 enough = math.max(rz * (reduction * reduction), 1e-30f);
-            bool4 negative = false;
+            bool4 negative = rz < 0f;
             for (int k = 0; k < iterations; k++)
             {
+                bool4 active = rz > enough;
+                if (!math.any(active))
+                    break;
                 SpringEnergy.Apply(pack, scratch, scratch.direction, scratch.image);
                 float4 curvature = Curvature(pack, scratch);
-                negative |= (curvature <= 0f) & (rz > 0f);
-                float4 alpha = math.select(rz / math.max(curvature, 1e-30f), 0f, (curvature <= 0f) | (rz <= 1e-30f));
+                float4 alpha = math.select(0f, rz / math.max(curvature, 1e-30f), active & (curvature > 0f));
                 float4 next = Advance(pack, scratch, alpha);
-                if (math.all(next <= enough))
-                    break;
-                float4 beta = math.select(next / math.max(rz, 1e-30f), 0f, rz <= 1e-30f);
-                Turn(pack, scratch, beta);
-                rz = next;
+                negative |= active & ((curvature <= 0f) | (next < 0f));
+                Turn(pack, scratch, next / math.max(rz, 1e-30f));
+                rz = math.select(rz, next, active);
             }
 
             return negative;

@@ -40,7 +40,7 @@ namespace Alate
                 SoaFloat3 offset = SoaQuaternion.Rotate(turned, pack.offsets[joint]);
                 SoaFloat3 rate = SoaQuaternion.Rotate(turned, pack.offsetRates[joint]);
                 pack.offsets[joint] = offset;
-                scratch.positions[joint] = scratch.targets[joint] + offset;
+                scratch.positions[joint] = scratch.targets[joint] + offset + rate * dt;
                 scratch.anchors[joint] = scratch.targets[joint] + (offset + rate * reach) * share;
                 scratch.inertia[joint] = total * pack.rig.jointMasses[joint];
             }

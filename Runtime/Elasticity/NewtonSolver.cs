@@ -18,14 +18,19 @@ namespace Alate
             /// <summary>Conjugate-gradient iterations in each, at most.</summary>
             public int inner;
 
-            /// <summary>They end early when the residual has fallen to this share.</summary>
+            /// <summary>
+            /// They end early when the residual has fallen to this share; to six times of it in the first Newton iteration, where the
+            /// springs' turning, not the linear solve, makes the error.
+            /// </summary>
             public float reduction;
 
-            /// <summary>Converged when no joint moves further in an iteration, wing lengths.</summary>
+            /// <summary>
+            /// Done when no joint moves further in an iteration, wing lengths. What remains is then about the reduction times this.
+            /// </summary>
             public float tolerance;
 
-            /// <summary>What a substep uses: 4 Newton iterations or 1e-5 L; the inner limits reach the minimum to 1e-4 L at the presets.</summary>
-            public static Limits Default => new Limits { newton = 4, inner = 16, reduction = 0.02f, tolerance = 1e-5f };
+            /// <summary>What a substep uses: the minimum to 1e-4 L at the presets, to 1e-5 L from a start as good as a substep's.</summary>
+            public static Limits Default => new Limits { newton = 4, inner = 32, reduction = 0.04f, tolerance = 1e-4f };
         }
 
         /// <summary>Armijo: the share of the predicted decrease that a step must bring.</summary>
@@ -40,23 +45,21 @@ namespace Alate
         /// <returns>Iterations that each wing took.</returns>
         public static float4 Minimise(in WingPack pack, in StepScratch scratch, in Limits limits)
         {
-            bool4 convex = false;
             bool4 active = true;
             float4 iterations = default;
-            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
+            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, false);
             for (int k = 0; k < limits.newton; k++)
             {
-                bool4 negative = ConjugateGradients.Solve(pack, scratch, limits.inner, limits.reduction) & active & !convex;
+                float reduction = k == 0 ? 6f * limits.reduction : limits.reduction;
+                bool4 negative = ConjugateGradients.Solve(pack, scratch, limits.inner, reduction) & active;
                 if (math.any(negative))
                 {
-                    convex |= negative;
-                    SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
-                    ConjugateGradients.Solve(pack, scratch, limits.inner, limits.reduction);
+                    SpringEnergy.Linearise(pack, scratch, scratch.positions, negative);
+                    ConjugateGradients.Solve(pack, scratch, limits.inner, reduction);
                 }
 
                 iterations += math.select(0f, 1f, active);
                 bool4 moved = active & (LargestMove(pack, scratch) >= limits.tolerance * limits.tolerance);
-                convex = false;
                 value = LineSearch(pack, scratch, value, active);
                 active = moved;
                 if (!math.any(active))

@@ -19,14 +19,8 @@ namespace Alate
         public static void Carry(in WingPack pack, in StepScratch scratch)
         {
             CarryJoints(pack, scratch);
-            int joints = pack.rig.jointsPerChain;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-            {
-                if (joint % joints < joints - 1)
-                    scratch.alongEdges[joint] = Halfway(pack, scratch, joint, joint + 1);
-                if (joint + joints < pack.rig.jointCount)
-                    scratch.acrossEdges[joint] = Halfway(pack, scratch, joint, joint + joints);
-            }
+            AlongChains(pack, scratch);
+            AcrossChains(pack, scratch);
         }
 
         /// <summary>The sheet over one cell.</summary>
@@ -77,6 +71,23 @@ namespace Alate
                 scratch.carriedPositions[joint] =
                     pack.pose[joint].position + scratch.drivenPositions[joint] - pack.drivenPositions[joint];
             }
+        }
+
+        private static void AlongChains(in WingPack pack, in StepScratch scratch)
+        {
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                if (joint % joints < joints - 1)
+                    scratch.alongEdges[joint] = Halfway(pack, scratch, joint, joint + 1);
+            }
+        }
+
+        private static void AcrossChains(in WingPack pack, in StepScratch scratch)
+        {
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint + joints < pack.rig.jointCount; joint++)
+                scratch.acrossEdges[joint] = Halfway(pack, scratch, joint, joint + joints);
         }
 
         // Slope and curvature of the parabola through values at 0, ½ and 1.

@@ -4,8 +4,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Measures how a wing deforms over a beat: twist, camber, bend, lag and stretch of its mesh. Bakes the cuts once for a mesh.</summary>
-    /// <remarks>Nothing here depends on how the wing was moved: any mesh that deforms over a cycle can be measured, also a filmed one.</remarks>
+    /// <summary>Measures how a wing deforms over a beat: twist, camber, bend, lag and stretch of its mesh. Bakes the cuts once for a
+    /// mesh.</summary>
+    /// <remarks>Nothing here depends on how the wing was moved: any mesh that deforms over a cycle can be measured, also a filmed
+    /// one.</remarks>
     public sealed class BeatMeasurement
     {
         /// <summary>Span of the inner section of the twist, wing lengths.</summary>
@@ -55,7 +57,8 @@ namespace Alate
         public float Bend(in BeatFrame frame) => TipBend.Angle(frame.AtRoot(frame.Positions[m_Tip])) - TipBend.Angle(m_Rest[m_Tip]);
 
         /// <summary>Measures one beat.</summary>
-        /// <param name="beat">One whole beat in order, three frames or more; the last lies before the first one's phase comes again.</param>
+        /// <param name="beat">One whole beat in order, three frames or more; the last lies before the first one's phase comes
+        /// again.</param>
         /// <exception cref="ArgumentException">There are fewer than three frames.</exception>
         public WingDeformation Measure(IReadOnlyList<BeatFrame> beat)
         {

@@ -5,7 +5,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Lag of a section's trailing edge: the phase of its height behind that of the leading edge, both in the fundamental of the beat, less what a wing
+    /// Lag of a section's trailing edge: the phase of its height behind that of the leading edge, both in the fundamental of the beat,
+    /// less what a wing
     /// that only turns with its root has by its feathering.
     /// </summary>
     public static class EdgeLag
@@ -25,7 +26,8 @@ namespace Alate
             return Wrap(deformed - rigid);
         }
 
-        /// <summary>The coefficient a + ib of a height's part a cos Φ + b sin Φ; its angle is the phase at which the height is greatest.</summary>
+        /// <summary>The coefficient a + ib of a height's part a cos Φ + b sin Φ; its angle is the phase at which the height is
+        /// greatest.</summary>
         /// <param name="beat">One whole beat.</param>
         /// <param name="height">The height in a frame.</param>
         public static float2 Fundamental(IReadOnlyList<BeatFrame> beat, Func<BeatFrame, float> height)

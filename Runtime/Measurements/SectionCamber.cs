@@ -2,7 +2,8 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Camber of a section: the largest distance of its places from its chord line, over the chord, positive on the dorsal side.</summary>
+    /// <summary>Camber of a section: the largest distance of its places from its chord line, over the chord, positive on the dorsal
+    /// side.</summary>
     public static class SectionCamber
     {
         /// <summary>The camber in the given shape, share of the chord.</summary>

@@ -5,7 +5,14 @@ namespace Alate
     {
         /// <summary>The numbers in the order of the properties.</summary>
         public WingDeformation(
-            float twistRange, float camberMin, float camberMax, float tipBendRange, float tipBendMax, float lag, float stretchMax, float stretch99)
+            float twistRange,
+            float camberMin,
+            float camberMax,
+            float tipBendRange,
+            float tipBendMax,
+            float lag,
+            float stretchMax,
+            float stretch99)
         {
             TwistRange = twistRange;
             CamberMin = camberMin;
@@ -17,7 +24,8 @@ namespace Alate
             Stretch99 = stretch99;
         }
 
-        /// <summary>Twist of the outer against the inner section, highest minus lowest of the beat, radians; see <see cref="SectionTwist"/>.</summary>
+        /// <summary>Twist of the outer against the inner section, highest minus lowest of the beat, radians; see
+        /// <see cref="SectionTwist"/>.</summary>
         public float TwistRange { get; }
 
         /// <summary>Lowest camber of the beat, share of the chord; negative is hollow above. See <see cref="SectionCamber"/>.</summary>
@@ -32,7 +40,8 @@ namespace Alate
         /// <summary>Largest magnitude of that bend, radians.</summary>
         public float TipBendMax { get; }
 
-        /// <summary>Phase by which the trailing edge follows the leading edge, beyond an undeformed wing's, radians; see <see cref="EdgeLag"/>.</summary>
+        /// <summary>Phase by which the trailing edge follows the leading edge, beyond an undeformed wing's, radians; see
+        /// <see cref="EdgeLag"/>.</summary>
         public float Lag { get; }
 
         /// <summary>Largest |l/l₀ − 1| of any edge at any time of the beat; see <see cref="EdgeStretch"/>.</summary>

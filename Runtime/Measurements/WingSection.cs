@@ -5,7 +5,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// A cut through a wing at one rest span, as places on the edges of its mesh from the leading to the trailing edge. Baked once on the rest mesh; it follows
+    /// A cut through a wing at one rest span, as places on the edges of its mesh from the leading to the trailing edge. Baked once on the
+    /// rest mesh; it follows
     /// the deformed mesh.
     /// </summary>
     public sealed class WingSection
@@ -41,9 +42,9 @@ namespace Alate
             }
 
             places.Sort((one, other) => other.forward.CompareTo(one.forward));
-            for (int k = places.Count - 2; k > 0; k--)
+            for (int k = places.Count - 1; k > 0; k--)
             {
-                if (places[k].forward - places[k + 1].forward < k_SamePlace)
+                if (places[k - 1].forward - places[k].forward < k_SamePlace)
                     places.RemoveAt(k);
             }
 

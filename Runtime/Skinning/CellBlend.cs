@@ -15,13 +15,13 @@ namespace Alate
         public Coefficients8 cuv;
 
         /// <summary>Signs are aligned to the first joint of the cell, once for all its vertices.</summary>
-        public CellBlend(in DualQuaternion at00, in DualQuaternion at01, in DualQuaternion at10, in DualQuaternion at11)
+        public void Set(in DualQuaternion at00, in DualQuaternion at01, in DualQuaternion at10, in DualQuaternion at11)
         {
             DualQuaternion a01 = at01.AlignedWith(at00), a10 = at10.AlignedWith(at00), a11 = at11.AlignedWith(at00);
-            c = new Coefficients8(at00);
-            cu = new Coefficients8(a10 - at00);
-            cv = new Coefficients8(a01 - at00);
-            cuv = new Coefficients8(a11 - a10 - (a01 - at00));
+            c.Set(at00.real, at00.dual);
+            cu.Set(a10.real - at00.real, a10.dual - at00.dual);
+            cv.Set(a01.real - at00.real, a01.dual - at00.dual);
+            cuv.Set(a11.real - a10.real - (a01.real - at00.real), a11.dual - a10.dual - (a01.dual - at00.dual));
         }
 
         /// <summary>Eight components, each in all four lanes.</summary>
@@ -32,12 +32,17 @@ namespace Alate
             public SoaFloat3 dual;
             public float4 dualW;
 
-            public Coefficients8(in DualQuaternion d)
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            public void Set(float4 q, float4 e)
             {
-                real = new SoaFloat3(d.real.xyz);
-                realW = d.real.w;
-                dual = new SoaFloat3(d.dual.xyz);
-                dualW = d.dual.w;
+                real.x = q.xxxx;
+                real.y = q.yyyy;
+                real.z = q.zzzz;
+                realW = q.wwww;
+                dual.x = e.xxxx;
+                dual.y = e.yyyy;
+                dual.z = e.zzzz;
+                dualW = e.wwww;
             }
         }
     }

@@ -9,90 +9,48 @@ namespace Alate
     /// </summary>
     internal static unsafe class DualQuaternionSkinning
     {
-        /// <summary>Quads that pass from the first pass to the second at a time: 4 KB, well within the first cache.</summary>
-        private const int k_BlockQuads = 32;
-
-        /// <summary>A quad between the passes.</summary>
-        private struct Blended
-        {
-            public SoaFloat3 q;
-            public float4 w;
-            public float4 scale;
-            public SoaFloat3 position;
-        }
-
         /// <summary>Skins the quads of one cell from <paramref name="first"/> up to <paramref name="end"/> and widens the bounds.</summary>
-        public static void Cell(in CellBlend blend, in SkinTarget target, int first, int end, SoaBounds* bounds)
+        public static void Cell(CellBlend* blend, in SkinTarget target, int first, int end, SoaBounds* bounds)
         {
-            Blended* block = stackalloc Blended[k_BlockQuads];
-            fixed (CellBlend* b = &blend)
-            {
-                for (; first < end; first += k_BlockQuads)
-                {
-                    int count = math.min(end - first, k_BlockQuads);
-                    SkinQuad* quads = target.rig.skinQuads + first;
-                    Positions(b, quads, count, block);
-                    Widen(block, count, bounds);
-                    Normals(quads, count, block, target.vertices);
-                    if (target.tangents != null)
-                        Tangents(quads, target.rig.skinTangents + first, count, block, target.tangents);
-                }
-            }
+            Vertices(blend, target.rig.skinQuads, first, end, target.vertices, bounds);
+            if (target.tangents != null)
+                Tangents(blend, target.rig.skinQuads, target.rig.skinTangents, first, end, target.tangents);
         }
 
-        private static void Positions(CellBlend* b, SkinQuad* quads, int count, Blended* block)
-        {
-            for (int k = 0; k < count; k++)
-            {
-                SkinQuad* quad = quads + k;
-                Blended* blended = block + k;
-                float4 u = quad->u, v = quad->v;
-                SoaFloat3 q = b->c.real + b->cu.real * u + (b->cv.real + b->cuv.real * u) * v;
-                float4 w = b->c.realW + b->cu.realW * u + (b->cv.realW + b->cuv.realW * u) * v;
-                SoaFloat3 e = b->c.dual + b->cu.dual * u + (b->cv.dual + b->cuv.dual * u) * v;
-                float4 ew = b->c.dualW + b->cu.dualW * u + (b->cv.dualW + b->cuv.dualW * u) * v;
-                float4 scale = 2f / (SoaFloat3.LengthSquared(q) + w * w);
-                var p = new SoaFloat3(quad->px, quad->py, quad->pz);
-                blended->q = q;
-                blended->w = w;
-                blended->scale = scale;
-                blended->position = p + (SoaFloat3.Cross(q, SoaFloat3.Cross(q, p) + p * w + e) + e * w - q * ew) * scale;
-            }
-        }
-
-        private static void Widen(Blended* block, int count, SoaBounds* bounds)
+        private static void Vertices(CellBlend* blend, SkinQuad* quads, int first, int end, SkinnedVertex* vertices, SoaBounds* bounds)
         {
             SoaBounds all = *bounds;
-            for (int k = 0; k < count; k++)
-                all.Encapsulate(block[k].position);
+            for (SkinQuad* quad = quads + first; quad < quads + end; quad++)
+            {
+                float4 u = quad->u, v = quad->v;
+                SoaFloat3 q = BlendReal(blend, u, v), e = BlendDual(blend, u, v);
+                float4 w = blend->c.realW + blend->cu.realW * u + (blend->cv.realW + blend->cuv.realW * u) * v;
+                float4 ew = blend->c.dualW + blend->cu.dualW * u + (blend->cv.dualW + blend->cuv.dualW * u) * v;
+                float4 scale = 2f / (SoaFloat3.LengthSquared(q) + w * w);
+                var p = new SoaFloat3(quad->px, quad->py, quad->pz);
+                p += (SoaFloat3.Cross(q, SoaFloat3.Cross(q, p) + p * w + e) + e * w - q * ew) * scale;
+                var n = new SoaFloat3(quad->nx, quad->ny, quad->nz);
+                n += SoaFloat3.Cross(q, SoaFloat3.Cross(q, n) + n * w) * scale;
+                Write(vertices, quad->target, p, n);
+                all.Encapsulate(p);
+            }
+
             *bounds = all;
         }
 
-        // Turns the normals, and writes positions and normals interleaved: four components in one store, then the last two.
-        private static void Normals(SkinQuad* quads, int count, Blended* block, SkinnedVertex* vertices)
-        {
-            for (int k = 0; k < count; k++)
-            {
-                SkinQuad* quad = quads + k;
-                SoaFloat3 p = block[k].position;
-                SoaFloat3 n = Turn(block + k, new SoaFloat3(quad->nx, quad->ny, quad->nz));
-                float4x4 head = math.transpose(new float4x4(p.x, p.y, p.z, n.x));
-                float4x4 tail = math.transpose(new float4x4(n.y, n.z, n.y, n.z));
-                int4 target = quad->target;
-                Store(vertices + target.x, head.c0, tail.c0);
-                Store(vertices + target.y, head.c1, tail.c1);
-                Store(vertices + target.z, head.c2, tail.c2);
-                Store(vertices + target.w, head.c3, tail.c3);
-            }
-        }
-
         // The handedness in w stays.
-        private static void Tangents(SkinQuad* quads, SkinTangentQuad* tangents, int count, Blended* block, float4* output)
+        private static void Tangents(
+            CellBlend* blend, SkinQuad* quads, SkinTangentQuad* tangents, int first, int end, float4* output)
         {
-            for (int k = 0; k < count; k++)
+            for (int k = first; k < end; k++)
             {
+                float4 u = quads[k].u, v = quads[k].v;
+                SoaFloat3 q = BlendReal(blend, u, v);
+                float4 w = blend->c.realW + blend->cu.realW * u + (blend->cv.realW + blend->cuv.realW * u) * v;
+                float4 scale = 2f / (SoaFloat3.LengthSquared(q) + w * w);
                 SkinTangentQuad* rest = tangents + k;
-                SoaFloat3 t = Turn(block + k, new SoaFloat3(rest->tx, rest->ty, rest->tz));
+                var t = new SoaFloat3(rest->tx, rest->ty, rest->tz);
+                t += SoaFloat3.Cross(q, SoaFloat3.Cross(q, t) + t * w) * scale;
                 float4x4 rows = math.transpose(new float4x4(t.x, t.y, t.z, rest->tw));
                 int4 target = quads[k].target;
                 output[target.x] = rows.c0;
@@ -103,17 +61,30 @@ namespace Alate
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static SoaFloat3 Turn(Blended* blended, SoaFloat3 n)
+        private static SoaFloat3 BlendReal(CellBlend* b, float4 u, float4 v) =>
+            b->c.real + b->cu.real * u + (b->cv.real + b->cuv.real * u) * v;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static SoaFloat3 BlendDual(CellBlend* b, float4 u, float4 v) =>
+            b->c.dual + b->cu.dual * u + (b->cv.dual + b->cuv.dual * u) * v;
+
+        // Interleaves position and normal: two overlapping stores of four components make the six of a vertex.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Write(SkinnedVertex* vertices, int4 target, in SoaFloat3 p, in SoaFloat3 n)
         {
-            SoaFloat3 q = blended->q;
-            return n + SoaFloat3.Cross(q, SoaFloat3.Cross(q, n) + n * blended->w) * blended->scale;
+            float4x4 head = math.transpose(new float4x4(p.x, p.y, p.z, n.x));
+            float4x4 tail = math.transpose(new float4x4(p.z, n.x, n.y, n.z));
+            Store(vertices + target.x, head.c0, tail.c0);
+            Store(vertices + target.y, head.c1, tail.c1);
+            Store(vertices + target.z, head.c2, tail.c2);
+            Store(vertices + target.w, head.c3, tail.c3);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void Store(SkinnedVertex* vertex, float4 head, float4 tail)
         {
             *(float4*)vertex = head;
-            *(float2*)((float4*)vertex + 1) = tail.xy;
+            *(float4*)((float*)vertex + 2) = tail;
         }
     }
 }

@@ -32,6 +32,7 @@ namespace Alate
         public static ChunkBounds SkinQuads(in SkinTarget target, DualQuaternion* palette, int firstQuad, int endQuad)
         {
             SoaBounds bounds = SoaBounds.Empty;
+            CellBlend blend = default;
             int joints = target.rig.jointsPerChain;
             for (int cell = 0; cell < target.rig.cellCount; cell++)
             {
@@ -41,8 +42,8 @@ namespace Alate
                 if (first >= end)
                     continue;
                 int joint = cell + cell / (joints - 1);
-                var blend = new CellBlend(palette[joint], palette[joint + 1], palette[joint + joints], palette[joint + joints + 1]);
-                DualQuaternionSkinning.Cell(blend, target, first, end, &bounds);
+                blend.Set(palette[joint], palette[joint + 1], palette[joint + joints], palette[joint + joints + 1]);
+                DualQuaternionSkinning.Cell(&blend, target, first, end, &bounds);
             }
 
             return new ChunkBounds

@@ -17,7 +17,7 @@ namespace Alate
         };
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Encapsulate(SoaFloat3 p)
+        public void Encapsulate(in SoaFloat3 p)
         {
             min = new SoaFloat3(math.min(min.x, p.x), math.min(min.y, p.y), math.min(min.z, p.z));
             max = new SoaFloat3(math.max(max.x, p.x), math.max(max.y, p.y), math.max(max.z, p.z));

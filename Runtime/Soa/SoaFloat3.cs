@@ -35,45 +35,45 @@ namespace Alate
 
         /// <summary>Sum.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 operator +(SoaFloat3 a, SoaFloat3 b) => new SoaFloat3(a.x + b.x, a.y + b.y, a.z + b.z);
+        public static SoaFloat3 operator +(in SoaFloat3 a, in SoaFloat3 b) => new SoaFloat3 { x = a.x + b.x, y = a.y + b.y, z = a.z + b.z };
 
         /// <summary>Difference.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 operator -(SoaFloat3 a, SoaFloat3 b) => new SoaFloat3(a.x - b.x, a.y - b.y, a.z - b.z);
+        public static SoaFloat3 operator -(in SoaFloat3 a, in SoaFloat3 b) => new SoaFloat3 { x = a.x - b.x, y = a.y - b.y, z = a.z - b.z };
 
         /// <summary>Opposite.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 operator -(SoaFloat3 a) => new SoaFloat3(-a.x, -a.y, -a.z);
+        public static SoaFloat3 operator -(in SoaFloat3 a) => new SoaFloat3 { x = -a.x, y = -a.y, z = -a.z };
 
         /// <summary>Scaled by one factor per wing.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 operator *(SoaFloat3 a, float4 s) => new SoaFloat3(a.x * s, a.y * s, a.z * s);
+        public static SoaFloat3 operator *(in SoaFloat3 a, float4 s) => new SoaFloat3 { x = a.x * s, y = a.y * s, z = a.z * s };
 
         /// <summary>Scaled by one factor per wing.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 operator *(float4 s, SoaFloat3 a) => new SoaFloat3(a.x * s, a.y * s, a.z * s);
+        public static SoaFloat3 operator *(float4 s, in SoaFloat3 a) => new SoaFloat3 { x = a.x * s, y = a.y * s, z = a.z * s };
 
         /// <summary>Inner product.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static float4 Dot(SoaFloat3 a, SoaFloat3 b) => a.x * b.x + a.y * b.y + a.z * b.z;
+        public static float4 Dot(in SoaFloat3 a, in SoaFloat3 b) => a.x * b.x + a.y * b.y + a.z * b.z;
 
         /// <summary>Outer product, formula-wise: X × Y = Z.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 Cross(SoaFloat3 a, SoaFloat3 b) =>
-            new SoaFloat3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+        public static SoaFloat3 Cross(in SoaFloat3 a, in SoaFloat3 b) =>
+            new SoaFloat3 { x = a.y * b.z - a.z * b.y, y = a.z * b.x - a.x * b.z, z = a.x * b.y - a.y * b.x };
 
         /// <summary>Squared length.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static float4 LengthSquared(SoaFloat3 a) => a.x * a.x + a.y * a.y + a.z * a.z;
+        public static float4 LengthSquared(in SoaFloat3 a) => a.x * a.x + a.y * a.y + a.z * a.z;
 
         /// <summary>Unit vector; zero where the length is below 1e-12.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 NormalizeSafe(SoaFloat3 a) => a * SoaMath.SafeReciprocal(math.sqrt(LengthSquared(a)));
+        public static SoaFloat3 NormalizeSafe(in SoaFloat3 a) => a * SoaMath.SafeReciprocal(math.sqrt(LengthSquared(a)));
 
         /// <summary>Per wing: <paramref name="b"/> where <paramref name="test"/> holds, else <paramref name="a"/>.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 Select(SoaFloat3 a, SoaFloat3 b, bool4 test) =>
-            new SoaFloat3(math.select(a.x, b.x, test), math.select(a.y, b.y, test), math.select(a.z, b.z, test));
+        public static SoaFloat3 Select(in SoaFloat3 a, in SoaFloat3 b, bool4 test) =>
+            new SoaFloat3 { x = math.select(a.x, b.x, test), y = math.select(a.y, b.y, test), z = math.select(a.z, b.z, test) };
 
         /// <summary>The vector of one wing.</summary>
         public float3 this[int lane]

@@ -1,5 +1,5 @@
 using System;
-using Unity.Mathematics;
+using System.Numerics;
 
 namespace Alate.Benchmarks;
 
@@ -10,10 +10,11 @@ internal sealed unsafe class SkinningComparison
     private readonly PlainRig m_Plain;
     private readonly SkinTarget m_Target;
     private readonly DualQuaternion[] m_Palette;
-    private readonly float4x4[] m_Matrices;
+    private readonly PlainDualQuaternion[] m_PlainPalette;
+    private readonly Matrix4x4[] m_Matrices;
     private readonly SkinnedVertex[] m_Vertices;
-    private readonly float3[] m_Positions;
-    private readonly float3[] m_Normals;
+    private readonly Vector3[] m_Positions;
+    private readonly Vector3[] m_Normals;
     private ChunkBounds m_Bounds;
     private float m_Sink;
 
@@ -21,31 +22,33 @@ internal sealed unsafe class SkinningComparison
     {
         m_Specimen = specimen;
         m_Plain = plain;
-        var count = plain.meshVertices.Length;
+        var count = plain.vertices.Length;
         m_Vertices = GC.AllocateArray<SkinnedVertex>(count, pinned: true);
-        m_Positions = new float3[count];
-        m_Normals = new float3[count];
+        m_Positions = new Vector3[count];
+        m_Normals = new Vector3[count];
         m_Palette = GC.AllocateArray<DualQuaternion>(plain.JointCount, pinned: true);
         fixed (SkinnedVertex* vertices = m_Vertices)
             m_Target = new SkinTarget { rig = specimen.Rig.View, frame = specimen.Rig.Frame, vertices = vertices };
         fixed (DualQuaternion* palette = m_Palette)
             SkinPalette.Evaluate(pack.Pack, m_Target, 1f, palette);
-        m_Matrices = Array.ConvertAll(m_Palette, Matrix);
+        m_PlainPalette = Array.ConvertAll(
+            m_Palette, joint => new PlainDualQuaternion { real = PlainRig.Plain(joint.real), dual = PlainRig.Plain(joint.dual) });
+        m_Matrices = Array.ConvertAll(m_PlainPalette, Matrix);
     }
 
     public void Run(Report report)
     {
         Grouped();
-        PlainDualQuaternions.Skin(m_Plain, m_Palette, m_Positions, m_Normals);
+        PlainDualQuaternions();
         report.Check("naive DQS gives the grouped DQS", LargestDifference(), 1e-5);
-        PlainLinearBlend.Skin(m_Plain, m_Matrices, m_Positions, m_Normals);
+        PlainLinearBlend();
         report.Check("naive LBS stays near the grouped DQS", LargestDifference(), 2e-2);
 
         var count = m_Vertices.Length;
         var time = Race.Run(
             new Contestant("grouped DQS", count, Grouped),
-            new Contestant("naive DQS", count, () => PlainDualQuaternions.Skin(m_Plain, m_Palette, m_Positions, m_Normals)),
-            new Contestant("naive LBS", count, () => PlainLinearBlend.Skin(m_Plain, m_Matrices, m_Positions, m_Normals)),
+            new Contestant("naive DQS", count, PlainDualQuaternions),
+            new Contestant("naive LBS", count, PlainLinearBlend),
             new Contestant("multiply-adds", count, () => m_Sink += Calibration.MultiplyAdd(count)[0]));
         report.Ratio(Targets.NaiveDqs, time[0], time[1], time[1] / time[0]);
         report.Ratio(Targets.NaiveLbs, time[0], time[2], time[2] / time[0]);
@@ -58,23 +61,29 @@ internal sealed unsafe class SkinningComparison
             m_Bounds = SkinWingsJob.SkinQuads(m_Target, palette, 0, m_Target.rig.quadCount);
     }
 
+    private void PlainDualQuaternions() => PlainSkinning.DualQuaternions(m_Plain.vertices, m_PlainPalette, m_Positions, m_Normals);
+
+    private void PlainLinearBlend() => PlainSkinning.LinearBlend(m_Plain.vertices, m_Matrices, m_Positions, m_Normals);
+
     // In wing lengths, over positions and normals.
     private double LargestDifference()
     {
         var largest = 0f;
         for (var v = 0; v < m_Vertices.Length; v++)
         {
-            largest = math.max(largest, math.length(m_Vertices[v].position - m_Positions[v]) / m_Specimen.Rig.Frame.length);
-            largest = math.max(largest, 0.1f * math.length(m_Vertices[v].normal - m_Normals[v]));
+            var position = PlainRig.Plain(m_Vertices[v].position) - m_Positions[v];
+            var normal = PlainRig.Plain(m_Vertices[v].normal) - m_Normals[v];
+            largest = MathF.Max(largest, position.Length() / m_Specimen.Rig.Frame.length);
+            largest = MathF.Max(largest, 0.1f * normal.Length());
         }
 
         return largest;
     }
 
-    private static float4x4 Matrix(DualQuaternion joint)
+    private static Matrix4x4 Matrix(PlainDualQuaternion joint)
     {
-        float4 real = joint.real, dual = joint.dual;
-        var translation = 2f * (real.w * dual.xyz - dual.w * real.xyz + math.cross(real.xyz, dual.xyz));
-        return new float4x4(new quaternion(real), translation);
+        var matrix = Matrix4x4.CreateFromQuaternion(joint.real);
+        matrix.Translation = PlainSkinning.Translation(joint.real, joint.dual);
+        return matrix;
     }
 }

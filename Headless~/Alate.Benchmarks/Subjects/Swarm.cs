@@ -9,7 +9,8 @@ internal sealed class Swarm : IDisposable
     /// <summary>Substeps of a frame: a monarch's 24 a beat at about 10 Hz, seen at 60 frames per second.</summary>
     public const int SubstepsPerFrame = 4;
 
-    private readonly float m_FrameTime;
+    /// <summary>Seconds of a frame.</summary>
+    public float FrameTime { get; }
 
     public Swarm(IReadOnlyList<Specimen> kinds, int insects)
     {
@@ -25,7 +26,7 @@ internal sealed class Swarm : IDisposable
         // Every pack takes the whole number of substeps of a frame: the fastest sets the time.
         foreach (var wing in Wings)
             frequency = MathF.Max(frequency, World.Read(wing).Frequency);
-        m_FrameTime = SubstepsPerFrame / (frequency * kinds[0].Parameters.substepsPerBeat);
+        FrameTime = SubstepsPerFrame / (frequency * kinds[0].Parameters.substepsPerBeat);
     }
 
     public WingWorld World { get; }
@@ -37,7 +38,7 @@ internal sealed class Swarm : IDisposable
     /// <summary>A frame: four substeps, and the meshes once.</summary>
     public void Frame()
     {
-        World.Step(m_FrameTime);
+        World.Step(FrameTime);
         World.Skin();
     }
 

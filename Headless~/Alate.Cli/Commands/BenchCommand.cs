@@ -11,7 +11,8 @@ internal static class BenchCommand
     public static Command Create(TextWriter output)
     {
         var json = new Option<string>("--json") { HelpName = "FILE", Description = "Also write the ratios as JSON to this file." };
-        var command = new Command("bench", "Measures the kernels against naive baselines within one process. Build with -c Release.") { json };
+        var command = new Command(
+            "bench", "Measures the kernels against naive baselines within one process. Build with -c Release.") { json };
         HelpExamples.Set(command, "Example:\n  bench --json bench.json");
         command.SetAction(parsed =>
         {

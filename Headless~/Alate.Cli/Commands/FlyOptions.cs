@@ -6,16 +6,20 @@ namespace Alate.Cli.Commands;
 /// <summary>The options of <c>fly</c>.</summary>
 internal sealed class FlyOptions
 {
-    private readonly Option<double> m_Speed = Numbers.Option("--speed", "M/S", 1.3, 0, 100, "Speed of the body ahead, metres per second, 0 to 100.");
+    private readonly Option<double> m_Speed = Numbers.Option(
+        "--speed", "M/S", 1.3, 0, 100, "Speed of the body ahead, metres per second, 0 to 100.");
 
-    private readonly Option<double> m_Climb = Numbers.Option("--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second; negative sinks.");
+    private readonly Option<double> m_Climb = Numbers.Option(
+        "--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second; negative sinks.");
 
-    private readonly Option<double> m_Pitch = Numbers.Option("--pitch", "DEG", 0, -90, 90, "Pitch of the body, degrees, nose up positive, -90 to 90.");
+    private readonly Option<double> m_Pitch = Numbers.Option(
+        "--pitch", "DEG", 0, -90, 90, "Pitch of the body, degrees, nose up positive, -90 to 90.");
 
     private readonly Option<double?> m_Seconds = Numbers.Optional(
         "--seconds", "S", 0, 3600, "Simulated time, seconds, one beat to an hour; its last beat is reported. [default: 8 beats]");
 
-    private readonly Option<double[]> m_Wind = Numbers.Vector("--wind", "X,Y,Z", 100, "Wind, metres per second: to the right, up, ahead.");
+    private readonly Option<double[]> m_Wind = Numbers.Vector(
+        "--wind", "X,Y,Z", 100, "Wind, metres per second: to the right, up, ahead. [default: 0,0,0]");
 
     private readonly Option<double?> m_Lag = Numbers.Optional(
         "--lag", "LAMBDA", 0, 2, "Delay of the trailing edge, half beats, 0 to 2. [default: the species']");
@@ -24,7 +28,8 @@ internal sealed class FlyOptions
         "--elasticity", "FACTOR", 1, 0.001, 1e6, "Factor on the species' elasticity, 0.001 to 1000000; below 1 is softer.");
 
     private readonly Option<int?> m_Substeps = Numbers.OptionalCount(
-        "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps, "Substeps of a beat, 12 to 480. [default: the species']");
+        "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps,
+        "Substeps of a beat, 12 to 480. [default: the species']");
 
     private readonly Option<string> m_Elements = new("--elements")
     {
@@ -49,11 +54,23 @@ internal sealed class FlyOptions
 
     private readonly Option<bool> m_Rigid = new("--rigid") { Description = "A stiff wing for comparison: no wave and no bending." };
 
-    private readonly Option<string> m_Mesh = new("--mesh") { HelpName = "FILE.obj", Description = "A wing of your own, at rest. Needs --skeleton and --species." };
+    private readonly Option<string> m_Mesh = new("--mesh")
+    {
+        HelpName = "FILE.obj",
+        Description = "A wing of your own, at rest. Needs --skeleton and --species.",
+    };
 
-    private readonly Option<string> m_Skeleton = new("--skeleton") { HelpName = "FILE.json", Description = "The skeleton of that wing, in the mesh's space." };
+    private readonly Option<string> m_Skeleton = new("--skeleton")
+    {
+        HelpName = "FILE.json",
+        Description = "The skeleton of that wing, in the mesh's space.",
+    };
 
-    private readonly Option<string> m_Species = new("--species") { HelpName = "PRESET", Description = "The species whose size, beat and stiffness that wing takes." };
+    private readonly Option<string> m_Species = new("--species")
+    {
+        HelpName = "PRESET",
+        Description = "The species whose size, beat and stiffness that wing takes.",
+    };
 
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
@@ -61,8 +78,8 @@ internal sealed class FlyOptions
     {
         Option[] all =
         [
-            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset, m_NoWave, m_Rigid,
-            m_Mesh, m_Skeleton, m_Species, m_Out,
+            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
+            m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Species, m_Out,
         ];
         foreach (Option option in all)
             command.Options.Add(option);
@@ -81,7 +98,7 @@ internal sealed class FlyOptions
             Climb = parsed.GetValue(m_Climb),
             PitchDegrees = parsed.GetValue(m_Pitch),
             Seconds = parsed.GetValue(m_Seconds),
-            Wind = parsed.GetValue(m_Wind),
+            Wind = parsed.GetValue(m_Wind) is { Length: 3 } wind ? wind : [0, 0, 0],
             Lag = parsed.GetValue(m_Lag),
             Elasticity = parsed.GetValue(m_Elasticity),
             Substeps = parsed.GetValue(m_Substeps),

@@ -10,7 +10,8 @@ internal static class NewProjectCommand
     public static Command Create(TextWriter output)
     {
         var folder = new Argument<string>("DIR") { Description = "A new or empty folder." };
-        var command = new Command("new-project", "Makes a Unity project that hosts this package from where it lies, with its tests enabled.") { folder };
+        var command = new Command(
+            "new-project", "Makes a Unity project that hosts this package from where it lies, with its tests enabled.") { folder };
         HelpExamples.Set(command, "Example:\n  new-project ../AlateProject");
         command.SetAction(parsed =>
         {

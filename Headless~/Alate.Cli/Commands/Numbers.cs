@@ -35,13 +35,12 @@ internal static class Numbers
             CustomParser = result => Count(result, name, Text(result), min, max),
         };
 
-    /// <summary>Three numbers with commas, nought by default.</summary>
+    /// <summary>Three numbers with commas; an empty array when it is not given.</summary>
     public static Option<double[]> Vector(string name, string unit, double limit, string description) =>
         new(name)
         {
             Description = description,
             HelpName = unit,
-            DefaultValueFactory = _ => [0, 0, 0],
             CustomParser = result => Three(result, name, limit),
         };
 

@@ -10,6 +10,7 @@ namespace Alate.Cli.Flights;
 internal sealed class Flight : IDisposable
 {
     private const double k_DefaultBeats = 8;
+    private const int k_StepsPerBeat = 4;
 
     private readonly FlightPlan m_Plan;
     private readonly Insect m_Insect;
@@ -17,11 +18,12 @@ internal sealed class Flight : IDisposable
     private readonly List<WingHandle> m_Handles = [];
     private readonly List<RecordedWing> m_Wings = [];
     private readonly List<WingFrame> m_Frames = [];
-    private readonly double m_Frequency;
+    private readonly double m_Frequency, m_Substep;
     private readonly int m_SubstepsPerBeat;
 
     /// <summary>Bakes and places every wing; nothing has moved yet.</summary>
-    /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a beat.</exception>
+    /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a
+    /// beat.</exception>
     public Flight(FlightPlan plan, Insect insect)
     {
         m_Plan = plan;
@@ -32,6 +34,7 @@ internal sealed class Flight : IDisposable
                 Add(wing);
             m_Frequency = m_World.Read(m_Handles[0]).Frequency;
             m_SubstepsPerBeat = m_Wings[0].Parameters.substepsPerBeat;
+            m_Substep = 1.0 / (m_Frequency * m_SubstepsPerBeat);
             Steps = CountSteps();
         }
         catch
@@ -48,22 +51,18 @@ internal sealed class Flight : IDisposable
     /// <param name="progress">Told the substeps done so far.</param>
     public FlightRecord Run(Action<int> progress)
     {
-        double step = 1.0 / (m_Frequency * m_SubstepsPerBeat);
-        long started = Stopwatch.GetTimestamp(), spent = 0;
-        int timed = 0;
-        for (int k = 0; k < Steps; k++)
+        var cost = new List<double>();
+        int done = 0;
+        while (done < Steps)
         {
-            long before = Stopwatch.GetTimestamp();
-            m_World.Step((float)step);
-            if (k >= m_SubstepsPerBeat || Steps <= m_SubstepsPerBeat)
-            {
-                spent += Stopwatch.GetTimestamp() - before;
-                timed++;
-            }
-
-            if (k >= Steps - m_SubstepsPerBeat)
-                Record((k + 1) * step);
-            progress(k + 1);
+            // The last beat one substep at a time, for the record; what is before it in a few steps of many, as a game would.
+            int left = Steps - m_SubstepsPerBeat - done;
+            int count = left > 0 ? Math.Min(left, Math.Max(1, m_SubstepsPerBeat / k_StepsPerBeat)) : 1;
+            cost.Add(Advance(count));
+            done += count;
+            if (left <= 0)
+                Record(done * m_Substep);
+            progress(done);
         }
 
         for (int k = 0; k < m_Wings.Count; k++)
@@ -78,9 +77,9 @@ internal sealed class Flight : IDisposable
             Plan = m_Plan,
             Insect = m_Insect,
             Wings = m_Wings,
-            Seconds = Steps * step,
+            Seconds = Steps * m_Substep,
             Beats = (double)Steps / m_SubstepsPerBeat,
-            MicrosecondsPerSubstep = 1e6 * spent / Stopwatch.Frequency / timed,
+            MicrosecondsPerSubstep = Median(cost),
         };
     }
 
@@ -91,6 +90,8 @@ internal sealed class Flight : IDisposable
     {
         WingParameters parameters = m_Plan.ParametersOf(wing.Species);
         WingRig rig = Bake(wing);
+        float3[] rest = Array.ConvertAll(wing.Surface.positions, position => rig.Frame.ToWing(position));
+        BeatMeasurement measurement = Measurement(rest, wing.Surface);
         foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
         {
             m_Handles.Add(m_World.Add(rig, parameters, m_Plan.SurroundingsOf(wing.Species, side)));
@@ -100,7 +101,8 @@ internal sealed class Flight : IDisposable
                 Wing = wing,
                 Placement = wing.PlacementOf(rig.Frame, side),
                 Parameters = parameters,
-                Rest = Array.ConvertAll(wing.Surface.positions, position => rig.Frame.ToWing(position)),
+                Rest = rest,
+                Measurement = measurement,
                 Triangles = wing.Surface.triangles,
                 ChainCount = rig.ChainCount,
                 JointsPerChain = rig.JointsPerChain,
@@ -109,6 +111,23 @@ internal sealed class Flight : IDisposable
         }
 
         rig.Release();
+    }
+
+    // Microseconds of each substep.
+    private double Advance(int count)
+    {
+        long before = Stopwatch.GetTimestamp();
+        m_World.Step((float)(count * m_Substep));
+        return Stopwatch.GetElapsedTime(before).TotalMicroseconds / count;
+    }
+
+    // Of the steps of many substeps where there are any: the middle one, which other programs on the machine disturb least.
+    private double Median(List<double> cost)
+    {
+        List<double> many = cost.GetRange(0, Math.Max(cost.Count - m_SubstepsPerBeat, 0));
+        List<double> chosen = many.Count > 0 ? many : cost;
+        chosen.Sort();
+        return chosen[chosen.Count / 2];
     }
 
     private WingRig Bake(InsectWing wing)
@@ -120,6 +139,18 @@ internal sealed class Flight : IDisposable
         catch (ArgumentException problem)
         {
             throw new UserException(problem.Message);
+        }
+    }
+
+    private static BeatMeasurement Measurement(float3[] rest, in WingSurface surface)
+    {
+        try
+        {
+            return new BeatMeasurement(rest, surface.triangles);
+        }
+        catch (ArgumentException problem)
+        {
+            throw new UserException($"Mesh '{surface.name}' cannot be measured: {problem.Message}");
         }
     }
 

@@ -49,6 +49,8 @@ internal sealed class Insect
                 Skeleton = wing.CreateSkeleton(WingSide.Right),
                 Surface = surface.ToWingSurface(wing.Name),
                 Colours = surface.colours,
+                Pattern = wing.Pattern,
+                PatternScale = (float)wing.Outline.Length * SpeciesDefinition.UnitsPerMetre,
                 Origin = (float3)wing.Hinge,
             });
         }

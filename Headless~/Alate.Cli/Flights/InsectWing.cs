@@ -14,7 +14,14 @@ internal sealed class InsectWing
     /// <summary>[vertex] Null where the mesh has none.</summary>
     public Color32[] Colours { get; init; }
 
-    /// <summary>Where the mesh's origin sits on the right side of the body, metres; null puts the hinge at <see cref="Hinge"/> and turns the wing frame to the body's.</summary>
+    /// <summary>The catalogue's colouring, finer than the vertices' colours; else null.</summary>
+    public WingPattern Pattern { get; init; }
+
+    /// <summary>Mesh units of one wing length of the pattern.</summary>
+    public float PatternScale { get; init; }
+
+    /// <summary>Where the mesh's origin sits on the right side of the body, metres; null puts the hinge at <see cref="Hinge"/> and turns
+    /// the wing frame to the body's.</summary>
     public float3? Origin { get; init; }
 
     /// <summary>Where the hinge sits on the right side of the body where <see cref="Origin"/> is null, metres.</summary>

@@ -14,6 +14,9 @@ internal sealed class RecordedWing
     /// <summary>[vertex] Wing frame, wing lengths.</summary>
     public float3[] Rest { get; init; }
 
+    /// <summary>Measures the wing's shapes.</summary>
+    public BeatMeasurement Measurement { get; init; }
+
     /// <summary>Three vertex indices a triangle, as the mesh has them.</summary>
     public int[] Triangles { get; init; }
 

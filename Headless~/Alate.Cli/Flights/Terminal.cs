@@ -5,7 +5,8 @@ using Spectre.Console;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>What a flight shows on the terminal: a bar while it runs, a table in the end. Redirected output gets the table alone, without colours.</summary>
+/// <summary>What a flight shows on the terminal: a bar while it runs, a table in the end. Redirected output gets the table alone, without
+/// colours.</summary>
 internal sealed class Terminal
 {
     private const int k_RedirectedWidth = 100;
@@ -53,7 +54,8 @@ internal sealed class Terminal
         FlightRecord flight = summary.Flight;
         m_Console.Write(new Rule($"[bold]{Markup.Escape(flight.Insect.DisplayName)}[/]").LeftJustified());
         m_Console.WriteLine(string.Create(CultureInfo.InvariantCulture,
-            $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles. The last beat:"));
+            $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles."));
+        m_Console.WriteLine("The last beat:");
         m_Console.Write(SummaryTable(summary));
         m_Console.WriteLine("Written:");
         foreach (string file in files)

@@ -19,8 +19,7 @@ internal sealed record WingSummary(
     /// <summary>Measures the right wing of a kind.</summary>
     public static WingSummary Of(RecordedWing wing)
     {
-        var measurement = new BeatMeasurement(wing.Rest, wing.Triangles);
-        WingDeformation beat = measurement.Measure(
+        WingDeformation beat = wing.Measurement.Measure(
             wing.Frames.Select(frame => new BeatFrame(frame.Phase, frame.Root, frame.Positions)).ToList());
         return new WingSummary(
             wing.Wing.Name,

@@ -9,7 +9,8 @@ using Unity.Mathematics;
 namespace Alate.Cli.Gltf;
 
 /// <summary>
-/// wings.glb: the body and the wings of an insect, metres, Y up, facing +Z; the last beat as an animation that loops. A wing's mesh is its shape at
+/// wings.glb: the body and the wings of an insect, metres, Y up, facing +Z; the last beat as an animation that loops. A wing's mesh is its
+/// shape at
 /// phase 0, and each further key frame is one morph target.
 /// </summary>
 internal sealed class WingsGlb
@@ -19,6 +20,8 @@ internal sealed class WingsGlb
     private readonly GlbBuffer m_Buffer = new();
     private readonly JsonArray m_Nodes = [];
     private readonly JsonArray m_Meshes = [];
+    private readonly JsonArray m_Materials = [];
+    private readonly Dictionary<bool, int> m_MaterialOfPainted = [];
     private readonly List<int> m_WingNodes = [];
 
     public static void Write(FlightRecord flight, Stream stream)
@@ -42,7 +45,8 @@ internal sealed class WingsGlb
     {
         string name = $"{wing.Wing.Name} {(wing.Placement.IsLeft ? "left" : "right")}";
         (float3[] rest, float3[] restNormals) = Shape(wing, 0);
-        JsonObject primitive = Primitive(rest, restNormals, wing.Wing.Colours, Indices(wing.Triangles, wing.IsMeshMirrored == wing.Placement.IsLeft));
+        int[] indices = Indices(wing.Triangles, flip: wing.IsMeshMirrored == wing.Placement.IsLeft);
+        JsonObject primitive = Primitive(rest, restNormals, wing.Wing.Colours, indices);
         var targets = new JsonArray();
         for (int key = 1; key < k_KeyFrames; key++)
         {
@@ -56,7 +60,8 @@ internal sealed class WingsGlb
 
         primitive["targets"] = targets;
         var weights = new JsonArray(Enumerable.Repeat(0, k_KeyFrames - 1).Select(zero => (JsonNode)zero).ToArray());
-        m_WingNodes.Add(AddNode(name, new JsonObject { ["name"] = name, ["primitives"] = new JsonArray(primitive), ["weights"] = weights }));
+        var mesh = new JsonObject { ["name"] = name, ["primitives"] = new JsonArray(primitive), ["weights"] = weights };
+        m_WingNodes.Add(AddNode(name, mesh));
     }
 
     private JsonObject Primitive(float3[] positions, float3[] normals, UnityEngine.Color32[] colours, int[] indices)
@@ -68,7 +73,7 @@ internal sealed class WingsGlb
         {
             ["attributes"] = attributes,
             ["indices"] = m_Buffer.AddIndices(indices, positions.Length),
-            ["material"] = colours == null ? 1 : 0,
+            ["material"] = MaterialOf(colours != null),
             ["mode"] = 4,
         };
     }
@@ -83,7 +88,8 @@ internal sealed class WingsGlb
     private JsonObject Finish(FlightRecord flight)
     {
         int parts = m_Nodes.Count;
-        m_Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = new JsonArray(Enumerable.Range(0, parts).Select(k => (JsonNode)k).ToArray()) });
+        var children = new JsonArray(Enumerable.Range(0, parts).Select(k => (JsonNode)k).ToArray());
+        m_Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = children });
         double period = 1.0 / flight.Wings[0].Frequency;
         JsonArray animations = [Animation(period)];
         return new JsonObject
@@ -93,7 +99,7 @@ internal sealed class WingsGlb
             ["scenes"] = new JsonArray(new JsonObject { ["name"] = flight.Insect.DisplayName, ["nodes"] = new JsonArray(parts) }),
             ["nodes"] = m_Nodes,
             ["meshes"] = m_Meshes,
-            ["materials"] = new JsonArray(Material("painted", 1.0, 1.0, 1.0), Material("plain", 0.75, 0.72, 0.62)),
+            ["materials"] = m_Materials,
             ["animations"] = animations,
             ["accessors"] = m_Buffer.Accessors,
             ["bufferViews"] = m_Buffer.Views,
@@ -123,15 +129,25 @@ internal sealed class WingsGlb
         return new JsonObject { ["name"] = "beat", ["samplers"] = new JsonArray(sampler), ["channels"] = channels };
     }
 
-    private static JsonObject Material(string name, double red, double green, double blue) => new()
+    // Vertex colours multiply the material's, so that it is white under them; a membrane without any is pale.
+    private int MaterialOf(bool isPainted)
     {
-        ["name"] = name,
-        ["doubleSided"] = true,
-        ["pbrMetallicRoughness"] = new JsonObject
+        if (m_MaterialOfPainted.TryGetValue(isPainted, out int material))
+            return material;
+        m_Materials.Add(new JsonObject
         {
-            ["baseColorFactor"] = new JsonArray(red, green, blue, 1.0), ["metallicFactor"] = 0.0, ["roughnessFactor"] = 0.75,
-        },
-    };
+            ["name"] = isPainted ? "painted" : "membrane",
+            ["doubleSided"] = true,
+            ["pbrMetallicRoughness"] = new JsonObject
+            {
+                ["baseColorFactor"] = isPainted ? new JsonArray(1.0, 1.0, 1.0, 1.0) : new JsonArray(0.62, 0.57, 0.41, 1.0),
+                ["metallicFactor"] = 0.0,
+                ["roughnessFactor"] = 0.75,
+            },
+        });
+        m_MaterialOfPainted.Add(isPainted, m_Materials.Count - 1);
+        return m_Materials.Count - 1;
+    }
 
     private static (float3[] Positions, float3[] Normals) Shape(RecordedWing wing, int key)
     {

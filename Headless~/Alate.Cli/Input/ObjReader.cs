@@ -7,7 +7,8 @@ using UnityEngine;
 namespace Alate.Cli.Input;
 
 /// <summary>
-/// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vn and f with triangles, quads and larger polygons as fans, also with
+/// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vn and f with triangles, quads and larger polygons as fans, also
+/// with
 /// negative indices. Texture coordinates, groups, materials, lines and points are passed over.
 /// </summary>
 internal sealed class ObjReader
@@ -30,7 +31,8 @@ internal sealed class ObjReader
     }
 
     /// <summary>Reads a whole file.</summary>
-    /// <exception cref="FormatException">The text is not such a file or has no triangle; the message is one line with the line's number.</exception>
+    /// <exception cref="FormatException">The text is not such a file or has no triangle; the message is one line with the line's
+    /// number.</exception>
     public static ObjMesh Read(TextReader text)
     {
         var reader = new ObjReader();
@@ -150,7 +152,11 @@ internal sealed class ObjReader
         if (m_Positions.Count == 0)
             throw new FormatException("the mesh is empty: there is no vertex ('v').");
         if (m_Triangles.Count == 0)
-            throw new FormatException($"the mesh has no triangles: there {(m_HasLines ? "are only lines or points, no faces" : "is no face")} ('f').");
+        {
+            string instead = m_HasLines ? "are only lines or points, no faces" : "is no face";
+            throw new FormatException($"the mesh has no triangles: there {instead} ('f').");
+        }
+
         bool coloured = m_Colours.Count == m_Positions.Count;
         return new ObjMesh
         {

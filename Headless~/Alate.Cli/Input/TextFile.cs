@@ -8,7 +8,8 @@ namespace Alate.Cli.Input;
 internal static class TextFile
 {
     /// <summary>Opens a file and reads it.</summary>
-    /// <exception cref="UserException">There is no such file, it cannot be read, or the reader found a <see cref="FormatException"/>.</exception>
+    /// <exception cref="UserException">There is no such file, it cannot be read, or the reader found a
+    /// <see cref="FormatException"/>.</exception>
     public static T Read<T>(string path, Func<TextReader, T> read)
     {
         try

@@ -8,7 +8,8 @@ using Unity.Mathematics;
 namespace Alate.Cli.Output;
 
 /// <summary>
-/// joints.csv: one row for every joint after every substep of the last beat. Positions are on the body, X right, Y up, Z ahead, metres from the middle of
+/// joints.csv: one row for every joint after every substep of the last beat. Positions are on the body, X right, Y up, Z ahead, metres
+/// from the middle of
 /// the thorax; the bends are those of the joint at the root side of a bone, so the last joint of a chain has none.
 /// </summary>
 internal static class JointTable
@@ -32,10 +33,10 @@ internal static class JointTable
         string prefix = $"{Number(frame.Time, 7)},{Number(180.0 / Math.PI * frame.Phase, 4)},{wing.Wing.Name},{side}";
         for (int k = 0; k < frame.Joints.Length; k++)
         {
-            int chain = k / wing.JointsPerChain, joint = k % wing.JointsPerChain;
+            int bones = wing.JointsPerChain - 1, chain = k / wing.JointsPerChain, joint = k % wing.JointsPerChain;
             float3 place = wing.Placement.ToBody(frame.Joints[k]);
             text.Write($"{prefix},{chain},{joint},{Number(place.x, 7)},{Number(place.y, 7)},{Number(place.z, 7)},");
-            text.WriteLine(joint == wing.JointsPerChain - 1 ? ",," : Bends(math.degrees(frame.Bends[chain * (wing.JointsPerChain - 1) + joint])));
+            text.WriteLine(joint == bones ? ",," : Bends(math.degrees(frame.Bends[chain * bones + joint])));
         }
     }
 

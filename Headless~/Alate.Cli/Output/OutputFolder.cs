@@ -5,7 +5,8 @@ using System.IO;
 namespace Alate.Cli.Output;
 
 /// <summary>
-/// A folder that gets all of its files or none: they are written under other names and take their own at <see cref="Commit"/>. Without it, disposal
+/// A folder that gets all of its files or none: they are written under other names and take their own at <see cref="Commit"/>. Without it,
+/// disposal
 /// removes what was written, and the folders that were made.
 /// </summary>
 internal sealed class OutputFolder : IDisposable
@@ -73,7 +74,7 @@ internal sealed class OutputFolder : IDisposable
         }
         catch (Exception problem) when (IsOfFiles(problem))
         {
-            throw new UserException($"Cannot write '{file}': {problem.Message}");
+            throw new UserException($"Cannot write '{file}': {Reason(problem)}");
         }
     }
 
@@ -122,6 +123,8 @@ internal sealed class OutputFolder : IDisposable
     {
         if (Directory.Exists(folder))
             return;
+        if (File.Exists(folder))
+            throw new IOException($"{folder} is a file, not a folder.");
         string parent = Path.GetDirectoryName(folder);
         if (!string.IsNullOrEmpty(parent))
             Make(parent);
@@ -137,9 +140,17 @@ internal sealed class OutputFolder : IDisposable
         }
         catch (Exception problem) when (IsOfFiles(problem))
         {
-            throw new UserException($"Cannot write into '{m_Given}': {problem.Message}");
+            throw new UserException($"Cannot write into '{m_Given}': {Reason(problem)}");
         }
     }
+
+    // What some file systems say of a file that cannot be made is that it cannot be found.
+    private static string Reason(Exception problem) => problem switch
+    {
+        FileNotFoundException or DirectoryNotFoundException => "no file can be made there.",
+        ArgumentException => "that is no name of a folder.",
+        _ => problem.Message,
+    };
 
     private static void Quietly(Action action)
     {

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
+using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using Alate.Cli.Output;
@@ -13,8 +14,6 @@ internal static class UnityProject
 {
     /// <summary>The editor that the project names; newer ones upgrade it.</summary>
     public const string UnityVersion = "2022.3.62f1";
-
-    private const string k_Package = "com.alate.insect-wings";
 
     private const string k_Readme =
         "# Assets\n\nAn empty project that hosts the package Alate Insect Wings from the folder that Packages/manifest.json names.\n"
@@ -31,7 +30,7 @@ internal static class UnityProject
             throw new UserException($"'{folder}' is a file; name a new or empty folder.");
         if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
             throw new UserException($"'{folder}' is not empty; name a new or empty folder.");
-        string manifest = Manifest(FindPackage());
+        string manifest = Manifest(PackageRoot.Find());
         using OutputFolder project = OutputFolder.Prepare(folder);
         Write(project, "Packages/manifest.json", manifest);
         Write(project, "ProjectSettings/ProjectVersion.txt", $"m_EditorVersion: {UnityVersion}\n");
@@ -48,20 +47,8 @@ internal static class UnityProject
     private static string Manifest(string package)
     {
         JsonNode manifest = JsonNode.Parse(File.ReadAllText(Path.Combine(package, "Packages", "manifest.json")));
-        manifest["dependencies"][k_Package] = "file:" + package.Replace('\\', '/');
-        var options = new JsonSerializerOptions { WriteIndented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+        manifest["dependencies"][PackageRoot.Name] = "file:" + package.Replace('\\', '/');
+        var options = new JsonSerializerOptions { WriteIndented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
         return manifest.ToJsonString(options) + "\n";
-    }
-
-    private static string FindPackage()
-    {
-        for (var folder = new DirectoryInfo(AppContext.BaseDirectory); folder != null; folder = folder.Parent)
-        {
-            string description = Path.Combine(folder.FullName, "package.json");
-            if (File.Exists(description) && (string)JsonNode.Parse(File.ReadAllText(description))?["name"] == k_Package)
-                return folder.FullName.TrimEnd(Path.DirectorySeparatorChar);
-        }
-
-        throw new UserException("The package's folder was not found above this program; run it from a checkout of the package.");
     }
 }

@@ -12,13 +12,17 @@ namespace Alate.Tests
             var species = Species.Monarch();
             species.ToParameters();
 
-            var before = GC.GetAllocatedBytesForCurrentThread();
-            for (var i = 0; i < 100; i++)
+            // The least of some rounds: the runtime itself may allocate once in between.
+            long least = long.MaxValue;
+            for (int round = 0; round < 5; round++)
             {
-                species.ToParameters();
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                for (int i = 0; i < 100; i++)
+                    species.ToParameters();
+                least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
             }
 
-            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.EqualTo(0));
+            Assert.That(least, Is.Zero);
             UnityEngine.Object.DestroyImmediate(species);
         }
     }

@@ -1,16 +1,17 @@
 using System;
 using System.Collections;
-using System.Reflection;
 using NUnit.Framework.Interfaces;
 using NUnit.Framework.Internal;
 
-namespace UnityEngine.TestTools;
+namespace Unity.StandIns;
 
-/// <summary>A method that returns a routine, shown to NUnit as one that returns nothing and drives the routine to its end.</summary>
+/// <summary>A method that returns a routine, shown to NUnit as one that returns nothing and runs the routine to its end.</summary>
 internal sealed class RoutineMethod(IMethodInfo method) : IMethodInfo
 {
+    private static readonly ITypeInfo s_Void = new TypeWrapper(typeof(void));
+
     public ITypeInfo TypeInfo => method.TypeInfo;
-    public MethodInfo MethodInfo => method.MethodInfo;
+    public System.Reflection.MethodInfo MethodInfo => method.MethodInfo;
     public string Name => method.Name;
     public bool IsAbstract => method.IsAbstract;
     public bool IsPublic => method.IsPublic;
@@ -18,7 +19,7 @@ internal sealed class RoutineMethod(IMethodInfo method) : IMethodInfo
     public bool ContainsGenericParameters => method.ContainsGenericParameters;
     public bool IsGenericMethod => method.IsGenericMethod;
     public bool IsGenericMethodDefinition => method.IsGenericMethodDefinition;
-    public ITypeInfo ReturnType => method.ReturnType.Type == typeof(IEnumerator) ? new TypeWrapper(typeof(void)) : method.ReturnType;
+    public ITypeInfo ReturnType => method.ReturnType.Type == typeof(IEnumerator) ? s_Void : method.ReturnType;
 
     public IParameterInfo[] GetParameters() => method.GetParameters();
     public Type[] GetGenericArguments() => method.GetGenericArguments();
@@ -28,7 +29,7 @@ internal sealed class RoutineMethod(IMethodInfo method) : IMethodInfo
 
     public object Invoke(object fixture, params object[] args)
     {
-        TestRun.Drive((IEnumerator)method.Invoke(fixture, args));
+        RoutineRunner.Run((IEnumerator)method.Invoke(fixture, args));
         return null;
     }
 }

@@ -3,10 +3,8 @@ using NUnit.Framework;
 
 namespace UnityEngine.TestTools;
 
-/// <summary>A routine that runs before each test, ahead of SetUp methods.</summary>
+/// <summary>A routine that runs before each test of its class, and before SetUp.</summary>
 [AttributeUsage(AttributeTargets.Method)]
-public class UnitySetUpAttribute : NUnitAttribute;
-
-/// <summary>A routine that runs after each test, behind TearDown methods.</summary>
-[AttributeUsage(AttributeTargets.Method)]
-public class UnityTearDownAttribute : NUnitAttribute;
+public class UnitySetUpAttribute : NUnitAttribute
+{
+}

@@ -17,7 +17,9 @@ public abstract class SafetyFixture
     {
         JobExecution.Order = JobOrder.Ascending;
         JobsUtility.ResetJobWorkerCount();
-        Assert.That(JobExecution.PendingCount, Is.Zero, "jobs were not completed");
+        int pending = JobExecution.PendingCount;
+        JobExecution.CompleteAll();
+        Assert.That(pending, Is.Zero, "jobs were not completed");
         Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(m_LiveBefore), NativeMemoryLedger.Describe());
     }
 }

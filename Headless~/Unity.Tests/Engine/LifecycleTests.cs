@@ -4,9 +4,9 @@ using UnityEngine;
 using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
-namespace Unity.Tests;
+namespace Unity.Tests.Engine;
 
-public sealed class LifecycleTests
+public sealed class LifecycleTests : FreshSceneFixture
 {
     [SetUp]
     public void OpenDiary() => Diary.Lines.Clear();

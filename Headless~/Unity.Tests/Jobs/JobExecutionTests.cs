@@ -223,6 +223,21 @@ public sealed class JobExecutionTests : SafetyFixture
     }
 
     [Test]
+    public void CompleteAll_LeavesNoJobPending()
+    {
+        using var first = new NativeArray<int>(1, Allocator.TempJob);
+        using var second = new NativeArray<int>(1, Allocator.TempJob);
+        var added = new AddOne { value = first }.Schedule();
+        _ = new AddOne { value = first }.Schedule(added);
+        _ = new AddOne { value = second }.Schedule();
+        _ = new Throw { at = 0 }.Schedule(1, default);
+        JobExecution.CompleteAll();
+        Assert.That(JobExecution.PendingCount, Is.Zero);
+        Assert.That(first[0], Is.EqualTo(3));
+        Assert.That(second[0], Is.EqualTo(1));
+    }
+
+    [Test]
     public void RunByRef_KeepsWhatTheJobWritesToItsFields_AndRunDoesNot()
     {
         var job = new CountInField();

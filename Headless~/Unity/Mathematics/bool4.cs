@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -8,7 +7,7 @@ using System.Runtime.Intrinsics.X86;
 namespace Unity.Mathematics;
 
 /// <summary>Four truth values. Each is a lane of a vector register: true has its lowest bit, which the field shows, and its highest, which selects.</summary>
-[StructLayout(LayoutKind.Explicit, Size = 16)]
+[StructLayout(LayoutKind.Explicit, Size = 16, Pack = 4)]
 public partial struct bool4 : IEquatable<bool4>
 {
     private const uint k_True = 0x80000001u;
@@ -18,62 +17,62 @@ public partial struct bool4 : IEquatable<bool4>
     [FieldOffset(4)] public readonly bool y;
     [FieldOffset(8)] public readonly bool z;
     [FieldOffset(12)] public readonly bool w;
-    [FieldOffset(0)] internal readonly Vector4 lanes;
+    [FieldOffset(0)] internal readonly Vector128<float> lanes;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool y, bool z, bool w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(x), Lane(y), Lane(z), Lane(w)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(x), Lane(y), Lane(z), Lane(w)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool y, bool2 zw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(x), Lane(y), Lane(zw.x), Lane(zw.y)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(x), Lane(y), Lane(zw.x), Lane(zw.y)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool2 yz, bool w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(x), Lane(yz.x), Lane(yz.y), Lane(w)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(x), Lane(yz.x), Lane(yz.y), Lane(w)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool x, bool3 yzw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(x), Lane(yzw.x), Lane(yzw.y), Lane(yzw.z)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(x), Lane(yzw.x), Lane(yzw.y), Lane(yzw.z)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool2 xy, bool z, bool w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(xy.x), Lane(xy.y), Lane(z), Lane(w)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(xy.x), Lane(xy.y), Lane(z), Lane(w)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool2 xy, bool2 zw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(xy.x), Lane(xy.y), Lane(zw.x), Lane(zw.y)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(xy.x), Lane(xy.y), Lane(zw.x), Lane(zw.y)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool3 xyz, bool w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(xyz.x), Lane(xyz.y), Lane(xyz.z), Lane(w)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(xyz.x), Lane(xyz.y), Lane(xyz.z), Lane(w)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool4(bool v)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(Lane(v)).AsSingle().AsVector4();
+        lanes = Vector128.Create(Lane(v)).AsSingle();
     }
 
     // From a mask whose lanes are all zeros or all ones.
@@ -81,11 +80,11 @@ public partial struct bool4 : IEquatable<bool4>
     internal bool4(Vector128<uint> mask)
     {
         Unsafe.SkipInit(out this);
-        lanes = (mask & Vector128.Create(k_True)).AsSingle().AsVector4();
+        lanes = (mask & Vector128.Create(k_True)).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool4(Vector4 lanes)
+    private bool4(Vector128<float> lanes)
     {
         Unsafe.SkipInit(out this);
         this.lanes = lanes;
@@ -94,7 +93,7 @@ public partial struct bool4 : IEquatable<bool4>
     internal Vector128<uint> Bits
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => lanes.AsVector128().AsUInt32();
+        get => lanes.AsUInt32();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -103,29 +102,29 @@ public partial struct bool4 : IEquatable<bool4>
     /// <summary>Lanes of onTrue where true, else of onFalse.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector128<float> Select(Vector128<float> onFalse, Vector128<float> onTrue) => Sse41.IsSupported
-        ? Sse41.BlendVariable(onFalse, onTrue, lanes.AsVector128())
-        : Vector128.ConditionalSelect((lanes.AsVector128().AsInt32() >> 31).AsSingle(), onTrue, onFalse);
+        ? Sse41.BlendVariable(onFalse, onTrue, lanes)
+        : Vector128.ConditionalSelect((lanes.AsInt32() >> 31).AsSingle(), onTrue, onFalse);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator bool4(bool v) => new(v);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator &(bool4 lhs, bool4 rhs) => new((lhs.Bits & rhs.Bits).AsSingle().AsVector4());
+    public static bool4 operator &(bool4 lhs, bool4 rhs) => new((lhs.Bits & rhs.Bits).AsSingle());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator |(bool4 lhs, bool4 rhs) => new((lhs.Bits | rhs.Bits).AsSingle().AsVector4());
+    public static bool4 operator |(bool4 lhs, bool4 rhs) => new((lhs.Bits | rhs.Bits).AsSingle());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator ^(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits).AsSingle().AsVector4());
+    public static bool4 operator ^(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits).AsSingle());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator ==(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits ^ Vector128.Create(k_True)).AsSingle().AsVector4());
+    public static bool4 operator ==(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits ^ Vector128.Create(k_True)).AsSingle());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator !=(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits).AsSingle().AsVector4());
+    public static bool4 operator !=(bool4 lhs, bool4 rhs) => new((lhs.Bits ^ rhs.Bits).AsSingle());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 operator !(bool4 val) => new((val.Bits ^ Vector128.Create(k_True)).AsSingle().AsVector4());
+    public static bool4 operator !(bool4 val) => new((val.Bits ^ Vector128.Create(k_True)).AsSingle());
 
     public bool this[int index]
     {

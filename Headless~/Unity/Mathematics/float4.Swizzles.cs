@@ -205,25 +205,25 @@ public partial struct float4
     public float4 xxxx
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(0, 0, 0, 0)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(0, 0, 0, 0)));
     }
 
     public float4 yyyy
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(1, 1, 1, 1)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(1, 1, 1, 1)));
     }
 
     public float4 zzzz
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(2, 2, 2, 2)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(2, 2, 2, 2)));
     }
 
     public float4 wwww
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(3, 3, 3, 3)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(3, 3, 3, 3)));
     }
 
     public float4 xyzw
@@ -237,84 +237,84 @@ public partial struct float4
     public float4 wzyx
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(3, 2, 1, 0)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(3, 2, 1, 0)));
     }
 
     public float4 yzxw
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(1, 2, 0, 3)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(1, 2, 0, 3)));
     }
 
     public float4 zxyw
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(2, 0, 1, 3)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(2, 0, 1, 3)));
     }
 
     public float4 xyxy
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(0, 1, 0, 1)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(0, 1, 0, 1)));
     }
 
     public float4 zwzw
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(2, 3, 2, 3)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(2, 3, 2, 3)));
     }
 
     public float4 xzyw
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(0, 2, 1, 3)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(0, 2, 1, 3)));
     }
 
     public float4 yxwz
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(1, 0, 3, 2)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(1, 0, 3, 2)));
     }
 
     public float4 zwxy
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(2, 3, 0, 1)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(2, 3, 0, 1)));
     }
 
     public float4 xyzx
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(0, 1, 2, 0)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(0, 1, 2, 0)));
     }
 
     public float4 wwwx
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(3, 3, 3, 0)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(3, 3, 3, 0)));
     }
 
     public float4 yzxy
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(1, 2, 0, 1)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(1, 2, 0, 1)));
     }
 
     public float4 zxyy
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(2, 0, 1, 1)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(2, 0, 1, 1)));
     }
 
     public float4 zxyz
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(2, 0, 1, 2)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(2, 0, 1, 2)));
     }
 
     public float4 yzxz
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector128.Shuffle(lanes.AsVector128(), Vector128.Create(1, 2, 0, 2)).AsVector4());
+        get => new(Vector128.Shuffle(lanes, Vector128.Create(1, 2, 0, 2)));
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -7,14 +6,14 @@ using System.Runtime.Intrinsics;
 namespace Unity.Mathematics;
 
 /// <summary>Four signed integers; the named fields and the vector register hold the same 16 bytes.</summary>
-[StructLayout(LayoutKind.Explicit, Size = 16)]
+[StructLayout(LayoutKind.Explicit, Size = 16, Pack = 4)]
 public partial struct int4 : IEquatable<int4>, IFormattable
 {
     [FieldOffset(0)] public int x;
     [FieldOffset(4)] public int y;
     [FieldOffset(8)] public int z;
     [FieldOffset(12)] public int w;
-    [FieldOffset(0)] internal Vector4 lanes;
+    [FieldOffset(0)] internal Vector128<float> lanes;
 
     public static readonly int4 zero;
 
@@ -22,60 +21,60 @@ public partial struct int4 : IEquatable<int4>, IFormattable
     public int4(int x, int y, int z, int w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, y, z, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, y, z, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int4(int x, int y, int2 zw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, y, zw.x, zw.y).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, y, zw.x, zw.y).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int4(int x, int2 yz, int w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, yz.x, yz.y, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, yz.x, yz.y, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int4(int x, int3 yzw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, yzw.x, yzw.y, yzw.z).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, yzw.x, yzw.y, yzw.z).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int4(int2 xy, int z, int w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(xy.x, xy.y, z, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(xy.x, xy.y, z, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int4(int2 xy, int2 zw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(xy.x, xy.y, zw.x, zw.y).AsSingle().AsVector4();
+        lanes = Vector128.Create(xy.x, xy.y, zw.x, zw.y).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int4(int3 xyz, int w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(xyz.x, xyz.y, xyz.z, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(xyz.x, xyz.y, xyz.z, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int4(int v)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(v).AsSingle().AsVector4();
+        lanes = Vector128.Create(v).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal int4(Vector4 lanes)
+    internal int4(Vector128<float> lanes)
     {
         Unsafe.SkipInit(out this);
         this.lanes = lanes;
@@ -85,13 +84,13 @@ public partial struct int4 : IEquatable<int4>, IFormattable
     internal int4(Vector128<int> v)
     {
         Unsafe.SkipInit(out this);
-        lanes = v.AsSingle().AsVector4();
+        lanes = v.AsSingle();
     }
 
     internal Vector128<int> V
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => lanes.AsVector128().AsInt32();
+        get => lanes.AsInt32();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -101,7 +100,7 @@ public partial struct int4 : IEquatable<int4>, IFormattable
     public static explicit operator int4(float v) => new((int)v);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static explicit operator int4(float4 v) => new(int4.Truncate(v.lanes.AsVector128()));
+    public static explicit operator int4(float4 v) => new(int4.Truncate(v.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static explicit operator int4(uint v) => new((int)v);

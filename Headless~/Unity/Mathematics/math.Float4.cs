@@ -1,4 +1,3 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
@@ -8,19 +7,19 @@ namespace Unity.Mathematics;
 public static partial class @math
 {
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 abs(float4 x) => new(Vector4.Abs(x.lanes));
+    public static float4 abs(float4 x) => new() { lanes = Vector128.Abs(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 min(float4 x, float4 y) => Sse.IsSupported
         ? new(Vector128.ConditionalSelect(
-            Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Sse.Min(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4())
-        : new(Vector128.MinNumber(x.lanes.AsVector128(), y.lanes.AsVector128()).AsVector4());
+            Vector128.IsNaN(y.lanes), x.lanes, Sse.Min(x.lanes, y.lanes)))
+        : new(Vector128.MinNumber(x.lanes, y.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 max(float4 x, float4 y) => Sse.IsSupported
         ? new(Vector128.ConditionalSelect(
-            Vector128.IsNaN(y.lanes.AsVector128()), x.lanes.AsVector128(), Sse.Max(x.lanes.AsVector128(), y.lanes.AsVector128())).AsVector4())
-        : new(Vector128.MaxNumber(x.lanes.AsVector128(), y.lanes.AsVector128()).AsVector4());
+            Vector128.IsNaN(y.lanes), x.lanes, Sse.Max(x.lanes, y.lanes)))
+        : new(Vector128.MaxNumber(x.lanes, y.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 clamp(float4 valueToClamp, float4 lowerBound, float4 upperBound) =>
@@ -30,53 +29,53 @@ public static partial class @math
     public static float4 saturate(float4 x) => max(min(x, new float4(1f)), new float4(0f));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 sqrt(float4 x) => new(Vector4.SquareRoot(x.lanes));
+    public static float4 sqrt(float4 x) => new() { lanes = Vector128.Sqrt(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 rsqrt(float4 x) => new(Vector4.One / Vector4.SquareRoot(x.lanes));
+    public static float4 rsqrt(float4 x) => new() { lanes = Vector128<float>.One / Vector128.Sqrt(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 rcp(float4 x) => new(Vector4.One / x.lanes);
+    public static float4 rcp(float4 x) => new() { lanes = Vector128<float>.One / x.lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 floor(float4 x) => new(Vector128.Floor(x.lanes.AsVector128()).AsVector4());
+    public static float4 floor(float4 x) => new() { lanes = Vector128.Floor(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 ceil(float4 x) => new(Vector128.Ceiling(x.lanes.AsVector128()).AsVector4());
+    public static float4 ceil(float4 x) => new() { lanes = Vector128.Ceiling(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 round(float4 x) => new(Vector128.Round(x.lanes.AsVector128()).AsVector4());
+    public static float4 round(float4 x) => new() { lanes = Vector128.Round(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 trunc(float4 x) => new(Vector128.Truncate(x.lanes.AsVector128()).AsVector4());
+    public static float4 trunc(float4 x) => new() { lanes = Vector128.Truncate(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 frac(float4 x) => new(x.lanes - Vector128.Floor(x.lanes.AsVector128()).AsVector4());
+    public static float4 frac(float4 x) => new() { lanes = x.lanes - Vector128.Floor(x.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 mad(float4 mulA, float4 mulB, float4 addC) => new(mulA.lanes * mulB.lanes + addC.lanes);
+    public static float4 mad(float4 mulA, float4 mulB, float4 addC) => new() { lanes = mulA.lanes * mulB.lanes + addC.lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 lerp(float4 start, float4 end, float t) => new(start.lanes + (end.lanes - start.lanes) * t);
+    public static float4 lerp(float4 start, float4 end, float t) => new() { lanes = start.lanes + (end.lanes - start.lanes) * t };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float4 lerp(float4 start, float4 end, float4 t) => new(start.lanes + t.lanes * (end.lanes - start.lanes));
+    public static float4 lerp(float4 start, float4 end, float4 t) => new() { lanes = start.lanes + t.lanes * (end.lanes - start.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float dot(float4 x, float4 y) => Vector4.Dot(x.lanes, y.lanes);
+    public static float dot(float4 x, float4 y) => Vector128.Dot(x.lanes, y.lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float csum(float4 x) => Vector128.Sum(x.lanes.AsVector128());
+    public static float csum(float4 x) => Vector128.Sum(x.lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 select(float4 falseValue, float4 trueValue, bool4 test) =>
-        new(test.Select(falseValue.lanes.AsVector128(), trueValue.lanes.AsVector128()).AsVector4());
+        new() { lanes = test.Select(falseValue.lanes, trueValue.lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 sign(float4 x) => select(0f, new float4(1f), x > 0f) - select(0f, new float4(1f), x < 0f);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool4 isnan(float4 x) => new(Vector128.IsNaN(x.lanes.AsVector128()).AsUInt32());
+    public static bool4 isnan(float4 x) => new(Vector128.IsNaN(x.lanes).AsUInt32());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool4 isfinite(float4 x) => abs(x) < INFINITY;

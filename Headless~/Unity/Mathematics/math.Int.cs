@@ -90,7 +90,7 @@ public static partial class @math
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int4 select(int4 falseValue, int4 trueValue, bool4 test) =>
-        new(test.Select(falseValue.lanes.AsVector128(), trueValue.lanes.AsVector128()).AsVector4());
+        new(test.Select(falseValue.lanes, trueValue.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int4 select(int4 falseValue, int4 trueValue, bool test) => test ? trueValue : falseValue;
@@ -180,7 +180,7 @@ public static partial class @math
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint4 select(uint4 falseValue, uint4 trueValue, bool4 test) =>
-        new(test.Select(falseValue.lanes.AsVector128(), trueValue.lanes.AsVector128()).AsVector4());
+        new(test.Select(falseValue.lanes, trueValue.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint4 select(uint4 falseValue, uint4 trueValue, bool test) => test ? trueValue : falseValue;

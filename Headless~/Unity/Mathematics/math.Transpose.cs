@@ -9,12 +9,12 @@ public static partial class @math
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4x4 transpose(float4x4 v)
     {
-        Vector128<float> a = v.c0.lanes.AsVector128(), b = v.c1.lanes.AsVector128();
-        Vector128<float> c = v.c2.lanes.AsVector128(), d = v.c3.lanes.AsVector128();
+        Vector128<float> a = v.c0.lanes, b = v.c1.lanes;
+        Vector128<float> c = v.c2.lanes, d = v.c3.lanes;
         Vector128<float> ab = Low(a, b), cd = Low(c, d), ab2 = High(a, b), cd2 = High(c, d);
         return new float4x4(
-            new float4(LowPairs(ab, cd).AsVector4()), new float4(HighPairs(ab, cd).AsVector4()),
-            new float4(LowPairs(ab2, cd2).AsVector4()), new float4(HighPairs(ab2, cd2).AsVector4()));
+            new float4(LowPairs(ab, cd)), new float4(HighPairs(ab, cd)),
+            new float4(LowPairs(ab2, cd2)), new float4(HighPairs(ab2, cd2)));
     }
 
     // a0 b0 a1 b1

@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -7,14 +6,14 @@ using System.Runtime.Intrinsics;
 namespace Unity.Mathematics;
 
 /// <summary>Four unsigned integers; the named fields and the vector register hold the same 16 bytes.</summary>
-[StructLayout(LayoutKind.Explicit, Size = 16)]
+[StructLayout(LayoutKind.Explicit, Size = 16, Pack = 4)]
 public partial struct uint4 : IEquatable<uint4>, IFormattable
 {
     [FieldOffset(0)] public uint x;
     [FieldOffset(4)] public uint y;
     [FieldOffset(8)] public uint z;
     [FieldOffset(12)] public uint w;
-    [FieldOffset(0)] internal Vector4 lanes;
+    [FieldOffset(0)] internal Vector128<float> lanes;
 
     public static readonly uint4 zero;
 
@@ -22,60 +21,60 @@ public partial struct uint4 : IEquatable<uint4>, IFormattable
     public uint4(uint x, uint y, uint z, uint w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, y, z, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, y, z, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint4(uint x, uint y, uint2 zw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, y, zw.x, zw.y).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, y, zw.x, zw.y).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint4(uint x, uint2 yz, uint w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, yz.x, yz.y, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, yz.x, yz.y, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint4(uint x, uint3 yzw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(x, yzw.x, yzw.y, yzw.z).AsSingle().AsVector4();
+        lanes = Vector128.Create(x, yzw.x, yzw.y, yzw.z).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint4(uint2 xy, uint z, uint w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(xy.x, xy.y, z, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(xy.x, xy.y, z, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint4(uint2 xy, uint2 zw)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(xy.x, xy.y, zw.x, zw.y).AsSingle().AsVector4();
+        lanes = Vector128.Create(xy.x, xy.y, zw.x, zw.y).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint4(uint3 xyz, uint w)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(xyz.x, xyz.y, xyz.z, w).AsSingle().AsVector4();
+        lanes = Vector128.Create(xyz.x, xyz.y, xyz.z, w).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint4(uint v)
     {
         Unsafe.SkipInit(out this);
-        lanes = Vector128.Create(v).AsSingle().AsVector4();
+        lanes = Vector128.Create(v).AsSingle();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal uint4(Vector4 lanes)
+    internal uint4(Vector128<float> lanes)
     {
         Unsafe.SkipInit(out this);
         this.lanes = lanes;
@@ -85,13 +84,13 @@ public partial struct uint4 : IEquatable<uint4>, IFormattable
     internal uint4(Vector128<uint> v)
     {
         Unsafe.SkipInit(out this);
-        lanes = v.AsSingle().AsVector4();
+        lanes = v.AsSingle();
     }
 
     internal Vector128<uint> V
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => lanes.AsVector128().AsUInt32();
+        get => lanes.AsUInt32();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -17,6 +17,7 @@ public class Application
     public static bool isFocused => true;
     public static int targetFrameRate { get; set; } = -1;
     public static bool runInBackground { get; set; } = true;
+    public static RuntimePlatform platform => RuntimePlatform.LinuxEditor;
     public static string unityVersion => "2022.3.0f1";
 
     /// <summary>Whether an object is part of the playing world.</summary>

@@ -35,13 +35,13 @@ public class Time
         set => s_MaximumDeltaTime = Math.Max(value, s_FixedDeltaTime);
     }
 
-    /// <summary>What each frame is to take, 0 for real time.</summary>
+    /// <summary>If above 0, each frame takes so many seconds, however long it took.</summary>
     public static float captureDeltaTime { get; set; }
 
     public static int captureFramerate
     {
-        get => captureDeltaTime > 0f ? (int)Math.Round(1f / captureDeltaTime) : 0;
-        set => captureDeltaTime = value > 0 ? 1f / value : 0f;
+        get => captureDeltaTime == 0f ? 0 : (int)MathF.Round(1f / captureDeltaTime);
+        set => captureDeltaTime = value <= 0 ? 0f : 1f / value;
     }
 
     public static float deltaTime => inFixedTimeStep ? s_FixedDeltaTime : Clock.DeltaTime;

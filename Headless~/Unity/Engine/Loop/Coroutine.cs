@@ -64,10 +64,7 @@ public sealed class Coroutine : YieldInstruction
         Done = true;
     }
 
-    /// <summary>What was yielded last.</summary>
-    internal object WaitsFor => _waitsFor;
-
-    internal bool MayResume(FramePoint point) => _waitsFor switch
+    private bool MayResume(FramePoint point) => _waitsFor switch
     {
         WaitForFixedUpdate => point == FramePoint.FixedUpdate,
         WaitForEndOfFrame => point == FramePoint.EndOfFrame,

@@ -49,7 +49,6 @@ internal sealed class CoroutineSet(MonoBehaviour owner)
         foreach (CoroutineSet set in s_Round)
             set.Resume(point);
         s_Running.RemoveAll(s => s._routines.Count == 0);
-        Guest.Current?.Resume(point);
     }
 
     private void Resume(FramePoint point)

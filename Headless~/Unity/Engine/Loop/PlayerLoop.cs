@@ -44,9 +44,6 @@ public static class PlayerLoop
         LoadMethods.Run(RuntimeInitializeLoadType.AfterSceneLoad);
     }
 
-    /// <summary>One frame of Time.captureDeltaTime, or of 1/60 s where that is 0.</summary>
-    public static void Tick() => Tick(Time.captureDeltaTime > 0f ? Time.captureDeltaTime : 1f / 60f);
-
     /// <summary>One frame that took so many seconds, 0 or more.</summary>
     public static void Tick(float frameTime)
     {

@@ -17,6 +17,7 @@ internal sealed class JobFence : JobRecord
                 fence.DependOn(handle);
             if (fence.DependencyCount > 0)
                 return JobTable.Submit(fence);
+            fence.Sync();
             JobPool<JobFence>.Return(fence);
             return default;
         }

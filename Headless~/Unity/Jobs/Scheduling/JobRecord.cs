@@ -46,6 +46,9 @@ internal abstract class JobRecord
     /// <summary>Completed by the main thread; reused when the last user has left.</summary>
     public bool IsSynced { get; private set; }
 
+    /// <summary>Scheduled, and not yet completed by the main thread.</summary>
+    public bool IsPending { get; private set; }
+
     public int BatchCount { get; private set; }
 
     /// <summary>The first exception of the job.</summary>
@@ -65,6 +68,7 @@ internal abstract class JobRecord
         DependencyCount = m_DependentCount = m_ContainerCount = 0;
         WaitingFor = 0;
         IsFinished = IsSynced = false;
+        IsPending = true;
         Error = null;
     }
 
@@ -124,6 +128,7 @@ internal abstract class JobRecord
     public void Sync()
     {
         IsSynced = true;
+        IsPending = false;
         Version++;
         for (int i = 0; i < m_ContainerCount; i++)
         {

@@ -1,0 +1,80 @@
+using System;
+using System.Globalization;
+using Unity.Jobs.LowLevel.Unsafe;
+using Unity.StandIns;
+
+namespace Alate.Benchmarks;
+
+/// <summary>How the cost of a frame goes with the number of insects and of cores, and what a frame allocates and schedules.</summary>
+internal sealed class CrowdComparison
+{
+    private const int k_WarmFrames = 100;
+    private static readonly int[] s_Crowds = [1, 10, 100, 400];
+
+    private readonly Specimen m_Specimen;
+
+    public CrowdComparison(Specimen specimen) => m_Specimen = specimen;
+
+    public void Run(Report report, Swarm sixtyFour)
+    {
+        using var one = new Swarm([m_Specimen], 1);
+        using var sixteen = new Swarm([m_Specimen], 16);
+        using var fourHundred = new Swarm([m_Specimen], 400);
+        var time = Race.Run(Beats(one, 8), Beats(sixteen, 1), Beats(sixtyFour, 1), Beats(fourHundred, 1));
+        report.Ratio(Targets.Crowd, time[3], time[1], time[3] / time[1]);
+        report.Ratio(Targets.Single, time[0], time[2], time[0] / time[2]);
+        Cores(report, sixtyFour);
+        foreach (var insects in s_Crowds)
+            Memory(report, insects);
+    }
+
+    /// <summary>Whole beats, because no two frames of a beat cost the same; microseconds per insect and frame.</summary>
+    public static Contestant Beats(Swarm swarm, int beats) => new(
+        $"{swarm.Insects} insects", 1000.0 * beats * FrameComparison.FramesPerBeat * swarm.Insects,
+        () =>
+        {
+            for (var frame = 0; frame < beats * FrameComparison.FramesPerBeat; frame++)
+                swarm.Frame();
+        });
+
+    private static void Cores(Report report, Swarm swarm)
+    {
+        var beats = Beats(swarm, 1);
+        var time = Race.Run(beats with { Work = () => With(1, beats.Work) }, beats with { Work = () => With(0, beats.Work) });
+        report.Ratio(Targets.Cores, time[0], time[1], time[1] / time[0]);
+    }
+
+    private static void With(int workers, Action work)
+    {
+        var before = JobsUtility.JobWorkerCount;
+        JobsUtility.JobWorkerCount = workers;
+        work();
+        JobsUtility.JobWorkerCount = before;
+    }
+
+    private void Memory(Report report, int insects)
+    {
+        using var swarm = new Swarm([m_Specimen], insects);
+        swarm.Frame();
+        long own = GC.GetAllocatedBytesForCurrentThread(), all = GC.GetTotalAllocatedBytes(precise: true);
+        for (var frame = 0; frame < k_WarmFrames; frame++)
+            swarm.Frame();
+        own = GC.GetAllocatedBytesForCurrentThread() - own;
+        all = GC.GetTotalAllocatedBytes(precise: true) - all;
+
+        var group = insects.ToString(CultureInfo.InvariantCulture);
+        report.Figure("bytes_per_frame", group, "allocated by a frame, insects", "bytes", Math.Max(own, all) / (double)k_WarmFrames);
+        report.Figure("jobs_per_frame", group, "scheduled by a frame, insects", "jobs", Jobs(swarm));
+    }
+
+    // Jobs that are pending when a whole frame has been scheduled and none of it completed.
+    private static int Jobs(Swarm swarm)
+    {
+        var before = JobExecution.PendingCount;
+        swarm.World.ScheduleStep(swarm.FrameTime);
+        swarm.World.ScheduleSkin(1f);
+        var jobs = JobExecution.PendingCount - before;
+        swarm.World.Complete();
+        return jobs;
+    }
+}

@@ -1,0 +1,30 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Alate.Benchmarks;
+
+/// <summary>Bake time and frame time of every species there is.</summary>
+internal static class SpeciesFigures
+{
+    private const int k_Bakes = 8;
+    private const int k_Insects = 64;
+
+    public static void Run(Report report)
+    {
+        foreach (var species in Species.All)
+        {
+            var kinds = species.Wings.Select(wing => new Specimen(wing)).ToList();
+            report.Figure("bake_ms", species.Name, "bake", "ms", 1e3 * Race.Best(k_Bakes, () => Bake(kinds)));
+            using (var swarm = new Swarm(kinds, k_Insects))
+                report.Figure("us_per_insect_frame", species.Name, "frame", "us/insect", Race.Alone(CrowdComparison.Beats(swarm, 1)));
+            kinds.ForEach(kind => kind.Dispose());
+        }
+    }
+
+    // The wings of one side: the other side's rigs are their mirror images.
+    private static void Bake(List<Specimen> kinds)
+    {
+        foreach (var kind in kinds)
+            kind.Bake().Release();
+    }
+}

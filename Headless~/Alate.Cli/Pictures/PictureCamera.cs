@@ -1,0 +1,41 @@
+using System;
+using Unity.Mathematics;
+
+namespace Alate.Cli.Pictures;
+
+/// <summary>Looks at the body's origin from afar, with a little perspective.</summary>
+internal sealed class PictureCamera
+{
+    private readonly float3 m_Eye, m_Right, m_Up, m_View;
+    private readonly float m_Distance;
+
+    /// <param name="aside">Degrees from straight ahead of the insect towards its left.</param>
+    /// <param name="above">Degrees above its horizontal plane.</param>
+    /// <param name="distance">Metres from the origin.</param>
+    public PictureCamera(float aside, float above, float distance)
+    {
+        math.sincos(math.radians(aside), out float sideSine, out float sideCosine);
+        math.sincos(math.radians(above), out float upSine, out float upCosine);
+        var towards = new float3(-upCosine * sideSine, upSine, upCosine * sideCosine);
+        m_Distance = distance;
+        m_Eye = distance * towards;
+        m_View = -towards;
+        m_Right = math.normalize(math.cross(new float3(0f, 1f, 0f), m_View));
+        m_Up = math.cross(m_View, m_Right);
+    }
+
+    /// <summary>From the origin to the eye, unit length.</summary>
+    public float3 Towards => -m_View;
+
+    /// <summary>A direction given as right, up and towards the viewer, on the body.</summary>
+    public float3 Direction(float right, float up, float towards) => math.normalize(right * m_Right + up * m_Up - towards * m_View);
+
+    /// <summary>x right and y down, metres in the plane through the origin; z the distance from the eye.</summary>
+    public float3 Project(float3 body)
+    {
+        float3 seen = body - m_Eye;
+        float depth = math.dot(seen, m_View);
+        float scale = m_Distance / math.max(depth, 0.1f * m_Distance);
+        return new float3(scale * math.dot(seen, m_Right), -scale * math.dot(seen, m_Up), depth);
+    }
+}

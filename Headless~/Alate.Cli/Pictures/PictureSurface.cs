@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate.Cli.Pictures;
+
+/// <summary>A surface to be painted in many poses: its triangles, colours and margin.</summary>
+internal sealed class PictureSurface
+{
+    /// <summary>Area on the picture below which a triangle of the mesh is painted as a whole.</summary>
+    private const float k_LeastParted = 1.6f;
+
+    /// <summary>Triangles of a wing that is parted no further: enough that they are told apart by their depths.</summary>
+    private const int k_LeastTriangles = 6000;
+
+    private readonly int[] m_Triangles;
+    private readonly FineTriangles m_Fine;
+    private readonly float3[] m_Colours;
+    private readonly List<Rim> m_Margin;
+    private readonly bool m_IsThin;
+
+    /// <param name="rest">[vertex] Rest positions; vertices at one place count as one when the margin is sought.</param>
+    /// <param name="triangles">Three vertex indices a triangle.</param>
+    /// <param name="paint">The colour of each fine triangle.</param>
+    /// <param name="isThin">A wing; else a closed body without a margin.</param>
+    public PictureSurface(float3[] rest, int[] triangles, Func<FineTriangles, float3[]> paint, bool isThin)
+    {
+        m_Triangles = triangles;
+        m_Fine = new FineTriangles(rest.Length, triangles, isThin ? k_LeastTriangles : 0);
+        m_Colours = paint(m_Fine);
+        m_IsThin = isThin;
+        m_Margin = isThin ? Margin(rest, triangles) : [];
+    }
+
+    /// <summary>Hands the surface to a painter.</summary>
+    /// <param name="painter">Who paints it.</param>
+    /// <param name="vertices">[vertex] Places on the picture, z the depth.</param>
+    /// <param name="normals">[vertex] Unit normals on the body.</param>
+    /// <param name="picture">Places of all that is painted; the surface's are added.</param>
+    /// <param name="shading">The light.</param>
+    public void Paint(Painter painter, float3[] vertices, float3[] normals, List<float3> picture, Shading shading)
+    {
+        float3[] places = m_Fine.Refine(vertices), upright = m_Fine.Refine(normals);
+        int first = picture.Count;
+        picture.AddRange(places);
+        for (int k = 0; k < m_Fine.Parents.Count; k++)
+        {
+            int3 whole = m_Fine.Parents[k];
+            float3 normal = math.normalizesafe(upright[whole.x] + upright[whole.y] + upright[whole.z]);
+            if (math.abs(Turn(whole, places)) < 2f * k_LeastParted)
+            {
+                Paint(painter, whole, Mean(4 * k), normal, places, first, shading);
+                continue;
+            }
+
+            for (int part = 4 * k; part < 4 * k + 4; part++)
+                Paint(painter, m_Fine.Triangles[part], m_Colours[part], normal, places, first, shading);
+        }
+
+        foreach (Rim rim in m_Margin)
+        {
+            var ends = new int2(rim.A, rim.B) + first;
+            painter.AddLine(BeatStrip.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
+        }
+    }
+
+    private void Paint(Painter painter, int3 corners, float3 colour, float3 normal, float3[] places, int first, Shading shading)
+    {
+        float turn = Turn(corners, places);
+        if (turn == 0f)
+            return;
+        var shape = new PaintedShape(shading.Shade(colour, normal, m_IsThin), false, turn < 0f);
+        painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z]);
+    }
+
+    private float3 Mean(int first) => 0.25f * (m_Colours[first] + m_Colours[first + 1] + m_Colours[first + 2] + m_Colours[first + 3]);
+
+    private static float Turn(int3 corners, float3[] places)
+    {
+        float3 edge = places[corners.y] - places[corners.x], other = places[corners.z] - places[corners.x];
+        return edge.x * other.y - edge.y * other.x;
+    }
+
+    private float Depth(int triangle, float3[] vertices) => math.min(
+        vertices[m_Triangles[3 * triangle]].z,
+        math.min(vertices[m_Triangles[3 * triangle + 1]].z, vertices[m_Triangles[3 * triangle + 2]].z));
+
+    private static List<Rim> Margin(float3[] rest, int[] triangles)
+    {
+        var places = new Dictionary<float3, int>();
+        int[] welded = Array.ConvertAll(triangles, vertex =>
+        {
+            places.TryAdd(rest[vertex], vertex);
+            return places[rest[vertex]];
+        });
+        var uses = new Dictionary<(int, int), int>();
+        for (int k = 0; k < triangles.Length; k++)
+        {
+            (int, int) key = Edge(welded, k);
+            uses[key] = uses.GetValueOrDefault(key) + 1;
+        }
+
+        var margin = new List<Rim>();
+        for (int k = 0; k < triangles.Length; k++)
+        {
+            if (uses[Edge(welded, k)] == 1)
+                margin.Add(new Rim(k / 3, triangles[k], triangles[Next(k)]));
+        }
+
+        return margin;
+    }
+
+    private static (int, int) Edge(int[] welded, int corner)
+    {
+        int a = welded[corner], b = welded[Next(corner)];
+        return (Math.Min(a, b), Math.Max(a, b));
+    }
+
+    private static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
+
+    /// <summary>An edge of a single triangle.</summary>
+    private readonly record struct Rim(int Triangle, int A, int B);
+}

@@ -1,0 +1,58 @@
+using Unity.Mathematics;
+
+namespace Alate.Cli.Pictures;
+
+/// <summary>
+/// The light of the pictures: a key light from the viewer's upper left, a bright sky, wings that let light through, and a rim where a
+/// surface turns away.
+/// All numbers are chosen by eye.
+/// </summary>
+internal sealed class Shading
+{
+    private const float k_Ambient = 0.42f, k_Key = 0.68f, k_Through = 0.42f, k_Rim = 0.16f, k_RimPower = 3f, k_Sky = 0.16f;
+
+    /// <summary>Steps of light, rim and shown colour: small enough to look smooth, large enough that neighbouring triangles
+    /// merge.</summary>
+    private const float k_LightStep = 0.05f, k_RimStep = 0.03f;
+    private const int k_ColourStep = 6;
+
+    private static readonly float3 s_ThroughTint = new(1.1f, 0.98f, 0.82f);
+    private readonly float3 m_Towards, m_Key;
+
+    public Shading(PictureCamera camera)
+    {
+        m_Towards = camera.Towards;
+        m_Key = camera.Direction(-0.45f, 0.8f, 0.55f);
+    }
+
+    /// <summary>The shade of a surface, sRGB in six hexadecimal digits.</summary>
+    /// <param name="colour">Linear light, 0 to 1.</param>
+    /// <param name="normal">Unit vector on the body; which side it points to does not matter.</param>
+    /// <param name="isThin">A wing, which light passes; else a body.</param>
+    public int Shade(float3 colour, float3 normal, bool isThin)
+    {
+        float facing = math.dot(normal, m_Towards);
+        normal = facing < 0f ? -normal : normal;
+        float key = math.dot(normal, m_Key);
+        float through = isThin ? Stepped(k_Through * math.max(-key, 0f), k_LightStep) : 0f;
+        float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), k_RimStep);
+        float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), k_LightStep);
+        float3 lit = colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f);
+        return Quantised(ToEncoded(lit));
+    }
+
+    /// <summary>Light of an sRGB value.</summary>
+    public static float3 ToLinear(float3 encoded) => math.pow(encoded, 2.2f);
+
+    /// <summary>The sRGB value of a light.</summary>
+    public static float3 ToEncoded(float3 linear) => math.pow(math.saturate(linear), 1f / 2.2f);
+
+    private static float Stepped(float value, float step) => step * math.round(value / step);
+
+    private static int Quantised(float3 colour)
+    {
+        int3 steps = (int3)math.round(255f * colour / k_ColourStep) * k_ColourStep;
+        steps = math.min(steps, 255);
+        return (steps.x << 16) | (steps.y << 8) | steps.z;
+    }
+}

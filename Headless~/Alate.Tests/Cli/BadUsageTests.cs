@@ -1,0 +1,156 @@
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>Whatever is wrong: one line, exit code 2, nothing written.</summary>
+    public sealed class BadUsageTests
+    {
+        private CommandRun m_Run;
+
+        [SetUp]
+        public void MakeFolder() => m_Run = new CommandRun();
+
+        [TearDown]
+        public void RemoveFolder() => m_Run.Dispose();
+
+        [TestCase("mosquito", "mosquito", "monarch")]
+        [TestCase("", "Known", "monarch")]
+        public void UnknownSpecies_ListsTheKnownOnes(string species, params string[] said) =>
+            AssertRefused(said, "fly", species, "--out", m_Run.Out);
+
+        [Test]
+        public void NoSpecies_ListsTheKnownOnes() => AssertRefused(new[] { "monarch" }, "fly", "--out", m_Run.Out);
+
+        [TestCase("--speed", "-1")]
+        [TestCase("--speed", "NaN")]
+        [TestCase("--speed", "Infinity")]
+        [TestCase("--speed", "1e999")]
+        [TestCase("--speed", "fast")]
+        [TestCase("--climb", "inf")]
+        [TestCase("--pitch", "91")]
+        [TestCase("--pitch", "nan")]
+        [TestCase("--seconds", "-0.5")]
+        [TestCase("--seconds", "0")]
+        [TestCase("--seconds", "0.01")]
+        [TestCase("--lag", "-0.1")]
+        [TestCase("--elasticity", "0")]
+        [TestCase("--elasticity", "-1")]
+        [TestCase("--elasticity", "-Infinity")]
+        [TestCase("--substeps", "-24")]
+        [TestCase("--substeps", "0")]
+        [TestCase("--substeps", "24.5")]
+        [TestCase("--substeps", "99999999999999999999")]
+        [TestCase("--wind", "1,2")]
+        [TestCase("--wind", "1,2,NaN")]
+        [TestCase("--elements", "0")]
+        [TestCase("--elements", "-3")]
+        [TestCase("--elements", "some")]
+        [TestCase("--coefficients", "owl")]
+        [TestCase("--preset", "owl")]
+        public void ValueOutOfItsRange_IsNamedWithItsOption(string option, string value) =>
+            AssertRefused(new[] { option }, "fly", "monarch", option, value, "--out", m_Run.Out);
+
+        [TestCase("fly", "monarch", "--unknown")]
+        [TestCase("fly", "monarch", "moth")]
+        [TestCase("fly", "monarch", "--speed")]
+        [TestCase("fly", "monarch", "--no-wave", "--lag", "0.2")]
+        [TestCase("fly", "monarch", "--species", "monarch")]
+        [TestCase("fly", "--mesh", "wing.obj", "--species", "monarch")]
+        [TestCase("new-project")]
+        [TestCase("swim")]
+        public void WrongUsage_IsRefused(params string[] arguments) => AssertRefused(new string[0], arguments);
+
+        [TestCase(null, "no such file")]
+        [TestCase("", "empty")]
+        [TestCase("v 0 0 0\nv 1 0 0\nv 1 0 1\nl 1 2 3\n", "no triangles")]
+        [TestCase("v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2\n", "line 4")]
+        [TestCase("v 0 0 0\nv 1 0 zero\n", "line 2")]
+        [TestCase("v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2 4\n", "line 4")]
+        [TestCase("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "area")]
+        public void MissingOrBrokenMesh_IsRefused(string content, string said)
+        {
+            string mesh = content == null ? Path.Combine(m_Run.Folder, "none.obj") : m_Run.Write("wing.obj", content);
+
+            AssertRefused(new[] { said }, OwnWingArguments(mesh, m_Run.Write("wing.json", OwnWing.Skeleton())));
+        }
+
+        [Test]
+        public void MeshThatIsAFolder_IsRefused() =>
+            AssertRefused(new[] { "folder" }, OwnWingArguments(m_Run.Folder, m_Run.Write("wing.json", OwnWing.Skeleton())));
+
+        [Test]
+        public void MeshFarFromItsSkeleton_IsRefused() => AssertRefused(
+            new[] { "far away" },
+            OwnWingArguments(
+                m_Run.Write("wing.obj", OwnWing.Obj(new Vector3(40f, 30f, 0f))), m_Run.Write("wing.json", OwnWing.Skeleton())));
+
+        [Test]
+        public void SkeletonOfTwoChains_IsRefused() => AssertRefused(
+            new[] { "2 chains" },
+            OwnWingArguments(m_Run.Write("wing.obj", OwnWing.Obj()), m_Run.Write("wing.json", OwnWing.Skeleton(chains: 2))));
+
+        [Test]
+        public void SkeletonOfUnequalChains_IsRefused() => AssertRefused(
+            new[] { "Chain 1" },
+            OwnWingArguments(m_Run.Write("wing.obj", OwnWing.Obj()), m_Run.Write("wing.json", OwnWing.Skeleton(unequal: true))));
+
+        [TestCase("")]
+        [TestCase("{\"version\":1,")]
+        [TestCase("[1,2,3]")]
+        public void BrokenSkeleton_IsRefused(string content) => AssertRefused(
+            new[] { "wing.json" }, OwnWingArguments(m_Run.Write("wing.obj", OwnWing.Obj()), m_Run.Write("wing.json", content)));
+
+        [TestCase("fly", "monarch", "--out")]
+        [TestCase("new-project")]
+        public void FolderThatIsAFile_IsRefused(params string[] command)
+        {
+            string file = m_Run.Write("file", "content");
+
+            AssertRefused(new[] { "file" }, command.Append(file).ToArray());
+            Assert.That(File.ReadAllText(file), Is.EqualTo("content"));
+        }
+
+        [TestCase("fly", "monarch", "--out")]
+        [TestCase("new-project")]
+        public void FolderBelowAFile_IsRefused(params string[] command) =>
+            AssertRefused(new[] { "file" }, command.Append(Path.Combine(m_Run.Write("file", ""), "below")).ToArray());
+
+        [TestCase("/proc/alate")]
+        [TestCase("/dev/null/alate")]
+        [TestCase("")]
+        public void FolderThatCannotBe_IsRefused(string folder) => AssertRefused(new[] { folder }, "fly", "monarch", "--out", folder);
+
+        [Test]
+        public void OutputThatIsAFolder_IsRefusedBeforeTheFlight()
+        {
+            Directory.CreateDirectory(Path.Combine(m_Run.Out, "strip.svg"));
+
+            int code = m_Run.Run("fly", "monarch", "--out", m_Run.Out);
+
+            Assert.That(code, Is.EqualTo(2));
+            Assert.That(Directory.GetFileSystemEntries(m_Run.Out), Has.Length.EqualTo(1), "nothing else was written");
+        }
+
+        private string[] OwnWingArguments(string mesh, string skeleton) =>
+            new[] { "fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--out", m_Run.Out };
+
+        private void AssertRefused(string[] said, params string[] arguments)
+        {
+            string[] before = Directory.GetFileSystemEntries(m_Run.Folder);
+
+            int code = m_Run.Run(arguments);
+
+            Assert.That(code, Is.EqualTo(2), m_Run.Errors);
+            string[] lines = m_Run.Errors.Split('\n');
+            Assert.That(lines, Has.Length.EqualTo(2), "one line: " + m_Run.Errors);
+            Assert.That(lines[1], Is.Empty);
+            foreach (string part in said)
+                Assert.That(lines[0], Does.Contain(part).IgnoreCase);
+            Assert.That(m_Run.Output, Is.Empty);
+            Assert.That(Directory.GetFileSystemEntries(m_Run.Folder), Is.EquivalentTo(before), "nothing was written");
+        }
+    }
+}

@@ -1,0 +1,22 @@
+using System;
+using System.Globalization;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>While it lives, this thread writes numbers as much of Europe does: 1.234,5.</summary>
+    internal sealed class CommaCulture : IDisposable
+    {
+        private readonly CultureInfo m_Before = CultureInfo.CurrentCulture;
+
+        public CommaCulture()
+        {
+            var commas = (CultureInfo)CultureInfo.InvariantCulture.Clone();
+            commas.NumberFormat.NumberDecimalSeparator = ",";
+            commas.NumberFormat.NumberGroupSeparator = ".";
+            commas.NumberFormat.NegativeSign = "−";
+            CultureInfo.CurrentCulture = commas;
+        }
+
+        public void Dispose() => CultureInfo.CurrentCulture = m_Before;
+    }
+}

@@ -1,0 +1,41 @@
+using System;
+using System.IO;
+using Alate.Cli;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>A run of the command line within this process, in a folder of its own that is removed afterwards.</summary>
+    internal sealed class CommandRun : IDisposable
+    {
+        private readonly StringWriter m_Output = new StringWriter(), m_Errors = new StringWriter();
+
+        public CommandRun()
+        {
+            Folder = Path.Combine(Path.GetTempPath(), "alate-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(Folder);
+        }
+
+        /// <summary>Where a test keeps its files.</summary>
+        public string Folder { get; }
+
+        /// <summary>Where the tests let commands write; not there before.</summary>
+        public string Out => Path.Combine(Folder, "out");
+
+        public string Output => m_Output.ToString();
+
+        public string Errors => m_Errors.ToString();
+
+        public int Run(params string[] arguments) => Program.Run(arguments, m_Output, m_Errors);
+
+        /// <summary>Writes a file into the folder.</summary>
+        /// <returns>Its path.</returns>
+        public string Write(string name, string content)
+        {
+            string path = Path.Combine(Folder, name);
+            File.WriteAllText(path, content);
+            return path;
+        }
+
+        public void Dispose() => Directory.Delete(Folder, true);
+    }
+}

@@ -1,0 +1,127 @@
+using System.Collections.Generic;
+using FsCheck;
+using FsCheck.Fluent;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests
+{
+    public sealed unsafe class EnergyLaws
+    {
+        [Test]
+        public void ASpring_PullsItsTwoJointsEquallyAndOppositely()
+        {
+            Prop.ForAll(RandomFlight.Seeds, seed =>
+            {
+                var random = new Unity.Mathematics.Random((uint)seed);
+                var spring = new List<Spring> { new Spring { a = 1, b = 2, length = random.NextFloat(0.01f, 1f) } };
+                using (var springs = new SpringFixture(1, 3, spring, random.NextFloat(1f, 1e6f)))
+                {
+                    springs.scratch.positions[1] = new SoaFloat3(random.NextFloat3(-1f, 1f));
+                    springs.scratch.positions[2] = new SoaFloat3(random.NextFloat3(-1f, 1f));
+                    SpringEnergy.Linearise(springs.pack, springs.scratch, springs.scratch.positions, false);
+                    float3 a = springs.scratch.gradient[1][0], b = springs.scratch.gradient[2][0];
+                    float3 along = springs.scratch.positions[1][0] - springs.scratch.positions[2][0];
+                    bool stretched = math.length(along) > spring[0].length;
+                    return (math.all(a == -b) && math.dot(a, along) > 0f == stretched).Label($"seed {seed}: {a} and {b}");
+                }
+            }).QuickCheckThrowOnFailure();
+        }
+
+        [Test]
+        public void WithDriveAndAirOff_TheBendingEnergyNeverRises()
+        {
+            Prop.ForAll(RandomFlight.Seeds, seed =>
+            {
+                var flight = new RandomFlight(seed);
+                using (var fixture = new PackFixture(Monarch.Rig(), Still(flight.Parameters)))
+                {
+                    for (int bone = 0; bone < fixture.rig.BoneCount; bone++)
+                    {
+                        fixture.Pack.bendAngles[bone] = new SoaFloat3(flight.Random.NextFloat3(-0.4f, 0.4f));
+                        fixture.Pack.bendRates[bone] = new SoaFloat3(flight.Random.NextFloat3(-30f, 30f));
+                    }
+
+                    float last = BendingEnergy(fixture);
+                    for (int k = 0; k < 50; k++)
+                    {
+                        PackStep.Run(ref fixture.Pack, fixture.scratch, fixture.Substep);
+                        float now = BendingEnergy(fixture);
+                        if (now > last * 1.00001f + 1e-7f)
+                            return false.Label($"seed {seed}, substep {k}: {last} to {now}");
+                        last = now;
+                    }
+
+                    return true.Label("fell");
+                }
+            }).QuickCheckThrowOnFailure();
+        }
+
+        [Test]
+        public void WithDriveAndAirOff_TheElasticEnergyNeverRises()
+        {
+            Prop.ForAll(RandomFlight.Seeds, seed =>
+            {
+                var flight = new RandomFlight(seed);
+                using (var fixture = new PackFixture(Monarch.Rig(), Still(flight.Parameters)))
+                {
+                    for (int joint = 0; joint < fixture.rig.JointCount; joint++)
+                    {
+                        if (joint % fixture.rig.JointsPerChain == 0)
+                            continue;
+                        fixture.Pack.offsets[joint] = new SoaFloat3(flight.Random.NextFloat3(-2e-3f, 2e-3f));
+                        fixture.Pack.offsetRates[joint] = new SoaFloat3(flight.Random.NextFloat3(-0.3f, 0.3f));
+                        fixture.Pack.pose[joint].position += fixture.Pack.offsets[joint];
+                    }
+
+                    float first = ElasticEnergy(fixture), last = first;
+                    for (int k = 0; k < 50; k++)
+                    {
+                        PackStep.Run(ref fixture.Pack, fixture.scratch, fixture.Substep);
+                        float now = ElasticEnergy(fixture);
+                        if (now > last + 1e-4f * first)
+                            return false.Label($"seed {seed}, substep {k}: {last} to {now} of {first}");
+                        last = now;
+                    }
+
+                    return (last < 0.5f * first).Label($"seed {seed}: {first} to {last}");
+                }
+            }).QuickCheckThrowOnFailure();
+        }
+
+        private static WingParameters Still(WingParameters parameters)
+        {
+            parameters.amplitude = float3.zero;
+            parameters.airDensity = 0f;
+            return parameters;
+        }
+
+        private static float BendingEnergy(PackFixture fixture)
+        {
+            ref readonly LaneParameters p = ref *fixture.Pack.parameters;
+            float energy = 0f;
+            for (int bone = 0; bone < fixture.rig.BoneCount; bone++)
+            {
+                float3 angle = fixture.Pack.bendAngles[bone][0], rate = fixture.Pack.bendRates[bone][0];
+                float k = fixture.Pack.bendStiffness[bone].x;
+                float dorsal = angle.x > 0f ? p.dorsalAsymmetry.x : 1f;
+                energy += 0.5f * fixture.rig.View.jointInertias[bone] * math.lengthsq(rate);
+                energy += 0.5f * k * (dorsal * angle.x * angle.x + p.inPlaneFactor.x * angle.y * angle.y + p.torsionFactor.x * angle.z * angle.z);
+            }
+
+            return energy;
+        }
+
+        private static float ElasticEnergy(PackFixture fixture)
+        {
+            float anchor = fixture.Pack.parameters->anchorRate.x, energy = SpringEnergy.Elastic(fixture.Pack, fixture.Pack.pose).x;
+            for (int joint = 0; joint < fixture.rig.JointCount; joint++)
+            {
+                float mass = fixture.rig.JointMasses[joint];
+                energy += 0.5f * mass * (anchor * anchor * math.lengthsq(fixture.Pack.offsets[joint][0]) + math.lengthsq(fixture.Pack.offsetRates[joint][0]));
+            }
+
+            return energy;
+        }
+    }
+}

@@ -1,0 +1,7 @@
+namespace UnityEditor;
+
+public enum InteractionMode
+{
+    AutomatedAction = 0,
+    UserAction = 1,
+}

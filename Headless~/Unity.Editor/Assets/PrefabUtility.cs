@@ -1,0 +1,23 @@
+using UnityEngine;
+
+namespace UnityEditor;
+
+public sealed class PrefabUtility
+{
+    public static bool IsPartOfPrefabAsset(Object componentOrGameObject) => throw Absent.Editor;
+    public static bool IsPartOfPrefabInstance(Object componentOrGameObject) => throw Absent.Editor;
+    public static bool IsPartOfAnyPrefab(Object componentOrGameObject) => throw Absent.Editor;
+    public static bool IsPartOfNonAssetPrefabInstance(Object componentOrGameObject) => throw Absent.Editor;
+    public static void RecordPrefabInstancePropertyModifications(Object targetObject) => throw Absent.Editor;
+    public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath) => throw Absent.Editor;
+    public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath, out bool success) => throw Absent.Editor;
+    public static Object InstantiatePrefab(Object assetComponentOrGameObject) => throw Absent.Editor;
+    public static T GetCorrespondingObjectFromSource<T>(T componentOrGameObject) where T : Object => throw Absent.Editor;
+    public static string GetPrefabAssetPathOfNearestInstanceRoot(Object instanceComponentOrGameObject) => throw Absent.Editor;
+    public static void UnpackPrefabInstance(
+        GameObject instanceRoot,
+        PrefabUnpackMode unpackMode,
+        InteractionMode action) => throw Absent.Editor;
+    public static GameObject LoadPrefabContents(string assetPath) => throw Absent.Editor;
+    public static void UnloadPrefabContents(GameObject contentsRoot) => throw Absent.Editor;
+}

@@ -1,0 +1,96 @@
+using System;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public sealed partial class EditorGUI
+{
+    public static int indentLevel { get; set; }
+    public static bool showMixedValue { get; set; }
+    public static bool actionKey { get; }
+
+    public static void BeginChangeCheck() => throw Absent.Editor;
+    public static bool EndChangeCheck() => throw Absent.Editor;
+    public static GUIContent BeginProperty(Rect totalPosition, GUIContent label, SerializedProperty property) => throw Absent.Editor;
+    public static void EndProperty() => throw Absent.Editor;
+    public static void BeginDisabledGroup(bool disabled) => throw Absent.Editor;
+    public static void EndDisabledGroup() => throw Absent.Editor;
+    public static bool PropertyField(Rect position, SerializedProperty property) => throw Absent.Editor;
+    public static bool PropertyField(Rect position, SerializedProperty property, bool includeChildren) => throw Absent.Editor;
+    public static bool PropertyField(Rect position, SerializedProperty property, GUIContent label) => throw Absent.Editor;
+    public static bool PropertyField(
+        Rect position,
+        SerializedProperty property,
+        GUIContent label,
+        bool includeChildren) => throw Absent.Editor;
+    public static float GetPropertyHeight(SerializedProperty property) => throw Absent.Editor;
+    public static float GetPropertyHeight(SerializedProperty property, bool includeChildren) => throw Absent.Editor;
+    public static float GetPropertyHeight(SerializedProperty property, GUIContent label) => throw Absent.Editor;
+    public static float GetPropertyHeight(SerializedProperty property, GUIContent label, bool includeChildren) => throw Absent.Editor;
+    public static float GetPropertyHeight(SerializedPropertyType type, GUIContent label) => throw Absent.Editor;
+    public static void LabelField(Rect position, string label) => throw Absent.Editor;
+    public static void LabelField(Rect position, string label, GUIStyle style) => throw Absent.Editor;
+    public static void LabelField(Rect position, GUIContent label) => throw Absent.Editor;
+    public static void LabelField(Rect position, GUIContent label, GUIStyle style) => throw Absent.Editor;
+    public static void HelpBox(Rect position, string message, MessageType type) => throw Absent.Editor;
+    public static bool Foldout(Rect position, bool foldout, string content, bool toggleOnLabelClick) => throw Absent.Editor;
+    public static bool Foldout(Rect position, bool foldout, GUIContent content, bool toggleOnLabelClick) => throw Absent.Editor;
+    public static bool Toggle(Rect position, string label, bool value) => throw Absent.Editor;
+    public static bool Toggle(Rect position, GUIContent label, bool value) => throw Absent.Editor;
+    public static float FloatField(Rect position, string label, float value) => throw Absent.Editor;
+    public static float FloatField(Rect position, GUIContent label, float value) => throw Absent.Editor;
+    public static int IntField(Rect position, string label, int value) => throw Absent.Editor;
+    public static int IntField(Rect position, GUIContent label, int value) => throw Absent.Editor;
+    public static float Slider(Rect position, float value, float leftValue, float rightValue) => throw Absent.Editor;
+    public static float Slider(Rect position, string label, float value, float leftValue, float rightValue) => throw Absent.Editor;
+    public static void Slider(Rect position, SerializedProperty property, float leftValue, float rightValue) => throw Absent.Editor;
+    public static void Slider(
+        Rect position,
+        SerializedProperty property,
+        float leftValue,
+        float rightValue,
+        string label) => throw Absent.Editor;
+    public static void Slider(
+        Rect position,
+        SerializedProperty property,
+        float leftValue,
+        float rightValue,
+        GUIContent label) => throw Absent.Editor;
+    public static float Slider(Rect position, GUIContent label, float value, float leftValue, float rightValue) => throw Absent.Editor;
+    public static int Popup(Rect position, string label, int selectedIndex, string[] displayedOptions) => throw Absent.Editor;
+    public static int Popup(Rect position, GUIContent label, int selectedIndex, GUIContent[] displayedOptions) => throw Absent.Editor;
+    public static Object ObjectField(Rect position, string label, Object obj, Type objType, bool allowSceneObjects) => throw Absent.Editor;
+    public static Object ObjectField(
+        Rect position,
+        string label,
+        Object obj,
+        Type objType,
+        Object targetBeingEdited) => throw Absent.Editor;
+    public static void ObjectField(Rect position, SerializedProperty property, Type objType) => throw Absent.Editor;
+    public static void ObjectField(Rect position, SerializedProperty property, Type objType, GUIContent label) => throw Absent.Editor;
+    public static void ObjectField(Rect position, SerializedProperty property, GUIContent label) => throw Absent.Editor;
+    public static Object ObjectField(
+        Rect position,
+        GUIContent label,
+        Object obj,
+        Type objType,
+        bool allowSceneObjects) => throw Absent.Editor;
+    public static Object ObjectField(
+        Rect position,
+        GUIContent label,
+        Object obj,
+        Type objType,
+        Object targetBeingEdited) => throw Absent.Editor;
+    public static void DrawRect(Rect rect, Color color) => throw Absent.Editor;
+    public static void ProgressBar(Rect position, float value, string text) => throw Absent.Editor;
+    public static Rect PrefixLabel(Rect totalPosition, int id, GUIContent label) => throw Absent.Editor;
+    public static Rect PrefixLabel(Rect totalPosition, int id, GUIContent label, GUIStyle style) => throw Absent.Editor;
+    public static Rect PrefixLabel(Rect totalPosition, GUIContent label) => throw Absent.Editor;
+    public static Rect PrefixLabel(Rect totalPosition, GUIContent label, GUIStyle style) => throw Absent.Editor;
+    public static Rect IndentedRect(Rect source) => throw Absent.Editor;
+    public static void DropShadowLabel(Rect position, string text) => throw Absent.Editor;
+    public static void DropShadowLabel(Rect position, string text, GUIStyle style) => throw Absent.Editor;
+    public static void DropShadowLabel(Rect position, GUIContent content) => throw Absent.Editor;
+    public static void DropShadowLabel(Rect position, GUIContent content, GUIStyle style) => throw Absent.Editor;
+}

@@ -1,0 +1,186 @@
+using System;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public sealed partial class EditorGUILayout
+{
+    public static bool PropertyField(
+        SerializedProperty property,
+        bool includeChildren,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool PropertyField(
+        SerializedProperty property,
+        GUIContent label,
+        bool includeChildren,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool PropertyField(
+        SerializedProperty property,
+        GUIContent label,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void HelpBox(string message, MessageType type) => throw Absent.Editor;
+    public static void HelpBox(string message, MessageType type, bool wide) => throw Absent.Editor;
+    public static void HelpBox(GUIContent content, bool wide = true) => throw Absent.Editor;
+    public static void LabelField(string label, string label2, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(string label, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(
+        GUIContent label,
+        GUIContent label2,
+        GUIStyle style,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(GUIContent label, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(GUIContent label, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => throw Absent.Editor;
+    public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick, GUIStyle style) => throw Absent.Editor;
+    public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick) => throw Absent.Editor;
+    public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick, GUIStyle style) => throw Absent.Editor;
+    public static bool BeginFoldoutHeaderGroup(
+        bool foldout,
+        string content,
+        GUIStyle style = null,
+        Action<Rect> menuAction = null,
+        GUIStyle menuIcon = null) => throw Absent.Editor;
+    public static bool BeginFoldoutHeaderGroup(
+        bool foldout,
+        GUIContent content,
+        GUIStyle style = null,
+        Action<Rect> menuAction = null,
+        GUIStyle menuIcon = null) => throw Absent.Editor;
+    public static void EndFoldoutHeaderGroup() => throw Absent.Editor;
+    public static Rect BeginHorizontal(params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Rect BeginHorizontal(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void EndHorizontal() => throw Absent.Editor;
+    public static Rect BeginVertical(params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Rect BeginVertical(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void EndVertical() => throw Absent.Editor;
+    public static void Space() => throw Absent.Editor;
+    public static void Space(float width) => throw Absent.Editor;
+    public static void Space(float width, bool expand) => throw Absent.Editor;
+    public static void Separator() => throw Absent.Editor;
+    public static bool Toggle(string label, bool value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static float FloatField(string label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static float FloatField(GUIContent label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int IntField(string label, int value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int IntField(GUIContent label, int value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static float Slider(
+        string label,
+        float value,
+        float leftValue,
+        float rightValue,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void Slider(
+        SerializedProperty property,
+        float leftValue,
+        float rightValue,
+        string label,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void Slider(
+        SerializedProperty property,
+        float leftValue,
+        float rightValue,
+        GUIContent label,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void Slider(
+        SerializedProperty property,
+        float leftValue,
+        float rightValue,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static float Slider(
+        GUIContent label,
+        float value,
+        float leftValue,
+        float rightValue,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int IntSlider(
+        string label,
+        int value,
+        int leftValue,
+        int rightValue,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void IntSlider(
+        SerializedProperty property,
+        int leftValue,
+        int rightValue,
+        string label,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void IntSlider(
+        SerializedProperty property,
+        int leftValue,
+        int rightValue,
+        GUIContent label,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void IntSlider(
+        SerializedProperty property,
+        int leftValue,
+        int rightValue,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int IntSlider(
+        GUIContent label,
+        int value,
+        int leftValue,
+        int rightValue,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void MinMaxSlider(
+        string label,
+        ref float minValue,
+        ref float maxValue,
+        float minLimit,
+        float maxLimit,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void MinMaxSlider(
+        GUIContent label,
+        ref float minValue,
+        ref float maxValue,
+        float minLimit,
+        float maxLimit,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Object ObjectField(
+        string label,
+        Object obj,
+        Type objType,
+        bool allowSceneObjects,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Object ObjectField(
+        GUIContent label,
+        Object obj,
+        Type objType,
+        bool allowSceneObjects,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int Popup(
+        string label,
+        int selectedIndex,
+        string[] displayedOptions,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int Popup(
+        GUIContent label,
+        int selectedIndex,
+        string[] displayedOptions,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int Popup(
+        GUIContent label,
+        int selectedIndex,
+        GUIContent[] displayedOptions,
+        params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector3 Vector3Field(string label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector3 Vector3Field(GUIContent label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static string TextField(string label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static string TextField(GUIContent label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void PrefixLabel(string label) => throw Absent.Editor;
+    public static void PrefixLabel(GUIContent label) => throw Absent.Editor;
+    public static Rect GetControlRect(bool hasLabel, float height, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Rect GetControlRect(bool hasLabel, float height, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Rect GetControlRect(bool hasLabel, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Rect GetControlRect(params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void EndScrollView() => throw Absent.Editor;
+    public static Color ColorField(string label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Color ColorField(GUIContent label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
+}

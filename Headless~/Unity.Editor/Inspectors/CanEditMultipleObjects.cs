@@ -1,0 +1,11 @@
+using System;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public sealed class CanEditMultipleObjects : Attribute
+{
+    public CanEditMultipleObjects()
+    {
+    }
+}

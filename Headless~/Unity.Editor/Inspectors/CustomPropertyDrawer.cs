@@ -1,0 +1,15 @@
+using System;
+
+namespace UnityEditor;
+
+[System.AttributeUsage(System.AttributeTargets.Class, AllowMultiple = true)]
+public sealed class CustomPropertyDrawer : Attribute
+{
+    public CustomPropertyDrawer(Type type)
+    {
+    }
+
+    public CustomPropertyDrawer(Type type, bool useForChildren)
+    {
+    }
+}

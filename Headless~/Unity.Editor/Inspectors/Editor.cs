@@ -1,0 +1,44 @@
+using System;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public class Editor : ScriptableObject
+{
+    public Object target { get; set; }
+    public Object[] targets { get; }
+    public SerializedObject serializedObject { get; }
+    public bool hasUnsavedChanges { get; protected set; }
+
+    public virtual void OnInspectorGUI()
+    {
+    }
+
+    public bool DrawDefaultInspector() => throw Absent.Editor;
+    public void DrawHeader() => throw Absent.Editor;
+    public void Repaint() => throw Absent.Editor;
+    public virtual bool RequiresConstantRepaint() => false;
+    public static Editor CreateEditor(Object targetObject) => throw Absent.Editor;
+    public static Editor CreateEditor(Object targetObject, Type editorType) => throw Absent.Editor;
+    public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor) => throw Absent.Editor;
+    public virtual bool HasPreviewGUI() => false;
+
+    public virtual void OnPreviewGUI(Rect r, GUIStyle background)
+    {
+    }
+
+    public virtual void OnInteractivePreviewGUI(Rect r, GUIStyle background)
+    {
+    }
+
+    public virtual void OnPreviewSettings()
+    {
+    }
+
+    public virtual GUIContent GetPreviewTitle() => null;
+    public virtual string GetInfoString() => null;
+    protected static void DrawPropertiesExcluding(SerializedObject obj, params string[] propertyToExclude) => throw Absent.Editor;
+    public virtual bool UseDefaultMargins() => true;
+    public virtual Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height) => null;
+}

@@ -1,0 +1,32 @@
+namespace UnityEditor;
+
+public enum SerializedPropertyType
+{
+    Generic = -1,
+    Integer = 0,
+    Boolean = 1,
+    Float = 2,
+    String = 3,
+    Color = 4,
+    ObjectReference = 5,
+    LayerMask = 6,
+    Enum = 7,
+    Vector2 = 8,
+    Vector3 = 9,
+    Vector4 = 10,
+    Rect = 11,
+    ArraySize = 12,
+    Character = 13,
+    AnimationCurve = 14,
+    Bounds = 15,
+    Gradient = 16,
+    Quaternion = 17,
+    ExposedReference = 18,
+    FixedBufferSize = 19,
+    Vector2Int = 20,
+    Vector3Int = 21,
+    RectInt = 22,
+    BoundsInt = 23,
+    ManagedReference = 24,
+    Hash128 = 25,
+}

@@ -1,0 +1,7 @@
+namespace UnityEditor;
+
+public enum PivotMode
+{
+    Center = 0,
+    Pivot = 1,
+}

@@ -1,0 +1,7 @@
+namespace UnityEditor;
+
+public enum PivotRotation
+{
+    Local = 0,
+    Global = 1,
+}

@@ -1,0 +1,35 @@
+using System;
+using System.Collections;
+using UnityEngine;
+
+namespace UnityEditor;
+
+public class SceneView : SearchableEditorWindow
+{
+    public static event Action<SceneView> duringSceneGui
+    {
+        add { }
+        remove { }
+    }
+
+    public static event Action<SceneView> beforeSceneGui
+    {
+        add { }
+        remove { }
+    }
+
+    public static SceneView lastActiveSceneView { get; }
+    public static SceneView currentDrawingSceneView { get; }
+    public Camera camera { get; }
+    public Vector3 pivot { get; set; }
+    public Quaternion rotation { get; set; }
+    public float size { get; set; }
+    public bool orthographic { get; set; }
+    public bool drawGizmos { get; set; }
+    public static ArrayList sceneViews { get; }
+
+    public static void RepaintAll() => throw Absent.Editor;
+    public bool Frame(Bounds bounds, bool instant = true) => throw Absent.Editor;
+    public bool FrameSelected() => throw Absent.Editor;
+    public void LookAt(Vector3 point) => throw Absent.Editor;
+}

@@ -1,0 +1,42 @@
+using System;
+
+namespace UnityEditor;
+
+public sealed class EditorApplication
+{
+    public delegate void CallbackFunction();
+
+    public static CallbackFunction update;
+    public static CallbackFunction delayCall;
+
+    public static event Action<PlayModeStateChange> playModeStateChanged
+    {
+        add { }
+        remove { }
+    }
+
+    public static event Action hierarchyChanged
+    {
+        add { }
+        remove { }
+    }
+
+    public static event Action projectChanged
+    {
+        add { }
+        remove { }
+    }
+
+    public static bool isPlaying { get; set; }
+    public static bool isPaused { get; set; }
+    public static bool isPlayingOrWillChangePlaymode { get; }
+    public static bool isCompiling { get; }
+    public static bool isUpdating { get; }
+    public static double timeSinceStartup { get; }
+
+    public static void QueuePlayerLoopUpdate() => throw Absent.Editor;
+    public static bool ExecuteMenuItem(string menuItemPath) => throw Absent.Editor;
+    public static void EnterPlaymode() => throw Absent.Editor;
+    public static void ExitPlaymode() => throw Absent.Editor;
+    public static void RepaintHierarchyWindow() => throw Absent.Editor;
+}

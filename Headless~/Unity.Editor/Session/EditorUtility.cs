@@ -1,0 +1,30 @@
+using UnityEngine;
+
+namespace UnityEditor;
+
+public class EditorUtility
+{
+    public static void SetDirty(Object target) => throw Absent.Editor;
+    public static bool DisplayDialog(string title, string message, string ok) => throw Absent.Editor;
+    public static bool DisplayDialog(string title, string message, string ok, string cancel) => throw Absent.Editor;
+    public static void DisplayProgressBar(string title, string info, float progress) => throw Absent.Editor;
+    public static bool DisplayCancelableProgressBar(string title, string info, float progress) => throw Absent.Editor;
+    public static void ClearProgressBar() => throw Absent.Editor;
+    public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => throw Absent.Editor;
+    public static string SaveFilePanelInProject(string title, string defaultName, string extension, string message) => throw Absent.Editor;
+    public static string SaveFilePanelInProject(
+        string title,
+        string defaultName,
+        string extension,
+        string message,
+        string path) => throw Absent.Editor;
+    public static string OpenFilePanel(string title, string directory, string extension) => throw Absent.Editor;
+    public static string OpenFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
+    public static string SaveFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
+    public static bool IsPersistent(Object target) => throw Absent.Editor;
+    public static bool IsDirty(Object target) => throw Absent.Editor;
+    public static void CopySerialized(Object source, Object dest) => throw Absent.Editor;
+    public static void CopySerializedIfDifferent(Object source, Object dest) => throw Absent.Editor;
+    public static void FocusProjectWindow() => throw Absent.Editor;
+    public static void RevealInFinder(string path) => throw Absent.Editor;
+}

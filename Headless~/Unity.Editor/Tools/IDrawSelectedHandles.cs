@@ -1,0 +1,6 @@
+namespace UnityEditor.EditorTools;
+
+public interface IDrawSelectedHandles
+{
+    void OnDrawHandles();
+}

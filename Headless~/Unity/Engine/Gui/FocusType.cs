@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public enum FocusType
+{
+    Keyboard = 1,
+    Passive = 2,
+}

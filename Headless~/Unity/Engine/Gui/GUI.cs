@@ -1,0 +1,43 @@
+namespace UnityEngine;
+
+public partial class GUI
+{
+    public static Color color { get; set; }
+    public static Color backgroundColor { get; set; }
+    public static Color contentColor { get; set; }
+    public static bool enabled { get; set; }
+    public static bool changed { get; set; }
+    public static string tooltip { get; set; }
+
+    public static bool Button(Rect position, string text) => throw Absent.Gui;
+    public static bool Button(Rect position, string text, GUIStyle style) => throw Absent.Gui;
+    public static bool Button(Rect position, GUIContent content) => throw Absent.Gui;
+    public static bool Button(Rect position, GUIContent content, GUIStyle style) => throw Absent.Gui;
+    public static bool Button(Rect position, Texture image) => throw Absent.Gui;
+    public static bool Button(Rect position, Texture image, GUIStyle style) => throw Absent.Gui;
+    public static void Label(Rect position, string text) => throw Absent.Gui;
+    public static void Label(Rect position, string text, GUIStyle style) => throw Absent.Gui;
+    public static void Label(Rect position, GUIContent content) => throw Absent.Gui;
+    public static void Label(Rect position, GUIContent content, GUIStyle style) => throw Absent.Gui;
+    public static void Label(Rect position, Texture image) => throw Absent.Gui;
+    public static void Label(Rect position, Texture image, GUIStyle style) => throw Absent.Gui;
+    public static void Box(Rect position, string text) => throw Absent.Gui;
+    public static void Box(Rect position, string text, GUIStyle style) => throw Absent.Gui;
+    public static void Box(Rect position, GUIContent content) => throw Absent.Gui;
+    public static void Box(Rect position, GUIContent content, GUIStyle style) => throw Absent.Gui;
+    public static void Box(Rect position, Texture image) => throw Absent.Gui;
+    public static void Box(Rect position, Texture image, GUIStyle style) => throw Absent.Gui;
+    public static void BeginGroup(Rect position) => throw Absent.Gui;
+    public static void EndGroup() => throw Absent.Gui;
+    public static void DrawTexture(Rect position, Texture image) => throw Absent.Gui;
+    public static void DrawTexture(Rect position, Texture image, ScaleMode scaleMode) => throw Absent.Gui;
+    public static bool Toggle(Rect position, bool value, string text) => throw Absent.Gui;
+    public static bool Toggle(Rect position, bool value, string text, GUIStyle style) => throw Absent.Gui;
+    public static bool Toggle(Rect position, bool value, GUIContent content) => throw Absent.Gui;
+    public static bool Toggle(Rect position, bool value, GUIContent content, GUIStyle style) => throw Absent.Gui;
+    public static bool Toggle(Rect position, bool value, Texture image) => throw Absent.Gui;
+    public static bool Toggle(Rect position, bool value, Texture image, GUIStyle style) => throw Absent.Gui;
+    public static void DragWindow() => throw Absent.Gui;
+    public static void FocusControl(string name) => throw Absent.Gui;
+    public static void SetNextControlName(string name) => throw Absent.Gui;
+}

@@ -1,0 +1,55 @@
+namespace UnityEngine;
+
+public class GUILayout
+{
+    public static bool Button(string text, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Button(GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Button(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Label(string text, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Label(string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Label(GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Label(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Label(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Label(Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Box(string text, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Box(string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Box(GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Box(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Box(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Box(Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Space(float pixels) => throw Absent.Gui;
+    public static void FlexibleSpace() => throw Absent.Gui;
+    public static void BeginHorizontal(params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void BeginHorizontal(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void EndHorizontal() => throw Absent.Gui;
+    public static void BeginVertical(params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void BeginVertical(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void EndVertical() => throw Absent.Gui;
+    public static void BeginArea(Rect screenRect) => throw Absent.Gui;
+    public static void BeginArea(Rect screenRect, GUIStyle style) => throw Absent.Gui;
+    public static void EndArea() => throw Absent.Gui;
+    public static GUILayoutOption Width(float width) => throw Absent.Gui;
+    public static GUILayoutOption Height(float height) => throw Absent.Gui;
+    public static GUILayoutOption MinWidth(float minWidth) => throw Absent.Gui;
+    public static GUILayoutOption MaxWidth(float maxWidth) => throw Absent.Gui;
+    public static GUILayoutOption MinHeight(float minHeight) => throw Absent.Gui;
+    public static GUILayoutOption MaxHeight(float maxHeight) => throw Absent.Gui;
+    public static GUILayoutOption ExpandWidth(bool expand) => throw Absent.Gui;
+    public static GUILayoutOption ExpandHeight(bool expand) => throw Absent.Gui;
+    public static bool Toggle(bool value, string text, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Toggle(bool value, string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Toggle(bool value, GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Toggle(bool value, GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Toggle(bool value, Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Toggle(bool value, Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static int Toolbar(int selected, string[] texts, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static int Toolbar(int selected, GUIContent[] contents, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static float HorizontalSlider(
+        float value,
+        float leftValue,
+        float rightValue,
+        params GUILayoutOption[] options) => throw Absent.Gui;
+}

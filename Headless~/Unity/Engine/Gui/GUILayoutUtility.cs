@@ -1,0 +1,13 @@
+namespace UnityEngine;
+
+public class GUILayoutUtility
+{
+    public static Rect GetRect(float width, float height) => throw Absent.Gui;
+    public static Rect GetRect(float width, float height, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static Rect GetRect(float width, float height, GUIStyle style) => throw Absent.Gui;
+    public static Rect GetRect(float width, float height, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static Rect GetRect(GUIContent content, GUIStyle style) => throw Absent.Gui;
+    public static Rect GetRect(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static Rect GetLastRect() => throw Absent.Gui;
+    public static Rect GetAspectRect(float aspect) => throw Absent.Gui;
+}

@@ -1,4 +1,0 @@
-using System.Runtime.CompilerServices;
-
-[assembly: InternalsVisibleTo("Unity.Editor")]
-[assembly: InternalsVisibleTo("Unity.TestFramework")]

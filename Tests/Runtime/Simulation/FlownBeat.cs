@@ -1,0 +1,51 @@
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace Alate.Tests
+{
+    /// <summary>The last of eight beats of a monarch wing, measured as researchers measure it.</summary>
+    internal static class FlownBeat
+    {
+        private const int k_Beats = 8;
+
+        /// <summary>Flies and measures.</summary>
+        public static WingDeformation Measure(in WingParameters parameters, float speed = 1.3f)
+        {
+            int substeps = parameters.substepsPerBeat;
+            SpeciesWing kind = Species.Find("monarch").Wings[0];
+            SurfaceMesh mesh = kind.CreateSurface(WingSide.Right);
+            WingRig rig = Monarch.Rig();
+            WingFrame frame = rig.Frame;
+            var rest = new float3[mesh.VertexCount];
+            for (int k = 0; k < rest.Length; k++)
+                rest[k] = frame.ToWing(mesh.positions[k]);
+            var beat = new List<BeatFrame>();
+            using (var world = new WingWorld())
+            {
+                WingHandle wing = world.Add(rig, parameters, Monarch.Flying(speed));
+                rig.Release();
+                float dt = 1f / (substeps * world.Read(wing).Frequency);
+                for (int k = 1; k <= k_Beats * substeps; k++)
+                {
+                    world.Step(dt);
+                    if (k > (k_Beats - 1) * substeps)
+                        beat.Add(Frame(world, wing, frame));
+                }
+            }
+
+            return new BeatMeasurement(rest, mesh.triangles).Measure(beat);
+        }
+
+        private static BeatFrame Frame(WingWorld world, WingHandle wing, WingFrame frame)
+        {
+            world.Skin();
+            NativeArray<SkinnedVertex> vertices = world.Vertices(wing);
+            var positions = new float3[vertices.Length];
+            for (int k = 0; k < positions.Length; k++)
+                positions[k] = frame.ToWing(vertices[k].position);
+            WingReading reading = world.Read(wing);
+            return new BeatFrame(reading.Phase, reading.DrivenRotation(0, 0), positions);
+        }
+    }
+}
