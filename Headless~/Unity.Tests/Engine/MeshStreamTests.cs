@@ -7,7 +7,7 @@ using UnityEngine;
 using UnityEngine.Rendering;
 using Object = UnityEngine.Object;
 
-namespace Unity.Tests;
+namespace Unity.Tests.Engine;
 
 public sealed class MeshStreamTests
 {

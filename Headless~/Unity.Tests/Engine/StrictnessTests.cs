@@ -6,7 +6,7 @@ using Unity.StandIns;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Unity.Tests;
+namespace Unity.Tests.Engine;
 
 public sealed class StrictnessTests
 {

@@ -4,7 +4,7 @@ using UnityEngine;
 using Object = UnityEngine.Object;
 using Random = System.Random;
 
-namespace Unity.Tests;
+namespace Unity.Tests.Engine;
 
 /// <summary>Transforms against chains of scale, rotation and translation that are worked out in double precision.</summary>
 public sealed class TransformReferenceTests
