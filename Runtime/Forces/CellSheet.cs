@@ -19,14 +19,8 @@ namespace Alate
         public static void Carry(in WingPack pack, in StepScratch scratch)
         {
             CarryJoints(pack, scratch);
-            int joints = pack.rig.jointsPerChain;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-            {
-                if (joint % joints < joints - 1)
-                    Halfway(scratch.alongEdges + joint, pack, scratch, joint, joint + 1);
-                if (joint + joints < pack.rig.jointCount)
-                    Halfway(scratch.acrossEdges + joint, pack, scratch, joint, joint + joints);
-            }
+            AlongChains(pack, scratch);
+            AcrossChains(pack, scratch);
         }
 
         /// <summary>The sheet over one cell.</summary>
@@ -79,6 +73,23 @@ namespace Alate
             }
         }
 
+        private static void AlongChains(in WingPack pack, in StepScratch scratch)
+        {
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                if (joint % joints < joints - 1)
+                    scratch.alongEdges[joint] = Halfway(pack, scratch, joint, joint + 1);
+            }
+        }
+
+        private static void AcrossChains(in WingPack pack, in StepScratch scratch)
+        {
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint + joints < pack.rig.jointCount; joint++)
+                scratch.acrossEdges[joint] = Halfway(pack, scratch, joint, joint + joints);
+        }
+
         // Slope and curvature of the parabola through values at 0, ½ and 1.
         private static void Row(in SoaFloat3 at0, in SoaFloat3 atHalf, in SoaFloat3 at1, SoaFloat3* slope, SoaFloat3* curvature)
         {
@@ -88,11 +99,10 @@ namespace Alate
         }
 
         // The sheet halfway along an edge of a cell.
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        private static void Halfway(SoaFloat3* middle, in WingPack pack, in StepScratch scratch, int a, int b)
+        private static SoaFloat3 Halfway(in WingPack pack, in StepScratch scratch, int a, int b)
         {
             float3 half = 0.5f * (pack.rig.restJoints[b] - pack.rig.restJoints[a]);
-            *middle = (Image(scratch, a, half) + Image(scratch, b, -half)) * 0.5f;
+            return (Image(scratch, a, half) + Image(scratch, b, -half)) * 0.5f;
         }
 
         // The sheet in the middle of a cell.
