@@ -63,9 +63,9 @@ public sealed class StrictnessTests
     }
 
     [Test]
-    public void AComponentMadeByNew_IsToldInTheLog()
+    public void AComponentMadeByNew_EqualsNull_AndIsToldInTheLog()
     {
-        _ = new Script();
+        Assert.That(new Script() == null, Is.True);
         Assert.That(m_Warnings, Has.Count.EqualTo(1).And.Some.Contain("Script").And.Some.Contain("AddComponent"));
     }
 
