@@ -7,7 +7,12 @@ public class Component : Object
 {
     private GameObject _gameObject;
 
-    public Component() => Factory.Announce(this, "Components can only be added using AddComponent().");
+    public Component()
+    {
+        // As in Unity, what has no object equals null from the start.
+        if (!Factory.Announce(this, "Components can only be added using AddComponent()."))
+            MarkDestroyed();
+    }
 
     public GameObject gameObject
     {

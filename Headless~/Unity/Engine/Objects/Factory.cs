@@ -20,13 +20,15 @@ internal static class Factory
         }
     }
 
-    /// <summary>Called by the constructor of a component or asset.</summary>
-    public static void Announce(Object made, string advice)
+    /// <summary>Called by the constructor of a component or asset; false, and a warning, if a script called that itself.</summary>
+    public static bool Announce(Object made, string advice)
     {
         Type type = made.GetType();
         bool expected = s_Expected == type;
         s_Expected = null;
-        if (!expected && type.Assembly != typeof(Object).Assembly)
-            Debug.LogWarning($"You are trying to create a {type.Name} using the 'new' keyword. This is not allowed. {advice}");
+        if (expected || type.Assembly == typeof(Object).Assembly)
+            return true;
+        Debug.LogWarning($"You are trying to create a {type.Name} using the 'new' keyword. This is not allowed. {advice}");
+        return false;
     }
 }
