@@ -21,7 +21,7 @@ internal static class Lifecycle
     /// <summary>Awake if it has not, and OnEnable if it is enabled. Whoever throws in Awake is disabled.</summary>
     public static void Activate(MonoBehaviour behaviour)
     {
-        if (behaviour.IsDestroyed || !behaviour.Owner.ActiveFlag || !behaviour.HearsMessages)
+        if (behaviour.Ended || !behaviour.Owner.ActiveFlag || !behaviour.HearsMessages)
             return;
         if (!behaviour.Awoken)
         {
@@ -30,7 +30,7 @@ internal static class Lifecycle
                 behaviour.SetEnabledQuietly(false);
         }
 
-        if (behaviour.IsDestroyed || behaviour.Live || !behaviour.EnabledFlag || !behaviour.Owner.ActiveFlag)
+        if (behaviour.Ended || behaviour.Live || !behaviour.EnabledFlag || !behaviour.Owner.ActiveFlag)
             return;
         behaviour.Live = true;
         BehaviourList.Add(behaviour);
@@ -64,6 +64,9 @@ internal static class Lifecycle
         Collect(top, awaking, sleeping);
         foreach (MonoBehaviour behaviour in sleeping)
         {
+            // One who slept before may have woken it.
+            if (behaviour.Owner.ActiveFlag)
+                continue;
             Deactivate(behaviour);
             behaviour.StopAllCoroutines();
         }
@@ -82,6 +85,8 @@ internal static class Lifecycle
 
     public static void ParentChanged(Transform child)
     {
+        if (child.IsDestroyed)
+            return;
         foreach (MonoBehaviour behaviour in child.Owner.GetComponentsInChildren<MonoBehaviour>())
         {
             if (behaviour.HearsMessages)
@@ -121,21 +126,20 @@ internal static class Lifecycle
         foreach (Transform part in parts)
             part.Owner.Dying = true;
 
-        var behaviours = new List<MonoBehaviour>();
+        var ending = new List<MonoBehaviour>();
         foreach (Transform part in parts)
-        {
-            foreach (Component component in part.Owner.Components)
-            {
-                if (component is MonoBehaviour behaviour)
-                    behaviours.Add(behaviour);
-            }
-        }
-
-        foreach (MonoBehaviour behaviour in behaviours)
+            ending.AddRange(part.Owner.GetComponents<MonoBehaviour>());
+        ending.RemoveAll(b => b.Ended);
+        foreach (MonoBehaviour behaviour in ending)
+            behaviour.Ended = true;
+        foreach (MonoBehaviour behaviour in ending)
             Deactivate(behaviour);
-        foreach (MonoBehaviour behaviour in behaviours)
+        foreach (MonoBehaviour behaviour in ending)
             SendOnDestroy(behaviour);
 
+        // One of them may have ended a parent, and so all of this.
+        if (gameObject.IsDestroyed)
+            return;
         gameObject.transform.Unlink();
         foreach (Transform part in parts)
         {
@@ -158,6 +162,9 @@ internal static class Lifecycle
 
         if (component is MonoBehaviour behaviour)
         {
+            if (behaviour.Ended)
+                return;
+            behaviour.Ended = true;
             Deactivate(behaviour);
             SendOnDestroy(behaviour);
         }
@@ -170,7 +177,6 @@ internal static class Lifecycle
     {
         if (!behaviour.Awoken || !behaviour.HearsMessages)
             return;
-        behaviour.Awoken = false;
         behaviour.Messages.Send(behaviour.Messages.OnDestroy);
     }
 
