@@ -38,12 +38,13 @@ public sealed class RandomActsTests : FreshSceneFixture
 
     private static void Live()
     {
-        for (int i = 0; i < 3000; i++)
+        for (int i = 0; i < 2000; i++)
         {
             Act();
             if (i % 5 == 0)
                 PlayerLoop.Tick(s_Random.NextFloat(0.05f));
-            Check();
+            if (i % 7 == 0)
+                Check();
         }
 
         PlayerLoop.ExitPlayMode();
