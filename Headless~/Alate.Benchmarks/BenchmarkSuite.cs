@@ -14,6 +14,12 @@ public static class BenchmarkSuite
 {
     private const int k_WarmUpSubsteps = 100;
 
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+    private static readonly bool s_SafetyChecks = true;
+#else
+    private static readonly bool s_SafetyChecks = false;
+#endif
+
     /// <summary>Measures, prints a table and writes the figures.</summary>
     /// <param name="jsonPath">Where to; null for the table alone.</param>
     /// <param name="output">Takes the table, line by line as it grows.</param>
@@ -80,8 +86,11 @@ public static class BenchmarkSuite
         report.Content["runtime"] = RuntimeInformation.FrameworkDescription;
         report.Content["processor"] = RuntimeInformation.ProcessArchitecture.ToString();
         report.Content["processor_count"] = Environment.ProcessorCount;
+        report.Content["safety_checks"] = s_SafetyChecks;
         report.Content["note"] = "RyuJIT on the headless stand-ins; Burst was not measured.";
         report.Line($"{report.Content["runtime"]}, {Environment.ProcessorCount} processors. {report.Content["note"]}");
+        if (s_SafetyChecks)
+            report.Line("This build has the safety checks of a debug build on: take -c Release for figures that count.");
     }
 
     // Before anything is measured, so that a wrong path does not cost a minute.

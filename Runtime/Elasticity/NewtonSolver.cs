@@ -3,9 +3,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Newton's method for Eq. 14 on four wings at once: exact Hessian, steps by preconditioned conjugate gradients without a matrix, and
-    /// Armijo halving per wing. A wing that meets negative curvature repeats the iteration with its Hessian kept convex; one that has
-    /// converged stands still while the others go on.
+    /// Newton's method for Eq. 14 on four wings at once: exact Hessian, exact steps, Armijo halving per wing. A wing whose Hessian is not
+    /// positive definite repeats the iteration with its Hessian kept convex; one that has converged stands still while the others go on.
     /// </summary>
     internal static unsafe class NewtonSolver
     {
@@ -15,22 +14,13 @@ namespace Alate
             /// <summary>Newton iterations.</summary>
             public int newton;
 
-            /// <summary>Conjugate-gradient iterations in each, at most.</summary>
-            public int inner;
-
             /// <summary>
-            /// They end early when the residual has fallen to this share; to six times of it in the first Newton iteration, where the
-            /// springs' turning, not the linear solve, makes the error.
-            /// </summary>
-            public float reduction;
-
-            /// <summary>
-            /// Done when no joint moves further in an iteration, wing lengths. What remains is then about the reduction times this.
+            /// Done when no joint moves further in an iteration, wing lengths. What remains is about thirty times its square.
             /// </summary>
             public float tolerance;
 
-            /// <summary>What a substep uses: the minimum to 1e-4 L at the presets, to 1e-5 L from a start as good as a substep's.</summary>
-            public static Limits Default => new Limits { newton = 4, inner = 32, reduction = 0.04f, tolerance = 1e-4f };
+            /// <summary>What a substep uses: the minimum to 1e-4 L.</summary>
+            public static Limits Default => new Limits { newton = 4, tolerance = 1e-3f };
         }
 
         /// <summary>Armijo: the share of the predicted decrease that a step must bring.</summary>
@@ -50,14 +40,14 @@ namespace Alate
             float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, false);
             for (int k = 0; k < limits.newton; k++)
             {
-                float reduction = k == 0 ? 6f * limits.reduction : limits.reduction;
-                bool4 negative = ConjugateGradients.Solve(pack, scratch, limits.inner, reduction) & active;
+                bool4 negative = BlockCholesky.Factorise(pack, scratch) & active;
                 if (math.any(negative))
                 {
                     SpringEnergy.Linearise(pack, scratch, scratch.positions, negative);
-                    ConjugateGradients.Solve(pack, scratch, limits.inner, reduction);
+                    BlockCholesky.Factorise(pack, scratch);
                 }
 
+                BlockCholesky.Solve(pack, scratch);
                 iterations += math.select(0f, 1f, active);
                 bool4 moved = active & (LargestMove(pack, scratch) >= limits.tolerance * limits.tolerance);
                 value = LineSearch(pack, scratch, value, active);

@@ -71,24 +71,5 @@ namespace Alate
 
             return 0.5f * pack.parameters->springStiffness * sum;
         }
-
-        /// <summary>image = H · v with the linearisation of the last call; roots of v are zero, roots of the image are not read.</summary>
-        public static void Apply(in WingPack pack, in StepScratch scratch, SoaFloat3* v, SoaFloat3* image)
-        {
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-                image[joint] = v[joint] * scratch.inertia[joint];
-            for (int s = 0; s < pack.rig.springCount; s++)
-                ApplySpring(pack.rig.springs[s], scratch.springs + s, v, image);
-        }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static void ApplySpring(Spring spring, SpringLinearisation* linear, SoaFloat3* v, SoaFloat3* image)
-        {
-            SoaFloat3 difference = v[spring.a] - v[spring.b];
-            SoaFloat3 axis = linear->axis;
-            SoaFloat3 pull = axis * (linear->axial * SoaFloat3.Dot(axis, difference)) + difference * linear->transversal;
-            image[spring.a] += pull;
-            image[spring.b] -= pull;
-        }
     }
 }

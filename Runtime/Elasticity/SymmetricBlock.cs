@@ -44,14 +44,24 @@ namespace Alate
             m->xy * v.x + m->yy * v.y + m->yz * v.z,
             m->xz * v.x + m->yz * v.y + m->zz * v.z);
 
+        /// <summary>Replaces the matrix by its inverse.</summary>
+        /// <returns>Wings where it was positive definite.</returns>
+        public static bool4 InvertDefinite(SymmetricBlock* m)
+        {
+            float4 first = m->xx, second = m->xx * m->yy - m->xy * m->xy;
+            float4 third = Invert(m);
+            return (first > 0f) & (second > 0f) & (third > 0f);
+        }
+
         /// <summary>Replaces the matrix by its inverse; the determinant of a positive definite block is not zero.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Invert(SymmetricBlock* m)
+        public static float4 Invert(SymmetricBlock* m)
         {
             float4 cxx = m->yy * m->zz - m->yz * m->yz;
             float4 cxy = m->xz * m->yz - m->xy * m->zz;
             float4 cxz = m->xy * m->yz - m->xz * m->yy;
-            float4 inverse = 1f / (m->xx * cxx + m->xy * cxy + m->xz * cxz);
+            float4 determinant = m->xx * cxx + m->xy * cxy + m->xz * cxz;
+            float4 inverse = 1f / determinant;
             float4 cyy = m->xx * m->zz - m->xz * m->xz;
             float4 cyz = m->xy * m->xz - m->xx * m->yz;
             float4 czz = m->xx * m->yy - m->xy * m->xy;
@@ -61,6 +71,7 @@ namespace Alate
             m->yy = cyy * inverse;
             m->yz = cyz * inverse;
             m->zz = czz * inverse;
+            return determinant;
         }
     }
 }

@@ -54,7 +54,12 @@ namespace Alate
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
-                SoaFloat3 normal = CellSheet.NormalAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+                scratch.normals[patch] = CellSheet.NormalAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+            }
+
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                SoaFloat3 normal = scratch.normals[patch];
                 scratch.normals[patch] = normal * (1f / math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-20f)));
             }
         }
@@ -81,13 +86,28 @@ namespace Alate
 
         private static void Forces(in WingPack pack, in StepScratch scratch, PatchCell* cell, PatchLoad* loads)
         {
+            bool alongSpan = pack.options.tangent == AirTangent.BaseToTip;
             float4 halfDensity = 0.5f * pack.parameters->airDensity;
-            int end = cell->firstPatch + cell->patchCount;
-            for (int patch = cell->firstPatch; patch < end; patch++)
+            int first = cell->firstPatch, end = first + cell->patchCount;
+            for (int patch = first; patch < end; patch++)
             {
-                loads[patch] = PatchAir.Load(
-                    pack.options, scratch.relativeWind[patch], scratch.normals[patch], scratch.alongSpan[patch],
+                scratch.streams[patch] = PatchAir.Meet(scratch.relativeWind[patch], scratch.normals[patch]);
+                if (alongSpan)
+                    scratch.streams[patch].tangential = scratch.alongSpan[patch];
+            }
+
+            Coefficients.Evaluate(pack.options, scratch.streams + first, cell->patchCount);
+            for (int patch = first; patch < end; patch++)
+            {
+                loads[patch].force = PatchAir.Force(
+                    scratch.streams[patch], scratch.relativeWind[patch], scratch.normals[patch],
                     halfDensity * pack.rig.patchAreas[patch]);
+            }
+
+            for (int patch = first; patch < end; patch++)
+            {
+                loads[patch].damping = PatchAir.Damping(
+                    scratch.streams[patch], halfDensity * pack.rig.patchAreas[patch], out loads[patch].sinAttack);
             }
         }
 

@@ -8,24 +8,36 @@ namespace Alate
     {
         private const float k_Degrees = 180f / math.PI;
 
-        /// <summary>Lift l(α) and drag d(α) of Eq. 9.</summary>
-        /// <param name="options">Which set, and whether negative lift of the printed polynomial is cut off.</param>
-        /// <param name="normal">|V·n|, at least 0.</param>
-        /// <param name="tangential">Air speed along the tangent, at least 0.</param>
-        /// <param name="lift">C_L.</param>
-        /// <param name="drag">C_D.</param>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Evaluate(in ModelOptions options, float4 normal, float4 tangential, out float4 lift, out float4 drag)
+        /// <summary>Lift l(α) and drag d(α) of Eq. 9 for a run of elements; one set for all of them.</summary>
+        public static unsafe void Evaluate(in ModelOptions options, PatchStream* streams, int count)
         {
             if (options.coefficients == CoefficientSet.FlatPlate)
-                FlatPlate(normal, tangential, out lift, out drag);
+            {
+                for (PatchStream* s = streams; s < streams + count; s++)
+                    FlatPlate(math.abs(s->across), s->tangential, out s->lift, out s->drag);
+            }
             else if (options.coefficients == CoefficientSet.Paper)
-                Paper(SoaMath.QuadrantAngle(normal, tangential), options.clampLift, out lift, out drag);
+            {
+                Angles(streams, count);
+                for (PatchStream* s = streams; s < streams + count; s++)
+                    Paper(s->angle, options.clampLift, out s->lift, out s->drag);
+            }
             else
-                Dickinson(SoaMath.QuadrantAngle(normal, tangential), out lift, out drag);
+            {
+                Angles(streams, count);
+                for (PatchStream* s = streams; s < streams + count; s++)
+                    Dickinson(s->angle, out s->lift, out s->drag);
+            }
+        }
+
+        private static unsafe void Angles(PatchStream* streams, int count)
+        {
+            for (PatchStream* s = streams; s < streams + count; s++)
+                s->angle = SoaMath.QuadrantAngle(math.abs(s->across), s->tangential);
         }
 
         /// <summary>The polynomials of Fig. 6; the angle is in degrees there, in radians here.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Paper(float4 angle, bool clampLift, out float4 lift, out float4 drag)
         {
             float4 a = angle * k_Degrees;
@@ -39,21 +51,25 @@ namespace Alate
         /// Dickinson, Lehmann, Sane 1999: C_L = 0.225 + 1.58 sin(2.13α − 7.20°), C_D = 1.92 − 1.55 cos(2.04α − 9.82°), α in
         /// degrees there. Sine and cosine by their series about the middle of their ranges, error below 1e-6.
         /// </summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Dickinson(float4 angle, out float4 lift, out float4 drag)
         {
             float4 a = angle * 2.13f - (0.12566371f + 1.57079633f);
             float4 a2 = a * a;
-            float4 sin = 1f + a2 * (-0.5f + a2 * (4.16666667e-2f + a2 * (-1.38888889e-3f + a2 * (2.48015873e-5f + a2 * -2.75573192e-7f))));
+            float4 a4 = a2 * a2;
+            float4 sin = 1f + a2 * -0.5f + a4 * (4.16666667e-2f + a2 * -1.38888889e-3f + a4 * (2.48015873e-5f + a2 * -2.75573192e-7f));
             lift = 0.225f + 1.58f * sin;
 
             float4 b = angle * 2.04f - (0.17139133f + 1.57079633f);
             float4 b2 = b * b;
-            float4 minusCos = b * (1f + b2 * (-1.66666667e-1f + b2 * (8.33333333e-3f + b2 * (-1.98412698e-4f
-                + b2 * (2.75573192e-6f + b2 * -2.50521084e-8f)))));
+            float4 b4 = b2 * b2;
+            float4 minusCos = b * (1f + b2 * -1.66666667e-1f
+                + b4 * (8.33333333e-3f + b2 * -1.98412698e-4f + b4 * (2.75573192e-6f + b2 * -2.50521084e-8f)));
             drag = 1.92f + 1.55f * minusCos;
         }
 
         /// <summary>Flat plate: C_L = 1.8 sin 2α, C_D = 0.05 + 1.9 sin²α, without an angle.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void FlatPlate(float4 normal, float4 tangential, out float4 lift, out float4 drag)
         {
             float4 inverse = 1f / math.max(normal * normal + tangential * tangential, 1e-24f);

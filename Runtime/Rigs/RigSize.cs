@@ -9,6 +9,7 @@ namespace Alate
         public int bones;
         public int patches;
         public int springs;
+        public int bandBlocks;
 
         /// <summary>The counts of one rig.</summary>
         public static RigSize Of(in RigView rig) => new RigSize
@@ -17,6 +18,7 @@ namespace Alate
             bones = rig.boneCount,
             patches = rig.patchCount,
             springs = rig.springCount,
+            bandBlocks = BlockCholesky.BandSize(rig),
         };
 
         /// <summary>Enough for both.</summary>
@@ -26,6 +28,7 @@ namespace Alate
             bones = math.max(a.bones, b.bones),
             patches = math.max(a.patches, b.patches),
             springs = math.max(a.springs, b.springs),
+            bandBlocks = math.max(a.bandBlocks, b.bandBlocks),
         };
     }
 }

@@ -15,8 +15,8 @@ namespace Alate
         /// <summary>One step job and one skinning job.</summary>
         public const int JobsPerFrame = 2;
 
-        /// <summary>Quads of one index of the skinning job: about 1000 vertices, several microseconds.</summary>
-        private const int k_QuadsPerChunk = 256;
+        /// <summary>Quads of one index of the skinning job: about 2000 vertices, ten microseconds; a palette of its own.</summary>
+        private const int k_QuadsPerChunk = 512;
 
         private NativeArray<WingPack> m_Packs;
         private NativeArray<SkinTarget> m_Targets;

@@ -36,6 +36,7 @@ namespace Alate
         public SoaFloat3* relativeWind;
         public SoaFloat3* normals;
         public float4* alongSpan;
+        public PatchStream* streams;
         public PatchLoad* loads;
         public SoaFloat3* torques;
 
@@ -48,11 +49,9 @@ namespace Alate
         public SoaFloat3* gradient;
         public SymmetricBlock* blocks;
         public SoaFloat3* step;
-        public SoaFloat3* residual;
-        public SoaFloat3* preconditioned;
-        public SoaFloat3* direction;
-        public SoaFloat3* image;
         public SpringLinearisation* springs;
+        public SoaFloat3x3* band;
+        public SoaFloat3x3* lower;
 
         // Frames.
         public SoaQuaternion* boneRotations;
@@ -92,6 +91,7 @@ namespace Alate
             scratch.relativeWind = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
             scratch.normals = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
             scratch.alongSpan = (float4*)carver.Take<float4>(patches);
+            scratch.streams = (PatchStream*)carver.Take<PatchStream>(patches);
             scratch.loads = (PatchLoad*)carver.Take<PatchLoad>(patches);
             scratch.torques = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.targets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
@@ -102,11 +102,9 @@ namespace Alate
             scratch.gradient = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.blocks = (SymmetricBlock*)carver.Take<SymmetricBlock>(joints);
             scratch.step = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.residual = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.preconditioned = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.direction = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            scratch.image = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.springs = (SpringLinearisation*)carver.Take<SpringLinearisation>(size.springs);
+            scratch.band = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(size.bandBlocks);
+            scratch.lower = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(size.bandBlocks);
             scratch.boneRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
             scratch.rollFrom = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.rollTo = (SoaFloat3*)carver.Take<SoaFloat3>(bones);

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace Alate
@@ -40,8 +41,10 @@ namespace Alate
         }
 
         // A JointPose is seven float4: rotation x y z w, position x y z; one lane of each.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static float4 Rotation(float* pose) => new float4(pose[0], pose[4], pose[8], pose[12]);
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static float3 Position(float* pose) => new float3(pose[16], pose[20], pose[24]);
 
         /// <summary>Takes transforms of the right-wing frame to mesh space, also where the mesh is a left wing.</summary>
@@ -58,6 +61,7 @@ namespace Alate
                 m_Turn = new quaternion(new float3x3(frame.axes.c0 * m_Side, frame.axes.c1, frame.axes.c2));
             }
 
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
             public DualQuaternion ToMesh(quaternion rotation, float3 translation)
             {
                 // Mirrored at x = 0 first where the frame is: the vector part is axial, so y and z change sign.

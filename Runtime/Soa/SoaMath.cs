@@ -48,16 +48,16 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static float4 QuadrantAngle(float4 y, float4 x)
         {
-            float4 large = math.max(x, y);
-            float4 q = math.min(x, y) / math.max(large, 1e-30f);
+            bool4 steep = y > x;
+            float4 large = math.max(math.select(x, y, steep), 1e-30f), small = math.select(y, x, steep);
 
             // atan on [0, 1] from atan on ±tan(π/8): atan(q) = π/4 + atan((q−1)/(q+1)) above tan(π/8).
-            bool4 upper = q > 0.41421356f;
-            float4 t = math.select(q, (q - 1f) / (q + 1f), upper);
+            bool4 upper = small > 0.41421356f * large;
+            float4 t = math.select(small, small - large, upper) / math.select(large, small + large, upper);
             float4 t2 = t * t;
-            float4 p = t + t * t2 * (-3.33329491539e-1f + t2 * (1.99777106478e-1f + t2 * (-1.38776856032e-1f + t2 * 8.05374449538e-2f)));
+            float4 p = t + t * t2 * (-3.33329491539e-1f + t2 * 1.99777106478e-1f + t2 * t2 * (-1.38776856032e-1f + t2 * 8.05374449538e-2f));
             float4 angle = math.select(p, 0.78539816f + p, upper);
-            return math.select(angle, 1.57079633f - angle, y > x);
+            return math.select(angle, 1.57079633f - angle, steep);
         }
     }
 }

@@ -20,7 +20,7 @@ internal sealed class CrowdComparison
         using var one = new Swarm([m_Specimen], 1);
         using var sixteen = new Swarm([m_Specimen], 16);
         using var fourHundred = new Swarm([m_Specimen], 400);
-        var time = Race.Run(Beats(one, 8), Beats(sixteen, 1), Beats(sixtyFour, 1), Beats(fourHundred, 1));
+        var time = Race.Run(one.Contestant, sixteen.Contestant, sixtyFour.Contestant, fourHundred.Contestant);
         report.Ratio(Targets.Crowd, time[3], time[1], time[3] / time[1]);
         report.Ratio(Targets.Single, time[0], time[2], time[0] / time[2]);
         Cores(report, sixtyFour);
@@ -28,19 +28,10 @@ internal sealed class CrowdComparison
             Memory(report, insects);
     }
 
-    /// <summary>Whole beats, because no two frames of a beat cost the same; microseconds per insect and frame.</summary>
-    public static Contestant Beats(Swarm swarm, int beats) => new(
-        $"{swarm.Insects} insects", 1000.0 * beats * FrameComparison.FramesPerBeat * swarm.Insects,
-        () =>
-        {
-            for (var frame = 0; frame < beats * FrameComparison.FramesPerBeat; frame++)
-                swarm.Frame();
-        });
-
     private static void Cores(Report report, Swarm swarm)
     {
-        var beats = Beats(swarm, 1);
-        var time = Race.Run(beats with { Work = () => With(1, beats.Work) }, beats with { Work = () => With(0, beats.Work) });
+        var frames = swarm.Contestant;
+        var time = Race.Run(frames with { Work = () => With(1, swarm.Frame) }, frames with { Work = () => With(0, swarm.Frame) });
         report.Ratio(Targets.Cores, time[0], time[1], time[1] / time[0]);
     }
 

@@ -3,7 +3,7 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Newton's method on the springs: conjugate gradients over a full pack of four wings against a dense factorisation for each.</summary>
+/// <summary>Newton's method on the springs: block factors of a full pack of four wings against a dense factorisation for each wing.</summary>
 internal sealed unsafe class ElasticityComparison
 {
     /// <summary>Newton iterations that are timed, and as many as bring both to the minimum.</summary>
@@ -35,7 +35,7 @@ internal sealed unsafe class ElasticityComparison
         report.Check("dense Newton gives the batched one's positions", LargestDifference(), 1e-4);
         const double units = 1000 * k_Iterations * WingPack.Lanes;
         var time = Race.Run(
-            new Contestant("batched PCG", units, () => Lanes(k_Iterations)),
+            new Contestant("in blocks, four wings", units, () => Lanes(k_Iterations)),
             new Contestant("dense Cholesky", units, () => Dense(k_Iterations)));
         report.Ratio(Targets.Cholesky, time[0], time[1], time[1] / time[0]);
     }

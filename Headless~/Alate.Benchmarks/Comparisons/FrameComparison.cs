@@ -3,14 +3,10 @@ using System.Collections.Generic;
 
 namespace Alate.Benchmarks;
 
-/// <summary>
-/// Whole frames of a crowd: four substeps and one skinning, against the plain wing, on one core. A round is a whole beat, because no two
-/// frames of a beat cost the same.
-/// </summary>
+/// <summary>Whole frames of a crowd: four substeps and one skinning, against the plain wing, on one core.</summary>
 internal sealed class FrameComparison
 {
     public const int Insects = 64;
-    public const int FramesPerBeat = 6;
 
     /// <summary>Fewer, for they take long; a plain wing costs the same in any number.</summary>
     private const int k_PlainInsects = 2;
@@ -29,32 +25,26 @@ internal sealed class FrameComparison
 
     public void Run(Report report)
     {
-        OurBeat();
-        PlainBeat();
+        for (var frame = 0; frame < Swarm.FramesPerBeat; frame++)
+        {
+            m_Swarm.Frame();
+            PlainFrame();
+        }
+
         report.Check("the plain wing moves like ours", LargestDifference(), 2e-2);
         var time = Race.Run(
-            new Contestant("ours", 1000 * FramesPerBeat * m_Swarm.Insects, OurBeat),
-            new Contestant("plain", 1000 * FramesPerBeat * k_PlainInsects, PlainBeat));
+            m_Swarm.Contestant, new Contestant("plain", 1000 * k_PlainInsects, PlainFrame, Swarm.FramesPerBeat));
         report.Ratio(Targets.Frame, time[0], time[1], time[1] / time[0]);
     }
 
-    private void OurBeat()
-    {
-        for (var frame = 0; frame < FramesPerBeat; frame++)
-            m_Swarm.Frame();
-    }
-
-    private void PlainBeat()
+    private void PlainFrame()
     {
         var substep = m_Swarm.FrameTime / Swarm.SubstepsPerFrame;
-        for (var frame = 0; frame < FramesPerBeat; frame++)
+        foreach (var wing in m_Plain)
         {
-            foreach (var wing in m_Plain)
-            {
-                for (var k = 0; k < Swarm.SubstepsPerFrame; k++)
-                    wing.Substep(substep);
-                wing.Skin();
-            }
+            for (var k = 0; k < Swarm.SubstepsPerFrame; k++)
+                wing.Substep(substep);
+            wing.Skin();
         }
     }
 

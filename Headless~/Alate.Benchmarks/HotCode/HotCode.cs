@@ -17,7 +17,7 @@ internal static class HotCode
     [
         typeof(DelayedWaves), typeof(DrivenPose), typeof(Aerodynamics), typeof(PatchAir), typeof(Coefficients), typeof(CellMotion),
         typeof(CellSheet), typeof(BilinearField), typeof(JointLoads), typeof(Bending), typeof(ElasticStep), typeof(NewtonSolver),
-        typeof(SpringEnergy), typeof(ConjugateGradients), typeof(JointFrames), typeof(CellBlend), typeof(DualQuaternionSkinning),
+        typeof(SpringEnergy), typeof(BlockCholesky), typeof(JointFrames), typeof(CellBlend), typeof(DualQuaternionSkinning),
         typeof(SkinPalette),
     ];
 

@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using System.Linq;
 
 namespace Alate.Benchmarks;
 
@@ -7,51 +8,57 @@ namespace Alate.Benchmarks;
 /// Times several ways of doing the same in one process, in turn, many rounds: what disturbs the machine disturbs all of them,
 /// and the best round of each is nearest to what the code itself costs.
 /// </summary>
-internal static class Race
+internal sealed class Race
 {
     private const int k_LeastRounds = 40;
     private const int k_MostRounds = 400;
     private const double k_RoundSeconds = 250e-6;
     private const double k_RaceSeconds = 1.2;
 
-    /// <summary>Nanoseconds per unit of each contestant, in their order.</summary>
-    public static double[] Run(params Contestant[] contestants)
-    {
-        var repeats = Array.ConvertAll(contestants, Repeats);
-        var best = new double[contestants.Length];
-        Array.Fill(best, double.PositiveInfinity);
-        var start = Stopwatch.GetTimestamp();
-        for (var round = 0; round < k_LeastRounds || (round < k_MostRounds && Seconds(start) < k_RaceSeconds); round++)
-        {
-            for (var k = 0; k < contestants.Length; k++)
-                best[k] = Math.Min(best[k], Time(contestants[k].Work, repeats[k]));
-        }
+    private readonly Contestant m_Contestant;
+    private readonly int m_Repeats;
+    private readonly double[] m_Best;
 
-        for (var k = 0; k < contestants.Length; k++)
-            best[k] *= 1e9 / (repeats[k] * contestants[k].Units);
-        return best;
+    private Race(Contestant contestant)
+    {
+        m_Contestant = contestant;
+        m_Repeats = contestant.Phases > 1 ? 1 : Repeats(contestant.Work);
+        m_Best = new double[contestant.Phases];
+        Array.Fill(m_Best, double.PositiveInfinity);
     }
 
-    /// <summary>Nanoseconds per unit of one contestant alone.</summary>
-    public static double Alone(Contestant contestant) => Run(contestant)[0];
+    private double NanosecondsPerUnit => 1e9 * m_Best.Average() / (m_Repeats * m_Contestant.Units);
 
-    /// <summary>Seconds of the fastest of a few calls; for work that takes milliseconds.</summary>
-    public static double Best(int calls, Action work)
+    /// <summary>Nanoseconds per unit of each contestant, in their order.</summary>
+    public static double[] Run(params Contestant[] contestants) => Run(k_LeastRounds, contestants);
+
+    /// <inheritdoc cref="Run(Contestant[])"/>
+    public static double[] Run(int leastRounds, params Contestant[] contestants)
     {
-        var best = double.PositiveInfinity;
-        for (var call = 0; call < calls; call++)
-            best = Math.Min(best, Time(work, 1));
-        return best;
+        var lanes = Array.ConvertAll(contestants, contestant => new Race(contestant));
+        var start = Stopwatch.GetTimestamp();
+        for (var round = 0; round < leastRounds || (round < k_MostRounds && Seconds(start) < k_RaceSeconds); round++)
+        {
+            foreach (var lane in lanes)
+                lane.Round();
+        }
+
+        return Array.ConvertAll(lanes, lane => lane.NanosecondsPerUnit);
+    }
+
+    private void Round()
+    {
+        for (var phase = 0; phase < m_Best.Length; phase++)
+            m_Best[phase] = Math.Min(m_Best[phase], Time(m_Contestant.Work, m_Repeats));
     }
 
     // Warm, then as many calls as fill a round.
-    private static int Repeats(Contestant contestant)
+    private static int Repeats(Action work)
     {
-        contestant.Work();
+        work();
         for (var repeats = 1; ; repeats *= 2)
         {
-            var seconds = Math.Min(Time(contestant.Work, repeats), Time(contestant.Work, repeats));
-            if (seconds >= k_RoundSeconds)
+            if (Math.Min(Time(work, repeats), Time(work, repeats)) >= k_RoundSeconds)
                 return repeats;
         }
     }

@@ -9,6 +9,9 @@ internal sealed class Swarm : IDisposable
     /// <summary>Substeps of a frame: a monarch's 24 a beat at about 10 Hz, seen at 60 frames per second.</summary>
     public const int SubstepsPerFrame = 4;
 
+    /// <summary>Frames after which a beat begins again.</summary>
+    public const int FramesPerBeat = 6;
+
     /// <summary>Seconds of a frame.</summary>
     public float FrameTime { get; }
 
@@ -34,6 +37,9 @@ internal sealed class Swarm : IDisposable
     public int Insects { get; }
 
     public List<WingHandle> Wings { get; } = [];
+
+    /// <summary>Microseconds per insect and frame.</summary>
+    public Contestant Contestant => new($"{Insects} insects", 1000.0 * Insects, Frame, FramesPerBeat);
 
     /// <summary>A frame: four substeps, and the meshes once.</summary>
     public void Frame()

@@ -24,7 +24,14 @@ namespace Alate.Tests
                 pack.rig.springs[s] = springs[s];
             pack.parameters = (LaneParameters*)Block(sizeof(LaneParameters));
             pack.parameters->springStiffness = stiffness;
-            var size = new RigSize { joints = chains * joints, bones = chains * (joints - 1), springs = springs.Count, patches = 1 };
+            var size = new RigSize
+            {
+                joints = chains * joints,
+                bones = chains * (joints - 1),
+                springs = springs.Count,
+                bandBlocks = BlockCholesky.BandSize(pack.rig),
+                patches = 1,
+            };
             StepScratch.Layout(size, Block(StepScratch.Layout(size, null, out _)), out scratch);
         }
 
