@@ -136,6 +136,35 @@ public sealed class ComponentTests : FreshSceneFixture
         Assert.That(Resources.FindObjectsOfTypeAll<Single>(), Is.Empty);
     }
 
+    [Test]
+    public void WhatOutlivesPlay_DoesNotAwakeAgain()
+    {
+        Diary.Lines.Clear();
+        var lasting = new GameObject("lasting", typeof(Diary)) { hideFlags = HideFlags.HideAndDontSave };
+        PlayerLoop.ExitPlayMode();
+        PlayerLoop.EnterPlayMode();
+        PlayerLoop.Tick(0f);
+
+        Assert.That(Diary.Lines, Is.EqualTo(new[]
+        {
+            "lasting.Awake", "lasting.OnEnable", "lasting.Start", "lasting.Update", "lasting.LateUpdate",
+        }));
+        Object.DestroyImmediate(lasting);
+    }
+
+    [Test]
+    public void AKey_IsDownForOneFrame_AndHeldUntilReleased()
+    {
+        Input.Press(KeyCode.Space);
+        PlayerLoop.Tick(0f);
+        Assert.That((Input.GetKeyDown(KeyCode.Space), Input.GetKey(KeyCode.Space)), Is.EqualTo((true, true)));
+        PlayerLoop.Tick(0f);
+        Assert.That((Input.GetKeyDown(KeyCode.Space), Input.GetKey(KeyCode.Space)), Is.EqualTo((false, true)));
+        Input.Release(KeyCode.Space);
+        PlayerLoop.Tick(0f);
+        Assert.That((Input.GetKeyUp(KeyCode.Space), Input.GetKey(KeyCode.Space)), Is.EqualTo((true, false)));
+    }
+
     private static IEnumerator Steps(List<string> lines)
     {
         lines.Add("at once");
