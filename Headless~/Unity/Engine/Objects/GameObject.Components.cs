@@ -21,7 +21,8 @@ public sealed partial class GameObject
 
         if (Refuses(componentType))
         {
-            Debug.LogError($"Can't add '{componentType.Name}' to {name} because a '{componentType.Name}' is already added to the game object!", this);
+            string what = componentType.Name;
+            Debug.LogError($"Can't add '{what}' to {name} because a '{what}' is already added to the game object!", this);
             return null;
         }
 
