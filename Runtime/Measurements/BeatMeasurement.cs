@@ -10,7 +10,8 @@ namespace Alate
     /// one.</remarks>
     public sealed class BeatMeasurement
     {
-        /// <summary>Span of the inner section of the twist, wing lengths.</summary>
+        /// <summary>Span of the inner section of the twist, wing lengths. A mesh that begins farther out is cut a little past its
+        /// beginning instead.</summary>
         public const float k_InnerSpan = 0.1f;
 
         /// <summary>Span of the section of camber and lag, wing lengths.</summary>
@@ -21,6 +22,10 @@ namespace Alate
 
         /// <summary>The percentile of the stretch that is reported beside the largest.</summary>
         private const float k_StretchShare = 0.99f;
+
+        /// <summary>How far past its beginning such a mesh is cut, wing lengths: a base may be pointed, and has no chord
+        /// there.</summary>
+        private const float k_BaseMargin = 0.02f;
 
         private static readonly float2 s_Nothing = new float2(float.PositiveInfinity, float.NegativeInfinity);
 
@@ -38,7 +43,7 @@ namespace Alate
             if (triangles.Length == 0)
                 throw new ArgumentException("There is no triangle to measure.", nameof(triangles));
             m_Rest = rest;
-            m_Inner = WingSection.Cut(rest, triangles, k_InnerSpan);
+            m_Inner = WingSection.Cut(rest, triangles, math.max(k_InnerSpan, Beginning(rest, triangles) + k_BaseMargin));
             m_Middle = WingSection.Cut(rest, triangles, k_MiddleSpan);
             m_Outer = WingSection.Cut(rest, triangles, k_OuterSpan);
             m_Stretch = new EdgeStretch(rest, triangles);
@@ -84,6 +89,14 @@ namespace Alate
                 EdgeLag.Of(m_Middle, m_Rest, beat),
                 EdgeStretch.Percentile(stretches, 1f),
                 EdgeStretch.Percentile(stretches, k_StretchShare));
+        }
+
+        private static float Beginning(float3[] rest, int[] triangles)
+        {
+            float least = float.PositiveInfinity;
+            foreach (int vertex in triangles)
+                least = math.min(least, rest[vertex].x);
+            return least;
         }
 
         private static void Extend(ref float2 range, float value) => range = new float2(math.min(range.x, value), math.max(range.y, value));

@@ -6,8 +6,8 @@ namespace Alate
 {
     /// <summary>
     /// Lag of a section's trailing edge: the phase of its height behind that of the leading edge, both in the fundamental of the beat,
-    /// less what a wing
-    /// that only turns with its root has by its feathering.
+    /// less what a wing that only turns with its root has by its feathering. Each edge's height has a phase of its own here and the two
+    /// are subtracted; the phase of the difference in height is another number (15° where the monarch's lag is 27°).
     /// </summary>
     public static class EdgeLag
     {

@@ -6,8 +6,7 @@ namespace Alate
 {
     /// <summary>
     /// A cut through a wing at one rest span, as places on the edges of its mesh from the leading to the trailing edge. Baked once on the
-    /// rest mesh; it follows
-    /// the deformed mesh.
+    /// rest mesh; it follows the deformed mesh.
     /// </summary>
     public sealed class WingSection
     {

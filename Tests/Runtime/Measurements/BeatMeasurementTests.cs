@@ -137,6 +137,19 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void WingThatBeginsBeyondTheInnerSection_IsTwistedFromItsOwnBase()
+        {
+            // The membrane of a stalked wing, or one whose base lies inside the body.
+            var sheet = new Sheet();
+            float3[] stalked = sheet.Deformed(place => new float3(0.3f + 0.7f * place.x, place.y, place.z));
+            var measurement = new BeatMeasurement(stalked, sheet.triangles);
+
+            float twist = measurement.Twist(Array.ConvertAll(stalked, place => Sheet.Feathered(place, 0.4f * place.x)));
+
+            Assert.That(twist, Is.EqualTo(0.4f * (BeatMeasurement.k_OuterSpan - 0.3f)).Within(6f).Percent);
+        }
+
+        [Test]
         public void Measurement_DoesNotDependOnHowFineTheMeshIs()
         {
             Func<float3, float, float3> move = (place, phase) =>
