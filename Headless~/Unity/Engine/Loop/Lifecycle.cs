@@ -5,6 +5,8 @@ namespace UnityEngine;
 /// <summary>When objects hear that they awake, start, go to sleep and end.</summary>
 internal static class Lifecycle
 {
+    private static readonly List<GameObject> s_Postponed = [];
+
     /// <summary>A component was added by script.</summary>
     public static void Added(Component component)
     {
@@ -123,13 +125,19 @@ internal static class Lifecycle
             return;
         var parts = new List<Transform>();
         CollectHierarchy(gameObject.transform, parts);
-        foreach (Transform part in parts)
-            part.Owner.Dying = true;
-
         var ending = new List<MonoBehaviour>();
         foreach (Transform part in parts)
             ending.AddRange(part.Owner.GetComponents<MonoBehaviour>());
-        ending.RemoveAll(b => b.Ended);
+        if (parts.Exists(p => p.Owner.Dying) || ending.Exists(b => b.Ended))
+        {
+            // One of them is hearing of its own end: let it hear all.
+            s_Postponed.Add(gameObject);
+            return;
+        }
+
+        foreach (Transform part in parts)
+            part.Owner.Dying = true;
+
         foreach (MonoBehaviour behaviour in ending)
             behaviour.Ended = true;
         foreach (MonoBehaviour behaviour in ending)
@@ -137,15 +145,25 @@ internal static class Lifecycle
         foreach (MonoBehaviour behaviour in ending)
             SendOnDestroy(behaviour);
 
-        // One of them may have ended a parent, and so all of this.
-        if (gameObject.IsDestroyed)
-            return;
         gameObject.transform.Unlink();
         foreach (Transform part in parts)
         {
             foreach (Component component in part.Owner.Components)
                 component.MarkDestroyed();
             part.Owner.MarkDestroyed();
+        }
+
+        DestroyPostponed();
+    }
+
+    private static void DestroyPostponed()
+    {
+        GameObject[] postponed = [.. s_Postponed];
+        s_Postponed.Clear();
+        foreach (GameObject next in postponed)
+        {
+            if (!next.IsDestroyed)
+                Destroy(next);
         }
     }
 
@@ -171,6 +189,7 @@ internal static class Lifecycle
 
         owner.Forget(component);
         component.MarkDestroyed();
+        DestroyPostponed();
     }
 
     private static void SendOnDestroy(MonoBehaviour behaviour)

@@ -63,7 +63,7 @@ internal sealed class SceneRecord
         if (Roots.Count > 0)
         {
             Debug.LogError("Some objects were not cleaned up when closing the scene. (Did you spawn new GameObjects from OnDestroy?)");
-            while (Roots.Count > 0)
+            for (int tries = 0; tries < 100 && Roots.Count > 0; tries++)
                 EndRoots();
         }
 
