@@ -11,6 +11,10 @@ public sealed class PrefabUtility
     public static void RecordPrefabInstancePropertyModifications(Object targetObject) => throw Absent.Editor;
     public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath) => throw Absent.Editor;
     public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath, out bool success) => throw Absent.Editor;
+    public static GameObject SaveAsPrefabAssetAndConnect(
+        GameObject instanceRoot,
+        string assetPath,
+        InteractionMode action) => throw Absent.Editor;
     public static Object InstantiatePrefab(Object assetComponentOrGameObject) => throw Absent.Editor;
     public static T GetCorrespondingObjectFromSource<T>(T componentOrGameObject) where T : Object => throw Absent.Editor;
     public static string GetPrefabAssetPathOfNearestInstanceRoot(Object instanceComponentOrGameObject) => throw Absent.Editor;

@@ -54,7 +54,8 @@ internal sealed class TestLog
                 return;
             LoggedMessage message = _received[failing];
             _received.Clear();
-            throw new AssertionException($"Unhandled log message: '{message}'. Use UnityEngine.TestTools.LogAssert.Expect\n{message.StackTrace}");
+            throw new AssertionException(
+                $"Unhandled log message: '{message}'. Use UnityEngine.TestTools.LogAssert.Expect\n{message.StackTrace}");
         }
     }
 

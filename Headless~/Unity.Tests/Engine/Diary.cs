@@ -14,8 +14,18 @@ public class Diary : MonoBehaviour
     private void FixedUpdate() => Write(nameof(FixedUpdate));
     private void Update() => Write(nameof(Update));
     private void LateUpdate() => Write(nameof(LateUpdate));
-    private void OnDisable() => Write(nameof(OnDisable));
+
+    private void OnDisable()
+    {
+        Write(nameof(OnDisable));
+        Disabled();
+    }
+
     private void OnDestroy() => Write(nameof(OnDestroy));
+
+    protected virtual void Disabled()
+    {
+    }
 
     private void Write(string message) => Lines.Add($"{name}.{message}");
 }

@@ -170,6 +170,66 @@ public sealed class LifecycleTests : FreshSceneFixture
         Assert.That(System.GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
     }
 
+    [Test]
+    public void AChildThatEndsItsParentWhileItEnds_EndsOnce()
+    {
+        var parent = new GameObject("parent");
+        var child = new GameObject("child", typeof(Avenger), typeof(Diary));
+        child.transform.SetParent(parent.transform);
+        Diary.Lines.Clear();
+
+        Object.DestroyImmediate(child);
+
+        Assert.That(parent == null && child == null, Is.True);
+        Assert.That(Diary.Lines, Is.EqualTo(new[] { "child.OnDisable", "child.OnDestroy" }));
+    }
+
+    [Test]
+    public void AComponentThatEndsItsObjectWhileItEnds_LetsAllHear()
+    {
+        var owner = new GameObject("owner", typeof(Diary), typeof(SelfEnder));
+        Diary.Lines.Clear();
+
+        Object.DestroyImmediate(owner.GetComponent<SelfEnder>());
+
+        Assert.That(owner == null, Is.True);
+        Assert.That(Diary.Lines, Is.EqualTo(new[] { "owner.OnDisable", "owner.OnDestroy", "owner.OnDisable", "owner.OnDestroy" }));
+    }
+
+    [Test]
+    public void WhoIsWokenWhileFallingAsleep_StaysAwake()
+    {
+        var parent = new GameObject("parent");
+        var insomniac = new GameObject("insomniac", typeof(Insomniac), typeof(Diary));
+        insomniac.transform.SetParent(parent.transform);
+        Diary.Lines.Clear();
+
+        parent.SetActive(false);
+
+        Assert.That(insomniac.GetComponent<Diary>().isActiveAndEnabled, Is.True);
+        PlayerLoop.Tick(0f);
+        Assert.That(Diary.Lines, Has.Some.EqualTo("insomniac.Update").And.None.EqualTo("insomniac.OnDisable"));
+    }
+
+    private sealed class Avenger : MonoBehaviour
+    {
+        private void OnDisable() => DestroyImmediate(transform.parent.gameObject);
+    }
+
+    private sealed class SelfEnder : Diary
+    {
+        protected override void Disabled() => DestroyImmediate(gameObject);
+    }
+
+    private sealed class Insomniac : MonoBehaviour
+    {
+        private void OnDisable()
+        {
+            if (transform.parent != null)
+                transform.SetParent(null);
+        }
+    }
+
     private sealed class Thrower : MonoBehaviour
     {
         private void Update() => throw new System.InvalidOperationException("no");

@@ -142,8 +142,8 @@ public sealed class MeshTests : FreshSceneFixture
     [Test]
     public void ALayoutThatUnityRefuses_IsRefused()
     {
-        Assert.That(() => m_Mesh.SetVertexBufferParams(1, new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.Float16, 3)),
-            Throws.ArgumentException);
+        var sixBytes = new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.Float16, 3);
+        Assert.That(() => m_Mesh.SetVertexBufferParams(1, sixBytes), Throws.ArgumentException);
         Assert.That(() => m_Mesh.SetVertexBufferParams(1, new VertexAttributeDescriptor(), new VertexAttributeDescriptor()),
             Throws.ArgumentException);
     }

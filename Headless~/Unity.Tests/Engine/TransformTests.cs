@@ -12,7 +12,9 @@ public sealed class TransformTests : FreshSceneFixture
     public void EulerAngles_TurnAboutZThenXThenY()
     {
         Quaternion turn = Quaternion.Euler(10f, 20f, 30f);
-        Quaternion oneByOne = Quaternion.AngleAxis(20f, Vector3.up) * Quaternion.AngleAxis(10f, Vector3.right) * Quaternion.AngleAxis(30f, Vector3.forward);
+        Quaternion oneByOne = Quaternion.AngleAxis(20f, Vector3.up)
+            * Quaternion.AngleAxis(10f, Vector3.right)
+            * Quaternion.AngleAxis(30f, Vector3.forward);
 
         Assert.That(Quaternion.Angle(turn, oneByOne), Is.LessThan(0.01f));
         AssertClose(turn.eulerAngles, new Vector3(10f, 20f, 30f), 1e-3f);
@@ -37,7 +39,8 @@ public sealed class TransformTests : FreshSceneFixture
     public void FromToRotation_TurnsOneIntoTheOther_AlsoAround()
     {
         AssertClose(Quaternion.FromToRotation(Vector3.right, Vector3.left) * Vector3.right, Vector3.left, 1e-5f);
-        AssertClose(Quaternion.FromToRotation(Vector3.up, new Vector3(1f, 2f, -1f)) * Vector3.up, new Vector3(1f, 2f, -1f).normalized, 1e-5f);
+        Vector3 aslant = new Vector3(1f, 2f, -1f).normalized;
+        AssertClose(Quaternion.FromToRotation(Vector3.up, aslant) * Vector3.up, aslant, 1e-5f);
     }
 
     [Test]

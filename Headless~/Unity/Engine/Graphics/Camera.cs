@@ -39,7 +39,8 @@ public sealed class Camera : Behaviour, IStateful
     public int pixelHeight => Screen.height;
 
     public Matrix4x4 projectionMatrix => orthographic
-        ? Matrix4x4.Ortho(-orthographicSize * aspect, orthographicSize * aspect, -orthographicSize, orthographicSize, nearClipPlane, farClipPlane)
+        ? Matrix4x4.Ortho(
+            -orthographicSize * aspect, orthographicSize * aspect, -orthographicSize, orthographicSize, nearClipPlane, farClipPlane)
         : Matrix4x4.Perspective(fieldOfView, aspect, nearClipPlane, farClipPlane);
 
     /// <summary>Without the transform's scale; the camera looks along -z of its own space.</summary>

@@ -93,7 +93,8 @@ public sealed partial class Mesh
         indices ??= [];
         if (topology == MeshTopology.Triangles && indices.Length % 3 != 0)
         {
-            Debug.LogError($"Failed setting triangles. The number of supplied triangle indices must be a multiple of 3; it is {indices.Length}.", this);
+            Debug.LogError("Failed setting triangles. The number of supplied triangle indices must be a multiple of 3; "
+                + $"it is {indices.Length}.", this);
             return;
         }
 
@@ -126,7 +127,8 @@ public sealed partial class Mesh
     }
 
     public void SetIndexBufferData<T>(
-        NativeArray<T> data, int dataStart, int meshBufferStart, int count, MeshUpdateFlags flags = MeshUpdateFlags.Default) where T : struct
+        NativeArray<T> data, int dataStart, int meshBufferStart, int count, MeshUpdateFlags flags = MeshUpdateFlags.Default)
+        where T : struct
     {
         CheckPart(data.Length, dataStart, count);
         SetIndexBufferData(data.ToArray(), dataStart, meshBufferStart, count, flags);

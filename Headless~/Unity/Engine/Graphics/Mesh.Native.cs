@@ -68,7 +68,8 @@ public sealed partial class Mesh
         if (Unsafe.SizeOf<TFrom>() != Unsafe.SizeOf<TTo>())
         {
             throw new ArgumentException(
-                $"The elements of the array must have {Unsafe.SizeOf<TTo>()} bytes, as {typeof(TTo).Name} has; they have {Unsafe.SizeOf<TFrom>()}.");
+                $"The elements of the array must have {Unsafe.SizeOf<TTo>()} bytes, as {typeof(TTo).Name} has; "
+                + $"they have {Unsafe.SizeOf<TFrom>()}.");
         }
 
         CheckPart(values.Length, start, length);

@@ -100,7 +100,8 @@ public sealed partial class Mesh
     private static void CheckPart(int length, int start, int count)
     {
         if (start < 0 || count < 0 || start + count > length)
-            throw new ArgumentOutOfRangeException($"Bad start/count arguments (start:{start} count:{count} length:{length})", (Exception)null);
+            throw new ArgumentOutOfRangeException(
+                $"Bad start/count arguments (start:{start} count:{count} length:{length})", (Exception)null);
     }
 
     private T[] Get<T>(VertexAttribute attribute) where T : unmanaged
@@ -125,7 +126,8 @@ public sealed partial class Mesh
 
         if (values.Length != _vertices.Count)
         {
-            Debug.LogError($"Mesh.{attribute} is out of bounds. The supplied array needs to be the same size as the Mesh.vertices array.", this);
+            Debug.LogError($"Mesh.{attribute} is out of bounds. "
+                + "The supplied array needs to be the same size as the Mesh.vertices array.", this);
             return;
         }
 

@@ -98,7 +98,8 @@ public sealed partial class Mesh : Object, ICopyable
             return;
         if (inVertices.Count < HighestIndex() + 1)
         {
-            Debug.LogError("Mesh.vertices is too small. The supplied vertex array has less vertices than are referenced by the triangles array.", this);
+            Debug.LogError("Mesh.vertices is too small. "
+                + "The supplied vertex array has less vertices than are referenced by the triangles array.", this);
             return;
         }
 
@@ -206,7 +207,8 @@ public sealed partial class Mesh : Object, ICopyable
     {
         CheckAlive();
         if (!_readable)
-            Debug.LogError($"Not allowed to {act} {what} on mesh '{name}' (isReadable is false; Read/Write must be enabled in import settings)", this);
+            Debug.LogError($"Not allowed to {act} {what} on mesh '{name}' "
+                + "(isReadable is false; Read/Write must be enabled in import settings)", this);
         return _readable;
     }
 }

@@ -5,6 +5,8 @@ namespace UnityEngine;
 /// <summary>When objects hear that they awake, start, go to sleep and end.</summary>
 internal static class Lifecycle
 {
+    private static readonly List<GameObject> s_Postponed = [];
+
     /// <summary>A component was added by script.</summary>
     public static void Added(Component component)
     {
@@ -21,7 +23,7 @@ internal static class Lifecycle
     /// <summary>Awake if it has not, and OnEnable if it is enabled. Whoever throws in Awake is disabled.</summary>
     public static void Activate(MonoBehaviour behaviour)
     {
-        if (behaviour.IsDestroyed || !behaviour.Owner.ActiveFlag || !behaviour.HearsMessages)
+        if (behaviour.Ended || !behaviour.Owner.ActiveFlag || !behaviour.HearsMessages)
             return;
         if (!behaviour.Awoken)
         {
@@ -30,7 +32,7 @@ internal static class Lifecycle
                 behaviour.SetEnabledQuietly(false);
         }
 
-        if (behaviour.IsDestroyed || behaviour.Live || !behaviour.EnabledFlag || !behaviour.Owner.ActiveFlag)
+        if (behaviour.Ended || behaviour.Live || !behaviour.EnabledFlag || !behaviour.Owner.ActiveFlag)
             return;
         behaviour.Live = true;
         BehaviourList.Add(behaviour);
@@ -64,6 +66,9 @@ internal static class Lifecycle
         Collect(top, awaking, sleeping);
         foreach (MonoBehaviour behaviour in sleeping)
         {
+            // One who slept before may have woken it.
+            if (behaviour.Owner.ActiveFlag)
+                continue;
             Deactivate(behaviour);
             behaviour.StopAllCoroutines();
         }
@@ -82,6 +87,8 @@ internal static class Lifecycle
 
     public static void ParentChanged(Transform child)
     {
+        if (child.IsDestroyed)
+            return;
         foreach (MonoBehaviour behaviour in child.Owner.GetComponentsInChildren<MonoBehaviour>())
         {
             if (behaviour.HearsMessages)
@@ -118,22 +125,24 @@ internal static class Lifecycle
             return;
         var parts = new List<Transform>();
         CollectHierarchy(gameObject.transform, parts);
+        var ending = new List<MonoBehaviour>();
+        foreach (Transform part in parts)
+            ending.AddRange(part.Owner.GetComponents<MonoBehaviour>());
+        if (parts.Exists(p => p.Owner.Dying) || ending.Exists(b => b.Ended))
+        {
+            // One of them is hearing of its own end: let it hear all.
+            s_Postponed.Add(gameObject);
+            return;
+        }
+
         foreach (Transform part in parts)
             part.Owner.Dying = true;
 
-        var behaviours = new List<MonoBehaviour>();
-        foreach (Transform part in parts)
-        {
-            foreach (Component component in part.Owner.Components)
-            {
-                if (component is MonoBehaviour behaviour)
-                    behaviours.Add(behaviour);
-            }
-        }
-
-        foreach (MonoBehaviour behaviour in behaviours)
+        foreach (MonoBehaviour behaviour in ending)
+            behaviour.Ended = true;
+        foreach (MonoBehaviour behaviour in ending)
             Deactivate(behaviour);
-        foreach (MonoBehaviour behaviour in behaviours)
+        foreach (MonoBehaviour behaviour in ending)
             SendOnDestroy(behaviour);
 
         gameObject.transform.Unlink();
@@ -142,6 +151,19 @@ internal static class Lifecycle
             foreach (Component component in part.Owner.Components)
                 component.MarkDestroyed();
             part.Owner.MarkDestroyed();
+        }
+
+        DestroyPostponed();
+    }
+
+    private static void DestroyPostponed()
+    {
+        GameObject[] postponed = [.. s_Postponed];
+        s_Postponed.Clear();
+        foreach (GameObject next in postponed)
+        {
+            if (!next.IsDestroyed)
+                Destroy(next);
         }
     }
 
@@ -158,19 +180,22 @@ internal static class Lifecycle
 
         if (component is MonoBehaviour behaviour)
         {
+            if (behaviour.Ended)
+                return;
+            behaviour.Ended = true;
             Deactivate(behaviour);
             SendOnDestroy(behaviour);
         }
 
         owner.Forget(component);
         component.MarkDestroyed();
+        DestroyPostponed();
     }
 
     private static void SendOnDestroy(MonoBehaviour behaviour)
     {
         if (!behaviour.Awoken || !behaviour.HearsMessages)
             return;
-        behaviour.Awoken = false;
         behaviour.Messages.Send(behaviour.Messages.OnDestroy);
     }
 

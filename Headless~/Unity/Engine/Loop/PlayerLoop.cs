@@ -31,6 +31,9 @@ public static class PlayerLoop
             throw new InvalidOperationException("Play mode was entered already.");
         foreach (MonoBehaviour behaviour in BehaviourList.Snapshot())
         {
+            // What has outlived its scene goes on, as without a reload of the domain.
+            if (behaviour.Owner.transform.Root.Home == null)
+                continue;
             Lifecycle.Deactivate(behaviour);
             behaviour.Awoken = behaviour.Started = false;
         }

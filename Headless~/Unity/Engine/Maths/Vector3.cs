@@ -75,7 +75,8 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     {
         Vector3 way = target - current;
         float length = way.magnitude;
-        return length == 0f || (maxDistanceDelta >= 0f && length <= maxDistanceDelta) ? target : current + way * (maxDistanceDelta / length);
+        bool arrives = length == 0f || (maxDistanceDelta >= 0f && length <= maxDistanceDelta);
+        return arrives ? target : current + way * (maxDistanceDelta / length);
     }
 
     public static float SignedAngle(Vector3 from, Vector3 to, Vector3 axis) =>

@@ -13,9 +13,16 @@ public sealed partial class GameObject
         CheckAlive();
         if (componentType == null || !typeof(Component).IsAssignableFrom(componentType) || componentType.IsAbstract)
             throw new ArgumentException($"{componentType?.Name ?? "null"} is not a component that can be added.", nameof(componentType));
+        if (Dying)
+        {
+            Debug.LogError($"Can't add component '{componentType.Name}' to {name}: the GameObject is being destroyed.", this);
+            return null;
+        }
+
         if (Refuses(componentType))
         {
-            Debug.LogError($"Can't add '{componentType.Name}' to {name} because a '{componentType.Name}' is already added to the game object!", this);
+            string what = componentType.Name;
+            Debug.LogError($"Can't add '{what}' to {name} because a '{what}' is already added to the game object!", this);
             return null;
         }
 

@@ -30,6 +30,9 @@ public class MonoBehaviour : Behaviour
     internal bool Awoken { get; set; }
     internal bool Started { get; set; }
 
+    /// <summary>Its end has begun: it hears no more but OnDisable and OnDestroy.</summary>
+    internal bool Ended { get; set; }
+
     /// <summary>OnEnable was sent, OnDisable not yet.</summary>
     internal bool Live { get; set; }
 

@@ -133,7 +133,8 @@ public partial class Transform
         rotation = this.rotation;
     }
 
-    public Vector3 TransformPoint(Vector3 position) => ParentToWorld(_localRotation * Vector3.Scale(Alive()._localScale, position) + _localPosition);
+    public Vector3 TransformPoint(Vector3 position) =>
+        ParentToWorld(_localRotation * Vector3.Scale(Alive()._localScale, position) + _localPosition);
     public Vector3 InverseTransformPoint(Vector3 position) =>
         Vector3.Scale(Reciprocal(_localScale), Quaternion.Inverse(_localRotation) * (WorldToParent(position) - Alive()._localPosition));
     public Vector3 TransformVector(Vector3 vector) => localToWorldMatrix.MultiplyVector(vector);

@@ -81,6 +81,12 @@ public partial class Transform : Component, IEnumerable
             return;
         }
 
+        if (Owner.Dying || parent is { Owner.Dying: true })
+        {
+            Debug.LogError($"Cannot set the parent of the GameObject '{Name}' while it or the parent is being destroyed.", this);
+            return;
+        }
+
         Matrix4x4 world = worldPositionStays ? localToWorldMatrix : default;
         Quaternion worldRotation = worldPositionStays ? rotation : default;
         SceneRecord scene = Root.Home;

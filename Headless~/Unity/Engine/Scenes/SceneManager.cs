@@ -30,7 +30,8 @@ public class SceneManager
     public static bool SetActiveScene(Scene scene)
     {
         SceneRecord before = SceneRecord.Active;
-        SceneRecord record = scene.Record ?? throw new ArgumentException("SceneManager.SetActiveScene failed; invalid scene.", nameof(scene));
+        SceneRecord record = scene.Record
+            ?? throw new ArgumentException("SceneManager.SetActiveScene failed; invalid scene.", nameof(scene));
         if (record == before)
             return false;
         SceneRecord.Active = record;

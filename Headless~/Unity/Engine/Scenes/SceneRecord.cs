@@ -59,14 +59,12 @@ internal sealed class SceneRecord
     /// <summary>Destroys the scene's objects; what is marked DontSave lives on in no scene.</summary>
     public void Unload()
     {
-        foreach (Transform root in Roots.ToArray())
+        EndRoots();
+        if (Roots.Count > 0)
         {
-            if (root.IsDestroyed)
-                continue;
-            if ((root.Owner.hideFlags & HideFlags.DontSaveInEditor) != 0)
-                root.Unlink();
-            else
-                Lifecycle.Destroy(root.Owner);
+            Debug.LogError("Some objects were not cleaned up when closing the scene. (Did you spawn new GameObjects from OnDestroy?)");
+            for (int tries = 0; tries < 100 && Roots.Count > 0; tries++)
+                EndRoots();
         }
 
         s_Loaded.Remove(this);
@@ -74,5 +72,18 @@ internal sealed class SceneRecord
             s_Active = null;
         if (s_Lasting == this)
             s_Lasting = null;
+    }
+
+    private void EndRoots()
+    {
+        foreach (Transform root in Roots.ToArray())
+        {
+            if (root.IsDestroyed || root.Home != this)
+                continue;
+            if ((root.Owner.hideFlags & HideFlags.DontSaveInEditor) != 0)
+                root.Unlink();
+            else
+                Lifecycle.Destroy(root.Owner);
+        }
     }
 }

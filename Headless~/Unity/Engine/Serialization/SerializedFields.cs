@@ -55,7 +55,8 @@ internal static class SerializedFields
         return IsInline(type);
     }
 
-    private static bool IsEngineClass(Type type) => type.Assembly == typeof(Object).Assembly && !type.IsValueType && type.Namespace == "UnityEngine";
+    private static bool IsEngineClass(Type type) =>
+        type.Assembly == typeof(Object).Assembly && !type.IsValueType && type.Namespace == "UnityEngine";
 
     private static bool IsEngineStruct(Type type) =>
         type is { IsValueType: true, IsPrimitive: false, IsEnum: false } && type.Assembly == typeof(Object).Assembly
