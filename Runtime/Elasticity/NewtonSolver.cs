@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Newton's method for Eq. 14 on four wings at once: exact Hessian, exact steps, Armijo halving per wing. A wing that meets negative curvature repeats the iteration with its Hessian kept convex; one that has
-    /// converged stands still while the others go on.
+    /// Newton's method for Eq. 14 on four wings at once: exact Hessian, exact steps, Armijo halving per wing. A wing whose Hessian is not
+    /// positive definite repeats the iteration with its Hessian kept convex; one that has converged stands still while the others go on.
     /// </summary>
     internal static unsafe class NewtonSolver
     {

@@ -109,8 +109,9 @@ internal sealed class BeatStrip
     private void DrawLabel(double turns, float middle, float bottom)
     {
         const float k_Gap = 5f;
+        double milliseconds = 1000.0 * turns / m_Flight.Wings[0].Frequency;
         Line($"<text x=\"{middle - k_Gap}\" y=\"{bottom}\" font-size=\"17\" text-anchor=\"end\">{360.0 * turns:0}°</text>");
-        Line($"<text class=\"t\" x=\"{middle + k_Gap}\" y=\"{bottom}\" font-size=\"13\">{1000.0 * turns / m_Flight.Wings[0].Frequency:0.0} ms</text>");
+        Line($"<text class=\"t\" x=\"{middle + k_Gap}\" y=\"{bottom}\" font-size=\"13\">{milliseconds:0.0} ms</text>");
     }
 
     private void DrawLayer(PaintedLayer layer, List<float3> picture)

@@ -8,7 +8,8 @@ using Unity.Mathematics;
 namespace Alate.Tests.Cli
 {
     /// <summary>
-    /// A strict reader of binary glTF 2.0, written from the specification alone: it fails the test on anything that a lenient viewer would pass over.
+    /// A strict reader of binary glTF 2.0, written from the specification alone: it fails the test on anything that a lenient
+    /// viewer would pass over.
     /// </summary>
     internal sealed class GlbFile
     {
@@ -77,7 +78,8 @@ namespace Alate.Tests.Cli
         /// <summary>The only primitive of the mesh of the node of this name.</summary>
         public JsonElement Primitive(string node)
         {
-            JsonElement found = Root.GetProperty("nodes").EnumerateArray().Single(candidate => candidate.GetProperty("name").GetString() == node);
+            JsonElement found = Root.GetProperty("nodes").EnumerateArray()
+                .Single(candidate => candidate.GetProperty("name").GetString() == node);
             JsonElement mesh = Root.GetProperty("meshes")[found.GetProperty("mesh").GetInt32()];
             return mesh.GetProperty("primitives").EnumerateArray().Single();
         }

@@ -40,7 +40,7 @@ namespace Alate.Tests.Cli
         public void EveryJointOfBothWings_HasOneRowASubstep()
         {
             Assert.That(m_Rows, Has.Count.EqualTo(k_Wings * k_Joints * k_Substeps));
-            Assert.That(m_Rows.Select(row => (Field(row, "time_s"), Field(row, "side"), Field(row, "chain"), Field(row, "joint"))), Is.Unique);
+            Assert.That(m_Rows.Select(row => (Key(row), Field(row, "side"))), Is.Unique);
         }
 
         [Test]
@@ -61,7 +61,8 @@ namespace Alate.Tests.Cli
             double[] reach = m_Rows.Select(row => math.length(Place(row))).Select(length => (double)length).ToArray();
 
             Assert.That(reach.Max(), Is.InRange(0.055, 0.075), "a monarch's wing is 61 mm long");
-            Assert.That(m_Rows.Where(row => Field(row, "joint") == "0").Select(row => math.length(Place(row))), Is.All.LessThan(0.006f), "roots stay at the thorax");
+            IEnumerable<string[]> roots = m_Rows.Where(row => Field(row, "joint") == "0");
+            Assert.That(roots.Select(row => math.length(Place(row))), Is.All.LessThan(0.006f), "roots stay at the thorax");
         }
 
         [Test]
@@ -77,7 +78,8 @@ namespace Alate.Tests.Cli
         {
             RecordedWing wing = MonarchFlight.Level.Wings[1];
             RecordedFrame frame = wing.Frames[7];
-            string[] row = m_Rows.Single(candidate => Field(candidate, "side") == "left" && Field(candidate, "chain") == "3" && Field(candidate, "joint") == "2"
+            string[] row = m_Rows.Single(candidate =>
+                (Field(candidate, "side"), Field(candidate, "chain"), Field(candidate, "joint")) == ("left", "3", "2")
                 && Math.Abs(Number(candidate, "time_s") - frame.Time) < 1e-6);
 
             Assert.That(math.distance(Place(row), wing.Placement.ToBody(frame.Joints[3 * 5 + 2])), Is.LessThan(1e-7f));
@@ -94,7 +96,8 @@ namespace Alate.Tests.Cli
 
         private string Key(string[] row) => $"{Field(row, "time_s")} {Field(row, "chain")} {Field(row, "joint")}";
 
-        private double Number(string[] row, string column) => double.Parse(Field(row, column), NumberStyles.Float, CultureInfo.InvariantCulture);
+        private double Number(string[] row, string column) =>
+            double.Parse(Field(row, column), NumberStyles.Float, CultureInfo.InvariantCulture);
 
         private string Field(string[] row, string column) => row[Array.IndexOf(m_Columns, column)];
 

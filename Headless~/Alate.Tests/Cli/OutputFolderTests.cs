@@ -85,7 +85,8 @@ namespace Alate.Tests.Cli
             using var temporary = new TemporaryFolder();
             Directory.CreateDirectory(temporary.PathOf("one.txt"));
 
-            Assert.That(() => OutputFolder.Prepare(temporary.Root, "one.txt"), Throws.TypeOf<UserException>().With.Message.Contains("one.txt"));
+            var problem = Assert.Throws<UserException>(() => OutputFolder.Prepare(temporary.Root, "one.txt"));
+            Assert.That(problem.Message, Does.Contain("one.txt"));
         }
 
         private static System.Action<Stream> Text(string text) => stream => stream.Write(Encoding.UTF8.GetBytes(text));

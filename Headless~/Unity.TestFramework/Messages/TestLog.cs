@@ -40,7 +40,7 @@ internal sealed class TestLog
         {
             Match();
             if (_expected.Count > 0)
-                Assert.Fail($"Expected log did not appear: {_expected.Peek()}");
+                throw new AssertionException($"Expected log did not appear: {_expected.Peek()}");
         }
     }
 
@@ -54,7 +54,7 @@ internal sealed class TestLog
                 return;
             LoggedMessage message = _received[failing];
             _received.Clear();
-            Assert.Fail($"Unhandled log message: '{message}'. Use UnityEngine.TestTools.LogAssert.Expect\n{message.StackTrace}");
+            throw new AssertionException($"Unhandled log message: '{message}'. Use UnityEngine.TestTools.LogAssert.Expect\n{message.StackTrace}");
         }
     }
 

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using UnityEngine;
 
-namespace Unity.Tests;
+namespace Unity.Tests.Engine;
 
 /// <summary>Writes down each message that it hears.</summary>
 public class Diary : MonoBehaviour

@@ -1,11 +1,12 @@
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;
+using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
-namespace Unity.Tests;
+namespace Unity.Tests.Engine;
 
-public sealed class LifecycleTests : PlayModeFixture
+public sealed class LifecycleTests : FreshSceneFixture
 {
     [SetUp]
     public void OpenDiary() => Diary.Lines.Clear();
@@ -140,6 +141,7 @@ public sealed class LifecycleTests : PlayModeFixture
 
         Assert.That(ordinary == null && lasting == null, Is.True);
         Assert.That(hidden == null, Is.False);
+        Object.DestroyImmediate(hidden);
     }
 
     [Test]
@@ -147,10 +149,10 @@ public sealed class LifecycleTests : PlayModeFixture
     {
         new GameObject("bad").AddComponent<Thrower>();
         new GameObject("good").AddComponent<Diary>();
+        LogAssert.Expect(LogType.Exception, "InvalidOperationException: no");
 
         PlayerLoop.Tick(0f);
 
-        Assert.That(Problems, Is.EqualTo(new[] { "InvalidOperationException: no" }));
         Assert.That(Diary.Lines, Has.Some.EqualTo("good.Update"));
     }
 

@@ -59,5 +59,13 @@ public class Time
     public static float timeSinceLevelLoad => time;
     public static int frameCount => Clock.Frame;
     public static int renderedFrameCount => Clock.Frame;
-    public static bool inFixedTimeStep => Clock.InFixedStep;
+
+    public static bool inFixedTimeStep
+    {
+        get
+        {
+            MainThread.Check("Time");
+            return Clock.InFixedStep;
+        }
+    }
 }

@@ -152,6 +152,10 @@ public sealed partial class Mesh : Object, ICopyable
     public void MarkDynamic() => CheckAlive();
     public void MarkModified() => CheckAlive();
 
+    /// <summary>Sets Read/Write as an importer does; the content stays.</summary>
+    [Unity.StandIns.StandInExtension]
+    public void SetReadable(bool readable) => Alive()._readable = readable;
+
     Object ICopyable.Copy() => new Mesh
     {
         name = name + "(Clone)",

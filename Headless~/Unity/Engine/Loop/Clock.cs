@@ -22,6 +22,7 @@ internal static class Clock
         Time.timeScale = 1f;
         Time.fixedDeltaTime = 0.02f;
         Time.maximumDeltaTime = 1f / 3f;
+        Time.captureDeltaTime = 0f;
     }
 
     public static void BeginFrame(float frameTime)

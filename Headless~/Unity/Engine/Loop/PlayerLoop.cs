@@ -26,6 +26,7 @@ public static class PlayerLoop
     /// <summary>Starts the clock at 0, runs RuntimeInitializeOnLoadMethod methods and awakes the loaded scenes.</summary>
     public static void EnterPlayMode()
     {
+        MainThread.Adopt();
         if (IsPlaying)
             throw new InvalidOperationException("Play mode was entered already.");
         foreach (MonoBehaviour behaviour in BehaviourList.Snapshot())

@@ -7,6 +7,13 @@ public class Component : Object
 {
     private GameObject _gameObject;
 
+    public Component()
+    {
+        // As in Unity, what has no object equals null from the start.
+        if (!Factory.Announce(this, "Components can only be added using AddComponent()."))
+            MarkDestroyed();
+    }
+
     public GameObject gameObject
     {
         get

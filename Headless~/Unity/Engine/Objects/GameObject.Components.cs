@@ -25,7 +25,7 @@ public sealed partial class GameObject
                 AddComponent(needed);
         }
 
-        var component = (Component)Activator.CreateInstance(componentType, nonPublic: true);
+        var component = Factory.Make<Component>(componentType);
         Attach(component);
         Lifecycle.Added(component);
         return component;

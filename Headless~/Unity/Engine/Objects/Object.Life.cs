@@ -11,6 +11,7 @@ public partial class Object
 
     public static void Destroy(Object obj, float t)
     {
+        MainThread.Check(nameof(Destroy));
         if (IsNull(obj))
             return;
         if (!Application.isPlaying)
@@ -23,6 +24,7 @@ public partial class Object
 
     public static void DestroyImmediate(Object obj, bool allowDestroyingAssets)
     {
+        MainThread.Check(nameof(DestroyImmediate));
         if (!IsNull(obj))
             Lifecycle.Destroy(obj);
     }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace UnityEngine;
 
 /// <summary>The base of everything with a native side: destroyed objects compare equal to null, and using one throws.</summary>
@@ -8,7 +10,11 @@ public partial class Object
     private string _name = "";
     private HideFlags _hideFlags;
 
-    public Object() => _instanceId = ObjectRegistry.Add(this);
+    public Object()
+    {
+        MainThread.Check(GetType().Name);
+        _instanceId = ObjectRegistry.Add(this);
+    }
 
     public string name
     {
@@ -71,8 +77,9 @@ public partial class Object
     {
     }
 
-    private protected void CheckAlive()
+    private protected void CheckAlive([CallerMemberName] string member = null)
     {
+        MainThread.Check(member);
         if (_destroyed)
             throw new MissingReferenceException(
                 $"The object of type '{GetType().Name}' has been destroyed but you are still trying to access it.\n"

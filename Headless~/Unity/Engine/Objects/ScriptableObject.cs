@@ -6,13 +6,15 @@ public class ScriptableObject : Object
 {
     private bool _ended;
 
+    public ScriptableObject() => Factory.Announce(this, "Use ScriptableObject.CreateInstance.");
+
     public static T CreateInstance<T>() where T : ScriptableObject => (T)CreateInstance(typeof(T));
 
     public static ScriptableObject CreateInstance(Type type)
     {
         if (!typeof(ScriptableObject).IsAssignableFrom(type) || type.IsAbstract)
             throw new ArgumentException($"{type.Name} is not a ScriptableObject that can be created.", nameof(type));
-        var instance = (ScriptableObject)Activator.CreateInstance(type, nonPublic: true);
+        var instance = Factory.Make<ScriptableObject>(type);
         instance.Begin();
         return instance;
     }

@@ -37,7 +37,7 @@ internal static class Copying
 
     private static ScriptableObject Asset(ScriptableObject original)
     {
-        var copy = (ScriptableObject)Activator.CreateInstance(original.GetType(), nonPublic: true);
+        var copy = Factory.Make<ScriptableObject>(original.GetType());
         copy.name = original.name + "(Clone)";
         copy.hideFlags = original.hideFlags;
         Fields(original, copy, new Dictionary<Object, Object>());
@@ -92,7 +92,7 @@ internal static class Copying
         {
             if (component is Transform)
                 continue;
-            var twin = (Component)Activator.CreateInstance(component.GetType(), nonPublic: true);
+            var twin = Factory.Make<Component>(component.GetType());
             copy.Attach(twin);
             copies.Add(component, twin);
         }

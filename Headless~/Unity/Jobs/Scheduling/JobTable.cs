@@ -112,13 +112,13 @@ internal static class JobTable
             record.Finish();
     }
 
-    /// <summary>Takes part in one job that can run; false if there is none.</summary>
-    public static bool ExecuteOne()
+    /// <summary>Takes part in one job that can run; false if there is none, or the worker (0: the main thread) is not wanted.</summary>
+    public static bool ExecuteOne(int worker = 0)
     {
         JobRecord record;
         lock (Gate)
         {
-            if (s_ReadyCount == 0)
+            if (s_ReadyCount == 0 || worker > JobWorkers.Count)
                 return false;
             record = s_Ready[JobWorkers.Pick(s_ReadyCount)];
             record.Users++;

@@ -62,7 +62,7 @@ internal static class JobWorkers
         JobContext.SetThread(index);
         while (true)
         {
-            if (index <= s_Count && (JobTable.ExecuteOne() || SpinUntilReady()))
+            if (index <= s_Count && (JobTable.ExecuteOne(index) || SpinUntilReady()))
                 continue;
             JobTable.Sleep(index);
         }

@@ -1,0 +1,110 @@
+using NUnit.Framework;
+using Unity.StandIns;
+using UnityEngine;
+
+namespace Unity.Tests.Engine;
+
+public sealed class RenderingTests : FreshSceneFixture
+{
+    private Mesh m_Mesh;
+
+    [SetUp]
+    public void MakeMesh() => m_Mesh = Meshes.Square();
+
+    [TearDown]
+    public void DestroyMesh() => Object.DestroyImmediate(m_Mesh);
+
+    [Test]
+    public void Bounds_FollowTheTransform()
+    {
+        Renderer renderer = Draw();
+        renderer.transform.SetPositionAndRotation(new Vector3(10f, 0f, 0f), Quaternion.Euler(0f, 0f, 90f));
+        renderer.transform.localScale = new Vector3(2f, 1f, 1f);
+
+        Assert.That((renderer.bounds.center - new Vector3(9.5f, 1f, 0f)).magnitude, Is.LessThan(1e-5f));
+        Assert.That((renderer.bounds.size - new Vector3(1f, 2f, 0f)).magnitude, Is.LessThan(1e-5f));
+    }
+
+    [Test]
+    public void ARenderer_IsVisible_WhileItsBoundsAreInACamerasView()
+    {
+        Transform camera = new GameObject("camera", typeof(Camera)).transform;
+        camera.position = new Vector3(0f, 0f, -5f);
+        Renderer renderer = Draw();
+        var witness = renderer.gameObject.AddComponent<Witness>();
+
+        PlayerLoop.Tick(0f);
+        Assert.That((renderer.isVisible, witness.seen), Is.EqualTo((true, 1)));
+
+        camera.Rotate(0f, 180f, 0f);
+        PlayerLoop.Tick(0f);
+        Assert.That((renderer.isVisible, witness.lost), Is.EqualTo((false, 1)));
+
+        camera.rotation = Quaternion.identity;
+        renderer.transform.position = new Vector3(3f, 0f, 0f);
+        PlayerLoop.Tick(0f);
+        Assert.That(renderer.isVisible, Is.True, "at 5 m a view of 60 degrees and 16:9 reaches 5.1 m to the side");
+        renderer.transform.position = new Vector3(6f, 0f, 0f);
+        PlayerLoop.Tick(0f);
+        Assert.That(renderer.isVisible, Is.False);
+    }
+
+    [Test]
+    public void WorldToViewport_PutsTheAxisInTheMiddle_AndTheFrustumsEdgeAtOne()
+    {
+        var camera = new GameObject("camera").AddComponent<Camera>();
+        camera.fieldOfView = 90f;
+        Vector3 edge = camera.WorldToViewportPoint(new Vector3(0f, 4f, 4f));
+        Assert.That((edge - new Vector3(0.5f, 1f, 4f)).magnitude, Is.LessThan(1e-5f));
+    }
+
+    [Test]
+    public void ASkin_FollowsItsBones()
+    {
+        var renderer = new GameObject("skin").AddComponent<SkinnedMeshRenderer>();
+        Transform bone = new GameObject("bone").transform;
+        m_Mesh.bindposes = new[] { Matrix4x4.identity };
+        m_Mesh.boneWeights = System.Array.ConvertAll(m_Mesh.vertices, _ => new BoneWeight { weight0 = 1f });
+        renderer.sharedMesh = m_Mesh;
+        renderer.bones = new[] { bone };
+        bone.position = new Vector3(0f, 3f, 0f);
+        var baked = new Mesh();
+
+        renderer.BakeMesh(baked);
+
+        Assert.That(baked.vertices[2], Is.EqualTo(new Vector3(1f, 4f, 0f)));
+        Assert.That(baked.triangles, Is.EqualTo(m_Mesh.triangles));
+        Object.DestroyImmediate(baked);
+    }
+
+    [Test]
+    public void ARenderersOwnMaterial_IsACopy()
+    {
+        Renderer renderer = Draw();
+        var shared = new Material(Shader.Find("Standard")) { color = Color.red };
+        renderer.sharedMaterial = shared;
+        renderer.material.color = Color.blue;
+
+        Assert.That(shared.color, Is.EqualTo(Color.red));
+        Assert.That(renderer.material, Is.SameAs(renderer.sharedMaterial));
+        Object.DestroyImmediate(renderer.sharedMaterial);
+        Object.DestroyImmediate(shared);
+    }
+
+    private Renderer Draw()
+    {
+        var drawn = new GameObject("drawn", typeof(MeshFilter), typeof(MeshRenderer));
+        drawn.GetComponent<MeshFilter>().sharedMesh = m_Mesh;
+        return drawn.GetComponent<Renderer>();
+    }
+
+    private sealed class Witness : MonoBehaviour
+    {
+        public int seen;
+        public int lost;
+
+        private void OnBecameVisible() => seen++;
+
+        private void OnBecameInvisible() => lost++;
+    }
+}
