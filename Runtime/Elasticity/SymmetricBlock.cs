@@ -46,6 +46,7 @@ namespace Alate
 
         /// <summary>Replaces the matrix by its inverse.</summary>
         /// <returns>Wings where it was positive definite.</returns>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool4 InvertDefinite(SymmetricBlock* m)
         {
             float4 first = m->xx, second = m->xx * m->yy - m->xy * m->xy;
