@@ -24,23 +24,25 @@ internal sealed class CrowdComparison
         report.Ratio(Targets.Crowd, time[3], time[1], time[3] / time[1]);
         report.Ratio(Targets.Single, time[0], time[2], time[0] / time[2]);
         Cores(report, sixtyFour);
+        JobsUtility.ResetJobWorkerCount();
         foreach (var insects in s_Crowds)
             Memory(report, insects);
+        JobsUtility.JobWorkerCount = 0;
     }
 
     private static void Cores(Report report, Swarm swarm)
     {
+        // A frame in between wakes the workers, or sends them to sleep.
         var frames = swarm.Contestant;
-        var time = Race.Run(frames with { Work = () => With(1, swarm.Frame) }, frames with { Work = () => With(0, swarm.Frame) });
+        var time = Race.Run(
+            frames with { Prepare = () => FrameWith(1, swarm) }, frames with { Prepare = () => FrameWith(0, swarm) });
         report.Ratio(Targets.Cores, time[0], time[1], time[1] / time[0]);
     }
 
-    private static void With(int workers, Action work)
+    private static void FrameWith(int workers, Swarm swarm)
     {
-        var before = JobsUtility.JobWorkerCount;
         JobsUtility.JobWorkerCount = workers;
-        work();
-        JobsUtility.JobWorkerCount = before;
+        swarm.Frame();
     }
 
     private void Memory(Report report, int insects)
@@ -54,8 +56,8 @@ internal sealed class CrowdComparison
         all = GC.GetTotalAllocatedBytes(precise: true) - all;
 
         var group = insects.ToString(CultureInfo.InvariantCulture);
-        report.Figure("bytes_per_frame", group, "allocated by a frame, insects", "bytes", Math.Max(own, all) / (double)k_WarmFrames);
-        report.Figure("jobs_per_frame", group, "scheduled by a frame, insects", "jobs", Jobs(swarm));
+        report.Figure("bytes_per_frame", group, $"frame of {insects} insects", "bytes allocated", Math.Max(own, all) / (double)k_WarmFrames);
+        report.Figure("jobs_per_frame", group, $"frame of {insects} insects", "jobs", Jobs(swarm));
     }
 
     // Jobs that are pending when a whole frame has been scheduled and none of it completed.

@@ -16,8 +16,8 @@ internal static class SpeciesFigures
             var kinds = species.Wings.Select(wing => new Specimen(wing)).ToList();
             using var swarm = new Swarm(kinds, k_Insects);
             var time = Race.Run(k_Rounds, new Contestant("bake", 1e6, () => Bake(kinds)), swarm.Contestant);
-            report.Figure("bake_ms", species.Name, "bake", "ms", time[0]);
-            report.Figure("us_per_insect_frame", species.Name, "frame", "us/insect", time[1]);
+            report.Figure("bake_ms", species.Name, $"bake of a {species.Name}", "ms", time[0]);
+            report.Figure("us_per_insect_frame", species.Name, $"frame of a {species.Name}", "us/insect", time[1]);
             kinds.ForEach(kind => kind.Dispose());
         }
     }

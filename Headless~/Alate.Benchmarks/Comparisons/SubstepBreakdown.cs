@@ -23,7 +23,7 @@ internal static unsafe class SubstepBreakdown
         ];
         var times = Race.Run(System.Array.ConvertAll(parts, part => new Contestant(part.Name, WingPack.Lanes * 1000, part.Work)));
         for (var k = 0; k < parts.Length; k++)
-            report.Figure("us_per_wing_substep", parts[k].Name, "substep", "us/wing", times[k]);
+            report.Figure("us_per_wing_substep", parts[k].Name, $"substep: {parts[k].Name}", "us/wing", times[k]);
     }
 
     private static void Bend(in WingPack pack, in StepScratch scratch, float h)

@@ -9,4 +9,8 @@ namespace Alate.Benchmarks;
 /// <param name="Phases">
 /// Calls that make a cycle. Where no two of them cost the same (the frames of a beat), the best of each is taken, and their mean.
 /// </param>
-internal sealed record Contestant(string Name, double Units, Action Work, int Phases = 1);
+internal sealed record Contestant(string Name, double Units, Action Work, int Phases = 1)
+{
+    /// <summary>Done before every round and not timed.</summary>
+    public Action Prepare { get; init; }
+}

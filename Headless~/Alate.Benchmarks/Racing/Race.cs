@@ -48,6 +48,7 @@ internal sealed class Race
 
     private void Round()
     {
+        m_Contestant.Prepare?.Invoke();
         for (var phase = 0; phase < m_Best.Length; phase++)
             m_Best[phase] = Math.Min(m_Best[phase], Time(m_Contestant.Work, m_Repeats));
     }

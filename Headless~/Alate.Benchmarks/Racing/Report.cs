@@ -8,7 +8,7 @@ namespace Alate.Benchmarks;
 /// <summary>Prints what was measured as it comes and keeps it for the JSON.</summary>
 internal sealed class Report
 {
-    private const string k_Columns = "{0,-38} {1,10} {2,12} {3,9} {4,7} {5,7}  {6}";
+    private const string k_Columns = "{0,-42} {1,10} {2,12} {3,9} {4,7} {5,7}  {6}";
 
     private readonly TextWriter m_Output;
 
@@ -48,11 +48,11 @@ internal sealed class Report
         Row($"{title}, {unit}", Number(value), "", "", "", "", "");
     }
 
-    /// <summary>One figure for each of several things: species, crowd sizes.</summary>
+    /// <summary>One figure for each of several things: species, crowd sizes. The title names the thing.</summary>
     public void Figure(string key, string group, string title, string unit, double value)
     {
         Group(key)[group] = value;
-        Row($"{title}, {group}, {unit}", Number(value), "", "", "", "", "");
+        Row($"{title}, {unit}", Number(value), "", "", "", "", "");
     }
 
     public void Line(string text) => m_Output.WriteLine(text);
