@@ -13,7 +13,9 @@ namespace Alate
         /// <param name="submesh">From 0; only for <see cref="WingPart.Submesh"/>.</param>
         /// <param name="point">Mesh space; only for <see cref="WingPart.ConnectedPart"/>.</param>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
-        /// <exception cref="ArgumentException">It is not readable, has no such submesh, or the part has no triangles; or the point is not finite.</exception>
+        /// <exception cref="ArgumentException">
+        /// It is not readable, has no such submesh, or the part has no triangles; or the point is not finite.
+        /// </exception>
         public static MeshSelection Select(Mesh mesh, WingPart part, int submesh, Vector3 point)
         {
             CheckReadable(mesh);
@@ -130,7 +132,11 @@ namespace Alate
             if (submesh < 0 || submesh >= mesh.subMeshCount)
                 throw new ArgumentException($"Mesh '{mesh.name}' has no submesh {submesh}: it has {mesh.subMeshCount}, numbered from 0.");
             if (mesh.GetTopology(submesh) != MeshTopology.Triangles)
-                throw new ArgumentException($"Submesh {submesh} of mesh '{mesh.name}' consists of {mesh.GetTopology(submesh)}; a wing needs Triangles.");
+            {
+                throw new ArgumentException(
+                    $"Submesh {submesh} of mesh '{mesh.name}' consists of {mesh.GetTopology(submesh)}; a wing needs Triangles.");
+            }
+
             var corners = mesh.GetTriangles(submesh);
             if (corners.Length == 0)
                 throw new ArgumentException($"Submesh {submesh} of mesh '{mesh.name}' has no triangles.");

@@ -11,7 +11,7 @@ namespace Alate
     /// </remarks>
     internal static class PositionWeld
     {
-        // Shares of the largest coordinate. The first covers some roundings of a float (6e-8 each), the second is far below a detail of a mesh.
+        // Shares of the largest coordinate: some roundings of a float (6e-8 each), and what is still far below any detail of a mesh.
         const double k_Near = 5e-7;
         const double k_Cell = 2e-6;
 
