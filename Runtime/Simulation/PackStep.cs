@@ -9,6 +9,9 @@ namespace Alate
         /// <summary>Steps that are a whole number of substeps must not round up to one more.</summary>
         private const float k_CountRounding = 1e-3f;
 
+        /// <summary>A mosquito at 600 Hz beats twelve times in a fiftieth of a second; more in one step than this is a spike of the frame rate.</summary>
+        private const float k_MostBeats = 16f;
+
         /// <summary>With waves alone, bends fade by e within a quarter of a beat: seen as a settling, not as a jump.</summary>
         private const float k_Fading = 4f;
 
@@ -34,13 +37,13 @@ namespace Alate
             EndStep(pack, count);
         }
 
-        /// <summary>Enough substeps for the fastest wing of the pack; a step longer than its beat is cut to one beat.</summary>
+        /// <summary>Enough substeps for the fastest wing of the pack; a step of very many beats is cut.</summary>
         public static int SubstepCount(in WingPack pack, ref float dt)
         {
             float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
             float4 perBeat = SubstepsPerBeat(pack);
             float rate = math.cmax(frequency * perBeat);
-            int most = (int)math.ceil(math.cmax(perBeat));
+            int most = (int)math.ceil(k_MostBeats * math.cmax(perBeat));
             int wanted = (int)math.min(math.ceil(dt * rate - k_CountRounding), most + 1f);
             if (wanted > most)
                 dt = most / rate;
