@@ -48,6 +48,10 @@ namespace Alate
                 m_SkeletonHash = skeletonHash;
             }
 
+            /// <summary>Whether a wing is still what the key was made of.</summary>
+            public bool Describes(Wing wing, uint skeletonHash) =>
+                ReferenceEquals(m_Skeleton, wing.Skeleton) && m_SkeletonHash == skeletonHash && Equals(new WingKey(wing, skeletonHash));
+
             public bool Equals(WingKey other) =>
                 m_Part == other.m_Part && m_Submesh == other.m_Submesh && m_Point == other.m_Point
                 && m_SkeletonHash == other.m_SkeletonHash && ReferenceEquals(m_Skeleton, other.m_Skeleton);
