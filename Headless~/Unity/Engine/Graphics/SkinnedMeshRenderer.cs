@@ -1,8 +1,9 @@
 using System;
+using System.Collections.Generic;
 
 namespace UnityEngine;
 
-public class SkinnedMeshRenderer : Renderer
+public class SkinnedMeshRenderer : Renderer, IReferring
 {
     private Mesh _mesh;
     private Transform[] _bones = [];
@@ -73,6 +74,13 @@ public class SkinnedMeshRenderer : Renderer
         to._bones = [.. _bones];
         to.rootBone = rootBone;
         to.updateWhenOffscreen = updateWhenOffscreen;
+    }
+
+    void IReferring.Redirect(IReadOnlyDictionary<Object, Object> copies)
+    {
+        RedirectAnchors(copies);
+        _bones = Array.ConvertAll(_bones, b => (Transform)Copying.Twin(b, copies));
+        rootBone = (Transform)Copying.Twin(rootBone, copies);
     }
 
     private Matrix4x4 Pose(BoneWeight w, Matrix4x4[] bind)
