@@ -20,13 +20,11 @@ namespace Alate.Tests
 
         /// <summary>A child that draws a mesh, with a material a submesh.</summary>
         /// <param name="path">Names of parents, made where they lack, and of the object, with slashes between.</param>
-        public MeshRenderer Draw(string path, MeshSketch sketch, params string[] materials)
-        {
-            var renderer = Place(path).gameObject.AddComponent<MeshRenderer>();
-            renderer.gameObject.AddComponent<MeshFilter>().sharedMesh = Mesh(sketch);
-            renderer.sharedMaterials = Array.ConvertAll(materials.Length > 0 ? materials : new[] { "Default" }, Material);
-            return renderer;
-        }
+        public MeshRenderer Draw(string path, MeshSketch sketch, params string[] materials) =>
+            Draw(path, sketch.ToMesh("Mesh"), materials.Length > 0 ? materials : new[] { "Default" });
+
+        /// <summary>The same with what a generator makes.</summary>
+        public MeshRenderer Draw(string path, SurfaceMesh surface) => Draw(path, surface.ToMesh("Mesh"), new[] { "Default" });
 
         /// <summary>A child without a mesh.</summary>
         public Transform Place(string path)
@@ -60,24 +58,28 @@ namespace Alate.Tests
             return body;
         }
 
-        public Mesh Mesh(MeshSketch sketch)
-        {
-            var mesh = sketch.ToMesh("Mesh");
-            m_Made.Add(mesh);
-            return mesh;
-        }
+        public Mesh Mesh(MeshSketch sketch) => Kept(sketch.ToMesh("Mesh"));
 
-        public Material Material(string name)
-        {
-            var material = new Material(Shader.Find("Standard")) { name = name };
-            m_Made.Add(material);
-            return material;
-        }
+        public Material Material(string name) => Kept(new Material(Shader.Find("Standard")) { name = name });
 
         public void Dispose()
         {
             Object.DestroyImmediate(Root.gameObject);
             m_Made.ForEach(Object.DestroyImmediate);
+        }
+
+        MeshRenderer Draw(string path, Mesh mesh, string[] materials)
+        {
+            var renderer = Place(path).gameObject.AddComponent<MeshRenderer>();
+            renderer.gameObject.AddComponent<MeshFilter>().sharedMesh = Kept(mesh);
+            renderer.sharedMaterials = Array.ConvertAll(materials, Material);
+            return renderer;
+        }
+
+        T Kept<T>(T made) where T : Object
+        {
+            m_Made.Add(made);
+            return made;
         }
     }
 }

@@ -288,6 +288,29 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void TheWingsOfEverySpecies_AreFound_WithoutNames()
+        {
+            foreach (var species in Species.All)
+            {
+                using var insect = new InsectSketch();
+                insect.Draw("0", species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre));
+                var expected = new List<string>();
+                for (var pair = 0; pair < species.Wings.Count; pair++)
+                {
+                    foreach (var side in new[] { WingSide.Right, WingSide.Left })
+                    {
+                        var wing = species.Wings[pair];
+                        insect.Draw($"{pair} {side}", wing.CreateSurface(side)).transform.localPosition = wing.HingeOn(side);
+                        expected.Add($"{pair} {side} {(WingPair)pair} {side}");
+                    }
+                }
+
+                var found = WingFinder.Find(insect.Root).ConvertAll(wing => $"{wing.Renderer.name} {wing.Pair} {wing.Side}");
+                Assert.That(found, Is.EqualTo(expected), species.Name);
+            }
+        }
+
+        [Test]
         public void NothingLikeAWing_GivesAnEmptyList()
         {
             m_Insect.Draw("Body", m_Insect.Body());
