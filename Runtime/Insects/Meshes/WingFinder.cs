@@ -49,7 +49,7 @@ namespace Alate
             if (wings.Count == 0)
                 wings = Choose(DrawnRenderers.Under(root, true).FindAll(isWanted), root);
             WingPairing.Assign(wings);
-            wings.Sort(Compare);
+            wings.Sort(WingPairing.Compare);
             return wings;
         }
 
@@ -65,13 +65,6 @@ namespace Alate
             var largest = 0f;
             named.ForEach(candidate => largest = Mathf.Max(largest, candidate.shape.area));
             return named.FindAll(candidate => candidate.shape.area >= k_SmallestNamed * largest);
-        }
-
-        static int Compare(WingCandidate a, WingCandidate b)
-        {
-            if (a.pair != b.pair)
-                return a.pair == WingPair.Fore ? -1 : 1;
-            return a.Side != b.Side ? (a.Side == WingSide.Right ? -1 : 1) : b.shape.area.CompareTo(a.shape.area);
         }
     }
 }

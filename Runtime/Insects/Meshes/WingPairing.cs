@@ -14,6 +14,16 @@ namespace Alate
                 wings.ForEach(wing => wing.pair = WingPair.Fore);
         }
 
+        /// <summary>Orders wings with pairs: fore right, fore left, hind right, hind left; larger ones first.</summary>
+        public static int Compare(WingCandidate a, WingCandidate b)
+        {
+            if (a.pair != b.pair)
+                return a.pair == WingPair.Fore ? -1 : 1;
+            if (a.Side != b.Side)
+                return a.Side == WingSide.Right ? -1 : 1;
+            return b.shape.area.CompareTo(a.shape.area);
+        }
+
         static void Assign(List<WingCandidate> wings, WingSide side)
         {
             var own = wings.FindAll(wing => wing.Side == side);
