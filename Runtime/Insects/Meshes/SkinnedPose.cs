@@ -6,8 +6,8 @@ namespace Alate
     internal static class SkinnedPose
     {
         /// <summary>
-        /// From the mesh to the world as a bone has it, which is the same for all bones in the bind pose: the root bone if it moves the mesh, else
-        /// the first. The renderer's own place for a mesh without bones.
+        /// From the mesh to the world as a bone has it, which is the same for all bones in the bind pose: the root bone if it moves the
+        /// mesh, else the first. The renderer's own place for a mesh without bones.
         /// </summary>
         public static Matrix4x4 ToWorld(SkinnedMeshRenderer renderer)
         {

@@ -39,6 +39,7 @@ namespace Alate
         {
             var made = new GameObject(m_Name);
             made.transform.SetParent(bone, false);
+            made.SetActive(m_Source.gameObject.activeSelf);
             made.AddComponent<MeshFilter>().sharedMesh = mesh;
             var renderer = made.AddComponent<MeshRenderer>();
             renderer.sharedMaterials = Materials(m_Source.sharedMaterials);

@@ -5,14 +5,14 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// Makes plain renderers of the wings of a skinned mesh, which <see cref="InsectWings"/> can bend. Each wing gets an object under the bone
-    /// that carries it and follows that bone; the body stays skinned.
+    /// Makes plain renderers of the wings of a skinned mesh, which <see cref="InsectWings"/> can bend. Each wing gets an object under the
+    /// bone that carries it and follows that bone; the body stays skinned.
     /// </summary>
     /// <remarks>
-    /// A wing is carried by the bone with the most weight in it or, if the bones of a wing are named with its side, by the first of them. In the
-    /// bind pose all looks as before. Where a wing's base was blended between bones it follows its own bone alone. Blend shapes of wings are
-    /// kept as they are set now. The source mesh is never changed. In the editor record the source and its <see cref="DetailGroups"/> for
-    /// Undo before, and register the new objects after.
+    /// A wing is carried by the bone with the most weight in it or, if the bones of a wing are named with its side, by the first of them.
+    /// In the bind pose all looks as before. Where a wing's base was blended between bones it follows its own bone alone. Blend shapes of
+    /// wings are kept as they are set now. The source mesh is never changed. In the editor record the source and its
+    /// <see cref="DetailGroups"/> for Undo before, and register the new objects after.
     /// </remarks>
     public static class SkinnedWingConversion
     {
@@ -28,7 +28,8 @@ namespace Alate
             if (wings.IsEmpty)
             {
                 throw new ArgumentException(
-                    $"Nothing in '{source.name}' looks like a wing: no name, material or bone is called so, and no thin parts are mirrored.");
+                    $"Nothing in '{source.name}' looks like a wing: "
+                    + "neither it nor a material or bone is called so, and no thin parts are mirrored.");
             }
 
             return Convert(source, insect, wings);
@@ -59,7 +60,11 @@ namespace Alate
             var mesh = source.sharedMesh;
             var bones = new WingBones(source, insect);
             if (bones.IsSkinned && bones.Count == 0)
-                throw new ArgumentException($"'{source.name}' has no bones: turn off Optimize Game Objects in the model's import settings.");
+            {
+                throw new ArgumentException(
+                    $"'{source.name}' has no bones: turn off Optimize Game Objects in the model's import settings.");
+            }
+
             var toInsect = insect.worldToLocalMatrix * SkinnedPose.ToWorld(source);
             var wings = SkinnedWingDivision.Run(triangles, bones, mesh.vertices, toInsect);
             var binds = mesh.bindposes;

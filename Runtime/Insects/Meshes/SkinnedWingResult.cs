@@ -1,7 +1,5 @@
-using System;
 using System.Collections.Generic;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace Alate
 {
@@ -28,7 +26,7 @@ namespace Alate
         /// <summary>The skinned renderer. It draws the body, or is disabled if it was all wing.</summary>
         public SkinnedMeshRenderer Source { get; }
 
-        /// <summary>The new renderers, one a wing, each on a new object under the bone that carries it; ordered as <see cref="WingFinder.Find"/> does.</summary>
+        /// <summary>The new renderers, one a wing, under the bones that carry them: fore right, fore left, hind right, hind left.</summary>
         public IReadOnlyList<MeshRenderer> Wings { get; }
 
         /// <summary>The new meshes of the wings, in the same order. No asset: save them, or destroy them with the wings.</summary>
@@ -61,12 +59,12 @@ namespace Alate
             foreach (var wing in Wings)
             {
                 if (wing != null)
-                    End(wing.gameObject);
+                    ObjectEnd.Destroy(wing.gameObject);
             }
 
             foreach (var mesh in WingMeshes)
-                End(mesh);
-            End(BodyMesh);
+                ObjectEnd.Destroy(mesh);
+            ObjectEnd.Destroy(BodyMesh);
         }
 
         internal void Apply()
@@ -77,14 +75,6 @@ namespace Alate
                 Source.sharedMesh = BodyMesh;
             else
                 Source.enabled = false;
-        }
-
-        static void End(Object made)
-        {
-            if (Application.isPlaying)
-                Object.Destroy(made);
-            else
-                Object.DestroyImmediate(made);
         }
     }
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate
@@ -21,7 +19,7 @@ namespace Alate
         }
 
         /// <summary>
-        /// The triangles of wings: all if the renderer is called so, else those of materials, then of bones that are, then thin mirrored parts.
+        /// The triangles of wings: all if the renderer is called so, else those of such materials, then bones, else thin mirrored parts.
         /// </summary>
         /// <param name="source">A renderer with a readable mesh.</param>
         /// <param name="insect">Its root: X right, Y up, Z ahead.</param>
@@ -39,9 +37,11 @@ namespace Alate
             return found;
         }
 
-        /// <summary>Names alone say that a renderer draws a wing; for meshes that cannot be read.</summary>
-        public static bool IsNamed(SkinnedMeshRenderer source, Transform insect)
+        /// <summary>A renderer draws wings; of a mesh that cannot be read, names have to tell.</summary>
+        public static bool IsIn(SkinnedMeshRenderer source, Transform insect)
         {
+            if (source.sharedMesh.isReadable)
+                return !Find(source, insect).IsEmpty;
             var names = new RendererNames(source, source.sharedMesh, insect);
             if (names.IsCase)
                 return false;
@@ -51,7 +51,7 @@ namespace Alate
                     return true;
             }
 
-            return false;
+            return System.Array.Exists(source.bones, bone => bone != null && WingName.Read(bone.name).NamesWing);
         }
 
         void AddNamed(TriangleSet found)

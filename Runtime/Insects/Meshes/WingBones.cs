@@ -45,7 +45,7 @@ namespace Alate
         }
 
         /// <summary>
-        /// The bone nearest to the root of a wing that a bone moves: the wings of finer rigs have several bones, which all hang from the first.
+        /// The first bone of the wing that a bone moves: the wings of finer rigs have several, which all hang from the first.
         /// </summary>
         public int RootOf(int bone)
         {

@@ -15,7 +15,8 @@ namespace Alate
         {
             m_Renderer = renderer;
             m_Names = new RendererNames(renderer, mesh, root);
-            m_Mesh = new MeasuredMesh(mesh, root.worldToLocalMatrix * renderer.transform.localToWorldMatrix);
+            var toWorld = renderer is SkinnedMeshRenderer skinned ? SkinnedPose.ToWorld(skinned) : renderer.transform.localToWorldMatrix;
+            m_Mesh = new MeasuredMesh(mesh, root.worldToLocalMatrix * toWorld);
         }
 
         /// <summary>The parts of a renderer that may be wings, marked where names call them so; none of a wing case.</summary>

@@ -22,42 +22,44 @@ namespace Alate
         /// <exception cref="ArgumentNullException">There is no object.</exception>
         public static List<Wing> Find(Transform root)
         {
-            return Find(root, renderer => renderer is MeshRenderer).ConvertAll(candidate => candidate.ToWing());
+            if (root == null)
+                throw new ArgumentNullException(nameof(root));
+            var wings = Choose(DrawnRenderers.Under(root, false), root);
+            if (wings.Count == 0)
+                wings = Choose(DrawnRenderers.Under(root, true), root);
+            WingPairing.Assign(wings);
+            wings.Sort(WingPairing.Compare);
+            return wings.ConvertAll(candidate => candidate.ToWing());
         }
 
-        /// <summary>The skinned renderers that draw wings, alone or with the body; they can be made plain ones.</summary>
+        /// <summary>
+        /// The skinned renderers that draw wings, alone or with the body; <see cref="SkinnedWingConversion"/> makes plain ones of them.
+        /// </summary>
+        /// <remarks>Bones that are called wing count too. Hidden renderers do not.</remarks>
         /// <param name="root">The insect: X right, Y up, Z ahead.</param>
         /// <exception cref="ArgumentNullException">There is no object.</exception>
         public static List<SkinnedMeshRenderer> FindSkinned(Transform root)
         {
+            if (root == null)
+                throw new ArgumentNullException(nameof(root));
             var found = new List<SkinnedMeshRenderer>();
-            foreach (var candidate in Find(root, renderer => renderer is SkinnedMeshRenderer))
+            foreach (var renderer in DrawnRenderers.Under(root, false))
             {
-                var skinned = (SkinnedMeshRenderer)candidate.renderer;
-                if (!found.Contains(skinned))
+                if (renderer is SkinnedMeshRenderer skinned && SkinnedWings.IsIn(skinned, root))
                     found.Add(skinned);
             }
 
             return found;
         }
 
-        static List<WingCandidate> Find(Transform root, Predicate<Renderer> isWanted)
-        {
-            if (root == null)
-                throw new ArgumentNullException(nameof(root));
-            var wings = Choose(DrawnRenderers.Under(root, false).FindAll(isWanted), root);
-            if (wings.Count == 0)
-                wings = Choose(DrawnRenderers.Under(root, true).FindAll(isWanted), root);
-            WingPairing.Assign(wings);
-            wings.Sort(WingPairing.Compare);
-            return wings;
-        }
-
         static List<WingCandidate> Choose(List<Renderer> renderers, Transform root)
         {
             var candidates = new List<WingCandidate>();
             foreach (var renderer in renderers)
-                candidates.AddRange(WingCandidates.Of(renderer, DrawnRenderers.MeshOf(renderer), root));
+            {
+                if (renderer is MeshRenderer)
+                    candidates.AddRange(WingCandidates.Of(renderer, DrawnRenderers.MeshOf(renderer), root));
+            }
 
             var named = candidates.FindAll(candidate => candidate.isNamed);
             if (named.Count == 0)

@@ -10,11 +10,13 @@ namespace Alate
     {
         const int k_Channels = 8;
 
-        /// <summary>A mesh of these triangles alone, moved by a matrix; colours and texture coordinates are kept, weights are not.</summary>
+        /// <summary>
+        /// A mesh of these triangles alone, moved by a matrix; colours and texture coordinates are kept, weights are not.
+        /// </summary>
         /// <param name="mesh">The mesh they are taken from; it is not changed.</param>
         /// <param name="shape">Its vertices.</param>
         /// <param name="submeshes">Corners of the triangles by submesh of the new mesh.</param>
-        /// <param name="matrix">To the space of the new mesh. One that mirrors turns the triangles, so that their faces stay outside.</param>
+        /// <param name="matrix">To the space of the new mesh. If it mirrors, triangles are turned to face the same way.</param>
         public static Mesh Take(Mesh mesh, BlendedShape shape, IReadOnlyList<int[]> submeshes, Matrix4x4 matrix)
         {
             var corners = new List<int>();
@@ -51,7 +53,9 @@ namespace Alate
             return taken;
         }
 
-        /// <summary>A copy of a mesh without some triangles: with all its vertices, weights and blend shapes, and as many submeshes.</summary>
+        /// <summary>
+        /// A copy of a mesh without some triangles: with all its vertices, weights and blend shapes, and as many submeshes.
+        /// </summary>
         /// <param name="mesh">It is not changed.</param>
         /// <param name="isTaken">Whether a triangle of a submesh is left out.</param>
         public static Mesh Without(Mesh mesh, Func<int, int, bool> isTaken)
