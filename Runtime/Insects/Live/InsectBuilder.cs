@@ -28,7 +28,7 @@ namespace Alate
             int patches = insect.Quality.Clamped().patches;
             foreach (List<int> group in Groups(insect.Wings))
             {
-                LiveMesh mesh = Build(insect.Wings, group, patches, out problem);
+                LiveMesh mesh = Build(insect, group, patches, out problem);
                 if (mesh == null)
                 {
                     foreach (LiveMesh built in meshes)
@@ -77,15 +77,16 @@ namespace Alate
             return false;
         }
 
-        private LiveMesh Build(IReadOnlyList<Wing> all, List<int> group, int patches, out InsectProblem problem)
+        private LiveMesh Build(InsectWings insect, List<int> group, int patches, out InsectProblem problem)
         {
-            Wing[] wings = group.ConvertAll(w => all[w]).ToArray();
+            Wing[] wings = group.ConvertAll(w => insect.Wings[w]).ToArray();
             MeshFilter filter = InsectCheck.FilterOf(wings[0]);
             Mesh mesh = InsectCheck.MeshOf(wings[0], filter);
             SkeletonValue[] skeletons = System.Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
             TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();
-            var key = new TemplateKey(mesh, patches, keys);
-            MeshTemplate template = m_Templates.Take(key, mesh, wings, group.ToArray(), patches, out problem);
+            var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
+            var parts = new RiggedParts(mesh, automatic, patches);
+            MeshTemplate template = m_Templates.Take(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
             return template == null ? null : new LiveMesh(filter, template, wings, skeletons, patches);
         }
 
