@@ -142,15 +142,15 @@ namespace Alate
         }
 
         /// <summary>The first thing that keeps the wings from living, as far as can be seen without playing.</summary>
-        internal InsectProblem FindProblem() => InsectCheck.Find(name, m_Wings);
+        internal InsectProblem FindProblem() => InsectCheck.Find(this);
 
         /// <summary>Takes over a state; says so in the log when it is a new problem.</summary>
         internal void Report(in InsectProblem problem)
         {
             bool isNew = problem.State != Problem.State || problem.Wing != Problem.Wing;
-            Problem = problem;
-            if (isNew && problem.IsProblem)
-                Debug.LogWarning(problem.Message, this);
+            Problem = problem.IsProblem ? problem.Of(name) : problem;
+            if (isNew && Problem.IsProblem)
+                Debug.LogWarning(Problem.Message, this);
         }
 
         private void Reset() => FindWings();

@@ -82,6 +82,13 @@ namespace Alate
         {
             Wing[] wings = group.ConvertAll(w => all[w]).ToArray();
             MeshFilter filter = InsectCheck.FilterOf(wings[0]);
+            if (LivingMeshes.LivesOn(filter))
+            {
+                problem = new InsectProblem(InsectState.WingsOverlap, group[0],
+                    $"'{filter.name}' is moved by another Insect Wings already. Take it out of the list of one of the two.");
+                return null;
+            }
+
             Mesh mesh = InsectCheck.MeshOf(wings[0], filter);
             var keys = System.Array.ConvertAll(wings, w => new TemplateKey.WingKey(w, m_Skeletons.HashOf(w.Skeleton)));
             var key = new TemplateKey(mesh, patches, keys);

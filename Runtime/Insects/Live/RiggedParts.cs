@@ -19,7 +19,7 @@ namespace Alate
                     if (shapes[w].Overlaps(shapes[other]))
                     {
                         problem = new InsectProblem(InsectState.WingsOverlap, indices[w],
-                            $"Wings {indices[other]} and {indices[w]} share vertices of mesh '{mesh.name}'. Give each a part of its own: a submesh, or a connected part.");
+                            $"it shares vertices of mesh '{mesh.name}' with wing {indices[other]}. Give each a part of its own: a submesh, or a connected part.");
                     }
                 }
 
@@ -44,7 +44,7 @@ namespace Alate
             }
             catch (ArgumentException exception)
             {
-                return new InsectProblem(InsectState.NoSuchPart, index, $"Wing {index}: {OneLine(exception)} Choose another part.");
+                return new InsectProblem(InsectState.NoSuchPart, index, $"{OneLine(exception)} Choose another part.");
             }
 
             WingSurface surface = MeshParts.Surface(mesh, selection);
@@ -61,9 +61,9 @@ namespace Alate
             {
                 return automatic
                     ? new InsectProblem(InsectState.NoSkeleton, index,
-                        $"Wing {index} has no skeleton, and none could be laid out on mesh '{mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
+                        $"it has no skeleton, and none could be laid out on mesh '{mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
                     : new InsectProblem(InsectState.SkeletonDoesNotFit, index,
-                        $"Wing {index}: {OneLine(exception)} Assign the skeleton that was made for mesh '{mesh.name}'.");
+                        $"{OneLine(exception)} Assign the skeleton that was made for mesh '{mesh.name}'.");
             }
             finally
             {

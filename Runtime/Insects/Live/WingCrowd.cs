@@ -265,7 +265,11 @@ namespace Alate
         {
             float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position, Time.time) : default;
             live.Sense(wind);
-            live.insect.Report(live.Feel(World) ? InsectProblem.None : InsectProblem.NoSize(live.insect.name));
+            bool hasSize = live.Feel(World);
+            if (hasSize)
+                live.insect.Report(InsectProblem.None);
+            else if (live.insect.State != InsectState.ZeroScale)
+                live.insect.Report(InsectProblem.NoSize);
         }
 
         private void Schedule(in StepPlan plan)
