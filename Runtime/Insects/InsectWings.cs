@@ -123,13 +123,13 @@ namespace Alate
                 WingSystem.Crowd.Restart(Live);
         }
 
-        /// <summary>Tells the wings that the insect has just been moved to another place: the move is not felt as motion.</summary>
+        /// <summary>Tells the wings that the insect is moved to another place in this frame: the move is not felt as motion.</summary>
         /// <param name="keepMotion">Whether the wings beat on; otherwise they start anew.</param>
         public void Teleport(bool keepMotion = true)
         {
             if (Live == null)
                 return;
-            Live.motion.Rebase(transform.position, transform.rotation);
+            Live.motion.Interrupt();
             if (!keepMotion)
                 ResetState();
         }

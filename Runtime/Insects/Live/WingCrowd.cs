@@ -110,7 +110,11 @@ namespace Alate
         {
             World.Complete();
             if (m_Arriving.Remove(insect))
+            {
                 Admit(insect);
+                m_WindZones.Find();
+            }
+
             LiveInsect live = insect.Live;
             if (live == null)
                 return;
@@ -272,14 +276,27 @@ namespace Alate
                 live.insect.Report(InsectProblem.NoSize);
         }
 
-        private void Schedule(in StepPlan plan)
+        private void Schedule(StepPlan plan)
         {
+            plan.count = math.select(0, plan.count, ClocksInUse());
             if (plan.IsEmpty)
                 return;
             using (SystemMarkers.schedule.Auto())
                 World.ScheduleStep(plan);
             StepCount++;
             m_Moved = true;
+        }
+
+        private bool4 ClocksInUse()
+        {
+            bool4 used = default;
+            foreach (LiveInsect live in m_Insects)
+            {
+                if (live.Detail != WingDetail.Frozen)
+                    used[(int)live.Clock] = true;
+            }
+
+            return used;
         }
 
         private void Draw()

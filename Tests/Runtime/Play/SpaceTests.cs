@@ -42,6 +42,7 @@ namespace Alate.Tests.Play
         public IEnumerator AScaleThatPassesThroughZero_LeavesTheWingWhole()
         {
             InsectWings plain = Hatch(), scaled = Hatch();
+            yield return Frames(2);
             for (int frame = 0; frame <= 60; frame++)
             {
                 // Over zero to the mirror image and back, twice.
