@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Alate.Editor
+{
+    /// <summary>Skeletons laid out on wings of an insect that are not saved yet; wings with the same part of the same mesh share one.</summary>
+    internal sealed class SkeletonLayout : IDisposable
+    {
+        private readonly List<Entry> m_Entries = new List<Entry>();
+        private readonly List<string> m_Failures = new List<string>();
+
+        private SkeletonLayout()
+        {
+        }
+
+        /// <summary>Skeletons that were laid out.</summary>
+        public int Count => m_Entries.Count;
+
+        /// <summary>One sentence for each wing that got none.</summary>
+        public IReadOnlyList<string> Failures => m_Failures;
+
+        /// <summary>Lays out skeletons on some wings.</summary>
+        /// <param name="wings">The insect's list.</param>
+        /// <param name="chosen">Places in the list.</param>
+        /// <param name="fit">How.</param>
+        public static SkeletonLayout Of(IReadOnlyList<Wing> wings, IReadOnlyList<int> chosen, FitSkeleton fit)
+        {
+            var layout = new SkeletonLayout();
+            foreach (int wing in chosen)
+                layout.Add(wings, wing, fit);
+            return layout;
+        }
+
+        /// <summary>Saves all skeletons and forgets them; the first lies at the path itself when it is the only one.</summary>
+        /// <returns>[wing] The asset for each wing that was chosen and has one now.</returns>
+        public Dictionary<int, WingSkeleton> Save(string path, string act)
+        {
+            var saved = new Dictionary<int, WingSkeleton>();
+            foreach (Entry entry in m_Entries)
+            {
+                string place = m_Entries.Count == 1 ? path : AssetPath.Beside(path, entry.name);
+                WingSkeleton asset = AssetWriter.Save(entry.skeleton, place, act);
+                foreach (int wing in entry.wings)
+                    saved.Add(wing, asset);
+            }
+
+            m_Entries.Clear();
+            return saved;
+        }
+
+        /// <summary>Destroys what was not saved.</summary>
+        public void Dispose()
+        {
+            foreach (Entry entry in m_Entries)
+                Object.DestroyImmediate(entry.skeleton);
+            m_Entries.Clear();
+        }
+
+        private void Add(IReadOnlyList<Wing> wings, int index, FitSkeleton fit)
+        {
+            Wing wing = wings[index];
+            Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
+            if (mesh == null)
+            {
+                m_Failures.Add($"Wing {index} has no mesh.");
+                return;
+            }
+
+            foreach (Entry known in m_Entries)
+            {
+                if (known.mesh != mesh || known.side != wing.Side || !SameTriangles(wings[known.wings[0]], wing))
+                    continue;
+                known.wings.Add(index);
+                return;
+            }
+
+            try
+            {
+                MeshSelection part = MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point);
+                WingSkeleton skeleton = fit(MeshParts.Surface(mesh, part), wing.Side);
+                m_Entries.Add(new Entry(skeleton, mesh, wing.Side, WingNames.Of(wings, index), index));
+            }
+            catch (ArgumentException problem)
+            {
+                m_Failures.Add($"Wing {index}: {RiggedParts.OneLine(problem)}");
+            }
+        }
+
+        private static bool SameTriangles(Wing a, Wing b) =>
+            a.Part == b.Part && (a.Part != WingPart.Submesh || a.Submesh == b.Submesh) && (a.Part != WingPart.ConnectedPart || a.Point == b.Point);
+
+        private readonly struct Entry
+        {
+            public readonly WingSkeleton skeleton;
+            public readonly Mesh mesh;
+            public readonly WingSide side;
+            public readonly string name;
+            public readonly List<int> wings;
+
+            public Entry(WingSkeleton skeleton, Mesh mesh, WingSide side, string name, int wing)
+            {
+                this.skeleton = skeleton;
+                this.mesh = mesh;
+                this.side = side;
+                this.name = name;
+                wings = new List<int> { wing };
+            }
+        }
+    }
+}
