@@ -142,7 +142,7 @@ namespace Alate
         }
 
         /// <summary>The first thing that keeps the wings from living, as far as can be seen without playing.</summary>
-        internal InsectProblem FindProblem() => InsectCheck.Find(name, m_Wings);
+        internal InsectProblem FindProblem() => InsectCheck.Find(this);
 
         /// <summary>Takes over a state; says so in the log when it is a new problem.</summary>
         internal void Report(in InsectProblem problem)
@@ -155,7 +155,14 @@ namespace Alate
 
         private void Reset() => FindWings();
 
-        private void OnEnable() => WingSystem.Enter(this);
+        private void OnEnable()
+        {
+            if (m_Wings.Count == 0)
+                FindWings();
+            foreach (Wing wing in m_Wings)
+                InsectCheck.Heal(wing);
+            WingSystem.Enter(this);
+        }
 
         private void OnDisable()
         {

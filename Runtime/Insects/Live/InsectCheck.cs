@@ -7,13 +7,11 @@ namespace Alate
     internal static class InsectCheck
     {
         /// <summary>The first problem; none when all wings look right.</summary>
-        public static InsectProblem Find(string insect, IReadOnlyList<Wing> wings)
+        public static InsectProblem Find(InsectWings insect)
         {
+            List<Wing> wings = insect.Wings;
             if (wings.Count == 0)
-            {
-                return new InsectProblem(InsectState.NoWings, -1,
-                    $"'{insect}' has no wings in its list. Add them, or use Find Wings in the inspector.");
-            }
+                return FindWithoutWings(insect);
 
             for (int w = 0; w < wings.Count; w++)
             {
@@ -23,6 +21,16 @@ namespace Alate
             }
 
             return InsectProblem.None;
+        }
+
+        private static InsectProblem FindWithoutWings(InsectWings insect)
+        {
+            List<SkinnedMeshRenderer> skinned = WingFinder.FindSkinned(insect.transform);
+            return skinned.Count > 0
+                ? new InsectProblem(InsectState.SkinnedWings, -1,
+                    $"'{insect.name}': the wings are drawn by the SkinnedMeshRenderer '{skinned[0].name}'. Convert it to a plain renderer with Fix, or by SkinnedWingConversion.Convert.")
+                : new InsectProblem(InsectState.NoWings, -1,
+                    $"'{insect.name}' has no wings in its list. Add them, or use Find Wings in the inspector.");
         }
 
         /// <summary>What keeps one wing from being baked.</summary>
@@ -71,6 +79,18 @@ namespace Alate
                 return null;
             Mesh shown = LivingMeshes.SourceOf(filter.sharedMesh);
             return shown != null ? shown : wing.Authored;
+        }
+
+        /// <summary>Lets a wing show its authored mesh again where it came as a clone of a living one.</summary>
+        public static void Heal(Wing wing)
+        {
+            MeshFilter filter = wing == null ? null : FilterOf(wing);
+            Mesh mesh = wing == null ? null : MeshOf(wing, filter);
+            if (mesh == null)
+                return;
+            if (!ReferenceEquals(filter.sharedMesh, mesh))
+                filter.sharedMesh = mesh;
+            wing.Authored = null;
         }
 
         /// <summary>The filter beside a wing's renderer; null where there is none.</summary>
