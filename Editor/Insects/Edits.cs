@@ -15,8 +15,14 @@ namespace Alate.Editor
         {
             Undo.RecordObject(target, act);
             change(target);
-            if (PrefabUtility.IsPartOfPrefabInstance(target))
-                PrefabUtility.RecordPrefabInstancePropertyModifications(target);
+            KeepOverrides(target);
+        }
+
+        /// <summary>Lets what was changed in an instance of a prefab stay different from the prefab.</summary>
+        public static void KeepOverrides(Object changed)
+        {
+            if (PrefabUtility.IsPartOfPrefabInstance(changed))
+                PrefabUtility.RecordPrefabInstancePropertyModifications(changed);
         }
 
         /// <summary>Makes one step for undo of several changes.</summary>

@@ -31,7 +31,7 @@ namespace Alate.Editor
         private readonly GizmoPanel m_Gizmos = new GizmoPanel();
         private readonly PresetPanel m_Presets = new PresetPanel(new PresetSaving(AssetPath.Ask));
         private readonly InsectFix m_Find = new FindWingsFix();
-        private readonly InsectFix m_LayOut = new LayOutSkeletonFix(AutomaticSkeleton.Fit, AssetPath.Ask);
+        private readonly InsectFix m_LayOut = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
 
         private SerializedProperty m_Species, m_Wings, m_UpdateMode, m_StartPhase, m_Motion, m_Air, m_Quality, m_OnWingBeat;
         private InsectWings[] m_Insects;
@@ -55,9 +55,9 @@ namespace Alate.Editor
         /// <inheritdoc/>
         public override void OnInspectorGUI()
         {
-            serializedObject.Update();
+            bool changed = serializedObject.UpdateIfRequiredOrScript();
             if (Event.current.type == EventType.Layout)
-                m_Status.Look(m_Insects);
+                m_Status.Look(m_Insects, changed);
             if (m_Status.Draw())
                 Refresh();
             EditorGUILayout.PropertyField(m_Species);
@@ -121,7 +121,7 @@ namespace Alate.Editor
         private void Refresh()
         {
             serializedObject.Update();
-            m_Status.Look(m_Insects);
+            m_Status.Look(m_Insects, true);
             GUIUtility.ExitGUI();
         }
 

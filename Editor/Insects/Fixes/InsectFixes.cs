@@ -1,16 +1,17 @@
 using System.Collections.Generic;
-using UnityEngine;
 
 namespace Alate.Editor
 {
     /// <summary>Which fixes there are for which state.</summary>
     internal static class InsectFixes
     {
+        private static readonly InsectFix[] s_None = new InsectFix[0];
         private static readonly InsectFix s_FindWings = new FindWingsFix();
         private static readonly InsectFix s_RemoveWing = new RemoveWingFix();
         private static readonly InsectFix s_ReadableMesh = new ReadableMeshFix();
         private static readonly InsectFix s_StaticBatching = new StaticBatchingFix();
-        private static readonly InsectFix s_LayOutSkeletons = new LayOutSkeletonFix(AutomaticSkeleton.Fit, AssetPath.Ask);
+        private static readonly InsectFix s_SkinnedWings = new SkinnedWingsFix(AssetPath.Ask);
+        private static readonly InsectFix s_LayOutSkeletons = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
         private static readonly InsectFix s_OpenSkeleton = new OpenSkeletonFix();
 
         /// <summary>The fixes for a problem, the best one first; none where only the user can know what is right.</summary>
@@ -20,6 +21,8 @@ namespace Alate.Editor
             {
                 case InsectState.NoWings:
                     return new[] { s_FindWings };
+                case InsectState.SkinnedWings:
+                    return new[] { s_SkinnedWings };
                 case InsectState.NoRenderer:
                 case InsectState.NoMesh:
                     return new[] { s_RemoveWing };
@@ -28,13 +31,13 @@ namespace Alate.Editor
                 case InsectState.StaticBatch:
                     return new[] { s_StaticBatching };
                 case InsectState.WingsOverlap:
-                    return WingList.HasTwin(insect.Wings, problem.Wing) ? new[] { s_RemoveWing } : System.Array.Empty<InsectFix>();
+                    return WingList.HasTwin(insect.Wings, problem.Wing) ? new[] { s_RemoveWing } : s_None;
                 case InsectState.SkeletonInvalid:
                     return new[] { s_OpenSkeleton, s_LayOutSkeletons };
                 case InsectState.SkeletonDoesNotFit:
                     return new[] { s_LayOutSkeletons, s_OpenSkeleton };
                 default:
-                    return System.Array.Empty<InsectFix>();
+                    return s_None;
             }
         }
     }

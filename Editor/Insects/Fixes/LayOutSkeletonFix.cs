@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace Alate.Editor
 {
@@ -16,6 +17,9 @@ namespace Alate.Editor
             m_Ask = ask;
         }
 
+        /// <summary>As play begins does it.</summary>
+        public static SkeletonFit Fit(in WingSurface surface, Transform insect, Transform mesh) => new AutomaticSkeleton(insect, mesh).FitWithNotes(surface);
+
         /// <inheritdoc/>
         public override string Label => "Lay Out Skeleton…";
 
@@ -29,11 +33,11 @@ namespace Alate.Editor
             List<int> chosen = Choose(insect, problem);
             if (chosen.Count == 0)
                 return FixOutcome.Refused("All wings have a skeleton.");
-            using (SkeletonLayout layout = SkeletonLayout.Of(insect.Wings, chosen, m_Fit))
+            using (SkeletonLayout layout = SkeletonLayout.Of(insect, chosen, m_Fit))
             {
-                string failures = string.Join(" ", layout.Failures);
+                string notes = string.Join(" ", layout.Notes);
                 if (layout.Count == 0)
-                    return FixOutcome.Refused(failures);
+                    return FixOutcome.Refused(notes);
                 string path = m_Ask("Save Wing Skeleton", AssetPath.FileName(insect.name + " Skeleton"), "Choose where the new skeleton is saved.");
                 if (string.IsNullOrEmpty(path))
                     return FixOutcome.Refused("");
@@ -41,7 +45,7 @@ namespace Alate.Editor
                 if (obstacle != null)
                     return FixOutcome.Refused(obstacle);
                 Assign(insect, layout.Save(path, Label));
-                return FixOutcome.Done(failures);
+                return FixOutcome.Done(notes);
             }
         }
 

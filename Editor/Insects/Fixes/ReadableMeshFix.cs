@@ -1,10 +1,9 @@
 using System.Collections.Generic;
-using UnityEditor;
 using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Turns on Read/Write in the import settings of all wing meshes that cannot be read; says what to do where there are no such settings.</summary>
+    /// <summary>Makes all wing meshes readable that come from models; says what to do about the others.</summary>
     internal sealed class ReadableMeshFix : InsectFix
     {
         /// <inheritdoc/>
@@ -17,64 +16,34 @@ namespace Alate.Editor
         /// <inheritdoc/>
         public override string FindObstacle(InsectWings insect, in InsectProblem problem)
         {
-            string obstacle = null;
-            foreach (Mesh mesh in UnreadableMeshes(insect))
-            {
-                obstacle = FindObstacle(mesh);
-                if (obstacle == null)
-                    return null;
-            }
-
-            return obstacle;
+            Sort(insect, out List<Mesh> mendable, out string obstacle);
+            return mendable.Count > 0 ? null : obstacle;
         }
 
         /// <inheritdoc/>
         public override FixOutcome Apply(InsectWings insect, in InsectProblem problem)
         {
-            var models = new HashSet<string>();
-            string obstacle = "All meshes are readable.";
-            foreach (Mesh mesh in UnreadableMeshes(insect))
-            {
-                string found = FindObstacle(mesh);
-                if (found == null)
-                    models.Add(AssetDatabase.GetAssetPath(mesh));
-                else
-                    obstacle = found;
-            }
-
-            if (models.Count == 0)
-                return FixOutcome.Refused(obstacle);
-            foreach (string path in models)
-            {
-                var importer = (ModelImporter)AssetImporter.GetAtPath(path);
-                Undo.RegisterImporterUndo(path, Label);
-                importer.isReadable = true;
-                importer.SaveAndReimport();
-            }
-
-            return FixOutcome.Done();
+            Sort(insect, out List<Mesh> mendable, out string obstacle);
+            if (mendable.Count == 0)
+                return FixOutcome.Refused(obstacle ?? "All meshes are readable.");
+            MeshImport.MakeReadable(mendable, Label);
+            return FixOutcome.Done(obstacle ?? "");
         }
 
-        /// <summary>Why a mesh cannot be made readable from here; null when it can.</summary>
-        public static string FindObstacle(Mesh mesh)
+        private static void Sort(InsectWings insect, out List<Mesh> mendable, out string obstacle)
         {
-            string path = AssetDatabase.GetAssetPath(mesh);
-            if (string.IsNullOrEmpty(path))
-                return $"Mesh '{mesh.name}' was made by a script, which threw its readable copy away. Have it call UploadMeshData(false), or none.";
-            if (!(AssetImporter.GetAtPath(path) is ModelImporter))
-                return $"Mesh '{mesh.name}' is saved in '{path}', which has no import settings. Make the asset anew from a readable mesh, or set m_IsReadable to 1 in it with a text editor.";
-            return AssetDatabase.IsOpenForEdit(path)
-                ? null
-                : $"'{path}' cannot be changed: it is in a read-only package, or locked by version control. Copy the model into the Assets folder and use that.";
-        }
-
-        private static IEnumerable<Mesh> UnreadableMeshes(InsectWings insect)
-        {
+            mendable = new List<Mesh>();
+            obstacle = null;
             foreach (Wing wing in insect.Wings)
             {
                 Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
-                if (mesh != null && !mesh.isReadable)
-                    yield return mesh;
+                if (mesh == null || mesh.isReadable)
+                    continue;
+                string found = MeshImport.FindObstacle(mesh);
+                if (found == null)
+                    mendable.Add(mesh);
+                else
+                    obstacle = found;
             }
         }
     }

@@ -9,7 +9,7 @@ namespace Alate.Editor
     internal sealed class SkeletonLayout : IDisposable
     {
         private readonly List<Entry> m_Entries = new List<Entry>();
-        private readonly List<string> m_Failures = new List<string>();
+        private readonly List<string> m_Notes = new List<string>();
 
         private SkeletonLayout()
         {
@@ -18,18 +18,18 @@ namespace Alate.Editor
         /// <summary>Skeletons that were laid out.</summary>
         public int Count => m_Entries.Count;
 
-        /// <summary>One sentence for each wing that got none.</summary>
-        public IReadOnlyList<string> Failures => m_Failures;
+        /// <summary>One sentence for each wing that got none, and for whatever is unsure about the others.</summary>
+        public IReadOnlyList<string> Notes => m_Notes;
 
         /// <summary>Lays out skeletons on some wings.</summary>
-        /// <param name="wings">The insect's list.</param>
+        /// <param name="insect">Whose wings.</param>
         /// <param name="chosen">Places in the list.</param>
         /// <param name="fit">How.</param>
-        public static SkeletonLayout Of(IReadOnlyList<Wing> wings, IReadOnlyList<int> chosen, FitSkeleton fit)
+        public static SkeletonLayout Of(InsectWings insect, IReadOnlyList<int> chosen, FitSkeleton fit)
         {
             var layout = new SkeletonLayout();
             foreach (int wing in chosen)
-                layout.Add(wings, wing, fit);
+                layout.Add(insect, wing, fit);
             return layout;
         }
 
@@ -58,33 +58,38 @@ namespace Alate.Editor
             m_Entries.Clear();
         }
 
-        private void Add(IReadOnlyList<Wing> wings, int index, FitSkeleton fit)
+        private void Add(InsectWings insect, int index, FitSkeleton fit)
         {
-            Wing wing = wings[index];
-            Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
+            Wing wing = insect.Wings[index];
+            MeshFilter filter = wing == null ? null : InsectCheck.FilterOf(wing);
+            Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, filter);
             if (mesh == null)
             {
-                m_Failures.Add($"Wing {index} has no mesh.");
+                m_Notes.Add($"Wing {index} has no mesh.");
                 return;
             }
 
-            foreach (Entry known in m_Entries)
-            {
-                if (known.mesh != mesh || known.side != wing.Side || !SameTriangles(wings[known.wings[0]], wing))
-                    continue;
-                known.wings.Add(index);
-                return;
-            }
+            int known = m_Entries.FindIndex(entry => entry.mesh == mesh && SameTriangles(insect.Wings[entry.wings[0]], wing));
+            if (known >= 0)
+                m_Entries[known].wings.Add(index);
+            else
+                Add(insect, index, mesh, filter.transform, fit);
+        }
 
+        private void Add(InsectWings insect, int index, Mesh mesh, Transform place, FitSkeleton fit)
+        {
+            Wing wing = insect.Wings[index];
             try
             {
                 MeshSelection part = MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point);
-                WingSkeleton skeleton = fit(MeshParts.Surface(mesh, part), wing.Side);
-                m_Entries.Add(new Entry(skeleton, mesh, wing.Side, WingNames.Of(wings, index), index));
+                SkeletonFit made = fit(MeshParts.Surface(mesh, part), insect.transform, place);
+                m_Entries.Add(new Entry(made.Skeleton, mesh, WingNames.Of(insect.Wings, index), index));
+                foreach (SkeletonFitWarning warning in made.Warnings)
+                    m_Notes.Add($"Wing {index}: {warning.Message}");
             }
             catch (ArgumentException problem)
             {
-                m_Failures.Add($"Wing {index}: {RiggedParts.OneLine(problem)}");
+                m_Notes.Add($"Wing {index}: {RiggedParts.OneLine(problem)}");
             }
         }
 
@@ -95,15 +100,13 @@ namespace Alate.Editor
         {
             public readonly WingSkeleton skeleton;
             public readonly Mesh mesh;
-            public readonly WingSide side;
             public readonly string name;
             public readonly List<int> wings;
 
-            public Entry(WingSkeleton skeleton, Mesh mesh, WingSide side, string name, int wing)
+            public Entry(WingSkeleton skeleton, Mesh mesh, string name, int wing)
             {
                 this.skeleton = skeleton;
                 this.mesh = mesh;
-                this.side = side;
                 this.name = name;
                 wings = new List<int> { wing };
             }

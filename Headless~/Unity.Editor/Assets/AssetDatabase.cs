@@ -22,7 +22,7 @@ public sealed class AssetDatabase
     public static T LoadAssetAtPath<T>(string assetPath) where T : Object => ProjectAssets.Load(assetPath) as T;
     public static Object LoadMainAssetAtPath(string assetPath) => throw Absent.Editor;
     public static Object[] LoadAllAssetsAtPath(string assetPath) => throw Absent.Editor;
-    public static void AddObjectToAsset(Object objectToAdd, string path) => throw Absent.Editor;
+    public static void AddObjectToAsset(Object objectToAdd, string path) => ProjectAssets.AddTo(path, objectToAdd);
     public static void AddObjectToAsset(Object objectToAdd, Object assetObject) => throw Absent.Editor;
     public static bool Contains(Object obj) => ProjectAssets.PathOf(obj).Length > 0;
     public static bool IsMainAsset(Object obj) => throw Absent.Editor;

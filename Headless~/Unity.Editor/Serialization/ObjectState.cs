@@ -14,7 +14,7 @@ internal sealed class ObjectState
     private readonly SerializedNode _fields;
     private readonly string _name;
     private readonly StaticEditorFlags _flags;
-    private readonly Mesh _mesh;
+    private readonly Component _engine;
 
     private ObjectState(Object target)
     {
@@ -22,7 +22,10 @@ internal sealed class ObjectState
         _name = target.name;
         _fields = SerializedNode.Of(target);
         _flags = target is GameObject gameObject ? FlagsOf(gameObject).Value : default;
-        _mesh = target is MeshFilter filter ? filter.sharedMesh : null;
+        if (target is not IStateful stateful)
+            return;
+        _engine = Factory.Make<Component>(target.GetType());
+        stateful.CopyStateTo(_engine);
     }
 
     public static ObjectState Of(Object target) => new(target ?? throw new ArgumentNullException(nameof(target)));
@@ -42,8 +45,7 @@ internal sealed class ObjectState
         _fields.Write(_target, SerializedNode.Of(_target));
         if (_target is GameObject gameObject)
             FlagsOf(gameObject).Value = _flags;
-        if (_target is MeshFilter filter)
-            filter.sharedMesh = _mesh;
+        (_engine as IStateful)?.CopyStateTo((Component)_target);
         Unity.StandIns.EditorMessages.Validate(_target);
     }
 }

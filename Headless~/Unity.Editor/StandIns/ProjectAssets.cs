@@ -12,6 +12,7 @@ namespace Unity.StandIns;
 public static class ProjectAssets
 {
     private static readonly Dictionary<string, Object> s_Assets = [];
+    private static readonly Dictionary<Object, string> s_Parts = [];
     private static readonly Dictionary<string, AssetImporter> s_Importers = [];
 
     /// <summary>A model file with one mesh; those below Packages cannot be changed.</summary>
@@ -25,6 +26,7 @@ public static class ProjectAssets
     public static void Clear()
     {
         s_Assets.Clear();
+        s_Parts.Clear();
         s_Importers.Clear();
     }
 
@@ -46,6 +48,13 @@ public static class ProjectAssets
         s_Assets[path] = asset;
     }
 
+    internal static void AddTo(string path, Object part)
+    {
+        if (!s_Assets.ContainsKey(path))
+            throw new UnityException($"There is no asset at {path} to add '{part.name}' to.");
+        s_Parts.Add(part, path);
+    }
+
     internal static bool Delete(string path)
     {
         if (!s_Assets.Remove(path, out Object asset))
@@ -62,7 +71,7 @@ public static class ProjectAssets
                 return path;
         }
 
-        return "";
+        return asset != null && s_Parts.TryGetValue(asset, out string whole) ? whole : "";
     }
 
     internal static string FreePath(string path)
