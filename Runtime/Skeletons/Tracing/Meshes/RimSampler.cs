@@ -15,14 +15,15 @@ namespace Alate
         /// <param name="isOdd">Whether their number shall be odd.</param>
         public static List<PlanPoint> Sample(PlanPoint[] outline, double even, bool isOdd)
         {
-            var spacing = new RimSpacing(outline, even);
-            List<double> corners = Corners(outline, spacing, even);
+            var line = new RimLine(outline);
+            var spacing = new RimSpacing(line, even);
+            List<double> corners = Corners(outline, line, even);
             var pieces = new int[corners.Count];
             var wanted = new double[corners.Count];
             int total = 0;
             for (int k = 0; k < corners.Count; k++)
             {
-                wanted[k] = spacing.Count(corners[k], EndOf(corners, k, spacing.Length));
+                wanted[k] = spacing.Count(corners[k], EndOf(corners, k, line.Length));
                 pieces[k] = Math.Max(1, (int)Math.Round(wanted[k]));
                 total += pieces[k];
             }
@@ -33,7 +34,7 @@ namespace Alate
             for (int k = 0; k < corners.Count; k++)
             {
                 for (int piece = 0; piece < pieces[k]; piece++)
-                    rim.Add(spacing.At(spacing.Advance(corners[k], wanted[k] * piece / pieces[k]) % spacing.Length));
+                    rim.Add(line.At(spacing.Advance(corners[k], wanted[k] * piece / pieces[k]) % line.Length));
             }
 
             return rim;
@@ -55,7 +56,7 @@ namespace Alate
         }
 
         // Distances along the outline at which it bends for good; its first point stands in where there is none.
-        private static List<double> Corners(PlanPoint[] outline, RimSpacing spacing, double even)
+        private static List<double> Corners(PlanPoint[] outline, RimLine line, double even)
         {
             PlanPoint[] coarse = ClosedPath.Simplified(outline, k_CornerDeviation * even);
             var corners = new List<double>();
@@ -67,7 +68,7 @@ namespace Alate
                 PlanPoint before = coarse[k] - coarse[(k + coarse.Length - 1) % coarse.Length], after = coarse[(k + 1) % coarse.Length] - coarse[k];
                 double cosine = PlanPoint.Dot(before, after) / Math.Sqrt(before.LengthSquared * after.LengthSquared);
                 if (cosine < k_CornerCosine)
-                    corners.Add(spacing.DistanceTo(at));
+                    corners.Add(line.DistanceTo(at));
             }
 
             if (corners.Count == 0)

@@ -20,40 +20,21 @@ namespace Alate
         /// <summary>The other side counts as across only where it faces this one: the cosine of the angle between them.</summary>
         private const double k_Facing = -0.7;
 
-        private readonly PlanPoint[] m_Outline;
-        private readonly double[] m_Lengths;
+        private readonly RimLine m_Rim;
         private readonly double[] m_Spacing;
         private readonly double m_Step;
 
-        /// <param name="outline">Counterclockwise.</param>
+        /// <param name="rim">Counterclockwise.</param>
         /// <param name="even">Spacing where the wing is wide.</param>
-        public RimSpacing(PlanPoint[] outline, double even)
+        public RimSpacing(RimLine rim, double even)
         {
-            m_Outline = outline;
-            m_Lengths = new double[outline.Length + 1];
-            for (int k = 0; k < outline.Length; k++)
-                m_Lengths[k + 1] = m_Lengths[k] + Math.Sqrt((outline[(k + 1) % outline.Length] - outline[k]).LengthSquared);
-            int steps = Math.Min(k_MostSteps, Math.Max(16, (int)(k_StepsInSpacing * Length / even)));
-            m_Step = Length / steps;
+            m_Rim = rim;
+            int steps = Math.Min(k_MostSteps, Math.Max(16, (int)(k_StepsInSpacing * rim.Length / even)));
+            m_Step = rim.Length / steps;
             m_Spacing = new double[steps];
             for (int k = 0; k < steps; k++)
                 m_Spacing[k] = Math.Max(k_Narrowest * even, Math.Min(even, k_OverWidth * WidthAt((k + 0.5) * m_Step)));
             LimitGrowth();
-        }
-
-        /// <summary>Length of the outline.</summary>
-        public double Length => m_Lengths[m_Outline.Length];
-
-        /// <summary>Distance along the outline of one of its points.</summary>
-        public double DistanceTo(int point) => m_Lengths[point];
-
-        /// <summary>The place at a distance along the outline, from 0 to its length.</summary>
-        public PlanPoint At(double distance)
-        {
-            int found = Array.BinarySearch(m_Lengths, distance);
-            int segment = Math.Min(m_Outline.Length - 1, Math.Max(0, found >= 0 ? found : ~found - 1));
-            PlanPoint a = m_Outline[segment], b = m_Outline[(segment + 1) % m_Outline.Length];
-            return a + (b - a) * ((distance - m_Lengths[segment]) / Math.Max(m_Lengths[segment + 1] - m_Lengths[segment], double.Epsilon));
         }
 
         /// <summary>How many spacings lie between two distances, the second of which may be beyond the end and begin again.</summary>
@@ -87,28 +68,10 @@ namespace Alate
 
         private double WidthAt(double distance)
         {
-            int found = Array.BinarySearch(m_Lengths, distance);
-            int segment = Math.Min(m_Outline.Length - 1, Math.Max(0, found >= 0 ? found : ~found - 1));
-            PlanPoint from = At(distance), along = Direction(segment), inward = new PlanPoint(-along.z, along.x);
-            double width = double.MaxValue;
-            for (int k = 0; k < m_Outline.Length; k++)
-            {
-                PlanPoint a = m_Outline[k] - from, b = m_Outline[(k + 1) % m_Outline.Length] - from;
-                double sideA = PlanPoint.Cross(inward, a), sideB = PlanPoint.Cross(inward, b);
-                if (k == segment || sideA > 0.0 == sideB > 0.0)
-                    continue;
-                double reach = PlanPoint.Dot(inward, a + (b - a) * (sideA / (sideA - sideB)));
-                if (reach > 0.0 && reach < width)
-                    width = PlanPoint.Dot(along, Direction(k)) < k_Facing ? reach : width;
-            }
-
-            return width;
-        }
-
-        private PlanPoint Direction(int segment)
-        {
-            PlanPoint along = m_Outline[(segment + 1) % m_Outline.Length] - m_Outline[segment];
-            return along * (1.0 / Math.Max(Math.Sqrt(along.LengthSquared), double.Epsilon));
+            int segment = m_Rim.SegmentAt(distance);
+            PlanPoint along = m_Rim.Direction(segment);
+            double reach = m_Rim.Meet(m_Rim.At(distance), new PlanPoint(-along.z, along.x), segment, out int met);
+            return met >= 0 && PlanPoint.Dot(along, m_Rim.Direction(met)) < k_Facing ? reach : double.MaxValue;
         }
 
         private void LimitGrowth()

@@ -39,6 +39,13 @@ namespace Alate
         /// <summary>Whether a pixel is in the set; those outside the picture are not.</summary>
         public bool Holds(int column, int row) => column >= 0 && row >= 0 && column < width && row < height && this[column, row];
 
+        public PixelMask Copy()
+        {
+            var copy = new PixelMask(width, height);
+            m_Pixels.CopyTo(copy.m_Pixels, 0);
+            return copy;
+        }
+
         /// <summary>All pixels within a distance of one in the set.</summary>
         public PixelMask Grown(double radius) => Within(radius, true);
 

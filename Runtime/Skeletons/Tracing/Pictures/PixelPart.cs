@@ -34,11 +34,19 @@ namespace Alate
         public int SidesReached(int height) =>
             (m_Left == 0 ? 1 : 0) + (m_Top == 0 ? 1 : 0) + (m_Right == m_Width - 1 ? 1 : 0) + (m_Bottom == height - 1 ? 1 : 0);
 
+        /// <summary>Whether something holds for any of the pixels, by column and row.</summary>
+        public bool Any(Func<int, int, bool> holds) => m_Pixels.Exists(at => holds(at % m_Width, at / m_Width));
+
+        public void AddTo(PixelMask mask)
+        {
+            foreach (int at in m_Pixels)
+                mask[at % m_Width, at / m_Width] = true;
+        }
+
         public PixelMask ToMask(int height)
         {
             var mask = new PixelMask(m_Width, height);
-            foreach (int at in m_Pixels)
-                mask[at % m_Width, at / m_Width] = true;
+            AddTo(mask);
             return mask;
         }
     }

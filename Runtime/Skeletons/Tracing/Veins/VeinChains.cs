@@ -1,0 +1,114 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>Lays the chains of a skeleton along the veins that were chosen for them, and the others between those.</summary>
+    internal sealed class VeinChains
+    {
+        /// <summary>A chain follows its vein from where that has come so far from the hinge and from the other veins; shares of the wing's length.</summary>
+        private const double k_FromHinge = 0.06, k_FromOthers = 0.025;
+
+        /// <summary>The tip stays inside the outline by this share of the wing's length.</summary>
+        private const double k_Inside = 0.004;
+
+        /// <summary>Most by which a chain between two others is stretched to reach the margin.</summary>
+        private const double k_MostStretch = 1.35;
+
+        private readonly IReadOnlyList<PlanPoint[]> m_Fitted;
+        private readonly RadialVein[] m_Followed;
+        private readonly RimLine m_Rim;
+        private readonly RimOrder m_Order;
+        private readonly double m_Length;
+        private readonly PlanPoint[][] m_Chains;
+
+        private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, RimOrder order, double length)
+        {
+            m_Fitted = fitted;
+            m_Followed = followed;
+            m_Rim = rim;
+            m_Order = order;
+            m_Length = length;
+            m_Chains = new PlanPoint[fitted.Count][];
+        }
+
+        /// <summary>The chains, with as many joints as the fitted ones.</summary>
+        /// <param name="fitted">Chains as fitted to the outline, from leading to trailing edge.</param>
+        /// <param name="followed">[chain] The vein to follow, or null.</param>
+        /// <param name="rim">The outline.</param>
+        /// <param name="order">Of places on it.</param>
+        /// <param name="length">Of the wing.</param>
+        public static PlanPoint[][] Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, RimOrder order, double length)
+        {
+            var chains = new VeinChains(fitted, followed, rim, order, length);
+            for (int i = 0; i < fitted.Count; i++)
+                chains.m_Chains[i] = followed[i] != null ? chains.Along(i) : fitted[i];
+            for (int i = 1; i < fitted.Count; i++)
+            {
+                if (followed[i] == null)
+                    chains.LayBetween(i);
+            }
+
+            return chains.m_Chains;
+        }
+
+        private PlanPoint[] Along(int chain)
+        {
+            PlanPoint[] vein = m_Followed[chain].Path;
+            int start = 1;
+            for (int k = 1; k + 2 < vein.Length; k++)
+            {
+                if ((vein[k] - vein[0]).LengthSquared < k_FromHinge * k_FromHinge * m_Length * m_Length || !IsApart(chain, vein[k]))
+                    start = k + 1;
+            }
+
+            // A straight bone over the stretch that veins share; where they part only near the margin it stays that far from it.
+            var path = new List<PlanPoint> { m_Fitted[chain][0] };
+            for (int k = start; k < vein.Length; k++)
+                path.Add(vein[k]);
+            PlanPoint last = path[path.Count - 1] - path[path.Count - 2];
+            path[path.Count - 1] -= last * Math.Min(0.9, k_Inside * m_Length / Math.Sqrt(last.LengthSquared));
+            return VeinPath.Resampled(path, m_Fitted[chain].Length);
+        }
+
+        private bool IsApart(int chain, PlanPoint point)
+        {
+            for (int other = 0; other < m_Followed.Length; other++)
+            {
+                if (other != chain && m_Followed[other] != null && VeinPath.Distance(m_Followed[other].Path, point) < k_FromOthers * m_Length)
+                    return false;
+            }
+
+            return true;
+        }
+
+        // A chain without a vein keeps its share of the way between the nearest ones that have one.
+        private void LayBetween(int chain)
+        {
+            int before = chain - 1, after = chain + 1;
+            while (after < m_Followed.Length && m_Followed[after] == null)
+                after++;
+            bool isMoved = after < m_Followed.Length || m_Followed[before] != null || m_Chains[before] != m_Fitted[before];
+            if (!isMoved || after == m_Followed.Length)
+                return;
+            double share = 1.0 / (after - before);
+            var joints = new PlanPoint[m_Fitted[chain].Length];
+            for (int j = 0; j < joints.Length; j++)
+                joints[j] = m_Chains[before][j] + (m_Chains[after][j] - m_Chains[before][j]) * share;
+            Stretch(joints);
+            m_Chains[chain] = joints;
+        }
+
+        private void Stretch(PlanPoint[] joints)
+        {
+            PlanPoint root = joints[0], whole = joints[joints.Length - 1] - root;
+            double length = Math.Sqrt(whole.LengthSquared);
+            double rest = m_Rim.Meet(joints[joints.Length - 1], whole * (1.0 / length), -1, out int met) - k_Inside * m_Length;
+            if (met < 0)
+                return;
+            double factor = Math.Min(k_MostStretch, 1.0 + rest / length);
+            for (int j = 1; j < joints.Length; j++)
+                joints[j] = root + (joints[j] - root) * factor;
+        }
+    }
+}
