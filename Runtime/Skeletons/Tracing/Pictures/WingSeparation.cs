@@ -38,14 +38,18 @@ namespace Alate
 
         private readonly PixelPlane m_Excess;
 
-        private WingSeparation(PixelPlane excess, PixelMask mask)
+        private WingSeparation(PixelPlane excess, PixelMask mask, bool touchesEdge)
         {
             m_Excess = excess;
             Mask = mask;
+            TouchesEdge = touchesEdge;
         }
 
         /// <summary>The pixels of the wing, without holes.</summary>
         public PixelMask Mask { get; }
+
+        /// <summary>Whether the wing runs out of the picture.</summary>
+        public bool TouchesEdge { get; }
 
         /// <summary>Finds the wing.</summary>
         /// <exception cref="FormatException">There is none, more than one, or it cannot be told from the ground.</exception>
@@ -98,7 +102,7 @@ namespace Alate
                 throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
             if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
                 throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
-            return new WingSeparation(excess, mask);
+            return new WingSeparation(excess, mask, parts[0].SidesReached(picture.Height) > 0);
         }
 
         // How much the contrast of a pixel is above what makes it one of the wing.

@@ -1,3 +1,5 @@
+using System;
+
 namespace Alate
 {
     /// <summary>A vein from near the hinge to the wing's margin.</summary>
@@ -18,5 +20,8 @@ namespace Alate
         public double RimDistance { get; }
 
         public double Coverage { get; }
+
+        /// <summary>The same vein in a picture so many times as large.</summary>
+        public RadialVein Scaled(double factor) => new RadialVein(Array.ConvertAll(Path, point => point * factor), RimDistance * factor, Coverage);
     }
 }

@@ -18,16 +18,14 @@ namespace Alate
         private readonly IReadOnlyList<PlanPoint[]> m_Fitted;
         private readonly RadialVein[] m_Followed;
         private readonly RimLine m_Rim;
-        private readonly RimOrder m_Order;
         private readonly double m_Length;
         private readonly PlanPoint[][] m_Chains;
 
-        private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, RimOrder order, double length)
+        private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length)
         {
             m_Fitted = fitted;
             m_Followed = followed;
             m_Rim = rim;
-            m_Order = order;
             m_Length = length;
             m_Chains = new PlanPoint[fitted.Count][];
         }
@@ -36,11 +34,10 @@ namespace Alate
         /// <param name="fitted">Chains as fitted to the outline, from leading to trailing edge.</param>
         /// <param name="followed">[chain] The vein to follow, or null.</param>
         /// <param name="rim">The outline.</param>
-        /// <param name="order">Of places on it.</param>
         /// <param name="length">Of the wing.</param>
-        public static PlanPoint[][] Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, RimOrder order, double length)
+        public static PlanPoint[][] Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length)
         {
-            var chains = new VeinChains(fitted, followed, rim, order, length);
+            var chains = new VeinChains(fitted, followed, rim, length);
             for (int i = 0; i < fitted.Count; i++)
                 chains.m_Chains[i] = followed[i] != null ? chains.Along(i) : fitted[i];
             for (int i = 1; i < fitted.Count; i++)

@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>The skeleton of a traced wing in the plane of its picture: pixels, x to the right and z up.</summary>
+    internal sealed class TracedSkeleton
+    {
+        /// <summary>Sine between span and picture's up from which on up does not tell the edges apart.</summary>
+        private const float k_Upright = 0.87f;
+
+        /// <summary>A chain on a vein stays in the wing but for this share of its length.</summary>
+        private const double k_Outside = 0.01;
+
+        private readonly PlanPoint[] m_Outline;
+        private readonly PlanPoint[][] m_Fitted;
+        private PlanPoint[][] m_Chains;
+
+        /// <param name="fitted">In pixels, in the plane y = 0.</param>
+        /// <param name="outline">Counterclockwise.</param>
+        public TracedSkeleton(WingSkeleton fitted, PlanPoint[] outline)
+        {
+            m_Outline = outline;
+            m_Fitted = Array.ConvertAll(fitted.Chains, chain => Array.ConvertAll(chain.joints, ToPlan));
+            m_Chains = m_Fitted;
+            FollowsVein = new bool[m_Fitted.Length];
+            Hinge = ToPlan(fitted.Hinge);
+            PlanPoint span = ToPlan(fitted.SpanAxis);
+            Span = span * (1.0 / Math.Sqrt(span.LengthSquared));
+            foreach (PlanPoint point in outline)
+                Length = Math.Max(Length, PlanPoint.Dot(point - Hinge, Span));
+        }
+
+        public PlanPoint Hinge { get; }
+
+        /// <summary>Unit vector from the hinge to the tip.</summary>
+        public PlanPoint Span { get; }
+
+        /// <summary>Of the wing along the span, pixels.</summary>
+        public double Length { get; }
+
+        /// <summary>[chain]</summary>
+        public bool[] FollowsVein { get; private set; }
+
+        /// <summary>Fits chains to a mesh in pixels.</summary>
+        public static SkeletonFit Fit(TriangleLinks mesh, in WingTracingSettings settings)
+        {
+            var surface = new WingSurface
+            {
+                name = "wing",
+                positions = Array.ConvertAll(mesh.points, point => new Vector3((float)point.x, 0f, (float)point.z)),
+                triangles = TracedSurface.FacingUp(mesh),
+            };
+            SkeletonFitSettings wanted = SkeletonFitSettings.Default;
+            wanted.chains = settings.chains;
+            wanted.jointsPerChain = settings.jointsPerChain;
+            wanted.up = Vector3.up;
+            wanted.hinge = settings.hinge is Vector2 hinge ? new Vector3(hinge.x, 0f, -hinge.y) : (Vector3?)null;
+            wanted.forward = settings.forward is Vector2 forward ? new Vector3(forward.x, 0f, -forward.y) : new Vector3(0f, 0f, 1f);
+            SkeletonFit fit = SkeletonFitter.Fit(surface, wanted);
+            if (settings.forward != null || Math.Abs(fit.Skeleton.SpanAxis.normalized.z) < k_Upright)
+                return fit;
+            wanted.forward = null;
+            return SkeletonFitter.Fit(surface, wanted);
+        }
+
+        /// <summary>Lays chains along veins, as many as the skeleton stays valid with.</summary>
+        public void Follow(List<RadialVein> veins)
+        {
+            var rim = new RimLine(m_Outline);
+            var order = new RimOrder(rim, m_Fitted);
+            RadialVein[] followed = VeinChoice.Choose(m_Fitted, veins, order, Length);
+            while (Array.Exists(followed, vein => vein != null))
+            {
+                PlanPoint[][] chains = VeinChains.Lay(m_Fitted, followed, rim, Length);
+                if (IsValid(chains))
+                {
+                    m_Chains = chains;
+                    FollowsVein = Array.ConvertAll(followed, vein => vein != null);
+                    return;
+                }
+
+                followed[WorstCovered(followed)] = null;
+            }
+        }
+
+        /// <summary>How a mesh of a length lies in the picture: leading edge towards +Z, right wings along +X and left ones along −X.</summary>
+        public WingPlacement Place(WingPicture picture, float length)
+        {
+            int last = m_Chains.Length - 1;
+            PlanPoint forward = m_Chains[0][m_Chains[0].Length - 1] - m_Chains[last][m_Chains[last].Length - 1];
+            bool isRight = PlanPoint.Cross(Span, forward) > 0.0;
+            return new WingPlacement(picture, Hinge, isRight ? Span : Span * -1.0, length / Length);
+        }
+
+        /// <summary>The skeleton in the space of a mesh.</summary>
+        public WingSkeleton ToWingSkeleton(WingPlacement placement)
+        {
+            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            skeleton.Chains = Array.ConvertAll(m_Chains, chain => new JointChain(Array.ConvertAll(chain, placement.ToMesh)));
+            skeleton.Hinge = placement.ToMesh(Hinge);
+            skeleton.SpanAxis = placement.ToMesh(Hinge + Span).normalized;
+            skeleton.UpAxis = Vector3.up;
+            return skeleton;
+        }
+
+        private bool IsValid(PlanPoint[][] chains)
+        {
+            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            skeleton.Chains = Array.ConvertAll(chains, chain => new JointChain(Array.ConvertAll(chain, ToVector)));
+            skeleton.Hinge = ToVector(Hinge);
+            skeleton.SpanAxis = ToVector(Span);
+            bool isValid = skeleton.IsValid && Array.TrueForAll(chains, chain => Array.TrueForAll(chain, IsInside));
+            UnityEngine.Object.DestroyImmediate(skeleton);
+            return isValid;
+        }
+
+        private bool IsInside(PlanPoint joint) =>
+            ClosedPath.Holds(m_Outline, joint) || ClosedPath.Distance(m_Outline, joint) < k_Outside * Length;
+
+        private static int WorstCovered(RadialVein[] followed)
+        {
+            int worst = -1;
+            for (int i = 0; i < followed.Length; i++)
+            {
+                if (followed[i] != null && (worst < 0 || followed[i].Coverage < followed[worst].Coverage))
+                    worst = i;
+            }
+
+            return worst;
+        }
+
+        private static PlanPoint ToPlan(Vector3 place) => new PlanPoint(place.x, place.z);
+
+        private static Vector3 ToVector(PlanPoint place) => new Vector3((float)place.x, 0f, (float)place.z);
+    }
+}
