@@ -7,9 +7,6 @@ namespace Alate
     /// <summary>The skeleton of a traced wing in the plane of its picture: pixels, x to the right and z up.</summary>
     internal sealed class TracedSkeleton
     {
-        /// <summary>Sine between span and picture's up from which on up does not tell the edges apart.</summary>
-        private const float k_Upright = 0.87f;
-
         /// <summary>A chain on a vein stays in the wing but for this share of its length.</summary>
         private const double k_Outside = 0.01;
 
@@ -17,17 +14,16 @@ namespace Alate
         private readonly PlanPoint[][] m_Fitted;
         private PlanPoint[][] m_Chains;
 
-        /// <param name="fitted">In pixels, in the plane y = 0.</param>
+        /// <param name="fit">To the outline.</param>
         /// <param name="outline">Counterclockwise.</param>
-        public TracedSkeleton(WingSkeleton fitted, PlanPoint[] outline)
+        public TracedSkeleton(TracedFit fit, PlanPoint[] outline)
         {
             m_Outline = outline;
-            m_Fitted = Array.ConvertAll(fitted.Chains, chain => Array.ConvertAll(chain.joints, ToPlan));
+            m_Fitted = fit.Chains;
             m_Chains = m_Fitted;
             FollowsVein = new bool[m_Fitted.Length];
-            Hinge = ToPlan(fitted.Hinge);
-            PlanPoint span = ToPlan(fitted.SpanAxis);
-            Span = span * (1.0 / Math.Sqrt(span.LengthSquared));
+            Hinge = fit.Hinge;
+            Span = fit.Span;
             foreach (PlanPoint point in outline)
                 Length = Math.Max(Length, PlanPoint.Dot(point - Hinge, Span));
         }
@@ -43,45 +39,19 @@ namespace Alate
         /// <summary>[chain]</summary>
         public bool[] FollowsVein { get; private set; }
 
-        /// <summary>Fits chains to a mesh in pixels.</summary>
-        public static SkeletonFit Fit(TriangleLinks mesh, in WingTracingSettings settings)
-        {
-            var surface = new WingSurface
-            {
-                name = "wing",
-                positions = Array.ConvertAll(mesh.points, point => new Vector3((float)point.x, 0f, (float)point.z)),
-                triangles = TracedSurface.FacingUp(mesh),
-            };
-            SkeletonFitSettings wanted = SkeletonFitSettings.Default;
-            wanted.chains = settings.chains;
-            wanted.jointsPerChain = settings.jointsPerChain;
-            wanted.up = Vector3.up;
-            wanted.hinge = settings.hinge is Vector2 hinge ? new Vector3(hinge.x, 0f, -hinge.y) : (Vector3?)null;
-            wanted.forward = settings.forward is Vector2 forward ? new Vector3(forward.x, 0f, -forward.y) : new Vector3(0f, 0f, 1f);
-            SkeletonFit fit = SkeletonFitter.Fit(surface, wanted);
-            if (settings.forward != null || Math.Abs(fit.Skeleton.SpanAxis.normalized.z) < k_Upright)
-                return fit;
-            wanted.forward = null;
-            return SkeletonFitter.Fit(surface, wanted);
-        }
-
         /// <summary>Lays chains along veins, as many as the skeleton stays valid with.</summary>
         public void Follow(List<RadialVein> veins)
         {
             var rim = new RimLine(m_Outline);
             var order = new RimOrder(rim, m_Fitted);
             RadialVein[] followed = VeinChoice.Choose(m_Fitted, veins, order, Length);
-            while (Array.Exists(followed, vein => vein != null))
+            for (; Array.Exists(followed, vein => vein != null); followed[WorstCovered(followed)] = null)
             {
-                PlanPoint[][] chains = VeinChains.Lay(m_Fitted, followed, rim, Length);
-                if (IsValid(chains))
+                if (TryLay(followed, rim, true) || TryLay(followed, rim, false))
                 {
-                    m_Chains = chains;
                     FollowsVein = Array.ConvertAll(followed, vein => vein != null);
                     return;
                 }
-
-                followed[WorstCovered(followed)] = null;
             }
         }
 
@@ -103,6 +73,15 @@ namespace Alate
             skeleton.SpanAxis = placement.ToMesh(Hinge + Span).normalized;
             skeleton.UpAxis = Vector3.up;
             return skeleton;
+        }
+
+        private bool TryLay(RadialVein[] followed, RimLine rim, bool ownRoots)
+        {
+            PlanPoint[][] chains = VeinChains.Lay(m_Fitted, followed, rim, Length, ownRoots);
+            if (!IsValid(chains))
+                return false;
+            m_Chains = chains;
+            return true;
         }
 
         private bool IsValid(PlanPoint[][] chains)
@@ -130,8 +109,6 @@ namespace Alate
 
             return worst;
         }
-
-        private static PlanPoint ToPlan(Vector3 place) => new PlanPoint(place.x, place.z);
 
         private static Vector3 ToVector(PlanPoint place) => new Vector3((float)place.x, 0f, (float)place.z);
     }

@@ -23,9 +23,10 @@ namespace Alate
             WingSeparation wing = WingSeparation.Of(working);
             PlanPoint[] outline = OutlineTracer.Trace(wing, working.Factor);
             TriangleLinks mesh = OutlineMesher.Mesh(outline, settings.triangles, out _);
-            SkeletonFit fit = TracedSkeleton.Fit(mesh, settings);
-            var skeleton = new TracedSkeleton(fit.Skeleton, outline);
-            List<RadialVein> veins = VeinTracer.Find(working, wing.Mask, outline, skeleton);
+            var lines = new VeinLines(working, wing.Mask, outline);
+            TracedFit fit = TracedFit.Make(mesh, settings, TracedHinge.Find(settings, lines, wing, working.Factor, outline));
+            var skeleton = new TracedSkeleton(fit, outline);
+            List<RadialVein> veins = lines.Radial(skeleton.Hinge, skeleton.Length);
             skeleton.Follow(veins);
             WingPlacement placement = skeleton.Place(picture, settings.length);
             return new WingTrace(
@@ -33,13 +34,11 @@ namespace Alate
                 veins.ConvertAll(vein => Array.ConvertAll(vein.Path, ToPicture)), fit.Confidence, Warnings(fit, wing));
         }
 
-        private static List<string> Warnings(SkeletonFit fit, WingSeparation wing)
+        private static List<string> Warnings(TracedFit fit, WingSeparation wing)
         {
-            var warnings = new List<string>();
-            if (wing.TouchesEdge)
+            var warnings = new List<string>(fit.Warnings);
+            if (wing.MiddleOfCut != null)
                 warnings.Add("The wing touches the picture's edge; what lies beyond it is missing.");
-            foreach (SkeletonFitWarning warning in fit.Warnings)
-                warnings.Add(warning.Message);
             return warnings;
         }
 

@@ -96,6 +96,21 @@ namespace Alate
             return Math.Sqrt(least);
         }
 
+        /// <summary>The longer side of the path's bounds.</summary>
+        public static double Extent(IReadOnlyList<PlanPoint> path)
+        {
+            double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
+            foreach (PlanPoint point in path)
+            {
+                left = Math.Min(left, point.x);
+                right = Math.Max(right, point.x);
+                low = Math.Min(low, point.z);
+                high = Math.Max(high, point.z);
+            }
+
+            return Math.Max(right - left, high - low);
+        }
+
         private static int Farthest(PlanPoint[] path, PlanPoint from)
         {
             int farthest = 0;

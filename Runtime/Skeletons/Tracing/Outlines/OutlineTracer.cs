@@ -18,21 +18,7 @@ namespace Alate
             List<PlanPoint> rim = ContourTracer.Longest(wing.SignedField());
             rim.Reverse();
             PlanPoint[] smooth = ClosedPath.Smoothed(rim.ConvertAll(p => new PlanPoint(p.x * factor, -p.z * factor)), k_SmoothingRounds);
-            return ClosedPath.Simplified(smooth, Math.Max(k_LeastTolerance * factor, k_Tolerance * Extent(smooth)));
-        }
-
-        private static double Extent(PlanPoint[] path)
-        {
-            double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
-            foreach (PlanPoint point in path)
-            {
-                left = Math.Min(left, point.x);
-                right = Math.Max(right, point.x);
-                low = Math.Min(low, point.z);
-                high = Math.Max(high, point.z);
-            }
-
-            return Math.Max(right - left, high - low);
+            return ClosedPath.Simplified(smooth, Math.Max(k_LeastTolerance * factor, k_Tolerance * ClosedPath.Extent(smooth)));
         }
     }
 }

@@ -135,21 +135,28 @@ namespace Alate
 
         private PixelMask Within(double radius, bool state)
         {
-            int[] distances = ColumnDistances(state, (int)radius + 1);
+            int limit = (int)radius + 1;
+            int[] rows = RowDistances(state, limit);
             var result = new PixelMask(width, height);
-            int reach = (int)radius;
+            var reached = new bool[width];
+            var reaches = new int[limit + 1];
+            for (int k = 0; k <= limit; k++)
+                reaches[k] = k <= radius ? (int)Math.Sqrt(radius * radius - (double)k * k) : -1;
             for (int row = 0; row < height; row++)
             {
+                // A pixel that far above or below reaches so far to either side.
+                int from = row * width, until = -1;
                 for (int column = 0; column < width; column++)
                 {
-                    bool near = false;
-                    for (int x = Math.Max(0, column - reach); x <= Math.Min(width - 1, column + reach) && !near; x++)
-                    {
-                        double across = x - column, along = distances[row * width + x];
-                        near = across * across + along * along <= radius * radius;
-                    }
+                    until = Math.Max(until, reaches[rows[from + column]] < 0 ? -1 : column + reaches[rows[from + column]]);
+                    reached[column] = column <= until;
+                }
 
-                    result[column, row] = near == state;
+                until = width;
+                for (int column = width - 1; column >= 0; column--)
+                {
+                    until = Math.Min(until, reaches[rows[from + column]] < 0 ? width : column - reaches[rows[from + column]]);
+                    result.m_Pixels[from + column] = (reached[column] || column >= until) == state;
                 }
             }
 
@@ -157,7 +164,7 @@ namespace Alate
         }
 
         // How many rows away the next pixel of a state is, up to a limit.
-        private int[] ColumnDistances(bool state, int limit)
+        private int[] RowDistances(bool state, int limit)
         {
             var distances = new int[m_Pixels.Length];
             for (int k = 0; k < distances.Length; k++)

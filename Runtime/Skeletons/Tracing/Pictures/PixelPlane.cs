@@ -29,9 +29,11 @@ namespace Alate
         public PixelPlane Blurred(double sigma)
         {
             float[] kernel = Kernel(sigma);
+            int reach = kernel.Length - 1;
             var across = new PixelPlane(width, height);
+            var line = new float[width + 2 * reach];
             for (int row = 0; row < height; row++)
-                BlurRow(kernel, row, across);
+                BlurRow(kernel, row, line, across);
             var both = new PixelPlane(width, height);
             for (int row = 0; row < height; row++)
                 across.BlurDown(kernel, row, both);
@@ -68,14 +70,18 @@ namespace Alate
             return both;
         }
 
-        private void BlurRow(float[] kernel, int row, PixelPlane into)
+        private void BlurRow(float[] kernel, int row, float[] line, PixelPlane into)
         {
             int reach = kernel.Length - 1, start = row * width;
+            Array.Copy(values, start, line, reach, width);
+            Array.Fill(line, values[start], 0, reach);
+            Array.Fill(line, values[start + width - 1], reach + width, reach);
             for (int column = 0; column < width; column++)
             {
-                float sum = kernel[0] * values[start + column];
+                int middle = column + reach;
+                float sum = kernel[0] * line[middle];
                 for (int k = 1; k <= reach; k++)
-                    sum += kernel[k] * (values[start + Math.Max(0, column - k)] + values[start + Math.Min(width - 1, column + k)]);
+                    sum += kernel[k] * (line[middle - k] + line[middle + k]);
                 into.values[start + column] = sum;
             }
         }
@@ -85,10 +91,12 @@ namespace Alate
             int start = row * width;
             for (int k = 0; k < kernel.Length; k++)
             {
-                int above = Math.Max(0, row - k) * width, below = Math.Min(height - 1, row + k) * width;
                 float weight = k == 0 ? 0.5f * kernel[0] : kernel[k];
-                for (int column = 0; column < width; column++)
-                    into.values[start + column] += weight * (values[above + column] + values[below + column]);
+                var above = new ReadOnlySpan<float>(values, Math.Max(0, row - k) * width, width);
+                var below = new ReadOnlySpan<float>(values, Math.Min(height - 1, row + k) * width, width);
+                var target = new Span<float>(into.values, start, width);
+                for (int column = 0; column < target.Length; column++)
+                    target[column] += weight * (above[column] + below[column]);
             }
         }
 

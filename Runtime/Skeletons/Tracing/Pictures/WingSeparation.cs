@@ -21,6 +21,9 @@ namespace Alate
         /// <summary>A gap is closed only where that makes the enclosed area so many times larger.</summary>
         private const double k_GapGain = 1.5;
 
+        /// <summary>What covers more than this share of the area that it encloses is no line drawing.</summary>
+        private const double k_Solid = 0.6;
+
         /// <summary>Half width of whiskers that are cut off, pixels.</summary>
         private const double k_Whisker = 1.0;
 
@@ -38,18 +41,37 @@ namespace Alate
 
         private readonly PixelPlane m_Excess;
 
-        private WingSeparation(PixelPlane excess, PixelMask mask, bool touchesEdge)
+        private WingSeparation(PixelPlane excess, PixelMask mask)
         {
             m_Excess = excess;
             Mask = mask;
-            TouchesEdge = touchesEdge;
         }
 
         /// <summary>The pixels of the wing, without holes.</summary>
         public PixelMask Mask { get; }
 
-        /// <summary>Whether the wing runs out of the picture.</summary>
-        public bool TouchesEdge { get; }
+        /// <summary>The middle of where the wing runs out of the picture, pixels, z minus the row; null where it does not.</summary>
+        public PlanPoint? MiddleOfCut
+        {
+            get
+            {
+                PlanPoint sum = default;
+                int count = 0;
+                for (int row = 0; row < Mask.height; row++)
+                {
+                    int step = row == 0 || row == Mask.height - 1 ? 1 : Mask.width - 1;
+                    for (int column = 0; column < Mask.width; column += step)
+                    {
+                        if (!Mask[column, row])
+                            continue;
+                        sum += new PlanPoint(column + 0.5, -(row + 0.5));
+                        count++;
+                    }
+                }
+
+                return count > 0 ? sum * (1.0 / count) : (PlanPoint?)null;
+            }
+        }
 
         /// <summary>Finds the wing.</summary>
         /// <exception cref="FormatException">There is none, more than one, or it cannot be told from the ground.</exception>
@@ -60,8 +82,7 @@ namespace Alate
                 return Of(picture, Excess(picture.Alpha.Blurred(blur), k_AlphaNoise, blur));
             PixelPlane[] channels = { picture.Red.Blurred(blur), picture.Green.Blurred(blur), picture.Blue.Blurred(blur) };
             PlainGround ground = PlainGround.FromBorder(channels);
-            PixelMask first = Solid(Excess(ground.Distance, ground.Noise, blur));
-            PixelMask spared = first.Grown(4.0 * blur);
+            PixelMask spared = Above(Excess(ground.Distance, ground.Noise, blur)).Filled().Grown(4.0 * blur);
             // The border alone says little of the middle, where most of the ground may lie.
             if (spared.Count < 0.7 * picture.Width * picture.Height)
                 ground = PlainGround.Outside(spared, channels);
@@ -102,7 +123,7 @@ namespace Alate
                 throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
             if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
                 throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
-            return new WingSeparation(excess, mask, parts[0].SidesReached(picture.Height) > 0);
+            return new WingSeparation(excess, mask);
         }
 
         // How much the contrast of a pixel is above what makes it one of the wing.
@@ -117,15 +138,8 @@ namespace Alate
 
         private static PixelMask Solid(PixelPlane excess)
         {
-            var mask = new PixelMask(excess.width, excess.height);
-            for (int row = 0; row < excess.height; row++)
-            {
-                for (int column = 0; column < excess.width; column++)
-                    mask[column, row] = excess[column, row] > 0f;
-            }
-
-            PixelMask filled = mask.Filled();
-            foreach (double gap in s_Gaps)
+            PixelMask mask = Above(excess), filled = mask.Filled();
+            foreach (double gap in mask.Count > k_Solid * filled.Count ? Array.Empty<double>() : s_Gaps)
             {
                 double radius = 1.0 + gap * Math.Max(mask.width, mask.height);
                 PixelMask closed = mask.Grown(radius).Filled().Shrunk(radius);
@@ -134,6 +148,18 @@ namespace Alate
             }
 
             return filled.Shrunk(k_Whisker).Grown(k_Whisker);
+        }
+
+        private static PixelMask Above(PixelPlane excess)
+        {
+            var mask = new PixelMask(excess.width, excess.height);
+            for (int row = 0; row < excess.height; row++)
+            {
+                for (int column = 0; column < excess.width; column++)
+                    mask[column, row] = excess[column, row] > 0f;
+            }
+
+            return mask;
         }
     }
 }

@@ -15,14 +15,20 @@ namespace Alate
         /// <summary>Most by which a chain between two others is stretched to reach the margin.</summary>
         private const double k_MostStretch = 1.35;
 
+        /// <summary>Steps of a vein that tell where it comes from, and how far from the fitted root, in wing lengths, that may be.</summary>
+        private const int k_RootSteps = 8;
+        private const double k_RootReach = 0.12;
+
         private readonly IReadOnlyList<PlanPoint[]> m_Fitted;
         private readonly RadialVein[] m_Followed;
         private readonly RimLine m_Rim;
         private readonly double m_Length;
+        private readonly bool m_OwnRoots;
         private readonly PlanPoint[][] m_Chains;
 
-        private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length)
+        private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length, bool ownRoots)
         {
+            m_OwnRoots = ownRoots;
             m_Fitted = fitted;
             m_Followed = followed;
             m_Rim = rim;
@@ -35,9 +41,10 @@ namespace Alate
         /// <param name="followed">[chain] The vein to follow, or null.</param>
         /// <param name="rim">The outline.</param>
         /// <param name="length">Of the wing.</param>
-        public static PlanPoint[][] Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length)
+        /// <param name="ownRoots">Whether chains begin where their veins do, not at the fitted roots.</param>
+        public static PlanPoint[][] Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length, bool ownRoots)
         {
-            var chains = new VeinChains(fitted, followed, rim, length);
+            var chains = new VeinChains(fitted, followed, rim, length, ownRoots);
             for (int i = 0; i < fitted.Count; i++)
                 chains.m_Chains[i] = followed[i] != null ? chains.Along(i) : fitted[i];
             for (int i = 1; i < fitted.Count; i++)
@@ -59,13 +66,26 @@ namespace Alate
                     start = k + 1;
             }
 
-            // A straight bone over the stretch that veins share; where they part only near the margin it stays that far from it.
-            var path = new List<PlanPoint> { m_Fitted[chain][0] };
+            // A straight bone bridges the stretch that veins share.
+            var path = new List<PlanPoint> { Root(chain, vein, start) };
             for (int k = start; k < vein.Length; k++)
                 path.Add(vein[k]);
             PlanPoint last = path[path.Count - 1] - path[path.Count - 2];
-            path[path.Count - 1] -= last * Math.Min(0.9, k_Inside * m_Length / Math.Sqrt(last.LengthSquared));
+            path[path.Count - 1] = path[path.Count - 1] - last * Math.Min(0.9, k_Inside * m_Length / Math.Sqrt(last.LengthSquared));
             return VeinPath.Resampled(path, m_Fitted[chain].Length);
+        }
+
+        // Where the vein came from, if that is about where the fitted chain begins; else there.
+        private PlanPoint Root(int chain, PlanPoint[] vein, int start)
+        {
+            PlanPoint fitted = m_Fitted[chain][0];
+            if (!m_OwnRoots)
+                return fitted;
+            PlanPoint back = vein[start] - vein[Math.Min(vein.Length - 1, start + k_RootSteps)];
+            back = back * (1.0 / Math.Max(1e-12, Math.Sqrt(back.LengthSquared)));
+            double reach = m_Rim.Meet(vein[start], back, -1, out int met) - k_Inside * m_Length;
+            PlanPoint root = vein[start] + back * reach;
+            return met >= 0 && (root - fitted).LengthSquared < k_RootReach * k_RootReach * m_Length * m_Length ? root : fitted;
         }
 
         private bool IsApart(int chain, PlanPoint point)

@@ -24,7 +24,7 @@ namespace Alate
             int[] parts = Parts();
             for (int vertex = 0; vertex < Count; vertex++)
             {
-                if (IsEnd(vertex))
+                if (LinesAt(vertex) < 2)
                     Bridge(vertex, parts, k_Gap * length);
             }
         }
@@ -39,9 +39,32 @@ namespace Alate
         public IReadOnlyList<VeinLink> LinksOf(int vertex) => m_Links[vertex];
 
         /// <summary>Whether veins end or meet at a pixel.</summary>
-        public bool IsNode(int vertex) => m_Links[vertex].FindAll(link => !link.isBridge).Count != 2;
+        public bool IsNode(int vertex) => LinesAt(vertex) != 2;
 
-        private bool IsEnd(int vertex) => m_Links[vertex].FindAll(link => !link.isBridge).Count < 2;
+        /// <summary>The pixel that lies some steps along a vein, or before them where it ends or meets others.</summary>
+        /// <param name="vertex">Where to begin; no node.</param>
+        /// <param name="side">0 or 1: either way along the vein.</param>
+        /// <param name="steps">How many.</param>
+        public int Walk(int vertex, int side, int steps)
+        {
+            int at = m_Links[vertex][side].to, from = vertex;
+            for (int step = 1; step < steps && !IsNode(at); step++)
+            {
+                int next = m_Links[at][0].to == from ? m_Links[at][1].to : m_Links[at][0].to;
+                (from, at) = (at, next);
+            }
+
+            return at;
+        }
+
+        // Bridges are no lines of the picture.
+        private int LinesAt(int vertex)
+        {
+            int lines = 0;
+            foreach (VeinLink link in m_Links[vertex])
+                lines += link.isBridge ? 0 : 1;
+            return lines;
+        }
 
         // Walks from every end to the next fork, and takes the way out if it was short.
         private void CutSpurs(double longest)
