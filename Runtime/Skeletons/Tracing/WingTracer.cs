@@ -12,7 +12,9 @@ namespace Alate
         /// <param name="settings">What is known about the wing and wanted of the mesh.</param>
         /// <exception cref="ArgumentNullException">There is no picture.</exception>
         /// <exception cref="ArgumentOutOfRangeException">A number of the settings is out of its range.</exception>
-        /// <exception cref="ArgumentException">A direction of the settings is no direction, or so few triangles cannot fill the outline.</exception>
+        /// <exception cref="ArgumentException">
+        /// The hinge of the settings lies outside the picture, their direction is none, or so few triangles cannot fill the outline.
+        /// </exception>
         /// <exception cref="FormatException">The picture shows no wing, more than one, or none that can be told from the ground; one line.</exception>
         public static WingTrace Trace(WingPicture picture, in WingTracingSettings settings)
         {

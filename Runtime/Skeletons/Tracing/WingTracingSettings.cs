@@ -36,8 +36,8 @@ namespace Alate
         /// <summary>Five chains of five joints in a mesh of a thousand triangles, one unit long; hinge and leading edge are found.</summary>
         public static WingTracingSettings Default => new WingTracingSettings { chains = 5, jointsPerChain = 5, triangles = 1000, length = 1f };
 
-        /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the hinge lies outside the picture.</exception>
-        /// <exception cref="ArgumentException">The forward direction is zero or not finite.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+        /// <exception cref="ArgumentException">The hinge lies outside the picture, or the forward direction is zero or not finite.</exception>
         internal void Check(WingPicture picture)
         {
             CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "A skeleton has {0} to {1} chains.");
@@ -47,12 +47,12 @@ namespace Alate
                 throw new ArgumentOutOfRangeException(nameof(length), length, "The wing's length is above 0 and at most a million.");
             if (hinge is Vector2 at && !(at.x >= 0f && at.y >= 0f && at.x <= picture.Width && at.y <= picture.Height))
             {
-                throw new ArgumentOutOfRangeException(
-                    nameof(hinge), at, $"The hinge lies outside the picture, which is {picture.Width} × {picture.Height} pixels.");
+                throw new ArgumentException(
+                    FormattableString.Invariant($"The hinge ({at.x}, {at.y}) lies outside the picture, which is {picture.Width} × {picture.Height} pixels."));
             }
 
             if (forward is Vector2 to && !(to.sqrMagnitude > 0f && to.sqrMagnitude < float.PositiveInfinity))
-                throw new ArgumentException($"The direction of the leading edge is zero or not finite: {to}.", nameof(forward));
+                throw new ArgumentException(FormattableString.Invariant($"The direction of the leading edge is zero or not finite: ({to.x}, {to.y})."));
         }
 
         private static void CheckCount(int count, int least, int most, string name, string message)
