@@ -15,11 +15,10 @@ namespace Alate
         /// <summary>Contrast of a half transparent pixel must be above this for it to be looked at, shades.</summary>
         private const double k_AlphaNoise = 32.0;
 
-        /// <summary>Half widths of the gaps in a drawn outline that are closed one after the other, shares of the longer side.</summary>
-        private static readonly double[] s_Gaps = { 0.004, 0.012, 0.03 };
-
-        /// <summary>A gap is closed only where that makes the enclosed area so many times larger.</summary>
-        private const double k_GapGain = 1.5;
+        /// <summary>
+        /// Half widths of gaps in a drawn outline, shares of the longer side, and how many times as large the enclosed area must become for them to be closed.
+        /// </summary>
+        private static readonly (double Share, double Gain)[] s_Gaps = { (0.004, 1.02), (0.012, 1.08), (0.03, 1.3) };
 
         /// <summary>What covers more than this share of the area that it encloses is no line drawing.</summary>
         private const double k_Solid = 0.6;
@@ -38,6 +37,9 @@ namespace Alate
 
         /// <summary>Largest share of the picture that a wing covers; more is a frame or ground that is not plain.</summary>
         private const double k_MostCover = 0.92;
+
+        /// <summary>Width of a line around the picture that is passed over, as a share of the longer side.</summary>
+        private const double k_Frame = 0.01;
 
         private readonly PixelPlane m_Excess;
 
@@ -118,12 +120,30 @@ namespace Alate
             if (length < k_ShortestWing)
                 throw new FormatException(
                     $"No wing was found: the largest thing in the picture is {length * picture.Factor} pixels long; a wing needs at least {k_ShortestWing * picture.Factor}.");
-            PixelMask mask = parts[0].ToMask(picture.Height);
-            if (mask.Shrunk(Math.Max(1.0, 0.5 * k_LeastThickness * length)).Count == 0)
-                throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
             if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
-                throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
+                return WithoutFrame(picture, excess);
+            PixelMask mask = parts[0].ToMask(picture.Height);
+            if (!IsThick(mask))
+                throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
             return new WingSeparation(excess, mask);
+        }
+
+        // A line around the picture encloses everything.
+        private static WingSeparation WithoutFrame(WorkingPicture picture, PixelPlane excess)
+        {
+            int band = 1 + (int)(k_Frame * Math.Max(picture.Width, picture.Height));
+            bool hadFrame = false;
+            for (int row = 0; row < picture.Height; row++)
+            {
+                for (int column = 0; column < picture.Width; column++)
+                {
+                    bool isInside = column >= band && row >= band && column < picture.Width - band && row < picture.Height - band;
+                    hadFrame |= !isInside && excess[column, row] > 0f;
+                    excess[column, row] = isInside ? excess[column, row] : Math.Min(-1f, excess[column, row]);
+                }
+            }
+
+            return hadFrame ? Of(picture, excess) : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
         }
 
         // How much the contrast of a pixel is above what makes it one of the wing.
@@ -139,15 +159,24 @@ namespace Alate
         private static PixelMask Solid(PixelPlane excess)
         {
             PixelMask mask = Above(excess), filled = mask.Filled();
-            foreach (double gap in mask.Count > k_Solid * filled.Count ? Array.Empty<double>() : s_Gaps)
+            if (mask.Count < k_Solid * filled.Count || !IsThick(filled))
             {
-                double radius = 1.0 + gap * Math.Max(mask.width, mask.height);
-                PixelMask closed = mask.Grown(radius).Filled().Shrunk(radius);
-                if (closed.Count > k_GapGain * filled.Count)
-                    filled = closed;
+                foreach ((double share, double gain) in s_Gaps)
+                {
+                    double radius = 1.0 + share * Math.Max(mask.width, mask.height);
+                    PixelMask closed = mask.Grown(radius).Filled().Shrunk(radius);
+                    filled = closed.Count > gain * filled.Count ? closed : filled;
+                }
             }
 
             return filled.Shrunk(k_Whisker).Grown(k_Whisker);
+        }
+
+        // Whether it is more than lines.
+        private static bool IsThick(PixelMask mask)
+        {
+            List<PixelPart> parts = mask.Parts();
+            return parts.Count > 0 && parts[0].ToMask(mask.height).Shrunk(Math.Max(1.0, 0.5 * k_LeastThickness * parts[0].Extent)).Count > 0;
         }
 
         private static PixelMask Above(PixelPlane excess)
