@@ -7,8 +7,11 @@ namespace Alate
     /// <summary>The skeleton of a traced wing in the plane of its picture: pixels, x to the right and z up.</summary>
     internal sealed class TracedSkeleton
     {
-        /// <summary>A chain on a vein stays in the wing but for this share of its length.</summary>
+        /// <summary>A chain on a vein stays in the wing but for this share of the wing's length.</summary>
         private const double k_Outside = 0.01;
+
+        /// <summary>Share of a chain that must lie on its vein.</summary>
+        private const double k_LeastShare = 0.4;
 
         private readonly PlanPoint[] m_Outline;
         private readonly PlanPoint[][] m_Fitted;
@@ -44,14 +47,22 @@ namespace Alate
         {
             var rim = new RimLine(m_Outline);
             var order = new RimOrder(rim, m_Fitted);
-            RadialVein[] followed = VeinChoice.Choose(m_Fitted, veins, order, Length);
-            for (; Array.Exists(followed, vein => vein != null); followed[WorstCovered(followed)] = null)
+            var left = new List<RadialVein>(veins);
+            while (true)
             {
-                if (TryLay(followed, rim, true) || TryLay(followed, rim, false))
+                RadialVein[] followed = VeinChoice.Choose(m_Fitted, left, order, Length);
+                if (Array.TrueForAll(followed, vein => vein == null))
+                    return;
+                VeinChains laid = VeinChains.Lay(m_Fitted, followed, rim, Length, true);
+                int poor = LeastShare(followed, laid.Shares);
+                bool isPoor = laid.Shares[poor] < k_LeastShare;
+                if (!isPoor && (TryTake(laid) || TryTake(VeinChains.Lay(m_Fitted, followed, rim, Length, false))))
                 {
                     FollowsVein = Array.ConvertAll(followed, vein => vein != null);
                     return;
                 }
+
+                left.Remove(isPoor ? followed[poor] : WorstCovered(followed));
             }
         }
 
@@ -75,12 +86,11 @@ namespace Alate
             return skeleton;
         }
 
-        private bool TryLay(RadialVein[] followed, RimLine rim, bool ownRoots)
+        private bool TryTake(VeinChains laid)
         {
-            PlanPoint[][] chains = VeinChains.Lay(m_Fitted, followed, rim, Length, ownRoots);
-            if (!IsValid(chains))
+            if (!IsValid(laid.Chains))
                 return false;
-            m_Chains = chains;
+            m_Chains = laid.Chains;
             return true;
         }
 
@@ -90,23 +100,42 @@ namespace Alate
             skeleton.Chains = Array.ConvertAll(chains, chain => new JointChain(Array.ConvertAll(chain, ToVector)));
             skeleton.Hinge = ToVector(Hinge);
             skeleton.SpanAxis = ToVector(Span);
-            bool isValid = skeleton.IsValid && Array.TrueForAll(chains, chain => Array.TrueForAll(chain, IsInside));
+            bool isValid = skeleton.IsValid && Array.TrueForAll(chains, StaysInside);
             UnityEngine.Object.DestroyImmediate(skeleton);
             return isValid;
         }
 
-        private bool IsInside(PlanPoint joint) =>
-            ClosedPath.Holds(m_Outline, joint) || ClosedPath.Distance(m_Outline, joint) < k_Outside * Length;
-
-        private static int WorstCovered(RadialVein[] followed)
+        private bool StaysInside(PlanPoint[] chain)
         {
-            int worst = -1;
-            for (int i = 0; i < followed.Length; i++)
+            for (int j = 0; j + 1 < chain.Length; j++)
             {
-                if (followed[i] != null && (worst < 0 || followed[i].Coverage < followed[worst].Coverage))
-                    worst = i;
+                if (!IsInside(chain[j + 1]) || !IsInside((chain[j] + chain[j + 1]) * 0.5))
+                    return false;
             }
 
+            return IsInside(chain[0]);
+        }
+
+        private bool IsInside(PlanPoint place) =>
+            ClosedPath.Holds(m_Outline, place) || ClosedPath.Distance(m_Outline, place) < k_Outside * Length;
+
+        private static int LeastShare(RadialVein[] followed, double[] shares)
+        {
+            int least = -1;
+            for (int i = 0; i < followed.Length; i++)
+            {
+                if (followed[i] != null && (least < 0 || shares[i] < shares[least]))
+                    least = i;
+            }
+
+            return least;
+        }
+
+        private static RadialVein WorstCovered(RadialVein[] followed)
+        {
+            RadialVein worst = null;
+            foreach (RadialVein vein in followed)
+                worst = vein != null && (worst == null || vein.Coverage < worst.Coverage) ? vein : worst;
             return worst;
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Alate
 {
@@ -17,7 +18,7 @@ namespace Alate
                 m_Lengths[k + 1] = m_Lengths[k] + Math.Sqrt((points[(k + 1) % points.Length] - points[k]).LengthSquared);
         }
 
-        public int Count => m_Points.Length;
+        public IReadOnlyList<PlanPoint> Points => m_Points;
 
         /// <summary>Length all around.</summary>
         public double Length => m_Lengths[m_Points.Length];

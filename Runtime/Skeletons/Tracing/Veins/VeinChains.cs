@@ -9,6 +9,9 @@ namespace Alate
         /// <summary>A chain follows its vein from where that has come so far from the hinge and from the other veins; shares of the wing's length.</summary>
         private const double k_FromHinge = 0.06, k_FromOthers = 0.025;
 
+        /// <summary>On slender wings the latter is less: a share of the mean distance between chains.</summary>
+        private const double k_FromNeighbours = 0.35;
+
         /// <summary>The tip stays inside the outline by this share of the wing's length.</summary>
         private const double k_Inside = 0.004;
 
@@ -23,8 +26,8 @@ namespace Alate
         private readonly RadialVein[] m_Followed;
         private readonly RimLine m_Rim;
         private readonly double m_Length;
+        private readonly double m_Apart;
         private readonly bool m_OwnRoots;
-        private readonly PlanPoint[][] m_Chains;
 
         private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length, bool ownRoots)
         {
@@ -33,27 +36,36 @@ namespace Alate
             m_Followed = followed;
             m_Rim = rim;
             m_Length = length;
-            m_Chains = new PlanPoint[fitted.Count][];
+            double meanChord = ClosedPath.Area(rim.Points) / length;
+            m_Apart = Math.Min(k_FromOthers * length, k_FromNeighbours * meanChord / (fitted.Count - 1));
+            Chains = new PlanPoint[fitted.Count][];
+            Shares = new double[fitted.Count];
         }
 
         /// <summary>The chains, with as many joints as the fitted ones.</summary>
+        public PlanPoint[][] Chains { get; }
+
+        /// <summary>[chain] Share of its length on its vein; 0 without one.</summary>
+        public double[] Shares { get; }
+
+        /// <summary>Lays all chains.</summary>
         /// <param name="fitted">Chains as fitted to the outline, from leading to trailing edge.</param>
         /// <param name="followed">[chain] The vein to follow, or null.</param>
         /// <param name="rim">The outline.</param>
         /// <param name="length">Of the wing.</param>
         /// <param name="ownRoots">Whether chains begin where their veins do, not at the fitted roots.</param>
-        public static PlanPoint[][] Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length, bool ownRoots)
+        public static VeinChains Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length, bool ownRoots)
         {
             var chains = new VeinChains(fitted, followed, rim, length, ownRoots);
             for (int i = 0; i < fitted.Count; i++)
-                chains.m_Chains[i] = followed[i] != null ? chains.Along(i) : fitted[i];
+                chains.Chains[i] = followed[i] != null ? chains.Along(i) : fitted[i];
             for (int i = 1; i < fitted.Count; i++)
             {
                 if (followed[i] == null)
                     chains.LayBetween(i);
             }
 
-            return chains.m_Chains;
+            return chains;
         }
 
         private PlanPoint[] Along(int chain)
@@ -72,6 +84,7 @@ namespace Alate
                 path.Add(vein[k]);
             PlanPoint last = path[path.Count - 1] - path[path.Count - 2];
             path[path.Count - 1] = path[path.Count - 1] - last * Math.Min(0.9, k_Inside * m_Length / Math.Sqrt(last.LengthSquared));
+            Shares[chain] = 1.0 - Math.Sqrt((path[1] - path[0]).LengthSquared) / VeinPath.Length(path);
             return VeinPath.Resampled(path, m_Fitted[chain].Length);
         }
 
@@ -92,7 +105,7 @@ namespace Alate
         {
             for (int other = 0; other < m_Followed.Length; other++)
             {
-                if (other != chain && m_Followed[other] != null && VeinPath.Distance(m_Followed[other].Path, point) < k_FromOthers * m_Length)
+                if (other != chain && m_Followed[other] != null && VeinPath.Distance(m_Followed[other].Path, point) < m_Apart)
                     return false;
             }
 
@@ -105,15 +118,15 @@ namespace Alate
             int before = chain - 1, after = chain + 1;
             while (after < m_Followed.Length && m_Followed[after] == null)
                 after++;
-            bool isMoved = after < m_Followed.Length || m_Followed[before] != null || m_Chains[before] != m_Fitted[before];
+            bool isMoved = after < m_Followed.Length || m_Followed[before] != null || Chains[before] != m_Fitted[before];
             if (!isMoved || after == m_Followed.Length)
                 return;
             double share = 1.0 / (after - before);
             var joints = new PlanPoint[m_Fitted[chain].Length];
             for (int j = 0; j < joints.Length; j++)
-                joints[j] = m_Chains[before][j] + (m_Chains[after][j] - m_Chains[before][j]) * share;
+                joints[j] = Chains[before][j] + (Chains[after][j] - Chains[before][j]) * share;
             Stretch(joints);
-            m_Chains[chain] = joints;
+            Chains[chain] = joints;
         }
 
         private void Stretch(PlanPoint[] joints)

@@ -10,7 +10,7 @@ namespace Alate
         private const double k_Reach = 1.4;
 
         /// <summary>Least distance between the tips of chains on veins, in mean distances between tips.</summary>
-        private const double k_Apart = 0.25;
+        private const double k_Apart = 0.45;
 
         /// <summary>Furthest from the leading edge that a vein may run for the first chain to follow it, a share of the wing's length.</summary>
         private const double k_LeadingEdge = 0.025;
