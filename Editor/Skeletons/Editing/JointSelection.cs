@@ -44,6 +44,9 @@ namespace Alate.Editor
             return living.ToArray();
         }
 
+        /// <summary>Whether exactly these are selected, in any order.</summary>
+        public bool IsSame(IEnumerable<JointIndex> joints) => new SortedSet<JointIndex>(joints).SetEquals(m_Joints);
+
         /// <summary>Selects these joints and no others.</summary>
         public void Set(IEnumerable<JointIndex> joints)
         {

@@ -117,6 +117,8 @@ namespace Alate.Editor
 
         private void SetSelection(IReadOnlyList<JointIndex> joints)
         {
+            if (Selection.IsSame(joints))
+                return;
             m_Undo.Record(Selection);
             Selection.Set(joints);
         }
