@@ -49,6 +49,17 @@ namespace Alate
         [Tooltip("Degrees of the beat by which this wing is ahead of the insect, -180 to 180; 0 beats with it. Added to the preset's own lead.")]
         float m_PhaseLead;
 
+        // The authored mesh while the wing lives: a clone made meanwhile finds it here even when the original is gone.
+        [SerializeField, HideInInspector]
+        Mesh m_Authored;
+
+        /// <summary>The mesh to give back; null while the wing does not live.</summary>
+        internal Mesh Authored
+        {
+            get => m_Authored;
+            set => m_Authored = value;
+        }
+
         /// <summary>Draws the wing; needs a <see cref="MeshFilter"/> beside it. Several wings may share one renderer, each with a part of its mesh.</summary>
         public MeshRenderer Renderer
         {

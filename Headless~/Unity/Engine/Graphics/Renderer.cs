@@ -27,6 +27,12 @@ public class Renderer : Component, IStateful
         }
     }
 
+    public bool isPartOfStaticBatch => StaticallyBatched;
+
+    /// <summary>Whether a build merged this renderer with others.</summary>
+    [Unity.StandIns.StandInExtension]
+    public bool StaticallyBatched { get; set; }
+
     public bool forceRenderingOff { get; set; }
     public bool receiveShadows { get; set; } = true;
     public ShadowCastingMode shadowCastingMode { get; set; } = ShadowCastingMode.On;

@@ -1,0 +1,107 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Brings an insect to life: checks it, finds or bakes what its meshes need, and swaps them. What did not change since it last lived is kept.</summary>
+    internal sealed class InsectBuilder
+    {
+        private readonly TemplateCache m_Templates;
+        private readonly SkeletonWatch m_Skeletons;
+        private int m_NextOwner = 1;
+
+        public InsectBuilder(TemplateCache templates, SkeletonWatch skeletons)
+        {
+            m_Templates = templates;
+            m_Skeletons = skeletons;
+        }
+
+        /// <summary>Builds an insect; null with the reason where it cannot live.</summary>
+        public LiveInsect Build(InsectWings insect, out InsectProblem problem)
+        {
+            problem = insect.FindProblem();
+            if (problem.IsProblem)
+                return null;
+            var meshes = new List<LiveMesh>();
+            var wings = new LiveWing[insect.Wings.Count];
+            int patches = insect.Quality.Clamped().patches;
+            foreach (List<int> group in Groups(insect.Wings))
+            {
+                LiveMesh mesh = Build(insect.Wings, group, patches, out problem);
+                if (mesh == null)
+                {
+                    foreach (LiveMesh built in meshes)
+                    {
+                        built.Restore();
+                        m_Templates.Return(built.template);
+                    }
+
+                    return null;
+                }
+
+                meshes.Add(mesh);
+                for (int k = 0; k < group.Count; k++)
+                    wings[group[k]] = mesh.wings[k];
+            }
+
+            return new LiveInsect(insect, meshes.ToArray(), wings, m_NextOwner++);
+        }
+
+        /// <summary>Lets go of what an insect's meshes shared with others.</summary>
+        public void Free(LiveInsect live)
+        {
+            foreach (LiveMesh mesh in live.meshes)
+                m_Templates.Return(mesh.template);
+        }
+
+        /// <summary>Whether an insect's meshes, wings or skeletons are no longer those it was built of.</summary>
+        public bool IsStale(LiveInsect live)
+        {
+            IReadOnlyList<Wing> wings = live.insect.Wings;
+            if (wings.Count != live.wings.Length)
+                return true;
+            for (int w = 0; w < wings.Count; w++)
+            {
+                LiveWing wing = live.wings[w];
+                if (!ReferenceEquals(wings[w], wing.wing) || !ReferenceEquals(wing.wing.Renderer, wing.renderer)
+                    || !wing.key.Equals(new TemplateKey.WingKey(wing.wing, m_Skeletons.HashOf(wing.wing.Skeleton))))
+                    return true;
+            }
+
+            int patches = live.insect.Patches;
+            foreach (LiveMesh mesh in live.meshes)
+            {
+                if (!mesh.IsShown || mesh.patches != patches)
+                    return true;
+            }
+
+            return false;
+        }
+
+        private LiveMesh Build(IReadOnlyList<Wing> all, List<int> group, int patches, out InsectProblem problem)
+        {
+            Wing[] wings = group.ConvertAll(w => all[w]).ToArray();
+            MeshFilter filter = InsectCheck.FilterOf(wings[0]);
+            Mesh mesh = InsectCheck.MeshOf(wings[0], filter);
+            var keys = System.Array.ConvertAll(wings, w => new TemplateKey.WingKey(w, m_Skeletons.HashOf(w.Skeleton)));
+            var key = new TemplateKey(mesh, patches, keys);
+            MeshTemplate template = m_Templates.Take(key, mesh, wings, group.ToArray(), patches, out problem);
+            return template == null ? null : new LiveMesh(filter, template, wings, keys, patches);
+        }
+
+        // Wings by the renderer that draws them, in the order of the list.
+        private static List<List<int>> Groups(IReadOnlyList<Wing> wings)
+        {
+            var groups = new List<List<int>>();
+            for (int w = 0; w < wings.Count; w++)
+            {
+                List<int> group = groups.Find(g => wings[g[0]].Renderer == wings[w].Renderer);
+                if (group == null)
+                    groups.Add(group = new List<int>());
+                group.Add(w);
+            }
+
+            return groups;
+        }
+    }
+}
