@@ -4,20 +4,29 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>Does what it is asked to do and records nothing.</summary>
+/// <summary>
+/// Records and brings back what objects save. Making, destroying and moving objects is done, but not recorded. A frame is what lies between two
+/// groups.
+/// </summary>
 public class Undo
 {
     public delegate void UndoRedoCallback();
 
     public static UndoRedoCallback undoRedoPerformed;
 
-    public static void RecordObject(Object objectToUndo, string name) => ArgumentNullException.ThrowIfNull(objectToUndo);
+    private static readonly UndoHistory s_History = new();
 
-    public static void RecordObjects(Object[] objectsToUndo, string name) => ArgumentNullException.ThrowIfNull(objectsToUndo);
+    public static void RecordObject(Object objectToUndo, string name) => s_History.Record(objectToUndo, name, always: false);
+
+    public static void RecordObjects(Object[] objectsToUndo, string name)
+    {
+        foreach (Object target in objectsToUndo)
+            RecordObject(target, name);
+    }
 
     public static void RegisterCreatedObjectUndo(Object objectToUndo, string name) => ArgumentNullException.ThrowIfNull(objectToUndo);
 
-    public static void RegisterCompleteObjectUndo(Object objectToUndo, string name) => ArgumentNullException.ThrowIfNull(objectToUndo);
+    public static void RegisterCompleteObjectUndo(Object objectToUndo, string name) => s_History.Record(objectToUndo, name, always: true);
 
     public static void RegisterFullObjectHierarchyUndo(Object objectToUndo, string name) => ArgumentNullException.ThrowIfNull(objectToUndo);
 
@@ -29,17 +38,29 @@ public class Undo
 
     public static void SetTransformParent(Transform transform, Transform newParent, string name) => transform.SetParent(newParent);
 
-    public static int GetCurrentGroup() => 0;
+    public static int GetCurrentGroup() => s_History.CurrentGroup;
 
-    public static void IncrementCurrentGroup()
+    public static string GetCurrentGroupName() => s_History.CurrentGroupName;
+
+    public static void IncrementCurrentGroup() => s_History.Increment();
+
+    public static void SetCurrentGroupName(string name) => s_History.CurrentGroupName = name;
+
+    public static void CollapseUndoOperations(int groupIndex) => s_History.Collapse(groupIndex);
+
+    public static void RevertAllDownToGroup(int group) => s_History.Revert(group);
+
+    public static void ClearAll() => s_History.Clear();
+
+    public static void PerformUndo()
     {
+        if (s_History.Undo())
+            undoRedoPerformed?.Invoke();
     }
 
-    public static void SetCurrentGroupName(string name)
+    public static void PerformRedo()
     {
-    }
-
-    public static void CollapseUndoOperations(int groupIndex)
-    {
+        if (s_History.Redo())
+            undoRedoPerformed?.Invoke();
     }
 }
