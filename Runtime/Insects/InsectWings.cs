@@ -155,7 +155,12 @@ namespace Alate
 
         private void Reset() => FindWings();
 
-        private void OnEnable() => WingSystem.Enter(this);
+        private void OnEnable()
+        {
+            foreach (Wing wing in m_Wings)
+                InsectCheck.Heal(wing);
+            WingSystem.Enter(this);
+        }
 
         private void OnDisable()
         {

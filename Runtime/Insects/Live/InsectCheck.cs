@@ -73,6 +73,18 @@ namespace Alate
             return shown != null ? shown : wing.Authored;
         }
 
+        /// <summary>Lets a wing show its authored mesh again where it came as a clone of a living one.</summary>
+        public static void Heal(Wing wing)
+        {
+            MeshFilter filter = wing == null ? null : FilterOf(wing);
+            Mesh mesh = wing == null ? null : MeshOf(wing, filter);
+            if (mesh == null)
+                return;
+            if (!ReferenceEquals(filter.sharedMesh, mesh))
+                filter.sharedMesh = mesh;
+            wing.Authored = null;
+        }
+
         /// <summary>The filter beside a wing's renderer; null where there is none.</summary>
         public static MeshFilter FilterOf(Wing wing) =>
             wing.Renderer != null && wing.Renderer.TryGetComponent(out MeshFilter filter) ? filter : null;
