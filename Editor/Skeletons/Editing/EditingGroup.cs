@@ -38,19 +38,38 @@ namespace Alate.Editor
             }
         }
 
-        /// <summary>Does an act to every skeleton with a selected joint, or to the active one where there is none; one step of undo.</summary>
+        /// <summary>
+        /// Those that acts and drags change: all with a selected joint, or the active one where there is none. Of a symmetric pair only
+        /// one, the active one if it can be: the other follows it.
+        /// </summary>
+        public List<SkeletonEditing> Acting()
+        {
+            var acting = new List<SkeletonEditing>();
+            if (Active == null)
+                return acting;
+            bool any = SelectedCount > 0;
+            var order = new List<SkeletonEditing> { Active };
+            order.AddRange(m_All.FindAll(editing => editing != Active));
+            foreach (SkeletonEditing editing in order)
+            {
+                bool chosen = any ? editing.Selection.Living().Length > 0 : editing == Active;
+                if (chosen && !acting.Exists(other => other.Leads(editing.Skeleton)))
+                    acting.Add(editing);
+            }
+
+            return acting;
+        }
+
+        /// <summary>Does an act to those that are <see cref="Acting"/>, in one step of undo.</summary>
         /// <returns>Why one of them refused, where one did.</returns>
         public EditOutcome Do(SkeletonAct act)
         {
             if (Active == null)
                 return EditOutcome.Refused("There is no skeleton to edit.");
             EditOutcome outcome = EditOutcome.Success;
-            bool any = SelectedCount > 0;
             m_Undo.Begin(act.Name);
-            foreach (SkeletonEditing editing in m_All)
+            foreach (SkeletonEditing editing in Acting())
             {
-                if (any ? editing.Selection.Living().Length == 0 : editing != Active)
-                    continue;
                 EditOutcome own = act.Run(editing);
                 outcome = outcome.Done ? own : outcome;
             }

@@ -34,6 +34,9 @@ namespace Alate.Editor
         /// <summary>Whether acts are done to the twin too.</summary>
         public bool IsSymmetric { get; set; }
 
+        /// <summary>Whether a skeleton follows this one.</summary>
+        public bool Leads(WingSkeleton other) => IsSymmetric && Twin != null && Twin.Skeleton == other;
+
         /// <summary>What the skeleton and its twin are now.</summary>
         /// <returns>Null, or why the skeleton cannot be worked on.</returns>
         public string Start(out EditStart start)

@@ -13,22 +13,20 @@ namespace Alate.Editor
         public readonly WingParameters parameters;
         public readonly WingSurroundings surroundings;
 
-        public PreviewFlight(in WingParameters parameters, in WingSurroundings surroundings)
+        private PreviewFlight(in WingParameters parameters, in WingSurroundings surroundings)
         {
             this.parameters = parameters;
             this.surroundings = surroundings;
         }
 
-        /// <summary>A preset's wing in level flight; a monarch's where there is no preset.</summary>
-        public static PreviewFlight Of(WingSpecies species)
+        /// <summary>A preset's wing in level flight.</summary>
+        public static PreviewFlight Of(SpeciesValues species)
         {
-            WingParameters parameters = species == null ? WingParameters.Default : species.ToParameters();
-            float length = species == null ? WingSpeciesPresets.MonarchSize.wingLength : species.WingLength;
-            float speed = k_CruiseShare * parameters.maxSpeed;
-            return new PreviewFlight(parameters, new WingSurroundings
+            float speed = k_CruiseShare * species.parameters.maxSpeed;
+            return new PreviewFlight(species.parameters, new WingSurroundings
             {
-                wind = new float3(0f, 0f, -speed / length),
-                gravity = new float3(0f, -k_Gravity / length, 0f),
+                wind = new float3(0f, 0f, -speed / species.wingLength),
+                gravity = new float3(0f, -k_Gravity * species.gravityShare / species.wingLength, 0f),
                 speed = speed,
             });
         }

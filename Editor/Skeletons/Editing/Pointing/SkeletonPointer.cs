@@ -87,7 +87,7 @@ namespace Alate.Editor
                 return EditOutcome.Success;
             }
 
-            m_Drag ??= new JointDrag(m_Group.All, m_Grabbed, m_Joint, m_Undo);
+            m_Drag ??= new JointDrag(m_Group.Acting(), m_Grabbed, m_Joint, m_Undo);
             return m_Drag.Update(ray, mode);
         }
 

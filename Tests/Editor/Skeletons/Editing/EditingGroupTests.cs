@@ -103,6 +103,45 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void SymmetricPair_SelectedOnBothSides_IsChangedOnce()
+        {
+            Pair();
+            Select((1, 1));
+            m_Other.Select(new[] { new JointIndex(1, 1) });
+            m_Group.Active = m_Other;
+
+            Assert.That(m_Group.Acting(), Is.EqualTo(new[] { m_Other }));
+            Assert.That(m_Group.Do(SkeletonActs.Find("Add Chain Behind")).Done);
+
+            Assert.That(Skeleton.ChainCount, Is.EqualTo(6));
+            Assert.That(Left.ChainCount, Is.EqualTo(6));
+            MirrorTests.AssertMirrored(Left, Skeleton, SkeletonMirror.AcrossX);
+        }
+
+        [Test]
+        public void SymmetricDrag_OfBothSides_MirrorsTheMotion()
+        {
+            Pair();
+            Select((2, 2));
+            m_Other.Select(new[] { new JointIndex(2, 2) });
+            View view = View.FromAbove;
+            var pointer = new SkeletonPointer(m_Group, Undo);
+            Vector2 pixel = view.Project(Skeleton.GetJoint(2, 2));
+
+            pointer.Press(view.Project, pixel, adds: false);
+            pointer.Move(pixel + new Vector2(30f, 10f), view.Through(pixel + new Vector2(30f, 10f)), DragMode.WingPlane);
+            pointer.Release();
+
+            MirrorTests.AssertMirrored(Left, Skeleton, SkeletonMirror.AcrossX);
+        }
+
+        private void Pair()
+        {
+            m_Other.Twin = new SkeletonTwin(Skeleton, SkeletonMirror.AcrossX);
+            Editing.IsSymmetric = m_Other.IsSymmetric = true;
+        }
+
+        [Test]
         public void EmptyGroup_RefusesActs()
         {
             var none = new EditingGroup(new SkeletonEditing[0], Undo);

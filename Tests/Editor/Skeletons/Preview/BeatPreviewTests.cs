@@ -95,7 +95,7 @@ namespace Alate.Editor.Tests
             {
                 Skeleton.Chains[2].joints[2] += new Vector3(1e-4f, 0f, 0f);
                 watch.Restart();
-                m_Preview.Bake(Skeleton, surface, PreviewFlight.Of(null));
+                m_Preview.Bake(Skeleton, surface, PreviewFlight.Of(new SpeciesValues(null)));
                 m_Preview.Show(0.4f);
                 best = System.Math.Min(best, watch.Elapsed.TotalMilliseconds);
             }
@@ -104,7 +104,7 @@ namespace Alate.Editor.Tests
             Assert.That(best, Is.LessThan(k_Fluent));
         }
 
-        private void Bake() => m_Preview.Bake(Skeleton, Surface(), PreviewFlight.Of(null));
+        private void Bake() => m_Preview.Bake(Skeleton, Surface(), PreviewFlight.Of(new SpeciesValues(null)));
 
         private float TipHeight()
         {
