@@ -30,6 +30,15 @@ namespace Alate.Editor
             return problems;
         }
 
+        /// <summary>The rig in one line: "2096 triangles, 257 patches, heaviest joint 9.7 %".</summary>
+        public static string Summary(RigInspection rig)
+        {
+            float heaviest = 0f;
+            foreach (float mass in rig.masses)
+                heaviest = math.max(heaviest, mass);
+            return $"{Count(rig.triangles.Count, "triangle", "triangles")}, {Count(rig.PatchCount, "patch", "patches")}, heaviest joint {Percent(heaviest)}";
+        }
+
         private static void AddFarVertices(RigInspection rig, List<RigProblem> problems)
         {
             foreach (List<int> region in VertexRegions.Find(rig.Surface, vertex => rig.Distance(vertex) > FarDistance))

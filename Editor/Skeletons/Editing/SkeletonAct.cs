@@ -33,6 +33,9 @@ namespace Alate.Editor
         /// <summary>"Shift+C"; empty where it has no key.</summary>
         public string Shortcut => Key == KeyCode.None ? "" : Shift ? "Shift+" + Key : Key.ToString();
 
+        /// <summary>The name with the key behind it, for menus.</summary>
+        public string Title => Key == KeyCode.None ? Name : $"{Name} ({Shortcut})";
+
         /// <summary>Does it to one skeleton.</summary>
         public EditOutcome Run(SkeletonEditing editing) => m_Run(editing);
 

@@ -31,6 +31,9 @@ namespace Alate.Editor
         /// <summary>The other wing's skeleton where there is one; null where not.</summary>
         public SkeletonTwin Twin { get; set; }
 
+        /// <summary>Why the skeleton may not be changed, one sentence; null where it may.</summary>
+        public string Lock { get; set; }
+
         /// <summary>Whether acts are done to the twin too.</summary>
         public bool IsSymmetric { get; set; }
 
@@ -62,8 +65,9 @@ namespace Alate.Editor
         /// <param name="proposal">What the skeleton shall become.</param>
         public EditOutcome Commit(string act, in EditStart start, Proposal proposal)
         {
-            if (proposal.Refusal != null)
-                return EditOutcome.Refused(proposal.Refusal);
+            string refusal = Lock ?? proposal.Refusal;
+            if (refusal != null)
+                return EditOutcome.Refused(refusal);
             SkeletonDraft after = proposal.Draft.Copy();
             KeepHingeOnRoot(start.Own, after);
             string fault = after.FindFault();
@@ -98,6 +102,7 @@ namespace Alate.Editor
             if (Twin == null)
                 return EditOutcome.Refused("There is no wing on the other side to mirror onto.");
             string fault = SkeletonDraft.Read(Skeleton, out SkeletonDraft draft);
+            fault = Twin.Lock ?? fault;
             SkeletonDraft image = fault == null ? SkeletonMirror.Reflect(draft, Twin.ToTwin) : null;
             fault ??= image.FindFault();
             if (fault != null)

@@ -17,12 +17,17 @@ namespace Alate.Editor
 
         public Matrix4x4 ToTwin { get; }
 
+        /// <summary>Why the twin may not be changed, one sentence; null where it may.</summary>
+        public string Lock { get; set; }
+
         /// <summary>
         /// What becomes of the twin when an act turns what was at its start into another draft. Joints that the act leaves alone keep
         /// their own place in the twin; where it changes the counts, the twin's chains become the mirror image.
         /// </summary>
         public Proposal Follow(in EditStart start, SkeletonDraft after)
         {
+            if (Lock != null)
+                return Proposal.Refuse(Lock);
             SkeletonDraft before = start.Own, twin = start.Twin;
             bool alike = before != null && twin != null
                 && twin.ChainCount == before.ChainCount && twin.JointsPerChain == before.JointsPerChain;

@@ -32,6 +32,9 @@ namespace Alate.Editor
         /// <summary>The wing on the other side, where it has a skeleton of its own; else null.</summary>
         public SkeletonTarget OtherSide { get; set; }
 
+        /// <summary>Why the skeleton may not be changed, one sentence; null where it may.</summary>
+        public string Lock { get; set; }
+
         /// <summary>The preset by which it beats; null for a monarch.</summary>
         public WingSpecies Species { get; set; }
 
@@ -42,7 +45,7 @@ namespace Alate.Editor
                 return null;
             Matrix4x4 insect = Insect == null ? Matrix4x4.identity : Insect.localToWorldMatrix;
             Matrix4x4 mirror = insect * SkeletonMirror.AcrossX * insect.inverse;
-            return new SkeletonTwin(OtherSide.Skeleton, OtherSide.LocalToWorld.inverse * mirror * LocalToWorld);
+            return new SkeletonTwin(OtherSide.Skeleton, OtherSide.LocalToWorld.inverse * mirror * LocalToWorld) { Lock = OtherSide.Lock };
         }
     }
 }

@@ -18,7 +18,10 @@ public sealed class AssetDatabase
     public static Object[] LoadAllAssetsAtPath(string assetPath) => throw Absent.Editor;
     public static void AddObjectToAsset(Object objectToAdd, string path) => throw Absent.Editor;
     public static void AddObjectToAsset(Object objectToAdd, Object assetObject) => throw Absent.Editor;
-    public static bool Contains(Object obj) => throw Absent.Editor;
+
+    /// <summary>There are no files here, so nothing lies in one.</summary>
+    public static bool Contains(Object obj) => false;
+
     public static bool IsMainAsset(Object obj) => throw Absent.Editor;
     public static bool IsSubAsset(Object obj) => throw Absent.Editor;
     public static bool DeleteAsset(string path) => throw Absent.Editor;

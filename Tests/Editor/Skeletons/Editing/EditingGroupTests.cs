@@ -135,6 +135,32 @@ namespace Alate.Editor.Tests
             MirrorTests.AssertMirrored(Left, Skeleton, SkeletonMirror.AcrossX);
         }
 
+        [Test]
+        public void LockedSkeleton_IsNotChanged_NotEvenAsATwin()
+        {
+            Editing.Lock = "It lies in a package.";
+            Select((1, 1));
+            Assert.That(Do("Add Chain Behind").Message, Is.EqualTo("It lies in a package."));
+
+            m_Other.Twin = new SkeletonTwin(Skeleton, SkeletonMirror.AcrossX) { Lock = Editing.Lock };
+            m_Other.IsSymmetric = true;
+            m_Other.Select(new[] { new JointIndex(1, 1) });
+            Assert.That(SkeletonActs.Find("Add Chain Behind").Run(m_Other).Message, Is.EqualTo("It lies in a package."));
+            Assert.That(SkeletonActs.Find("Mirror Onto Other Side").Run(m_Other).Message, Is.EqualTo("It lies in a package."));
+            Assert.That(Skeleton.ChainCount, Is.EqualTo(5));
+            Assert.That(Left.ChainCount, Is.EqualTo(5));
+        }
+
+        [Test]
+        public void Delete_RemovesWholeChains_ElseRows()
+        {
+            Select((1, 0), (1, 1), (1, 2), (1, 3), (1, 4));
+            Assert.That(SkeletonActs.ForDelete(Editing).Name, Is.EqualTo("Remove Chain"));
+
+            Select((1, 1), (1, 2), (2, 2));
+            Assert.That(SkeletonActs.ForDelete(Editing).Name, Is.EqualTo("Remove Joint Row"));
+        }
+
         private void Pair()
         {
             m_Other.Twin = new SkeletonTwin(Skeleton, SkeletonMirror.AcrossX);
