@@ -141,7 +141,15 @@ namespace Alate
         public void Dispose()
         {
             while (m_Insects.Count > 0)
-                Retire(m_Insects[m_Insects.Count - 1]);
+            {
+                LiveInsect live = m_Insects[m_Insects.Count - 1];
+                Retire(live);
+                m_Arriving.Add(live.insect);
+            }
+
+            m_Broken.TakeAll(m_Arriving);
+            foreach (InsectWings insect in m_Arriving)
+                insect.Report(InsectProblem.Inactive);
             World.Complete();
             LetGo();
             World.Dispose();
