@@ -162,6 +162,8 @@ namespace Alate
 
         private void OnEnable()
         {
+            if (m_Wings.Count == 0)
+                FindWings();
             foreach (Wing wing in m_Wings)
                 InsectCheck.Heal(wing);
             WingSystem.Enter(this);

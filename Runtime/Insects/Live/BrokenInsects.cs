@@ -64,7 +64,7 @@ namespace Alate
             print = print * 31 + wing.Submesh;
             print = print * 31 + (int)wing.Side;
             print = print * 31 + wing.Point.GetHashCode();
-            return print * 31 + (int)m_Skeletons.HashOf(wing.Skeleton);
+            return print * 31 + (int)m_Skeletons.Of(wing.Skeleton).Hash;
         }
 
         private struct Entry

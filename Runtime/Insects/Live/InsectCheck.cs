@@ -89,11 +89,11 @@ namespace Alate
 
         private static InsectProblem NoWings(InsectWings insect)
         {
-            var skinned = insect.GetComponentInChildren<SkinnedMeshRenderer>(true);
-            return skinned == null
+            List<SkinnedMeshRenderer> skinned = WingFinder.FindSkinned(insect.transform);
+            return skinned.Count == 0
                 ? new InsectProblem(InsectState.NoWings, -1, "the list of wings is empty. Add them, or use Find Wings in the inspector.")
                 : new InsectProblem(InsectState.SkinnedWings, -1,
-                    $"the list of wings is empty, and '{skinned.name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain renderer in the inspector, then find the wings.");
+                    $"the list of wings is empty, and '{skinned[0].name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain renderer in the inspector, then find the wings.");
         }
 
         private static InsectProblem Skeleton(Wing wing, int index)

@@ -81,28 +81,32 @@ namespace Alate
         /// <summary>One fixed step of the physics.</summary>
         public void FixedStep(float dt)
         {
-            World.Complete();
-            Tune();
-            Sense(WingClock.Fixed, WingClock.Fixed);
-            Schedule(m_Pacer.FixedStep(dt));
-            JobHandle.ScheduleBatchedJobs();
+            using (SystemMarkers.fixedStep.Auto())
+            {
+                Wait();
+                Tune();
+                Sense(WingClock.Fixed, WingClock.Fixed);
+                Schedule(m_Pacer.FixedStep(dt));
+                JobHandle.ScheduleBatchedJobs();
+            }
         }
 
         /// <summary>The end of a frame: who comes and goes, the steps of the frame's clocks, and the picture.</summary>
         public void Frame(float dt, float unscaledDt)
         {
-            World.Complete();
-            LetGo();
-            m_Skeletons.Refresh();
-            Renew();
-            Admit(k_VerticesPerFrame);
-            Tune();
-            Watch(dt, unscaledDt);
-            ChooseDetail();
-            Sense(WingClock.Frame, WingClock.Unscaled);
-            Schedule(m_Pacer.Frame(dt, unscaledDt));
-            Draw();
-            m_Calls.Tell(m_Insects, World);
+            using (SystemMarkers.frame.Auto())
+            {
+                Wait();
+                Renew();
+                Admit(k_VerticesPerFrame);
+                Tune();
+                Watch(dt, unscaledDt);
+                ChooseDetail();
+                Sense(WingClock.Frame, WingClock.Unscaled);
+                Schedule(m_Pacer.Frame(dt, unscaledDt));
+                Draw();
+                m_Calls.Tell(m_Insects, World);
+            }
         }
 
         /// <summary>Steps one insect by hand; it starts now if it has not yet.</summary>
@@ -177,6 +181,18 @@ namespace Alate
         // Insects whose mesh, wings or skeletons changed, and broken ones that were mended, start anew.
         private void Renew()
         {
+            using (SystemMarkers.renew.Auto())
+            {
+                LetGo();
+                m_Skeletons.Refresh();
+                RetireChanged();
+                m_Broken.TakeMended(m_Arriving);
+                LetGo();
+            }
+        }
+
+        private void RetireChanged()
+        {
             for (int k = m_Insects.Count - 1; k >= 0; k--)
             {
                 LiveInsect live = m_Insects[k];
@@ -185,10 +201,6 @@ namespace Alate
                 Retire(live);
                 m_Arriving.Add(live.insect);
             }
-
-            m_Broken.TakeMended(m_Arriving);
-            if (m_Leaving.Count > 0)
-                LetGo();
         }
 
         private void Admit(int vertices)
@@ -234,10 +246,13 @@ namespace Alate
 
         private void Watch(float dt, float unscaledDt)
         {
-            foreach (LiveInsect live in m_Insects)
+            using (SystemMarkers.watch.Auto())
             {
-                if (live.Clock != WingClock.Own)
-                    Watch(live, live.Clock == WingClock.Unscaled ? unscaledDt : dt);
+                foreach (LiveInsect live in m_Insects)
+                {
+                    if (live.Clock != WingClock.Own)
+                        Watch(live, live.Clock == WingClock.Unscaled ? unscaledDt : dt);
+                }
             }
         }
 
@@ -295,6 +310,12 @@ namespace Alate
             m_Moved = true;
         }
 
+        private void Wait()
+        {
+            using (SystemMarkers.wait.Auto())
+                World.Complete();
+        }
+
         private bool4 ClocksInUse()
         {
             bool4 used = default;
@@ -316,8 +337,7 @@ namespace Alate
             m_DrawnAlpha = alpha;
             using (SystemMarkers.schedule.Auto())
                 World.ScheduleSkin(alpha);
-            using (SystemMarkers.wait.Auto())
-                World.Complete();
+            Wait();
             using (SystemMarkers.upload.Auto())
             {
                 foreach (LiveInsect live in m_Insects)
