@@ -12,10 +12,10 @@ namespace Alate
 
         public readonly InsectWings insect;
         public readonly Transform root;
-        public readonly LiveMesh[] meshes;
+        public readonly List<LiveMesh> meshes = new List<LiveMesh>();
 
         /// <summary>In the order of the insect's list.</summary>
-        public readonly LiveWing[] wings;
+        public LiveWing[] wings = System.Array.Empty<LiveWing>();
 
         /// <summary>Names the insect's own clock.</summary>
         public readonly int owner;
@@ -31,11 +31,9 @@ namespace Alate
         private bool m_Resting, m_Skinned = true;
         private double m_RestingSince, m_AsleepSince;
 
-        public LiveInsect(InsectWings insect, LiveMesh[] meshes, LiveWing[] wings, int owner)
+        public LiveInsect(InsectWings insect, int owner)
         {
             this.insect = insect;
-            this.meshes = meshes;
-            this.wings = wings;
             this.owner = owner;
             root = insect.transform;
         }
@@ -64,19 +62,33 @@ namespace Alate
             }
         }
 
-        /// <summary>Puts the wings into the world.</summary>
-        public void Enter(WingWorld world, SpeciesWatch species)
+        /// <summary>Puts those of the wings into the world that are not in it.</summary>
+        /// <param name="world">Where all wings are.</param>
+        /// <param name="species">The presets in use.</param>
+        /// <param name="leader">A wing of the insect whose beat goes on; none starts a new one.</param>
+        public void Enter(WingWorld world, SpeciesWatch species, WingHandle leader = default)
         {
-            m_Pacing = new WingPacing(Clock, owner, WingDetail.Full);
-            Sense(default);
-            foreach (LiveWing wing in wings)
+            if (leader.IsNone)
             {
-                wing.Tune(species, insect.Species, insect.SubstepsPerBeat, Fade, out WingParameters parameters);
-                wing.Place();
-                wing.handle = world.Add(wing.rig, parameters, wing.Surroundings(flight), m_Pacing);
+                m_Pacing = new WingPacing(Clock, owner, WingDetail.Full);
+                Sense(default);
             }
 
-            Start(world);
+            foreach (LiveWing wing in wings)
+            {
+                if (!wing.handle.IsNone)
+                    continue;
+                wing.Tune(species, insect.Species, insect.SubstepsPerBeat, Fade, out WingParameters parameters);
+                wing.Place();
+                WingSurroundings around = wing.Surroundings(flight);
+                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing);
+                world.SetSkinned(wing.handle, m_Skinned);
+                if (!leader.IsNone)
+                    world.Follow(wing.handle, leader);
+            }
+
+            if (leader.IsNone)
+                Start(world);
         }
 
         /// <summary>Starts all wings anew, at the insect's phase.</summary>
@@ -85,13 +97,6 @@ namespace Alate
             foreach (LiveWing wing in wings)
                 world.Reset(wing.handle);
             Start(world);
-        }
-
-        /// <summary>Takes the wings out of the world.</summary>
-        public void Leave(WingWorld world)
-        {
-            foreach (LiveWing wing in wings)
-                world.Remove(wing.handle);
         }
 
         /// <summary>Takes over sliders and presets.</summary>
@@ -232,13 +237,6 @@ namespace Alate
             }
 
             m_Skinned = skinned;
-        }
-
-        /// <summary>Gives all meshes back.</summary>
-        public void RestoreMeshes()
-        {
-            foreach (LiveMesh mesh in meshes)
-                mesh.Restore();
         }
 
         /// <summary>The clock of an update mode.</summary>
