@@ -28,7 +28,7 @@ namespace Alate
         public int beats;
 
         private WingPacing m_Pacing;
-        private bool m_Resting, m_Skinned = true;
+        private bool m_Resting, m_Seen, m_Skinned = true;
         private double m_RestingSince, m_AsleepSince;
 
         public LiveInsect(InsectWings insect, int owner)
@@ -163,9 +163,12 @@ namespace Alate
         }
 
         /// <summary>Chooses the level of detail by what cameras see of the insect, and whether to deform its meshes.</summary>
-        public void ChooseDetail(WingWorld world, Camera camera, float bias, Pacer pacer)
+        /// <returns>Whether its meshes have to be drawn anew though nothing may have moved.</returns>
+        public bool ChooseDetail(WingWorld world, Camera camera, float bias, Pacer pacer)
         {
-            visible = false;
+            // No camera has had a look at a new one.
+            visible = !m_Seen;
+            m_Seen = true;
             foreach (LiveMesh mesh in meshes)
                 visible |= mesh.renderer != null && mesh.renderer.isVisible;
             bool outOfSight = !visible && insect.Quality.culling == WingCulling.Everything;
@@ -173,7 +176,7 @@ namespace Alate
                 Pace(world, WingDetail.Full, false, pacer);
             else
                 Pace(world, Wanted(camera, bias), outOfSight, pacer);
-            SetSkinned(world);
+            return SetSkinned(world);
         }
 
         /// <summary>Puts what was deformed into the meshes.</summary>
@@ -187,6 +190,9 @@ namespace Alate
 
         private WingDetail Wanted(Camera camera, float bias)
         {
+            // Where nothing is computed nobody else looks where the wings are.
+            if (Detail == WingDetail.Frozen)
+                wings[0].Place();
             if (!insect.Quality.levelOfDetail || camera == null || !wings[0].placed.isValid)
                 return WingDetail.Full;
             float height = bias * DetailChoice.ScreenHeight(camera, wings[0].placed.hinge, wings[0].placed.length);
@@ -227,7 +233,7 @@ namespace Alate
                 m_AsleepSince = pacer.TimeOf(clock);
         }
 
-        private void SetSkinned(WingWorld world)
+        private bool SetSkinned(WingWorld world)
         {
             bool skinned = m_Pacing.detail != WingDetail.Frozen && (visible || insect.Quality.culling == WingCulling.Nothing);
             if (skinned != m_Skinned)
@@ -236,7 +242,9 @@ namespace Alate
                     world.SetSkinned(wing.handle, skinned);
             }
 
+            bool again = skinned && !m_Skinned;
             m_Skinned = skinned;
+            return again;
         }
 
         /// <summary>The clock of an update mode.</summary>

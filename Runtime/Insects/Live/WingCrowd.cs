@@ -169,7 +169,7 @@ namespace Alate
                     camera = Camera.main;
                 float bias = QualitySettings.lodBias;
                 foreach (LiveInsect live in Insects)
-                    live.ChooseDetail(World, camera, bias, m_Pacer);
+                    m_Moved |= live.ChooseDetail(World, camera, bias, m_Pacer);
             }
         }
 
