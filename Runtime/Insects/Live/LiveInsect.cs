@@ -203,7 +203,9 @@ namespace Alate
         public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Pacer pacer)
         {
             WingClock clock = Clock;
-            double now = pacer.TimeOf(m_Pacing.clock);
+            double now = pacer.TimeOf(clock), shift = now - pacer.TimeOf(m_Pacing.clock);
+            m_RestingSince += shift;
+            m_AsleepSince += shift;
             bool resting = wanted == WingDetail.Frozen && !outOfSight;
             if (resting && !m_Resting)
                 m_RestingSince = now;
@@ -230,7 +232,7 @@ namespace Alate
 
             m_Pacing = pacing;
             if (sleeps)
-                m_AsleepSince = pacer.TimeOf(clock);
+                m_AsleepSince = now;
         }
 
         private bool SetSkinned(WingWorld world)
