@@ -102,7 +102,7 @@ namespace Alate.Tests.Play
             InsectWings broken = Hatch(made =>
             {
                 made.UpdateMode = WingUpdateMode.Manual;
-                made.Wings[0].Renderer = null;
+                made.Wings[1].Renderer = null;
             });
             yield return Frames(2);
             disabled.Step(0.1f);
