@@ -124,13 +124,13 @@ namespace Alate
                 WingSystem.Crowd.Restart(Live);
         }
 
-        /// <summary>Tells the wings that the insect has just been moved to another place: the move is not felt as motion.</summary>
+        /// <summary>Tells the wings that the insect is moved to another place in this frame: the move is not felt as motion.</summary>
         /// <param name="keepMotion">Whether the wings beat on; otherwise they start anew.</param>
         public void Teleport(bool keepMotion = true)
         {
             if (Live == null)
                 return;
-            Live.motion.Rebase(transform.position, transform.rotation);
+            Live.motion.Interrupt();
             if (!keepMotion)
                 ResetState();
         }
@@ -149,9 +149,9 @@ namespace Alate
         internal void Report(in InsectProblem problem)
         {
             bool isNew = problem.State != Problem.State || problem.Wing != Problem.Wing;
-            Problem = problem;
-            if (isNew && problem.IsProblem)
-                Debug.LogWarning(problem.Message, this);
+            Problem = problem.IsProblem ? problem.Of(name) : problem;
+            if (isNew && Problem.IsProblem)
+                Debug.LogWarning(Problem.Message, this);
         }
 
         private void Reset() => FindWings();

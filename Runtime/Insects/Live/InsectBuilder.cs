@@ -81,6 +81,13 @@ namespace Alate
         {
             Wing[] wings = group.ConvertAll(w => insect.Wings[w]).ToArray();
             MeshFilter filter = InsectCheck.FilterOf(wings[0]);
+            if (LivingMeshes.LivesOn(filter))
+            {
+                problem = new InsectProblem(InsectState.WingsOverlap, group[0],
+                    $"'{filter.name}' is moved by another Insect Wings already. Take it out of the list of one of the two.");
+                return null;
+            }
+
             Mesh mesh = InsectCheck.MeshOf(wings[0], filter);
             SkeletonValue[] skeletons = System.Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
             TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();

@@ -26,7 +26,7 @@ namespace Alate
             }
 
             m_Copy = template.CreateCopy();
-            LivingMeshes.Add(m_Copy, template.Source);
+            LivingMeshes.Add(m_Copy, template.Source, filter);
             filter.sharedMesh = m_Copy;
         }
 

@@ -114,7 +114,11 @@ namespace Alate
         {
             World.Complete();
             if (m_Arriving.Remove(insect))
+            {
                 Admit(insect);
+                m_WindZones.Find();
+            }
+
             LiveInsect live = insect.Live;
             if (live == null)
                 return;
@@ -280,11 +284,16 @@ namespace Alate
         {
             float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position, Time.time) : default;
             live.Sense(wind);
-            live.insect.Report(live.Feel(World) ? InsectProblem.None : InsectProblem.NoSize(live.insect.name));
+            bool hasSize = live.Feel(World);
+            if (hasSize)
+                live.insect.Report(InsectProblem.None);
+            else if (live.insect.State != InsectState.ZeroScale)
+                live.insect.Report(InsectProblem.NoSize);
         }
 
-        private void Schedule(in StepPlan plan)
+        private void Schedule(StepPlan plan)
         {
+            plan.count = math.select(0, plan.count, ClocksInUse());
             if (plan.IsEmpty)
                 return;
             using (SystemMarkers.schedule.Auto())
@@ -297,6 +306,18 @@ namespace Alate
         {
             using (SystemMarkers.wait.Auto())
                 World.Complete();
+        }
+
+        private bool4 ClocksInUse()
+        {
+            bool4 used = default;
+            foreach (LiveInsect live in m_Insects)
+            {
+                if (live.Detail != WingDetail.Frozen)
+                    used[(int)live.Clock] = true;
+            }
+
+            return used;
         }
 
         private void Draw()
