@@ -44,6 +44,12 @@ namespace Alate
         /// <summary>The colouring; null leaves the mesh without vertex colours.</summary>
         public WingPattern Pattern { get; internal set; }
 
+        /// <summary>Meshed by <see cref="WingMesher.Fill(WingOutline, int, float)"/>, else by <see cref="WingMesher.Strips"/>.</summary>
+        internal bool IsFilled { get; set; } = true;
+
+        /// <summary>Hollows of the margin; null for none.</summary>
+        internal RimScallops Scallops { get; set; }
+
         /// <summary>Sets what differs from <see cref="WingSpecies"/>' own defaults.</summary>
         internal Action<WingSpecies> Author { get; }
 
@@ -70,7 +76,7 @@ namespace Alate
         public SurfaceMesh CreateSurface(WingSide side, float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
         {
             var scale = (float)Outline.Length * unitsPerMetre;
-            var surface = WingMesher.Strips(Contour, TriangleCount, scale);
+            var surface = IsFilled ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale) : WingMesher.Strips(Contour, TriangleCount, scale);
             var spacing = Math.Sqrt(2 * Contour.Area / TriangleCount);
             surface.colours = Pattern?.ColourVertices(surface, scale, spacing);
             return side == WingSide.Right ? surface : surface.Mirrored();

@@ -11,6 +11,34 @@ namespace Alate
 
         public double Length => m_Distances.Count == 0 ? 0 : m_Distances[m_Distances.Count - 1];
 
+        /// <summary>The straight path between two points.</summary>
+        public static PlanarPath Line((double X, double Z) from, (double X, double Z) to)
+        {
+            var path = new PlanarPath();
+            path.Add(from.X, from.Z);
+            path.Add(to.X, to.Z);
+            return path;
+        }
+
+        /// <summary>Paths one after the other; a point where two meet is one point.</summary>
+        public static PlanarPath Join(params PlanarPath[] parts)
+        {
+            var path = new PlanarPath();
+            foreach (var part in parts)
+            {
+                foreach (var (x, z) in part.m_Points)
+                {
+                    var count = path.m_Points.Count;
+                    if (count == 0 || path.m_Points[count - 1] != (x, z))
+                    {
+                        path.Add(x, z);
+                    }
+                }
+            }
+
+            return path;
+        }
+
         public void Add(double x, double z)
         {
             var distance = 0.0;

@@ -31,7 +31,7 @@ namespace Alate
             for (var i = 0; i < chains; i++)
             {
                 var across = (double)i / (chains - 1);
-                var path = i == 0 ? leadingEdge : Straight(Root(outline, across), rim.At(rim.Length * across));
+                var path = i == 0 ? leadingEdge : PlanarPath.Line(Root(outline, across), rim.At(rim.Length * across));
                 made[i] = new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) };
             }
 
@@ -58,14 +58,6 @@ namespace Alate
         static (double X, double Z) Root(WingOutline outline, double across)
         {
             return (0, outline.LeadingAt(0) - across * outline.ChordAt(0));
-        }
-
-        static PlanarPath Straight((double X, double Z) root, (double X, double Z) tip)
-        {
-            var path = new PlanarPath();
-            path.Add(root.X, root.Z);
-            path.Add(tip.X, tip.Z);
-            return path;
         }
 
         static PlanarPath LeadingEdge(WingOutline outline)
