@@ -52,6 +52,20 @@ namespace Alate
             m_Distances.Add(distance);
         }
 
+        /// <summary>The path up to a distance.</summary>
+        public PlanarPath Until(double distance)
+        {
+            var path = new PlanarPath();
+            for (var k = 0; k < m_Points.Count && m_Distances[k] < distance; k++)
+            {
+                path.Add(m_Points[k].X, m_Points[k].Z);
+            }
+
+            var (x, z) = At(distance);
+            path.Add(x, z);
+            return path;
+        }
+
         public (double X, double Z) At(double distance)
         {
             var found = m_Distances.BinarySearch(distance);
