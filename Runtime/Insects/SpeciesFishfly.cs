@@ -26,7 +26,7 @@ namespace Alate
                 LastTipSpan = 0.3,
                 Hinge = new Vector3(2.1e-3f, 1.2e-3f, -2.2e-3f),
             };
-            return new SpeciesDefinition("fishfly", "Fishfly", new[] { fore, hind }, PlaceholderBody.Create(2.3f, 2.2f, 6f), new SpeciesSource[0]);
+            return new SpeciesDefinition("fishfly", "Fishfly", new[] { fore, hind }, FishflyBody.Create(fore, hind), new SpeciesSource[0]);
         }
     }
 }

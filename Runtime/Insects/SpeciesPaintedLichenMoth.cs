@@ -19,7 +19,7 @@ namespace Alate
                 Hinge = new Vector3(1.15e-3f, 0.6e-3f, 0.7e-3f),
             };
             return new SpeciesDefinition(
-                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PlaceholderBody.Create(1.3f, 1.2f, 2.2f), new SpeciesSource[0]);
+                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), new SpeciesSource[0]);
         }
     }
 }

@@ -17,7 +17,7 @@ namespace Alate
                 LastTipSpan = 0.1,
                 Hinge = new Vector3(9e-3f, 1e-3f, 2e-3f),
             };
-            return new SpeciesDefinition("snailfish", "Snailfish", new[] { fin }, PlaceholderBody.Create(9.5f, 10f, 20f), new SpeciesSource[0]);
+            return new SpeciesDefinition("snailfish", "Snailfish", new[] { fin }, SnailfishBody.Create(fin), new SpeciesSource[0]);
         }
     }
 }

@@ -31,7 +31,7 @@ namespace Alate
                 Hinge = new Vector3(2.1e-3f, 0.9e-3f, -1.4e-3f),
             };
             return new SpeciesDefinition(
-                "swallowtail", "Swallowtail", new[] { fore, hind }, PlaceholderBody.Create(2.4f, 2.6f, 4.5f), new SpeciesSource[0]);
+                "swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), new SpeciesSource[0]);
         }
     }
 }
