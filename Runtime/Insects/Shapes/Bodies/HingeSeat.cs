@@ -10,7 +10,7 @@ namespace Alate
     sealed class HingeSeat
     {
         /// <summary>How far the skin stays inside the plane of the hinge, of the hinge's distance from the middle.</summary>
-        const float k_Inset = 0.01f;
+        const float k_Inset = 0.003f;
 
         readonly Vector3 m_Hinge;
         readonly float m_Front, m_Rear, m_HalfHeight, m_Fade;

@@ -25,8 +25,8 @@ namespace Alate
             new CrossSection(new Vector3(0f, -1.6f, 25f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, -1.2f, 23.4f), 5f, 3.4f, 3f),
             new CrossSection(new Vector3(0f, -0.6f, 18.5f), 9f, 7f, 6f),
-            new CrossSection(new Vector3(0f, 0f, 11f), 10.4f, 9.2f, 8.6f),
-            new CrossSection(new Vector3(0f, 0.2f, 3f), 9.6f, 9.5f, 9f),
+            new CrossSection(new Vector3(0f, 0f, 11.5f), 10.1f, 9.2f, 8.6f),
+            new CrossSection(new Vector3(0f, 0.2f, 3f), 9.3f, 9.5f, 9f),
             new CrossSection(new Vector3(0f, 0.3f, -5f), 9f, 8.9f, 8.8f),
             new CrossSection(new Vector3(0f, 0.5f, -14f), 6.2f, 7.2f, 7.2f),
             new CrossSection(new Vector3(0f, 0.6f, -27f), 3.1f, 5f, 5.2f),
@@ -98,7 +98,7 @@ namespace Alate
             var place = point.Place;
             var skin = Tint.Mix(s_Back, s_Rose, Tint.Below(0.16f, point.Around, 0.3f));
             skin = Tint.Mix(skin, s_Pale, Tint.Below(0.55f, point.Around, 0.35f));
-            skin = Tint.Mix(skin, s_Back, 0.25f * Tint.Grain(point.Place));
+            skin = Tint.Mix(skin, s_Back, 0.12f * Tint.Grain(point.Place));
 
             // The mouth runs round the snout; the gill slit is an arc before the fin.
             var mouth = Tint.Below(Mathf.Abs(place.y + 1.9f + 0.06f * (25f - place.z)), 0.35f, 0.5f) * Tint.Below(17.5f, place.z, 1f);
