@@ -12,7 +12,7 @@ namespace Alate
         const float k_Root = 0.15f;
 
         /// <summary>Share of the skin's normal in a hair's own, so that fur is lit as the round body it grows on; below 1, so that normals still point outwards.</summary>
-        const float k_SkinNormal = 0.9f;
+        const float k_SkinNormal = 0.6f;
 
         /// <summary>Hairs on the right side; the left has as many.</summary>
         public int Count { get; set; }
@@ -23,7 +23,7 @@ namespace Alate
         /// <summary>Radius at the root, millimetres.</summary>
         public float Radius { get; set; }
 
-        /// <summary>What is added to the skin's unit normal to give the direction of a hair.</summary>
+        /// <summary>Which way hair lies: what of this runs along the skin is added to the skin's unit normal to give the direction of a hair.</summary>
         public Vector3 Lay { get; set; } = new Vector3(0f, 0f, -0.9f);
 
         /// <summary>Where hair grows; null is everywhere.</summary>
@@ -100,9 +100,10 @@ namespace Alate
         {
             var length = Length * random.NextFloat(0.67f, 1.33f);
             var jitter = new Vector3(random.NextFloat(-1f, 1f), random.NextFloat(-1f, 1f), random.NextFloat(-1f, 1f));
-            var along = root.Normal + Lay + 0.25f * jitter;
+            var along = root.Normal + Lay - Vector3.Dot(Lay, root.Normal) * root.Normal + 0.25f * jitter;
             along *= length / along.magnitude;
-            hairs.Add(root.Place - k_Root * along, (1f + k_Root) * along, jitter, Radius, new Vector2(root.Around, root.Along));
+            var sunk = k_Root * length * root.Normal;
+            hairs.Add(root.Place - sunk, along + sunk, jitter, Radius, new Vector2(root.Around, root.Along));
         }
     }
 }

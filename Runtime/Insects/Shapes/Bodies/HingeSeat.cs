@@ -12,6 +12,9 @@ namespace Alate
         /// <summary>How far the skin stays inside the plane of the hinge, of the hinge's distance from the middle.</summary>
         const float k_Inset = 0.003f;
 
+        /// <summary>Flat skin all round the root, of the root's length: wider than the triangles are, which span the edge of the flat area.</summary>
+        const float k_Margin = 0.22f;
+
         readonly Vector3 m_Hinge;
         readonly float m_Front, m_Rear, m_HalfHeight, m_Fade;
 
@@ -24,7 +27,7 @@ namespace Alate
             m_Fade = fade;
         }
 
-        /// <summary>The seat of a wing: as long as its root, a quarter of that high, and a fade as wide as half the root.</summary>
+        /// <summary>The seat of a wing: its root with a margin all round, and a fade as wide as half the root.</summary>
         public static HingeSeat Of(SpeciesWing wing)
         {
             var length = 1000f * (float)wing.Outline.Length;
@@ -32,7 +35,8 @@ namespace Alate
             var front = hinge.z + length * (float)wing.Outline.LeadingAt(0);
             var rear = hinge.z + length * (float)wing.Outline.TrailingAt(0);
             var root = front - rear;
-            return new HingeSeat(hinge, front, rear, 0.12f * root, 0.5f * root);
+            var margin = k_Margin * root;
+            return new HingeSeat(hinge, front + margin, rear - margin, margin, 0.5f * root);
         }
 
         /// <summary>The part with its skin moved to the seat, on both sides where it lies on both.</summary>

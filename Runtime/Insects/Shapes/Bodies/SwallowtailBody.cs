@@ -20,8 +20,8 @@ namespace Alate
             new CrossSection(new Vector3(0f, 0.2f, 4.9f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0.2f, 4.1f), 1.3f, 1.2f, 1.4f),
             new CrossSection(new Vector3(0f, 0.2f, 2.6f), 2f, 2.05f, 2.2f),
-            new CrossSection(new Vector3(0f, 0.1f, 0.3f), 2.35f, 2.6f, 2.7f),
-            new CrossSection(new Vector3(0f, 0f, -2f), 2.2f, 2.4f, 2.5f),
+            new CrossSection(new Vector3(0f, 0.1f, 0.3f), 2.25f, 2.6f, 2.7f),
+            new CrossSection(new Vector3(0f, 0f, -2f), 2.15f, 2.35f, 2.5f),
             new CrossSection(new Vector3(0f, -0.2f, -3.6f), 1.6f, 1.7f, 2f),
             new CrossSection(new Vector3(0f, -0.4f, -4.8f), 0f, 0f, 0f),
         };
