@@ -1,0 +1,1 @@
+[assembly: Unity.StandIns.PlayerTests("Alate.Tests.Play")]

@@ -1,0 +1,319 @@
+using System;
+using System.Collections.Generic;
+using Unity.Jobs;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>All insects that live, and what is done with them in each fixed step and frame, in order.</summary>
+    internal sealed class WingCrowd : IDisposable
+    {
+        /// <summary>
+        /// Vertices of insects that may start in one frame: a swarm that appears at once comes to life over several frames instead of stopping the game. The first one of a frame
+        /// always starts.
+        /// </summary>
+        private const int k_VerticesPerFrame = 1 << 17;
+
+        private readonly List<InsectWings> m_Arriving = new List<InsectWings>();
+        private readonly List<LiveInsect> m_Leaving = new List<LiveInsect>();
+        private readonly List<LiveInsect> m_Insects = new List<LiveInsect>();
+        private readonly BrokenInsects m_Broken;
+        private readonly BeatCalls m_Calls = new BeatCalls();
+        private readonly SpeciesWatch m_Species = new SpeciesWatch();
+        private readonly SkeletonWatch m_Skeletons = new SkeletonWatch();
+        private readonly WindZones m_WindZones = new WindZones();
+        private readonly Pacer m_Pacer = new Pacer();
+        private readonly InsectBuilder m_Builder;
+        private bool m_Moved;
+        private float4 m_DrawnAlpha;
+
+        public WingCrowd()
+        {
+            World = new WingWorld();
+            m_Builder = new InsectBuilder(new TemplateCache(), m_Skeletons);
+            m_Broken = new BrokenInsects(m_Skeletons);
+        }
+
+        /// <summary>The simulation.</summary>
+        public WingWorld World { get; }
+
+        /// <summary>Insects whose wings beat.</summary>
+        public int Count => m_Insects.Count;
+
+        /// <summary>Whether nobody lives, waits or is broken.</summary>
+        public bool IsEmpty => m_Insects.Count == 0 && m_Arriving.Count == 0 && m_Broken.Count == 0;
+
+        /// <summary>Step jobs scheduled so far.</summary>
+        public long StepCount { get; private set; }
+
+        /// <summary>Recoveries from states that were not finite, of all wings that live.</summary>
+        public int CountResets()
+        {
+            int count = 0;
+            foreach (LiveInsect live in m_Insects)
+            {
+                foreach (LiveWing wing in live.wings)
+                    count += World.Read(wing.handle).Resets;
+            }
+
+            return count;
+        }
+
+        public void FindWindZones() => m_WindZones.Find();
+
+        /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
+        public void Enter(InsectWings insect)
+        {
+            insect.Report(InsectProblem.Waiting);
+            m_Arriving.Add(insect);
+        }
+
+        /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
+        public void Leave(InsectWings insect)
+        {
+            m_Arriving.Remove(insect);
+            m_Broken.Remove(insect);
+            if (insect.Live != null)
+                Retire(insect.Live);
+        }
+
+        /// <summary>One fixed step of the physics.</summary>
+        public void FixedStep(float dt)
+        {
+            using (SystemMarkers.fixedStep.Auto())
+            {
+                Wait();
+                Tune();
+                Sense(WingClock.Fixed, WingClock.Fixed);
+                Schedule(m_Pacer.FixedStep(dt));
+                JobHandle.ScheduleBatchedJobs();
+            }
+        }
+
+        /// <summary>The end of a frame: who comes and goes, the steps of the frame's clocks, and the picture.</summary>
+        public void Frame(float dt, float unscaledDt)
+        {
+            using (SystemMarkers.frame.Auto())
+            {
+                Wait();
+                Renew();
+                Admit(k_VerticesPerFrame);
+                Tune();
+                Watch(dt, unscaledDt);
+                ChooseDetail();
+                Sense(WingClock.Frame, WingClock.Unscaled);
+                Schedule(m_Pacer.Frame(dt, unscaledDt));
+                Draw();
+                m_Calls.Tell(m_Insects, World);
+            }
+        }
+
+        /// <summary>Steps one insect by hand; it starts now if it has not yet.</summary>
+        public void StepByHand(InsectWings insect, float dt)
+        {
+            World.Complete();
+            if (m_Arriving.Remove(insect))
+                Admit(insect);
+            LiveInsect live = insect.Live;
+            if (live == null)
+                return;
+            m_Species.Refresh();
+            live.Tune(World, m_Species);
+            live.Pace(World, WingDetail.Full, false, m_Pacer);
+            Watch(live, dt);
+            Sense(live);
+            int steps = math.clamp((int)math.ceil(dt / Pacer.FrameStep - 1e-3f), 1, Pacer.MostSteps);
+            float length = math.min(dt / steps, Pacer.FrameStep);
+            for (int step = 0; step < steps; step++)
+                World.StepNow(live.owner, length);
+            m_Moved = true;
+        }
+
+        /// <summary>Starts an insect's wings anew.</summary>
+        public void Restart(LiveInsect live)
+        {
+            World.Complete();
+            live.Restart(World);
+            m_Moved = true;
+        }
+
+        public void Dispose()
+        {
+            while (m_Insects.Count > 0)
+                Retire(m_Insects[m_Insects.Count - 1]);
+            World.Complete();
+            LetGo();
+            World.Dispose();
+        }
+
+        private void Retire(LiveInsect live)
+        {
+            live.RestoreMeshes();
+            live.insect.Live = null;
+            m_Insects.Remove(live);
+            m_Leaving.Add(live);
+        }
+
+        private void LetGo()
+        {
+            foreach (LiveInsect live in m_Leaving)
+            {
+                live.Leave(World);
+                m_Builder.Free(live);
+            }
+
+            m_Leaving.Clear();
+        }
+
+        // Insects whose mesh, wings or skeletons changed, and broken ones that were mended, start anew.
+        private void Renew()
+        {
+            using (SystemMarkers.renew.Auto())
+            {
+                LetGo();
+                m_Skeletons.Refresh();
+                RetireChanged();
+                m_Broken.TakeMended(m_Arriving);
+                LetGo();
+            }
+        }
+
+        private void RetireChanged()
+        {
+            for (int k = m_Insects.Count - 1; k >= 0; k--)
+            {
+                LiveInsect live = m_Insects[k];
+                if (!m_Builder.IsStale(live))
+                    continue;
+                Retire(live);
+                m_Arriving.Add(live.insect);
+            }
+        }
+
+        private void Admit(int vertices)
+        {
+            using (SystemMarkers.admit.Auto())
+            {
+                int admitted = 0;
+                for (; admitted < m_Arriving.Count && vertices > 0; admitted++)
+                    vertices -= Admit(m_Arriving[admitted]);
+                if (admitted == 0)
+                    return;
+                m_Arriving.RemoveRange(0, admitted);
+                m_WindZones.Find();
+            }
+        }
+
+        private int Admit(InsectWings insect)
+        {
+            LiveInsect live = m_Builder.Build(insect, out InsectProblem problem);
+            insect.Report(problem);
+            if (live == null)
+            {
+                m_Broken.Add(insect);
+                return 0;
+            }
+
+            insect.Live = live;
+            live.Enter(World, m_Species);
+            m_Insects.Add(live);
+            m_Moved = true;
+            return live.VertexCount;
+        }
+
+        private void Tune()
+        {
+            using (SystemMarkers.tune.Auto())
+            {
+                m_Species.Refresh();
+                foreach (LiveInsect live in m_Insects)
+                    live.Tune(World, m_Species);
+            }
+        }
+
+        private void Watch(float dt, float unscaledDt)
+        {
+            using (SystemMarkers.watch.Auto())
+            {
+                foreach (LiveInsect live in m_Insects)
+                {
+                    if (live.Clock != WingClock.Own)
+                        Watch(live, live.Clock == WingClock.Unscaled ? unscaledDt : dt);
+                }
+            }
+        }
+
+        private void Watch(LiveInsect live, float dt)
+        {
+            if (live.Watch(dt) && live.insect.MotionSettings.onTeleport == TeleportResponse.Reset)
+                Restart(live);
+        }
+
+        private void ChooseDetail()
+        {
+            using (SystemMarkers.detail.Auto())
+            {
+                Camera camera = WingSystem.DetailCamera;
+                if (camera == null)
+                    camera = Camera.main;
+                float bias = QualitySettings.lodBias;
+                foreach (LiveInsect live in m_Insects)
+                    live.ChooseDetail(World, camera, bias, m_Pacer);
+            }
+        }
+
+        private void Sense(WingClock first, WingClock second)
+        {
+            using (SystemMarkers.sense.Auto())
+            {
+                foreach (LiveInsect live in m_Insects)
+                {
+                    WingClock clock = live.Clock;
+                    if ((clock == first || clock == second) && live.Detail != WingDetail.Frozen)
+                        Sense(live);
+                }
+            }
+        }
+
+        private void Sense(LiveInsect live)
+        {
+            float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position, Time.time) : default;
+            live.Sense(wind);
+            live.insect.Report(live.Feel(World) ? InsectProblem.None : InsectProblem.NoSize(live.insect.name));
+        }
+
+        private void Schedule(in StepPlan plan)
+        {
+            if (plan.IsEmpty)
+                return;
+            using (SystemMarkers.schedule.Auto())
+                World.ScheduleStep(plan);
+            StepCount++;
+            m_Moved = true;
+        }
+
+        private void Wait()
+        {
+            using (SystemMarkers.wait.Auto())
+                World.Complete();
+        }
+
+        private void Draw()
+        {
+            float4 alpha = m_Pacer.Alpha();
+            if (!m_Moved && math.all(alpha == m_DrawnAlpha))
+                return;
+            m_Moved = false;
+            m_DrawnAlpha = alpha;
+            using (SystemMarkers.schedule.Auto())
+                World.ScheduleSkin(alpha);
+            Wait();
+            using (SystemMarkers.upload.Auto())
+            {
+                foreach (LiveInsect live in m_Insects)
+                    live.Upload(World);
+            }
+        }
+    }
+}
