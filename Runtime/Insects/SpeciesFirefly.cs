@@ -8,16 +8,28 @@ namespace Alate
     static class SpeciesFirefly
     {
         static readonly double[] s_Span = { 0, 0.7, 1.6, 2.8, 4.2, 5.6, 7.0, 8.2, 9.2, 9.8, 10.0 };
-        static readonly double[] s_Leading = { 0.25, 0.42, 0.58, 0.74, 0.86, 0.92, 0.88, 0.68, 0.28, -0.22, -0.55 };
-        static readonly double[] s_Trailing = { -0.65, -1.55, -2.3, -2.85, -3.05, -3.0, -2.8, -2.45, -1.95, -1.4, -1.05 };
+        static readonly double[] s_Leading = { 0.3, 0.46, 0.62, 0.78, 0.9, 0.95, 0.9, 0.68, 0.24, -0.28, -0.62 };
+        static readonly double[] s_Trailing = { -0.95, -2.0, -2.75, -3.2, -3.35, -3.25, -2.95, -2.5, -1.95, -1.4, -1.08 };
+
+        static void Author(WingSpecies species)
+        {
+            species.Size.wingLength = 0.010f;
+            species.Size.wingMass = 1.39e-7f;
+            species.Size.insectMass = 35e-6f;
+            species.Beat.flapRange = 156f;
+            species.Beat.featherRange = 78f;
+            species.Beat.sweepRange = 0f;
+            species.Wave.chordDelay = 0.1f;
+            species.Stiffness.elasticity = 2f;
+        }
 
         public static SpeciesDefinition Define()
         {
             var outline = WingOutline.FromMillimetres(s_Span, s_Leading, s_Trailing);
-            var wing = new SpeciesWing("hind wing", outline, _ => { })
+            var wing = new SpeciesWing("hind wing", outline, Author)
             {
                 TriangleCount = 6284,
-                LastTipSpan = 0.3,
+                ChainPaths = ChainPath.Straight(0.43, 0.53, 0.65, 0.688, 0.759),
                 Hinge = new Vector3(1.25e-3f, 0.75e-3f, -0.5e-3f),
             };
             return new SpeciesDefinition("firefly", "Firefly", new[] { wing }, FireflyBody.Create(wing), new SpeciesSource[0]);

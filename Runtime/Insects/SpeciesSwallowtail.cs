@@ -16,18 +16,41 @@ namespace Alate
             -1.8, -7.0, -15.5, -24.5, -30.5, -32.8, -33.0, -34.6, -40.0, -45.4, -47.0, -45.8, -39.0, -32.6, -28.6, -24.2, -19.4, -15.0, -12.2,
         };
 
+        static void AuthorFore(WingSpecies species)
+        {
+            species.Size.wingLength = 0.045f;
+            species.Size.wingMass = 14e-6f;
+            species.Size.insectMass = 0.45e-3f;
+            species.Beat.flapRange = 116f;
+            species.Beat.meanFlap = 12f;
+        }
+
+        static void AuthorHind(WingSpecies species)
+        {
+            AuthorFore(species);
+            species.Size.wingLength = 0.034f;
+            species.Size.wingMass = 14e-6f;
+            species.Beat.flapRange = 92f;
+            species.Beat.meanFlap = 0f;
+        }
+
         public static SpeciesDefinition Define()
         {
-            var fore = new SpeciesWing("fore wing", WingOutline.FromMillimetres(s_ForeSpan, s_ForeLeading, s_ForeTrailing), _ => { })
+            var fore = new SpeciesWing("fore wing", WingOutline.FromMillimetres(s_ForeSpan, s_ForeLeading, s_ForeTrailing), AuthorFore)
             {
                 TriangleCount = 1080,
-                LastTipSpan = 0.66,
+                ChainPaths = ChainPath.Straight(0.46, 0.52, 0.58, 0.64, 0.71),
                 Hinge = new Vector3(2.1e-3f, 1.3e-3f, 2.1e-3f),
             };
-            var hind = new SpeciesWing("hind wing", WingOutline.FromMillimetres(s_HindSpan, s_HindLeading, s_HindTrailing), _ => { })
+            var hind = new SpeciesWing("hind wing", WingOutline.FromMillimetres(s_HindSpan, s_HindLeading, s_HindTrailing), AuthorHind)
             {
                 TriangleCount = 1320,
-                LastTipSpan = 0.3,
+                JointsPerChain = 6,
+                ChainPaths = new[]
+                {
+                    new ChainPath(0.28), new ChainPath(0.36), new ChainPath(0.44), new ChainPath(0.5945, (0.597, -0.955)), new ChainPath(0.745),
+                    new ChainPath(0.82),
+                },
                 Hinge = new Vector3(2.1e-3f, 0.9e-3f, -1.4e-3f),
             };
             return new SpeciesDefinition(
