@@ -47,7 +47,7 @@ namespace Alate
                 Hinge = new Vector3(1.25e-3f, 0.75e-3f, -0.5e-3f),
                 Pattern = Pattern(outline.Smoothed()),
             };
-            return new SpeciesDefinition("firefly", "Firefly", new[] { wing }, PlaceholderBody.Create(1.5f, 1.3f, 2.6f), new SpeciesSource[0]);
+            return new SpeciesDefinition("firefly", "Firefly", new[] { wing }, FireflyBody.Create(wing), new SpeciesSource[0]);
         }
     }
 }

@@ -70,7 +70,7 @@ namespace Alate
                 Hinge = new Vector3(2.1e-3f, 1.2e-3f, -2.2e-3f),
                 Pattern = Pattern(hindOutline.Smoothed()),
             };
-            return new SpeciesDefinition("fishfly", "Fishfly", new[] { fore, hind }, PlaceholderBody.Create(2.3f, 2.2f, 6f), new SpeciesSource[0]);
+            return new SpeciesDefinition("fishfly", "Fishfly", new[] { fore, hind }, FishflyBody.Create(fore, hind), new SpeciesSource[0]);
         }
     }
 }

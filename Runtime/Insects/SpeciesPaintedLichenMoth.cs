@@ -31,7 +31,7 @@ namespace Alate
                 Pattern = new LichenMothPattern(outline.Smoothed()),
             };
             return new SpeciesDefinition(
-                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PlaceholderBody.Create(1.3f, 1.2f, 2.2f), new SpeciesSource[0]);
+                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), new SpeciesSource[0]);
         }
     }
 }

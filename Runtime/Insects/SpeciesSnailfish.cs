@@ -51,7 +51,7 @@ namespace Alate
                 Scallops = new RimScallops(0.2, 0.92, s_Hollows),
                 Pattern = new FinPattern(outline.Smoothed(), new VeinFan(outline.Smoothed(), 0).Add(RayTips())),
             };
-            return new SpeciesDefinition("snailfish", "Snailfish", new[] { fin }, PlaceholderBody.Create(9.5f, 10f, 20f), new SpeciesSource[0]);
+            return new SpeciesDefinition("snailfish", "Snailfish", new[] { fin }, SnailfishBody.Create(fin), new SpeciesSource[0]);
         }
     }
 }

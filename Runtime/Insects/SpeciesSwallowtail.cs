@@ -58,7 +58,7 @@ namespace Alate
                 Pattern = new SwallowtailHindPattern(hindOutline.Smoothed()),
             };
             return new SpeciesDefinition(
-                "swallowtail", "Swallowtail", new[] { fore, hind }, PlaceholderBody.Create(2.4f, 2.6f, 4.5f), new SpeciesSource[0]);
+                "swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), new SpeciesSource[0]);
         }
     }
 }

@@ -19,6 +19,38 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
+    public enum BlendMode
+    {
+        Zero = 0,
+        One = 1,
+        DstColor = 2,
+        SrcColor = 3,
+        OneMinusDstColor = 4,
+        SrcAlpha = 5,
+        OneMinusSrcColor = 6,
+        DstAlpha = 7,
+        OneMinusDstAlpha = 8,
+        SrcAlphaSaturate = 9,
+        OneMinusSrcAlpha = 10,
+    }
+
+    public enum CullMode
+    {
+        Off = 0,
+        Front = 1,
+        Back = 2,
+    }
+
+    public enum RenderQueue
+    {
+        Background = 1000,
+        Geometry = 2000,
+        AlphaTest = 2450,
+        GeometryLast = 2500,
+        Transparent = 3000,
+        Overlay = 4000,
+    }
+
     public enum IndexFormat
     {
         UInt16 = 0,

@@ -1,9 +1,0 @@
-namespace UnityEngine.Rendering;
-
-public enum BlendMode
-{
-    Zero = 0,
-    One = 1,
-    SrcAlpha = 5,
-    OneMinusSrcAlpha = 10,
-}

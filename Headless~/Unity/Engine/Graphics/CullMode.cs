@@ -1,8 +1,0 @@
-namespace UnityEngine.Rendering;
-
-public enum CullMode
-{
-    Off = 0,
-    Front = 1,
-    Back = 2,
-}
