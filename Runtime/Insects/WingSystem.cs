@@ -29,11 +29,16 @@ namespace Alate
         /// <summary>Looks for wind zones again; done by itself when a scene is loaded or an insect starts.</summary>
         public static void FindWindZones() => Crowd?.FindWindZones();
 
+        /// <summary>From the end of the game on, in the editor from that of play, nothing starts any more, and what is destroyed must be so at once.</summary>
+        internal static bool IsQuitting { get; private set; }
+
         internal static WingCrowd Crowd => s_Instance is null ? null : s_Instance.m_Crowd;
 
         /// <summary>An insect wants to live.</summary>
         internal static void Enter(InsectWings insect)
         {
+            if (IsQuitting)
+                return;
             if (Crowd == null)
             {
                 var holder = new GameObject("Wing System") { hideFlags = HideFlags.HideInHierarchy };
@@ -59,6 +64,7 @@ namespace Alate
         {
             s_Instance = null;
             DetailCamera = null;
+            IsQuitting = false;
         }
 
         private void OnEnable()
@@ -74,6 +80,12 @@ namespace Alate
 
         private void OnDisable() => End();
 
+        private void OnApplicationQuit()
+        {
+            IsQuitting = true;
+            End();
+        }
+
         private void OnSceneLoaded(Scene scene, LoadSceneMode mode) => m_Crowd?.FindWindZones();
 
         private void End()
@@ -85,7 +97,8 @@ namespace Alate
             m_Crowd = null;
             if (ReferenceEquals(s_Instance, this))
                 s_Instance = null;
-            ObjectEnd.Destroy(gameObject);
+            if (!IsQuitting)
+                ObjectEnd.Destroy(gameObject);
         }
     }
 }

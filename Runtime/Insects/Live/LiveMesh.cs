@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Alate
@@ -49,12 +50,16 @@ namespace Alate
         /// <summary>Gives the filter its authored mesh back, unless a script gave it another, and destroys the copy.</summary>
         public void Restore()
         {
-            if (filter != null && ReferenceEquals(filter.sharedMesh, m_Copy))
+            if (filter != null && IsOfThisWing(filter.sharedMesh))
                 filter.sharedMesh = template.Source;
             foreach (LiveWing wing in wings)
                 wing.ForgetAuthored();
             LivingMeshes.Remove(m_Copy);
             ObjectEnd.Destroy(m_Copy);
         }
+
+        // MeshFilter.mesh makes a duplicate and shows that instead: a frozen, bent wing that must not be taken for an authored one.
+        private bool IsOfThisWing(Mesh shown) =>
+            ReferenceEquals(shown, m_Copy) || (shown != null && shown.name.StartsWith(m_Copy.name, StringComparison.Ordinal));
     }
 }

@@ -142,6 +142,22 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator ADuplicateOfTheLivingMesh_IsNotTakenForTheWing()
+        {
+            InsectWings insect = Hatch(), twin = Hatch();
+            yield return Frames(20);
+            // Whoever reads MeshFilter.mesh has Unity make and show a duplicate.
+            Mesh duplicate = Keep(Filter(insect, 0).mesh);
+            yield return Frames(3);
+
+            Assert.That(insect.State, Is.EqualTo(InsectState.Ready));
+            Assert.That(Shown(insect, 0), Is.Not.SameAs(duplicate));
+            Assert.That(Farthest(Joints(insect, 0), Joints(twin, 0)), Is.LessThan(0.2f));
+            insect.enabled = false;
+            Assert.That(Shown(insect, 0), Is.SameAs(WingMesh));
+        }
+
+        [UnityTest]
         public IEnumerator AMeshGivenInTheFrameOfTheEnd_Stays()
         {
             Mesh other = Keep(TestWings.ToMesh(TestWings.Ellipse(10, 8)));

@@ -135,6 +135,29 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator MovedInFixedStepsAlone_ItFeelsASteadySpeed([Values(24f, 60f, 144f, 400f)] float frameRate)
+        {
+            const float speed = 12f;
+            Time.captureDeltaTime = 1f / frameRate;
+            InsectWings insect = Hatch();
+            double start = Time.fixedTimeAsDouble, end = start + 2.0;
+            float least = float.PositiveInfinity, most = 0f;
+            while (Time.timeAsDouble < end)
+            {
+                // Where a body without interpolation is drawn.
+                insect.transform.position = new Vector3(0f, 0f, (float)(speed * (Time.fixedTimeAsDouble - start)));
+                yield return null;
+                if (Time.timeAsDouble < start + 1.0)
+                    continue;
+                least = math.min(least, insect.Live.flight.velocity.z);
+                most = math.max(most, insect.Live.flight.velocity.z);
+            }
+
+            Assert.That(least, Is.GreaterThan(0.75f * speed));
+            Assert.That(most, Is.LessThan(1.25f * speed));
+        }
+
+        [UnityTest]
         public IEnumerator ASpinningParent_BlowsAtTheWingsByItsRate()
         {
             const float rate = 4f, arm = 3f;
