@@ -28,6 +28,9 @@ namespace Alate.Editor
         /// <summary>The wing's mesh, to snap to; may be null.</summary>
         public SnapSurface Surface { get; set; }
 
+        /// <summary>The side of the body that the wing is on.</summary>
+        public WingSide Side { get; set; }
+
         /// <summary>The other wing's skeleton where there is one; null where not.</summary>
         public SkeletonTwin Twin { get; set; }
 

@@ -59,6 +59,7 @@ namespace Alate.Editor
                 var target = new SkeletonTarget(wing.Skeleton, SurfaceOf(wing, out _), wing.Renderer.transform)
                 {
                     Insect = insect.transform,
+                    Side = wing.Side,
                     Species = wing.Species != null ? wing.Species : insect.Species,
                 };
                 targets.Add(target);

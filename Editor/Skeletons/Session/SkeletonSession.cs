@@ -23,7 +23,7 @@ namespace Alate.Editor
             var all = new List<SkeletonEditing>();
             foreach (SkeletonTarget target in m_Targets)
             {
-                var editing = new SkeletonEditing(SelectionOf(target.Skeleton), undo) { Lock = target.Lock };
+                var editing = new SkeletonEditing(SelectionOf(target.Skeleton), undo) { Lock = target.Lock, Side = target.Side };
                 if (target.HasSurface)
                     editing.Surface = new SnapSurface(target.Surface);
                 all.Add(editing);

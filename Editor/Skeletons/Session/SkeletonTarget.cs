@@ -32,6 +32,9 @@ namespace Alate.Editor
         /// <summary>The wing on the other side, where it has a skeleton of its own; else null.</summary>
         public SkeletonTarget OtherSide { get; set; }
 
+        /// <summary>The side of the body that the wing is on.</summary>
+        public WingSide Side { get; set; }
+
         /// <summary>Why the skeleton may not be changed, one sentence; null where it may.</summary>
         public string Lock { get; set; }
 
