@@ -126,7 +126,7 @@ namespace Alate.Editor
         private static EditOutcome LayOut(SkeletonEditing editing)
         {
             editing.Start(out EditStart start);
-            return editing.Commit("Lay Out Anew", start, LayOutAct.Make(editing.Surface, editing.Side));
+            return editing.Commit("Lay Out Anew", start, LayOutAct.Make(editing.Skeleton, editing.Surface, editing.Known));
         }
 
         private static EditOutcome Mend(SkeletonEditing editing)

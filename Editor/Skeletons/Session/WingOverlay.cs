@@ -65,7 +65,7 @@ namespace Alate.Editor
             m_Presets.Refresh();
             SpeciesValues species = m_Presets.Of(target.Species);
             Parameters = species.parameters;
-            var key = new OverlayKey(target, m_Skeletons.HashOf(target.Skeleton));
+            var key = new OverlayKey(target, m_Skeletons.Of(target.Skeleton).Hash);
             if (!hurries || Colours != null)
                 Inspect(target, key);
             Colour(key.With(Colours, selected, species.Stamp), selected);

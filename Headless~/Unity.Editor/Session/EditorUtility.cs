@@ -1,7 +1,6 @@
-using System;
 using System.Collections.Generic;
+using Unity.StandIns;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
@@ -11,7 +10,7 @@ public class EditorUtility
 
     public static void SetDirty(Object target)
     {
-        ArgumentNullException.ThrowIfNull(target);
+        System.ArgumentNullException.ThrowIfNull(target);
         s_Dirty.Add(target);
     }
 
@@ -31,11 +30,15 @@ public class EditorUtility
     public static string OpenFilePanel(string title, string directory, string extension) => throw Absent.Editor;
     public static string OpenFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static string SaveFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
-    /// <summary>There are no files here, so nothing lies in one.</summary>
-    public static bool IsPersistent(Object target) => false;
-
+    public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);
     public static bool IsDirty(Object target) => s_Dirty.Contains(target);
-    public static void CopySerialized(Object source, Object dest) => throw Absent.Editor;
+    public static void CopySerialized(Object source, Object dest)
+    {
+        dest.name = source.name;
+        SerializedNode.Of(source).Write(dest, SerializedNode.Of(dest));
+        EditorMessages.Validate(dest);
+    }
+
     public static void CopySerializedIfDifferent(Object source, Object dest) => throw Absent.Editor;
     public static void FocusProjectWindow() => throw Absent.Editor;
     public static void RevealInFinder(string path) => throw Absent.Editor;

@@ -5,11 +5,8 @@ namespace Alate
     /// <summary>One wing while it lives: its place in the world of the simulation, and what it was last told.</summary>
     internal sealed class LiveWing
     {
-        public readonly Wing wing;
         public readonly WingRig rig;
 
-        /// <summary>What it was built of.</summary>
-        public readonly TemplateKey.WingKey key;
         public readonly MeshRenderer renderer;
         public readonly Transform transform;
 
@@ -22,19 +19,40 @@ namespace Alate
         /// <summary>Current values of its preset.</summary>
         public SpeciesValues values;
 
+        private Wing m_Wing;
+        private WingSpecies m_OwnSpecies, m_Preset;
         private int m_Stamp;
         private float m_Amplitude, m_Lead;
         private int m_Substeps;
+        private readonly TemplateKey.WingKey m_Key;
+        private readonly SkeletonValue m_Skeleton;
 
-        public LiveWing(Wing wing, in TemplateKey.WingKey key, MeshTemplate template, int shape)
+        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape)
         {
-            this.wing = wing;
-            this.key = key;
+            m_Wing = wing;
+            m_Skeleton = skeleton;
+            m_Key = new TemplateKey.WingKey(wing, skeleton.Hash);
             renderer = wing.Renderer;
             rig = template.Shapes[shape].Rig;
             start = template.Starts[shape];
             transform = renderer.transform;
         }
+
+        /// <summary>
+        /// Whether the wing in the list is no longer what this one was built of. Another object that says the same is taken over: the editor makes new ones when a slider is moved.
+        /// </summary>
+        public bool IsStale(Wing listed)
+        {
+            if (listed == null || !ReferenceEquals(listed.Renderer, renderer) || !m_Key.Describes(listed, m_Skeleton.Hash))
+                return true;
+            if (!ReferenceEquals(listed, m_Wing))
+                listed.Authored = m_Wing.Authored;
+            m_Wing = listed;
+            return false;
+        }
+
+        /// <summary>The wing shows its authored mesh again.</summary>
+        public void ForgetAuthored() => m_Wing.Authored = null;
 
         /// <summary>Looks where the wing is in the world.</summary>
         public void Place()
@@ -56,11 +74,17 @@ namespace Alate
         /// <returns>Whether anything changed since the last call.</returns>
         public bool Tune(SpeciesWatch species, WingSpecies preset, int substeps, float fade, out WingParameters parameters)
         {
-            SpeciesValues now = species.Of(wing.Species == null ? preset : wing.Species);
-            float amplitude = wing.AmplitudeScale * fade, lead = Mathf.Deg2Rad * wing.PhaseLead;
-            bool same = now == values && now.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && substeps == m_Substeps;
-            values = now;
-            m_Stamp = now.Stamp;
+            if (values == null || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Preset, preset))
+            {
+                m_OwnSpecies = m_Wing.Species;
+                m_Preset = preset;
+                values = species.Of(m_OwnSpecies == null ? preset : m_OwnSpecies);
+                m_Stamp = -1;
+            }
+
+            float amplitude = m_Wing.AmplitudeScale * fade, lead = Mathf.Deg2Rad * m_Wing.PhaseLead;
+            bool same = values.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && substeps == m_Substeps;
+            m_Stamp = values.Stamp;
             m_Amplitude = amplitude;
             m_Lead = lead;
             m_Substeps = substeps;
@@ -70,7 +94,7 @@ namespace Alate
                 return false;
             }
 
-            parameters = now.parameters;
+            parameters = values.parameters;
             parameters.amplitudeScale *= amplitude;
             parameters.phaseLead += lead;
             if (substeps > 0)

@@ -81,7 +81,8 @@ namespace Alate
             return MeshSelection.Of(Array.FindAll(corners, vertex => sets.Find(vertex) == wanted));
         }
 
-        static DisjointSets Connect(int[] corners, Vector3[] positions)
+        /// <summary>The vertices of the triangles, joined where triangles share one or touch.</summary>
+        public static DisjointSets Connect(int[] corners, Vector3[] positions)
         {
             var sets = new DisjointSets(positions.Length);
             for (var corner = 0; corner < corners.Length; corner += 3)
@@ -143,7 +144,8 @@ namespace Alate
             return corners;
         }
 
-        static void CheckReadable(Mesh mesh)
+        /// <summary>Refuses a mesh whose triangles cannot be read.</summary>
+        public static void CheckReadable(Mesh mesh)
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh));

@@ -8,6 +8,13 @@ namespace UnityEngine
         LineStrip = 4,
         Points = 5,
     }
+
+    public enum MotionVectorGenerationMode
+    {
+        Camera = 0,
+        Object = 1,
+        ForceNoMotion = 2,
+    }
 }
 
 namespace UnityEngine.Rendering
@@ -24,5 +31,21 @@ namespace UnityEngine.Rendering
         On = 1,
         TwoSided = 2,
         ShadowsOnly = 3,
+    }
+
+    public enum LightProbeUsage
+    {
+        Off = 0,
+        BlendProbes = 1,
+        UseProxyVolume = 2,
+        CustomProvided = 4,
+    }
+
+    public enum ReflectionProbeUsage
+    {
+        Off = 0,
+        BlendProbes = 1,
+        BlendProbesAndSkybox = 2,
+        Simple = 3,
     }
 }

@@ -93,7 +93,7 @@ namespace Alate.Editor.Tests
         }
 
         private static IEnumerable<string> EditingActs() =>
-            SkeletonActs.All.Select(act => act.Name).Where(name => !name.Contains("Select") && name != "Lay Out Anew");
+            SkeletonActs.All.Select(act => act.Name).Where(name => !name.Contains("Select"));
 
         private EditOutcome Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveActs.By(draft, selected, delta));
     }

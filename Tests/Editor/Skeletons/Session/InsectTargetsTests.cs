@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class InsectTargetsTests : InsectFixture
+    public sealed class InsectTargetsTests : PlacedInsectFixture
     {
         [Test]
         public void EveryWing_IsFound_WithItsMeshAndItsPlace()
@@ -89,6 +89,34 @@ namespace Alate.Editor.Tests
             Assert.That(InsectTargets.SurfaceOf(Right, out string refusal).positions, Is.Null);
             Assert.That(refusal, Is.EqualTo("The wing has no mesh."));
             Assert.That(InsectTargets.WithoutSkeleton(Insect), Is.EqualTo(new[] { Left }));
+        }
+
+        [Test]
+        public void Stamp_ChangesWithTheWings_ButNotWithTheirPlaceOrContent()
+        {
+            int before = InsectTargets.StampOf(new[] { Insect });
+            Insect.transform.position = Vector3.one;
+            Right.Skeleton.Hinge = Vector3.one;
+            Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.EqualTo(before));
+
+            WingSkeleton skeleton = Left.Skeleton;
+            Left.Skeleton = null;
+            int without = InsectTargets.StampOf(new[] { Insect });
+            Assert.That(without, Is.Not.EqualTo(before));
+            Left.Skeleton = skeleton;
+            Left.Side = WingSide.Right;
+            Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.Not.EqualTo(before).And.Not.EqualTo(without));
+        }
+
+        [Test]
+        public void WhatIsKnown_IsHowTheInsectLies_InTheWingsSpace()
+        {
+            SkeletonFitSettings known = Find()[1].Known();
+
+            Transform place = Left.Renderer.transform;
+            Assert.That(Vector3.Distance(place.TransformPoint(known.bodyPoint.Value), Insect.transform.position), Is.LessThan(1e-4f));
+            Assert.That(Vector3.Angle(place.TransformVector(known.forward.Value), Insect.transform.forward), Is.LessThan(0.05f));
+            Assert.That(Vector3.Angle(place.TransformVector(known.up.Value), Insect.transform.up), Is.LessThan(0.05f));
         }
 
         [Test]

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class SkeletonSessionsTests : InsectFixture
+    public sealed class SkeletonSessionsTests : PlacedInsectFixture
     {
         [TearDown]
         public void Close()
@@ -64,13 +64,5 @@ namespace Alate.Editor.Tests
 
             Assert.That(SkeletonSessions.Current, Is.SameAs(second));
         }
-
-        [TestCase("Assets/Insects/Wings/Right.asset", "Assets/Insects/Wings")]
-        [TestCase("Packages/com.alate.insect-wings/Right.asset", "Assets")]
-        [TestCase("Right.asset", "Assets")]
-        [TestCase("", "Assets")]
-        [TestCase(null, "Assets")]
-        public void NewSkeletons_GoIntoTheUsersProject(string beside, string folder) =>
-            Assert.That(SkeletonFiles.FolderOf(beside), Is.EqualTo(folder));
     }
 }
