@@ -23,6 +23,7 @@ namespace Alate
             var wing = new SpeciesWing("wing", outline, _ => { })
             {
                 TriangleCount = 2096,
+                IsFilled = false,
                 LastTipSpan = k_LastTipSpan / (1000 * outline.Length),
                 Hinge = new Vector3(1.9e-3f, 1.0e-3f, 1.2e-3f),
                 Pattern = new MonarchPattern(outline.Smoothed()),

@@ -12,7 +12,7 @@ namespace Alate.Editor
         {
             GizmoLayers layers = GizmoSettings.Layers;
             if (layers != GizmoLayers.None && insect.isActiveAndEnabled)
-                InsectSketch.Draw(insect, layers, s_Pen);
+                InsectDrawing.Draw(insect, layers, s_Pen);
         }
     }
 }

@@ -40,8 +40,8 @@ public sealed class AssetDatabase
     public static void StopAssetEditing() => throw Absent.Editor;
     public static bool IsOpenForEdit(string assetOrMetaFilePath) => ProjectAssets.CanWrite(assetOrMetaFilePath);
 
-    /// <summary>Nothing here is locked.</summary>
-    public static bool IsOpenForEdit(Object assetObject) => Contains(assetObject);
+    /// <summary>As its path says.</summary>
+    public static bool IsOpenForEdit(Object assetObject) => IsOpenForEdit(GetAssetPath(assetObject));
 
     public static string MoveAsset(string oldPath, string newPath) => throw Absent.Editor;
     public static bool CopyAsset(string path, string newPath) => throw Absent.Editor;

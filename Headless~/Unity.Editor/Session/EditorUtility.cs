@@ -1,6 +1,8 @@
+using System;
 using System.Collections.Generic;
 using Unity.StandIns;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
@@ -10,7 +12,7 @@ public class EditorUtility
 
     public static void SetDirty(Object target)
     {
-        System.ArgumentNullException.ThrowIfNull(target);
+        ArgumentNullException.ThrowIfNull(target);
         s_Dirty.Add(target);
     }
 

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class InsectTargetsTests : PlacedInsectFixture
+    public sealed class InsectTargetsTests : SkeletonSessionFixture
     {
         [Test]
         public void EveryWing_IsFound_WithItsMeshAndItsPlace()

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class SkeletonSessionTests : PlacedInsectFixture
+    public sealed class SkeletonSessionTests : SkeletonSessionFixture
     {
         private SnapshotUndo m_Undo;
         private SkeletonSession m_Session;

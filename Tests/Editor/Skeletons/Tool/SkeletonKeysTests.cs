@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class SkeletonKeysTests : PlacedInsectFixture
+    public sealed class SkeletonKeysTests : SkeletonSessionFixture
     {
         private SnapshotUndo m_Undo;
         private SkeletonSession m_Session;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class SkeletonSessionsTests : PlacedInsectFixture
+    public sealed class SkeletonSessionsTests : SkeletonSessionFixture
     {
         [TearDown]
         public void Close()

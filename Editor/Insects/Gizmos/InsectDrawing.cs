@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>Draws what is to be seen of an insect: joints, axes, forces, motion, bounds. At rest where it does not live.</summary>
-    internal static class InsectSketch
+    internal static class InsectDrawing
     {
         /// <summary>Length of an axis over that of the leading edge.</summary>
         private const float k_AxisShare = 0.35f;

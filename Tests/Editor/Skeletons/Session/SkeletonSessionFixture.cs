@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Alate.Editor.Tests
 {
     /// <summary>A monarch in the scene with two wings, each with its own mesh and skeleton, on a body that is turned and scaled.</summary>
-    public abstract class PlacedInsectFixture
+    public abstract class SkeletonSessionFixture
     {
         private readonly List<Object> m_Made = new List<Object>();
 
