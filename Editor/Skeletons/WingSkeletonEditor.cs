@@ -124,10 +124,19 @@ namespace Alate.Editor
         {
             var skeleton = (WingSkeleton)target;
             WingSkeleton made = SkeletonMirror.Create(skeleton, SkeletonMirror.AcrossX, out string refusal);
-            if (made == null)
+            if (made != null)
+            {
+                string path = AssetPath.Ask("Save Mirror Image", AssetPath.FileName(made.name), "Choose where the other side's skeleton is saved.");
+                bool given = !string.IsNullOrEmpty(path);
+                refusal = given ? AssetPath.FindProblem(path) : null;
+                if (given && refusal == null)
+                    AssetWriter.Save(made, path, Content.Mirror.text);
+                else
+                    DestroyImmediate(made);
+            }
+
+            if (refusal != null)
                 EditorUtility.DisplayDialog("Wing Skeleton", refusal, "OK");
-            else if (!SkeletonFiles.Save(made, skeleton))
-                DestroyImmediate(made);
         }
 
         private void OnScene(SceneView view)

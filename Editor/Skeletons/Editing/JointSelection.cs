@@ -18,6 +18,24 @@ namespace Alate.Editor
         /// <summary>Chain by chain from root to tip, none twice. May name joints that undo or other tools have taken away.</summary>
         public IReadOnlyList<JointIndex> Joints => m_Joints;
 
+        /// <summary>
+        /// The selection of a skeleton: the same one each time, as long as the skeleton lives, so that undo still finds it after the
+        /// tool was left and taken up again, and after scripts were compiled.
+        /// </summary>
+        public static JointSelection Of(WingSkeleton skeleton)
+        {
+            JointSelection found = null;
+            foreach (JointSelection known in Resources.FindObjectsOfTypeAll<JointSelection>())
+            {
+                if (known.m_Skeleton == null)
+                    DestroyImmediate(known);
+                else if (known.m_Skeleton == skeleton)
+                    found = known;
+            }
+
+            return found != null ? found : Create(skeleton);
+        }
+
         /// <summary>A new empty selection.</summary>
         public static JointSelection Create(WingSkeleton skeleton)
         {

@@ -56,6 +56,8 @@ namespace Alate.Editor
                 "Whole skeleton",
                 Make("Mirror Onto Other Side", KeyCode.M, false, "Makes the other wing's skeleton the mirror image of this one.",
                     editing => editing.MirrorOntoTwin()),
+                Make("Lay Out Anew", KeyCode.None, false,
+                    "Makes hinge, axes and chains from the mesh alone, in place of those there are.", LayOut),
                 Make("Mend", KeyCode.None, false,
                     "Makes complete chains of finite joints where counts differ or numbers are broken.", Mend)),
         };
@@ -119,6 +121,12 @@ namespace Alate.Editor
             foreach (SkeletonActGroup group in Groups)
                 all.AddRange(group.Acts);
             return all;
+        }
+
+        private static EditOutcome LayOut(SkeletonEditing editing)
+        {
+            editing.Start(out EditStart start);
+            return editing.Commit("Lay Out Anew", start, LayOutAct.Make(editing.Skeleton, editing.Surface, editing.Known));
         }
 
         private static EditOutcome Mend(SkeletonEditing editing)

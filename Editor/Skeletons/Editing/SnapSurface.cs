@@ -12,9 +12,13 @@ namespace Alate.Editor
         /// <param name="surface">Indices of its triangles are within its positions; the arrays are kept, not copied.</param>
         public SnapSurface(in WingSurface surface)
         {
+            Wing = surface;
             m_Positions = surface.positions;
             m_Triangles = surface.triangles;
         }
+
+        /// <summary>The whole wing.</summary>
+        public WingSurface Wing { get; }
 
         /// <summary>The point of the surface closest to a point; the point itself where there is no finite triangle.</summary>
         public Vector3 ClosestPoint(Vector3 point)

@@ -16,6 +16,26 @@ namespace Alate.Editor
             return targets;
         }
 
+        /// <summary>A number that changes with what <see cref="Find"/> would find, but for the content of skeletons and meshes.</summary>
+        public static int StampOf(IEnumerable<InsectWings> insects)
+        {
+            int stamp = 17;
+            foreach (InsectWings insect in insects)
+            {
+                foreach (Wing wing in insect.Wings)
+                {
+                    Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
+                    if (mesh == null)
+                        continue;
+                    int skeleton = wing.Skeleton == null ? 0 : wing.Skeleton.GetHashCode();
+                    int part = ((int)wing.Part * 31 + wing.Submesh) * 31 + wing.Point.GetHashCode();
+                    stamp = ((stamp * 31 + mesh.GetHashCode()) * 31 + skeleton) * 31 + part + (int)wing.Side * 7 + (int)wing.Pair;
+                }
+            }
+
+            return stamp;
+        }
+
         /// <summary>The wings of an insect that have no skeleton yet but a mesh to make one for.</summary>
         public static List<Wing> WithoutSkeleton(InsectWings insect)
         {

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace Alate.Editor
 {
@@ -12,7 +11,6 @@ namespace Alate.Editor
     internal sealed class SkeletonSession : IDisposable
     {
         private readonly List<SkeletonTarget> m_Targets;
-        private readonly List<JointSelection> m_OwnSelections = new List<JointSelection>();
         private readonly Dictionary<SkeletonEditing, SkeletonTarget> m_TargetOf = new Dictionary<SkeletonEditing, SkeletonTarget>();
 
         /// <param name="targets">The skeletons, each once.</param>
@@ -23,7 +21,7 @@ namespace Alate.Editor
             var all = new List<SkeletonEditing>();
             foreach (SkeletonTarget target in m_Targets)
             {
-                var editing = new SkeletonEditing(SelectionOf(target.Skeleton), undo) { Lock = target.Lock };
+                var editing = new SkeletonEditing(JointSelection.Of(target.Skeleton), undo) { Lock = target.Lock };
                 if (target.HasSurface)
                     editing.Surface = new SnapSurface(target.Surface);
                 all.Add(editing);
@@ -67,6 +65,7 @@ namespace Alate.Editor
                 if (target.Skeleton == null)
                     continue;
                 editing.LocalToWorld = target.LocalToWorld;
+                editing.Known = target.Known();
                 editing.Twin = target.OtherSide?.Skeleton == null ? null : target.MakeTwin();
 
                 editing.IsSymmetric = IsSymmetric;
@@ -126,16 +125,6 @@ namespace Alate.Editor
         {
             Pointer.Cancel();
             Overlay.Dispose();
-            foreach (JointSelection selection in m_OwnSelections)
-                Object.DestroyImmediate(selection);
-            m_OwnSelections.Clear();
-        }
-
-        private JointSelection SelectionOf(WingSkeleton skeleton)
-        {
-            JointSelection selection = JointSelection.Create(skeleton);
-            m_OwnSelections.Add(selection);
-            return selection;
         }
 
         private static Bounds With(Bounds? bounds, Vector3 place)

@@ -38,6 +38,19 @@ namespace Alate.Editor
         /// <summary>The preset by which it beats; null for a monarch.</summary>
         public WingSpecies Species { get; set; }
 
+        /// <summary>What is known for laying the skeleton out anew: where the insect is and how it lies, in the wing's space.</summary>
+        public SkeletonFitSettings Known()
+        {
+            SkeletonFitSettings known = SkeletonFitSettings.Default;
+            if (Insect == null || Place == null)
+                return known;
+            Matrix4x4 toMesh = Place.worldToLocalMatrix * Insect.localToWorldMatrix;
+            known.bodyPoint = toMesh.MultiplyPoint3x4(Vector3.zero);
+            known.forward = toMesh.MultiplyVector(Vector3.forward);
+            known.up = toMesh.MultiplyVector(Vector3.up);
+            return known;
+        }
+
         /// <summary>The twin for symmetric editing, as the wings stand now; null where there is none.</summary>
         public SkeletonTwin MakeTwin()
         {

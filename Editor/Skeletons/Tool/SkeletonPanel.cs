@@ -44,7 +44,7 @@ namespace Alate.Editor
             if (editing == null)
             {
                 EditorGUILayout.HelpBox("None of the selected insects has a wing with a skeleton.", MessageType.Info);
-                SkeletonMakerGui.Draw();
+                LayOut(session);
                 EditorGUILayout.EndVertical();
                 return;
             }
@@ -60,10 +60,17 @@ namespace Alate.Editor
                 EditorGUILayout.HelpBox(session.LastRefusal, MessageType.Warning);
             Pictures(session.Overlay);
             Acts(session);
-            SkeletonMakerGui.Draw();
+            LayOut(session);
             EditorGUILayout.EndVertical();
             if (GUI.changed)
                 SceneView.RepaintAll();
+        }
+
+        private static void LayOut(SkeletonSession session)
+        {
+            EditOutcome? outcome = SkeletonMakerGui.Draw();
+            if (outcome.HasValue)
+                session.Tell(outcome.Value);
         }
 
         private static void ChooseActive(SkeletonSession session)

@@ -39,8 +39,8 @@ namespace Alate.Editor
             SceneView.RepaintAll();
         }
 
-        // Packages that were installed from git are overwritten at will, and edits in them are lost.
-        private static string LockOf(WingSkeleton skeleton) =>
+        /// <summary>Why a skeleton may not be changed; null where it may. Packages from git are overwritten at will, and edits in them are lost.</summary>
+        public static string LockOf(WingSkeleton skeleton) =>
             AssetDatabase.Contains(skeleton) && !AssetDatabase.IsOpenForEdit(skeleton)
                 ? $"'{skeleton.name}' cannot be changed where it lies: copy it into your project's Assets first."
                 : null;

@@ -12,6 +12,7 @@ namespace Alate.Editor
         private readonly SkeletonSceneGui m_Gui = new SkeletonSceneGui();
         private SkeletonSession m_Session;
         private GUIContent m_Icon;
+        private int m_Stamp;
 
         /// <inheritdoc/>
         public override GUIContent toolbarIcon =>
@@ -28,7 +29,7 @@ namespace Alate.Editor
         {
             if (!(window is SceneView view))
                 return;
-            if (m_Session == null || m_Session != SkeletonSessions.Current || m_Session.IsStale())
+            if (m_Session == null || m_Session != SkeletonSessions.Current || m_Session.IsStale() || m_Stamp != InsectTargets.StampOf(Insects()))
                 Begin();
             m_Gui.OnGUI(view, m_Session);
         }
@@ -41,6 +42,13 @@ namespace Alate.Editor
 
         private void Begin()
         {
+            List<InsectWings> insects = Insects();
+            m_Stamp = InsectTargets.StampOf(insects);
+            m_Session = SkeletonSessions.Open(InsectTargets.Find(insects));
+        }
+
+        private List<InsectWings> Insects()
+        {
             var insects = new List<InsectWings>();
             foreach (Object chosen in targets)
             {
@@ -48,7 +56,7 @@ namespace Alate.Editor
                     insects.Add(insect);
             }
 
-            m_Session = SkeletonSessions.Open(InsectTargets.Find(insects));
+            return insects;
         }
 
         private void End()

@@ -39,7 +39,10 @@ public sealed class AssetDatabase
     public static void StartAssetEditing() => throw Absent.Editor;
     public static void StopAssetEditing() => throw Absent.Editor;
     public static bool IsOpenForEdit(string assetOrMetaFilePath) => ProjectAssets.CanWrite(assetOrMetaFilePath);
-    public static bool IsOpenForEdit(Object assetObject) => throw Absent.Editor;
+
+    /// <summary>As its path says.</summary>
+    public static bool IsOpenForEdit(Object assetObject) => IsOpenForEdit(GetAssetPath(assetObject));
+
     public static string MoveAsset(string oldPath, string newPath) => throw Absent.Editor;
     public static bool CopyAsset(string path, string newPath) => throw Absent.Editor;
     public static string RenameAsset(string pathName, string newName) => throw Absent.Editor;

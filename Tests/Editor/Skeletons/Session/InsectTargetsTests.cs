@@ -92,6 +92,34 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void Stamp_ChangesWithTheWings_ButNotWithTheirPlaceOrContent()
+        {
+            int before = InsectTargets.StampOf(new[] { Insect });
+            Insect.transform.position = Vector3.one;
+            Right.Skeleton.Hinge = Vector3.one;
+            Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.EqualTo(before));
+
+            WingSkeleton skeleton = Left.Skeleton;
+            Left.Skeleton = null;
+            int without = InsectTargets.StampOf(new[] { Insect });
+            Assert.That(without, Is.Not.EqualTo(before));
+            Left.Skeleton = skeleton;
+            Left.Side = WingSide.Right;
+            Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.Not.EqualTo(before).And.Not.EqualTo(without));
+        }
+
+        [Test]
+        public void WhatIsKnown_IsHowTheInsectLies_InTheWingsSpace()
+        {
+            SkeletonFitSettings known = Find()[1].Known();
+
+            Transform place = Left.Renderer.transform;
+            Assert.That(Vector3.Distance(place.TransformPoint(known.bodyPoint.Value), Insect.transform.position), Is.LessThan(1e-4f));
+            Assert.That(Vector3.Angle(place.TransformVector(known.forward.Value), Insect.transform.forward), Is.LessThan(0.05f));
+            Assert.That(Vector3.Angle(place.TransformVector(known.up.Value), Insect.transform.up), Is.LessThan(0.05f));
+        }
+
+        [Test]
         public void PartOfAMesh_IsTakenOutOfIt()
         {
             Mesh mesh = Right.Renderer.GetComponent<MeshFilter>().sharedMesh;

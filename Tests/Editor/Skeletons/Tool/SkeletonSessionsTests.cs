@@ -6,7 +6,11 @@ namespace Alate.Editor.Tests
     public sealed class SkeletonSessionsTests : SkeletonSessionFixture
     {
         [TearDown]
-        public void Close() => SkeletonSessions.Close(SkeletonSessions.Current);
+        public void Close()
+        {
+            SkeletonSessions.Close(SkeletonSessions.Current);
+            UnityEditor.Undo.ClearAll();
+        }
 
         [Test]
         public void OpeningASession_EndsTheOneBefore()
@@ -15,13 +19,39 @@ namespace Alate.Editor.Tests
             first.Overlay.ShowsBeat = true;
             first.Place();
             Mesh shown = first.Overlay.BeatMesh;
-            JointSelection selection = first.Group.Active.Selection;
 
             SkeletonSession second = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
 
             Assert.That(SkeletonSessions.Current, Is.SameAs(second));
             Assert.That(shown == null, "the first one's mesh is destroyed");
-            Assert.That(selection == null, "and its selections");
+        }
+
+        [Test]
+        public void Selections_AreThereAgain_WhenTheToolIsTakenUpAgain_AndUndoFindsThem()
+        {
+            SkeletonSession first = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+            first.Select(first.Group.All[0], new[] { new JointIndex(1, 1) });
+            first.Select(first.Group.All[0], new[] { new JointIndex(2, 2) });
+            SkeletonSessions.Close(first);
+
+            SkeletonSession second = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+            Assert.That(second.Group.All[0].Selection.Living(), Is.EqualTo(new[] { new JointIndex(2, 2) }));
+
+            UnityEditor.Undo.PerformUndo();
+            Assert.That(second.Group.All[0].Selection.Living(), Is.EqualTo(new[] { new JointIndex(1, 1) }));
+        }
+
+        [Test]
+        public void SelectionsOfDestroyedSkeletons_AreCleanedAway()
+        {
+            var gone = ScriptableObject.CreateInstance<WingSkeleton>();
+            JointSelection left = JointSelection.Of(gone);
+            Assert.That(JointSelection.Of(gone), Is.SameAs(left));
+            Object.DestroyImmediate(gone);
+
+            JointSelection.Of(Right.Skeleton);
+
+            Assert.That(left == null);
         }
 
         [Test]
@@ -34,13 +64,5 @@ namespace Alate.Editor.Tests
 
             Assert.That(SkeletonSessions.Current, Is.SameAs(second));
         }
-
-        [TestCase("Assets/Insects/Wings/Right.asset", "Assets/Insects/Wings")]
-        [TestCase("Packages/com.alate.insect-wings/Right.asset", "Assets")]
-        [TestCase("Right.asset", "Assets")]
-        [TestCase("", "Assets")]
-        [TestCase(null, "Assets")]
-        public void NewSkeletons_GoIntoTheUsersProject(string beside, string folder) =>
-            Assert.That(SkeletonFiles.FolderOf(beside), Is.EqualTo(folder));
     }
 }
