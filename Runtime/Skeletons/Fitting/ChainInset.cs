@@ -65,20 +65,26 @@ namespace Alate
                     continue;
                 inside = false;
                 PlanPoint push = off * ((distance + k_Clearance) / distance);
-                Push(moves, bone, joints.Length, 1.0 - share, push);
-                Push(moves, bone + 1, joints.Length, share, push);
+                Share(joints.Length, bone, share, out double inner, out double outer);
+                Push(moves, bone, push * inner);
+                Push(moves, bone + 1, push * outer);
             }
 
             return inside;
         }
 
-        // The largest push on a joint counts; root and tip stay, so that the other end of their bone has to do it all.
-        private static void Push(PlanPoint[] moves, int joint, int count, double share, PlanPoint push)
+        // The least moves of both joints that move the bone's point by 1; root and tip stay.
+        private static void Share(int count, int bone, double share, out double inner, out double outer)
         {
-            if (joint == 0 || joint == count - 1 || share <= 0.0)
-                return;
-            bool otherIsFixed = joint == 1 || joint == count - 2;
-            PlanPoint move = push * (otherIsFixed ? Math.Min(1.0 / share, k_MostLeverage) : 1.0) * Math.Min(2.0 * share, 1.0);
+            double first = bone == 0 ? 0.0 : 1.0 - share, second = bone + 1 == count - 1 ? 0.0 : share;
+            double squares = Math.Max(first * first + second * second, 1.0 / (k_MostLeverage * k_MostLeverage));
+            inner = first / squares;
+            outer = second / squares;
+        }
+
+        // The largest push on a joint counts.
+        private static void Push(PlanPoint[] moves, int joint, PlanPoint move)
+        {
             if (move.LengthSquared > moves[joint].LengthSquared)
                 moves[joint] = move;
         }

@@ -41,7 +41,7 @@ namespace Alate
             WingView view = WingOrientation.Find(outline, anchor, sheet.plane, settings.forward, notes);
             ClosedCurve wing = view.Turn(outline, anchor);
             var marks = new WingLandmarks(wing);
-            PlanPoint[][] chains = FanChains.Lay(wing, marks, settings.chains, settings.jointsPerChain);
+            PlanPoint[][] chains = new FanChains(wing, marks, settings.chains, settings.jointsPerChain).Lay();
 
             var lift = new SurfaceLift(sheet);
             var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();

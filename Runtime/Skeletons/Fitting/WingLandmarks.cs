@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Alate
 {
@@ -18,7 +19,7 @@ namespace Alate
         /// The tip is where the outline touches the outermost of the spirals ln r + c·angle = const about the base: the farthest place,
         /// of nearly equally far ones one closer to the leading edge. This is c.
         /// </summary>
-        private const double k_Spiral = 0.35;
+        private const double k_Spiral = 0.45;
 
         /// <summary>How sharp the spirals' touch and the trailing edge's deepest place are taken.</summary>
         private const double k_TipSharpness = 250.0;
@@ -36,10 +37,14 @@ namespace Alate
             double back = BaseEnd(-1.0, outline.At(LeadingRoot), k_BaseWidth);
             TrailingRoot = outline.Length + back;
             Base = (outline.At(LeadingRoot) + outline.At(TrailingRoot)) * 0.5;
+            Trimmed = new TrimmedOutline(outline, LeadingRoot, TrailingRoot);
             Tip = FindTip(out double spread);
             TipSpread = spread;
             Last = FindLast();
         }
+
+        /// <summary>The outline without its tails.</summary>
+        public TrimmedOutline Trimmed { get; }
 
         /// <summary>Where the leading edge begins.</summary>
         public double LeadingRoot { get; }
@@ -75,15 +80,27 @@ namespace Alate
             return s;
         }
 
+        // On the trimmed outline; at the very end where that is a point; on the shoulder before its neck where it is a tail.
         private double FindTip(out double spread)
         {
+            double tip = Outermost(LeadingRoot, TrailingRoot, Trimmed.At, out spread);
+            if (Trimmed.TryFindTail(tip, out OutlineStretch point))
+                tip = Outermost(point.from, point.to, m_Outline.At, out spread);
+            if (!TipNeck.TryFind(m_Outline, LeadingRoot, tip, TrailingRoot, out OutlineStretch tail, out double shoulder))
+                return tip;
+            Trimmed.Cut(tail);
+            return Outermost(LeadingRoot, shoulder, Trimmed.At, out spread);
+        }
+
+        private double Outermost(double from, double to, Func<double, PlanPoint> place, out double spread)
+        {
             int steps = m_Outline.Samples.Count;
-            double from = LeadingRoot, to = TrailingRoot, angle = 0.0;
+            double angle = 0.0;
             var values = new double[steps + 1];
-            PlanPoint before = m_Outline.At(from) - Base;
+            PlanPoint before = place(from) - Base;
             for (int k = 0; k <= steps; k++)
             {
-                PlanPoint at = m_Outline.At(from + (to - from) * k / steps) - Base;
+                PlanPoint at = place(from + (to - from) * k / steps) - Base;
                 if (at.LengthSquared > 0.0 && before.LengthSquared > 0.0)
                     angle += Math.Atan2(PlanPoint.Cross(before, at), PlanPoint.Dot(before, at));
                 before = at;
@@ -98,13 +115,44 @@ namespace Alate
         {
             PlanPoint axis = WingView.Unit(Polygon.Centroid(m_Outline.Samples) - Base);
             PlanPoint rear = WingView.Across(axis, new PlanPoint(0.0, -1.0));
-            double from = Tip, to = TrailingRoot;
-            return SoftMaximum.Find(from, to, m_Outline.Samples.Count, k_LastSharpness, s => Depth(s), out _);
-
-            double Depth(double s)
+            List<PlanPoint> edge = OpenPath.Along(Trimmed, Tip, TrailingRoot);
+            var walked = new double[edge.Count];
+            for (int k = 1; k < edge.Count; k++)
+                walked[k] = walked[k - 1] + Math.Sqrt((edge[k] - edge[k - 1]).LengthSquared);
+            int end = edge.Count - 1;
+            double last = Deepest(0, end);
+            foreach (OutlineStretch cleft in Trimmed.Clefts)
             {
-                double off = ((s - from) / (to - from) - 0.5) / 0.25;
-                return PlanPoint.Dot(m_Outline.At(s), rear) - k_MiddlePull * off * off;
+                if (cleft.Holds(last))
+                    last = Beside(cleft);
+            }
+
+            return last;
+
+            double Beside(OutlineStretch cleft)
+            {
+                int before = IndexOf(cleft.from), after = IndexOf(cleft.to);
+                return Largest(0, before) > Largest(after, end) ? Deepest(0, before) : Deepest(after, end);
+            }
+
+            double Deepest(int low, int high) => Tip + (TrailingRoot - Tip) / end
+                * SoftMaximum.Find(low, high, Math.Max(high - low, 1), k_LastSharpness, Depth, out _);
+
+            int IndexOf(double s) => Math.Min(Math.Max((int)Math.Round((s - Tip) / (TrailingRoot - Tip) * end), 0), end);
+
+            double Largest(int low, int high)
+            {
+                double largest = double.NegativeInfinity;
+                for (int k = low; k <= high; k++)
+                    largest = Math.Max(largest, Depth(k));
+                return largest;
+            }
+
+            double Depth(double at)
+            {
+                int k = (int)Math.Round(at);
+                double off = (walked[k] / walked[walked.Length - 1] - 0.5) / 0.25;
+                return PlanPoint.Dot(edge[k], rear) - k_MiddlePull * off * off;
             }
         }
     }
