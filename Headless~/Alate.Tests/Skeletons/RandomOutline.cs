@@ -23,7 +23,7 @@ namespace Alate.Tests
 
         public RandomOutline(Random random)
         {
-            double wildness = 0.3 * random.NextDouble();
+            double wildness = 0.25 * random.NextDouble();
             for (int k = 2; k < m_Amplitudes.Length; k++)
             {
                 m_Amplitudes[k] = wildness * random.NextDouble() / k;

@@ -20,38 +20,42 @@ namespace Alate
         public static void Apply(PlanPoint[] joints, ClosedCurve outline)
         {
             var moves = new PlanPoint[joints.Length];
-            for (int round = 0; round < k_Rounds; round++)
+            var best = (PlanPoint[])joints.Clone();
+            double least = double.MaxValue;
+            for (int round = 0; round < k_Rounds && least > 0.0; round++)
             {
                 Array.Clear(moves, 0, moves.Length);
-                bool inside = true;
+                double outside = 0.0;
                 for (int j = 0; j + 1 < joints.Length; j++)
-                    inside &= Check(joints, j, outline, moves);
-                if (inside)
-                    return;
+                    outside = Math.Max(outside, Check(joints, j, outline, moves));
+                if (outside < least)
+                {
+                    least = outside;
+                    joints.CopyTo(best, 0);
+                }
+
                 for (int j = 1; j + 1 < joints.Length; j++)
                     joints[j] += moves[j];
             }
+
+            best.CopyTo(joints, 0);
         }
 
-        /// <summary>How far a bone strays from the wing.</summary>
-        public static double Outside(PlanPoint from, PlanPoint to, ClosedCurve outline)
+        /// <summary>How far the bones of a chain stray from the wing.</summary>
+        public static double Outside(PlanPoint[] joints, ClosedCurve outline)
         {
-            double farthest = 0.0;
-            int steps = Steps(from, to);
-            for (int k = 0; k <= steps; k++)
-            {
-                PlanPoint p = from + (to - from) * ((double)k / steps);
-                if (!outline.Contains(p))
-                    farthest = Math.Max(farthest, Math.Sqrt((outline.At(outline.Nearest(p)) - p).LengthSquared));
-            }
-
-            return farthest;
+            var moves = new PlanPoint[joints.Length];
+            double outside = 0.0;
+            for (int j = 0; j + 1 < joints.Length; j++)
+                outside = Math.Max(outside, Check(joints, j, outline, moves));
+            return outside;
         }
 
-        private static bool Check(PlanPoint[] joints, int bone, ClosedCurve outline, PlanPoint[] moves)
+        // How far the bone strays, and how its joints should move.
+        private static double Check(PlanPoint[] joints, int bone, ClosedCurve outline, PlanPoint[] moves)
         {
             PlanPoint from = joints[bone], to = joints[bone + 1];
-            bool inside = true;
+            double farthest = 0.0;
             int steps = Steps(from, to);
             for (int k = 1; k < steps; k++)
             {
@@ -63,14 +67,14 @@ namespace Alate
                 double distance = Math.Sqrt(off.LengthSquared);
                 if (distance < k_Clearance)
                     continue;
-                inside = false;
+                farthest = Math.Max(farthest, distance);
                 PlanPoint push = off * ((distance + k_Clearance) / distance);
                 Share(joints.Length, bone, share, out double inner, out double outer);
                 Push(moves, bone, push * inner);
                 Push(moves, bone + 1, push * outer);
             }
 
-            return inside;
+            return farthest;
         }
 
         // The least moves of both joints that move the bone's point by 1; root and tip stay.

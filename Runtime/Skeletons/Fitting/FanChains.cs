@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Alate
 {
@@ -8,51 +9,59 @@ namespace Alate
     /// </summary>
     internal sealed class FanChains
     {
+        /// <summary>How far a chain may stray from the wing without a word, wing reaches.</summary>
+        private const double k_Outside = 0.01;
+
         private readonly ClosedCurve m_Outline;
         private readonly WingLandmarks m_Marks;
         private readonly WingMargin m_Margin;
-        private readonly int m_Chains;
-        private readonly int m_Joints;
+        private readonly FitNotes m_Notes;
 
-        public FanChains(ClosedCurve outline, WingLandmarks marks, int chains, int joints)
+        public FanChains(ClosedCurve outline, WingLandmarks marks, FitNotes notes)
         {
             m_Outline = outline;
             m_Marks = marks;
             m_Margin = new WingMargin(marks);
-            m_Chains = chains;
-            m_Joints = joints;
+            m_Notes = notes;
         }
 
         /// <summary>[chain][joint] in the wing's view.</summary>
-        public PlanPoint[][] Lay()
+        public PlanPoint[][] Lay(int chains, int joints)
         {
-            var made = new PlanPoint[m_Chains][];
-            made[0] = BalancedJoints.Place(LeadingEdge(), m_Joints);
+            var made = new PlanPoint[chains][];
+            made[0] = BalancedJoints.Place(LeadingEdge(), joints);
             ChainInset.Apply(made[0], m_Outline);
             List<PlanPoint> lastPath = new InnerPath(m_Outline).Find(m_Marks.TrailingRoot, m_Marks.Last);
             FanField field = Field(made[0], lastPath);
-            var shares = new FanShares(m_Marks, m_Margin, m_Chains);
+            var shares = new FanShares(m_Marks, m_Margin, chains);
             PlanPoint firstRoot = made[0][0], lastRoot = lastPath[0];
-            for (int i = 1; i < m_Chains; i++)
+            for (int i = 1; i < chains; i++)
             {
-                double share = shares[i];
-                List<PlanPoint> path = i == m_Chains - 1
-                    ? lastPath
-                    : LevelLine.Trace(field, share, firstRoot + (lastRoot - firstRoot) * share, m_Margin.At(share));
+                PlanPoint root = firstRoot + (lastRoot - firstRoot) * shares[i];
+                List<PlanPoint> path = i == chains - 1 ? lastPath : LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
                 if (shares.TailOf(i) is OutlineStretch tail)
                     path.Add(m_Marks.Trimmed.EndOf(tail));
-                made[i] = Jointed(path);
+                made[i] = OpenPath.Even(path, joints);
+                ChainInset.Apply(made[i], m_Outline);
             }
 
             ChainOrder.Untangle(made);
+            Warn(made);
             return made;
         }
 
-        private PlanPoint[] Jointed(IReadOnlyList<PlanPoint> path)
+        private void Warn(PlanPoint[][] chains)
         {
-            PlanPoint[] chain = OpenPath.Even(path, m_Joints);
-            ChainInset.Apply(chain, m_Outline);
-            return chain;
+            for (int i = 0; i < chains.Length; i++)
+            {
+                double outside = ChainInset.Outside(chains[i], m_Outline);
+                if (outside > k_Outside)
+                {
+                    m_Notes.Warn(
+                        SkeletonFitWarningKind.ChainLeavesWing, 0.9,
+                        $"Chain {i} strays {(100.0 * outside).ToString("0.#", CultureInfo.InvariantCulture)} % of the wing's length from it.");
+                }
+            }
         }
 
         // Straight across spikes; out to the very end where the tip itself is one.

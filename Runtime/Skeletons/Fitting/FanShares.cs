@@ -49,14 +49,15 @@ namespace Alate
             int last = m_Shares.Length - 1, before = 0;
             foreach (OutlineStretch tail in tails)
             {
+                PlanPoint end = marks.Trimmed.EndOf(tail);
                 if (tail.Holds(marks.Last))
                 {
-                    m_Tails[last] = tail;
+                    m_Tails[last] = marks.IsLastInReach(end) ? tail : (OutlineStretch?)null;
                     continue;
                 }
 
-                double towards = m_Margin.ShareTowards(marks.Trimmed.EndOf(tail), tail);
-                int chain = Math.Max((int)Math.Round(towards * last), before + 1);
+                double towards = m_Margin.ShareTowards(end, tail);
+                int chain = Math.Max(Math.Min((int)Math.Round(towards * last), last - 1), before + 1);
                 if (chain >= last)
                     continue;
                 m_Tails[chain] = tail;

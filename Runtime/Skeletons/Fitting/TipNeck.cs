@@ -24,12 +24,9 @@ namespace Alate
         /// <param name="tip">Its outermost place.</param>
         /// <param name="end">Where its trailing edge ends.</param>
         /// <param name="tail">What lies beyond the neck.</param>
-        /// <param name="shoulder">Where the leading edge begins to draw in.</param>
-        public static bool TryFind(
-            ClosedCurve outline, double root, double tip, double end, out OutlineStretch tail, out double shoulder)
+        public static bool TryFind(ClosedCurve outline, double root, double tip, double end, out OutlineStretch tail)
         {
             tail = default;
-            shoulder = tip;
             double area = Math.Abs(Polygon.Area(outline.Samples));
             List<int> hull = Hull(outline, root, tip);
             for (int k = hull.Count - 1; k > 0; k--)
@@ -41,7 +38,6 @@ namespace Alate
                 if (width > k_Width * area || Beyond(outline, neck, across) > k_Area * area)
                     return false;
                 tail = new OutlineStretch(neck, across);
-                shoulder = Place(hull[k - 1]);
                 return true;
             }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Alate
 {
@@ -21,6 +22,9 @@ namespace Alate
         /// </summary>
         private const double k_Spiral = 0.45;
 
+        /// <summary>Standard deviation of the tip's place, wing reaches, up to which it is clear; a round wing has about 0.06.</summary>
+        private const double k_ClearTip = 0.075;
+
         /// <summary>How sharp the spirals' touch and the trailing edge's deepest place are taken.</summary>
         private const double k_TipSharpness = 250.0;
         private const double k_LastSharpness = 150.0;
@@ -28,9 +32,14 @@ namespace Alate
         /// <summary>The last tip is looked for around the middle of the trailing edge: depth that it must win to lie a quarter of the edge off.</summary>
         private const double k_MiddlePull = 0.05;
 
+        /// <summary>The last chain reaches at most this many times as far as the first, or it would count as the principal one.</summary>
+        private const double k_MostReach = 1.3;
+
         private readonly ClosedCurve m_Outline;
 
-        public WingLandmarks(ClosedCurve outline)
+        /// <param name="outline">The turned outline.</param>
+        /// <param name="notes">Takes the warning of an unclear tip.</param>
+        public WingLandmarks(ClosedCurve outline, FitNotes notes)
         {
             m_Outline = outline;
             LeadingRoot = BaseEnd(1.0, outline.At(0.0), k_BaseWidth);
@@ -39,8 +48,14 @@ namespace Alate
             Base = (outline.At(LeadingRoot) + outline.At(TrailingRoot)) * 0.5;
             Trimmed = new TrimmedOutline(outline, LeadingRoot, TrailingRoot);
             Tip = FindTip(out double spread);
-            TipSpread = spread;
             Last = FindLast();
+            if (spread > k_ClearTip)
+            {
+                notes.Warn(
+                    SkeletonFitWarningKind.TipUnclear, k_ClearTip / spread,
+                    "The wing has no clear tip; the leading edge ends somewhere within "
+                    + $"{(200.0 * spread).ToString("F0", CultureInfo.InvariantCulture)} % of its length.");
+            }
         }
 
         /// <summary>The outline without its tails.</summary>
@@ -52,8 +67,9 @@ namespace Alate
         /// <summary>Where the leading edge ends.</summary>
         public double Tip { get; }
 
-        /// <summary>How far, along the outline, the tip is unclear.</summary>
-        public double TipSpread { get; }
+        /// <summary>Whether a chain that ends there is not too long to be the last.</summary>
+        public bool IsLastInReach(PlanPoint end) =>
+            (end - Base).LengthSquared <= k_MostReach * k_MostReach * (m_Outline.At(Tip) - Base).LengthSquared;
 
         /// <summary>Where the last chain ends.</summary>
         public double Last { get; }
@@ -80,16 +96,16 @@ namespace Alate
             return s;
         }
 
-        // On the trimmed outline; at the very end where that is a point; on the shoulder before its neck where it is a tail.
+        // On the trimmed outline; at the very end where that is a point; before its neck where it is a tail.
         private double FindTip(out double spread)
         {
             double tip = Outermost(LeadingRoot, TrailingRoot, Trimmed.At, out spread);
             if (Trimmed.TryFindTail(tip, out OutlineStretch point))
                 tip = Outermost(point.from, point.to, m_Outline.At, out spread);
-            if (!TipNeck.TryFind(m_Outline, LeadingRoot, tip, TrailingRoot, out OutlineStretch tail, out double shoulder))
+            if (!TipNeck.TryFind(m_Outline, LeadingRoot, tip, TrailingRoot, out OutlineStretch tail))
                 return tip;
             Trimmed.Cut(tail);
-            return Outermost(LeadingRoot, shoulder, Trimmed.At, out spread);
+            return Outermost(LeadingRoot, tail.from, Trimmed.At, out spread);
         }
 
         private double Outermost(double from, double to, Func<double, PlanPoint> place, out double spread)
@@ -120,37 +136,13 @@ namespace Alate
             for (int k = 1; k < edge.Count; k++)
                 walked[k] = walked[k - 1] + Math.Sqrt((edge[k] - edge[k - 1]).LengthSquared);
             int end = edge.Count - 1;
-            double last = Deepest(0, end);
-            foreach (OutlineStretch cleft in Trimmed.Clefts)
-            {
-                if (cleft.Holds(last))
-                    last = Beside(cleft);
-            }
-
-            return last;
-
-            double Beside(OutlineStretch cleft)
-            {
-                int before = IndexOf(cleft.from), after = IndexOf(cleft.to);
-                return Largest(0, before) > Largest(after, end) ? Deepest(0, before) : Deepest(after, end);
-            }
-
-            double Deepest(int low, int high) => Tip + (TrailingRoot - Tip) / end
-                * SoftMaximum.Find(low, high, Math.Max(high - low, 1), k_LastSharpness, Depth, out _);
-
-            int IndexOf(double s) => Math.Min(Math.Max((int)Math.Round((s - Tip) / (TrailingRoot - Tip) * end), 0), end);
-
-            double Largest(int low, int high)
-            {
-                double largest = double.NegativeInfinity;
-                for (int k = low; k <= high; k++)
-                    largest = Math.Max(largest, Depth(k));
-                return largest;
-            }
+            return Tip + (TrailingRoot - Tip) / end * SoftMaximum.Find(0.0, end, end, k_LastSharpness, Depth, out _);
 
             double Depth(double at)
             {
                 int k = (int)Math.Round(at);
+                if (!IsLastInReach(edge[k]))
+                    return double.NegativeInfinity;
                 double off = (walked[k] / walked[walked.Length - 1] - 0.5) / 0.25;
                 return PlanPoint.Dot(edge[k], rear) - k_MiddlePull * off * off;
             }
