@@ -23,7 +23,7 @@ namespace Alate.Tests
 
         public RandomOutline(Random random)
         {
-            double wildness = 0.3 * random.NextDouble();
+            double wildness = 0.25 * random.NextDouble();
             for (int k = 2; k < m_Amplitudes.Length; k++)
             {
                 m_Amplitudes[k] = wildness * random.NextDouble() / k;
@@ -71,7 +71,7 @@ namespace Alate.Tests
         /// <summary>A random triangulation in the plane y = 0: rings of irregular vertices, stitched; every seed makes another.</summary>
         public WingSurface Mesh(Random random)
         {
-            int rings = random.Next(1, 9), rim = random.Next(260, 420);
+            int rings = random.Next(1, 9), rim = random.Next(500, 900);
             var positions = new List<Vector3>();
             var starts = new List<int>();
             var angles = new List<double[]>();
