@@ -44,6 +44,9 @@ namespace Alate
         /// <summary>Whether nobody lives, waits or is broken.</summary>
         public bool IsEmpty => m_Insects.Count == 0 && m_Arriving.Count == 0 && m_Broken.Count == 0;
 
+        /// <summary>[clock] The time within its last step that was drawn last, 0 its start, 1 its end.</summary>
+        public float4 DrawnAlpha => m_DrawnAlpha;
+
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
 
