@@ -41,6 +41,9 @@ namespace Alate
         [SerializeField]
         InsectQuality m_Quality = InsectQuality.Default;
 
+        // Found, not chosen: it must not follow into a clone, nor stay when the insect changes its carrier.
+        private Rigidbody m_Carrier;
+
         /// <summary>The preset; null stands for a monarch. A preset that changes is followed from the next step on.</summary>
         public WingSpecies Species
         {
@@ -96,9 +99,11 @@ namespace Alate
         {
             get
             {
-                if (m_Motion.body == null)
-                    m_Motion.body = GetComponentInParent<Rigidbody>();
-                return m_Motion.body;
+                if (m_Motion.body != null)
+                    return m_Motion.body;
+                if (m_Carrier == null)
+                    m_Carrier = GetComponentInParent<Rigidbody>();
+                return m_Carrier;
             }
         }
 
@@ -170,6 +175,8 @@ namespace Alate
             WingSystem.Leave(this);
             Report(InsectProblem.Inactive);
         }
+
+        private void OnTransformParentChanged() => m_Carrier = null;
 
         private void OnValidate()
         {

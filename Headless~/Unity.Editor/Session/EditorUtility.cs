@@ -1,11 +1,21 @@
+using System;
+using System.Collections.Generic;
 using Unity.StandIns;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
 public class EditorUtility
 {
-    public static void SetDirty(Object target) => System.ArgumentNullException.ThrowIfNull(target);
+    private static readonly HashSet<Object> s_Dirty = [];
+
+    public static void SetDirty(Object target)
+    {
+        ArgumentNullException.ThrowIfNull(target);
+        s_Dirty.Add(target);
+    }
+
     public static bool DisplayDialog(string title, string message, string ok) => throw Absent.Editor;
     public static bool DisplayDialog(string title, string message, string ok, string cancel) => throw Absent.Editor;
     public static void DisplayProgressBar(string title, string info, float progress) => throw Absent.Editor;
@@ -23,7 +33,7 @@ public class EditorUtility
     public static string OpenFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static string SaveFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);
-    public static bool IsDirty(Object target) => throw Absent.Editor;
+    public static bool IsDirty(Object target) => s_Dirty.Contains(target);
     public static void CopySerialized(Object source, Object dest)
     {
         dest.name = source.name;

@@ -1,28 +1,22 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>Keeps states of objects in groups, and gives the last group back. What it was not told of stays changed.</summary>
+/// <summary>
+/// Records and brings back what objects save, and takes away what was made. Moving objects is done, but not recorded; what was destroyed does
+/// not come back. A frame is what lies between two groups.
+/// </summary>
 public class Undo
 {
     public delegate void UndoRedoCallback();
 
     public static UndoRedoCallback undoRedoPerformed;
 
-    private const int k_Kept = 200;
-    private static readonly List<UndoGroup> s_Done = [];
-    private static readonly Stack<UndoGroup> s_Undone = [];
-    private static int s_Group;
-    private static string s_Name = "";
+    private static readonly UndoHistory s_History = new();
 
-    public static void RecordObject(Object objectToUndo, string name)
-    {
-        ArgumentNullException.ThrowIfNull(objectToUndo);
-        Current(name).Record(objectToUndo);
-    }
+    public static void RecordObject(Object objectToUndo, string name) => s_History.Record(objectToUndo, name, always: false);
 
     public static void RecordObjects(Object[] objectsToUndo, string name)
     {
@@ -34,10 +28,10 @@ public class Undo
     public static void RegisterCreatedObjectUndo(Object objectToUndo, string name)
     {
         ArgumentNullException.ThrowIfNull(objectToUndo);
-        Current(name).RecordMade(objectToUndo);
+        s_History.Add(new MadeStep(objectToUndo), name);
     }
 
-    public static void RegisterCompleteObjectUndo(Object objectToUndo, string name) => RecordObject(objectToUndo, name);
+    public static void RegisterCompleteObjectUndo(Object objectToUndo, string name) => s_History.Record(objectToUndo, name, always: true);
 
     public static void RegisterFullObjectHierarchyUndo(Object objectToUndo, string name) => RecordObject(objectToUndo, name);
 
@@ -55,74 +49,35 @@ public class Undo
 
     public static void DestroyObjectImmediate(Object objectToUndo)
     {
-        Current("Destroy").Destroyed = true;
+        s_History.Add(new DestroyedStep(), "Destroy");
         Object.DestroyImmediate(objectToUndo);
     }
 
     public static void SetTransformParent(Transform transform, Transform newParent, string name) => transform.SetParent(newParent);
 
-    public static int GetCurrentGroup() => s_Group;
+    public static int GetCurrentGroup() => s_History.CurrentGroup;
 
-    public static string GetCurrentGroupName() => s_Name;
+    public static string GetCurrentGroupName() => s_History.CurrentGroupName;
 
-    public static void IncrementCurrentGroup()
-    {
-        s_Group++;
-        s_Name = "";
-    }
+    public static void IncrementCurrentGroup() => s_History.Increment();
 
-    public static void SetCurrentGroupName(string name)
-    {
-        s_Name = name;
-        if (s_Done.Count > 0 && s_Done[^1].Number == s_Group)
-            s_Done[^1].Name = name;
-    }
+    public static void SetCurrentGroupName(string name) => s_History.CurrentGroupName = name;
 
-    public static void CollapseUndoOperations(int groupIndex)
-    {
-        int first = s_Done.FindIndex(group => group.Number >= groupIndex);
-        for (int i = s_Done.Count - 1; first >= 0 && i > first; i--)
-        {
-            s_Done[i - 1].Take(s_Done[i]);
-            s_Done.RemoveAt(i);
-        }
-    }
+    public static void CollapseUndoOperations(int groupIndex) => s_History.Collapse(groupIndex);
+
+    public static void RevertAllDownToGroup(int group) => s_History.Revert(group);
+
+    public static void ClearAll() => s_History.Clear();
 
     public static void PerformUndo()
     {
-        if (s_Done.Count == 0)
-            return;
-        UndoGroup last = s_Done[^1];
-        s_Done.RemoveAt(s_Done.Count - 1);
-        s_Undone.Push(last.Revert());
-        IncrementCurrentGroup();
-        undoRedoPerformed?.Invoke();
+        if (s_History.Undo())
+            undoRedoPerformed?.Invoke();
     }
 
     public static void PerformRedo()
     {
-        if (s_Undone.Count == 0)
-            return;
-        s_Done.Add(s_Undone.Pop().Revert());
-        IncrementCurrentGroup();
-        undoRedoPerformed?.Invoke();
-    }
-
-    public static void ClearAll()
-    {
-        s_Done.Clear();
-        s_Undone.Clear();
-    }
-
-    private static UndoGroup Current(string name)
-    {
-        s_Undone.Clear();
-        if (s_Name.Length == 0)
-            s_Name = name;
-        if (s_Done.Count == 0 || s_Done[^1].Number != s_Group)
-            s_Done.Add(new UndoGroup(s_Group, s_Name));
-        if (s_Done.Count > k_Kept)
-            s_Done.RemoveAt(0);
-        return s_Done[^1];
+        if (s_History.Redo())
+            undoRedoPerformed?.Invoke();
     }
 }

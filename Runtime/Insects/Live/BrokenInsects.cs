@@ -37,6 +37,14 @@ namespace Alate
             }
         }
 
+        /// <summary>Moves all to the end of a list.</summary>
+        public void TakeAll(List<InsectWings> list)
+        {
+            foreach (Entry entry in m_Entries)
+                list.Add(entry.insect);
+            m_Entries.Clear();
+        }
+
         private int Print(InsectWings insect)
         {
             int print = insect.Wings.Count * 31 + insect.Quality.patches;

@@ -102,7 +102,7 @@ namespace Alate.Tests.Play
             InsectWings broken = Hatch(made =>
             {
                 made.UpdateMode = WingUpdateMode.Manual;
-                made.Wings.Clear();
+                made.Wings[1].Renderer = null;
             });
             yield return Frames(2);
             disabled.Step(0.1f);
@@ -110,7 +110,7 @@ namespace Alate.Tests.Play
             yield return null;
 
             Assert.That(disabled.State, Is.EqualTo(InsectState.Inactive));
-            Assert.That(broken.State, Is.EqualTo(InsectState.NoWings));
+            Assert.That(broken.State, Is.EqualTo(InsectState.NoRenderer));
         }
 
         [UnityTest]
