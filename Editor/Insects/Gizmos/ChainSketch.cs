@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The joints of a wing in the world, as they are now or at rest, and when the wave reaches each.</summary>
+    /// <summary>The joints of a wing in the world, as they are drawn or at rest, and when the wave reaches each.</summary>
     internal sealed class ChainSketch
     {
         private readonly Vector3[] m_Joints;
@@ -43,12 +43,13 @@ namespace Alate.Editor
         {
             LiveWing live = insect.Live.wings[wing];
             WingReading reading = insect.Read(wing);
+            float alpha = WingSystem.Crowd.DrawnAlpha[(int)insect.Live.Clock];
             var sketch = new ChainSketch(reading.ChainCount, reading.JointsPerChain);
             Matrix4x4 toWorld = live.transform.localToWorldMatrix;
             for (int i = 0; i < sketch.ChainCount; i++)
             {
                 for (int j = 0; j < sketch.JointsPerChain; j++)
-                    sketch.m_Joints[i * sketch.JointsPerChain + j] = toWorld.MultiplyPoint3x4(live.rig.Frame.ToMesh(reading.JointPosition(i, j)));
+                    sketch.m_Joints[i * sketch.JointsPerChain + j] = toWorld.MultiplyPoint3x4(live.rig.Frame.ToMesh(reading.JointPosition(i, j, alpha)));
             }
 
             var rest = new float3[sketch.m_Joints.Length];

@@ -108,7 +108,8 @@ namespace Alate.Editor
             {
                 // As long as the wing where one wing alone would carry the insect.
                 WingReading reading = insect.Read(wing);
-                Vector3 middle = insect.JointPosition(wing, reading.ChainCount / 2, reading.JointsPerChain / 2);
+                float3 centre = reading.JointPosition(reading.ChainCount / 2, reading.JointsPerChain / 2, DrawnAlpha(insect));
+                Vector3 middle = live.transform.TransformPoint(live.rig.Frame.ToMesh(centre));
                 DrawArrow(middle, insect.AirForceOf(wing) * (live.placed.length / weight), GizmoColours.Force, pen);
             }
 
@@ -122,9 +123,10 @@ namespace Alate.Editor
             WingReading reading = insect.Read(wing);
             float newtons = live.values.wingMass * live.values.wingLength;
             float scale = k_LoadShare * live.placed.length * reading.PatchCount * newtons / weight;
+            float alpha = DrawnAlpha(insect);
             for (int patch = 0; patch < reading.PatchCount; patch++)
             {
-                Vector3 at = live.transform.TransformPoint(live.rig.Frame.ToMesh(reading.PatchPosition(patch)));
+                Vector3 at = live.transform.TransformPoint(live.rig.Frame.ToMesh(reading.PatchPosition(patch, alpha)));
                 pen.Line(at, at + (Vector3)live.placed.ToWorld(reading.PatchForce(patch) * scale), GizmoColours.Load, false);
             }
         }
@@ -137,6 +139,8 @@ namespace Alate.Editor
             DrawArrow(flight.position, flight.velocity * beat, GizmoColours.Velocity, pen);
             DrawArrow(flight.position, flight.wind * beat, GizmoColours.Wind, pen);
         }
+
+        private static float DrawnAlpha(InsectWings insect) => WingSystem.Crowd.DrawnAlpha[(int)insect.Live.Clock];
 
         private static void DrawArrow(Vector3 from, Vector3 arrow, Color colour, IGizmoPen pen)
         {

@@ -37,19 +37,21 @@ namespace Alate.Editor
         }
 
         /// <summary>Takes the next lines of the inspector.</summary>
-        public void Draw(BeatTrace trace)
+        /// <param name="trace">The last beats.</param>
+        /// <param name="lag">Beats by which the value lay back when it was sampled.</param>
+        public void Draw(BeatTrace trace, double lag)
         {
             EditorGUILayout.LabelField(m_Title, EditorStyles.miniBoldLabel);
             Rect area = EditorGUILayout.GetControlRect(false, k_Height);
             if (Event.current.type != EventType.Repaint)
                 return;
-            ReadOnlySpan<BeatSample> folded = trace.Fold();
+            ReadOnlySpan<BeatSample> folded = trace.Fold(lag);
             Fit(folded);
             EditorGUI.DrawRect(area, EditorGUIUtility.isProSkin ? s_DarkGround : s_LightGround);
             Rect inner = Inner(area);
             DrawAxis(inner);
             DrawCurve(inner, folded);
-            DrawNow(inner, trace);
+            DrawNow(inner, folded);
             GUI.Label(area, m_Scale.High.ToString(m_Format, CultureInfo.InvariantCulture), EditorStyles.miniLabel);
             GUI.Label(BottomLine(area), m_Scale.Low.ToString(m_Format, CultureInfo.InvariantCulture), EditorStyles.miniLabel);
         }
@@ -83,11 +85,13 @@ namespace Alate.Editor
             Handles.DrawAAPolyLine(k_LineWidth, m_Curve.Count, m_Curve.Points);
         }
 
-        private void DrawNow(Rect inner, BeatTrace trace)
+        private void DrawNow(Rect inner, ReadOnlySpan<BeatSample> folded)
         {
-            if (trace.Count == 0)
+            if (folded.Length == 0)
                 return;
-            BeatSample now = trace.Last;
+            BeatSample now = folded[0];
+            foreach (BeatSample sample in folded)
+                now = sample.beat > now.beat ? sample : now;
             Vector3 at = GraphCurve.At(inner, now.Phase, m_Scale.Place(m_Value(now)));
             EditorGUI.DrawRect(new Rect(at.x - 2f, at.y - 2f, 5f, 5f), m_Colour);
         }

@@ -1,4 +1,5 @@
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate.Editor
 {
@@ -15,6 +16,20 @@ namespace Alate.Editor
             double beat = wing.Beats + wing.Phase / (2.0 * math.PI_DBL);
             sample = new BeatSample(beat, FlapAngle(wing), insect.LiftOverWeight);
             return true;
+        }
+
+        /// <summary>Beats by which the air force lies back: it is the mean over the last step.</summary>
+        public static double ForceLag(InsectWings insect)
+        {
+            switch (insect.UpdateMode)
+            {
+                case WingUpdateMode.FixedUpdate:
+                    return 0.5 * insect.Frequency * Time.fixedDeltaTime;
+                case WingUpdateMode.Manual:
+                    return 0.0;
+                default:
+                    return 0.5 * insect.Frequency * Pacer.FrameStep;
+            }
         }
 
         /// <summary>

@@ -60,14 +60,17 @@ namespace Alate.Editor
         }
 
         /// <summary>The samples of the last beats in the order of their phases. Valid until the next call.</summary>
-        public ReadOnlySpan<BeatSample> Fold()
+        /// <param name="lag">Beats by which what was sampled lay back.</param>
+        public ReadOnlySpan<BeatSample> Fold(double lag = 0.0)
         {
             int count = 0;
             double oldest = Last.beat - m_Beats;
             for (int k = Count - 1; k >= 0 && this[k].beat >= oldest; k--)
             {
-                m_Folded[count] = this[k];
-                m_Phases[count++] = this[k].Phase;
+                BeatSample sample = this[k];
+                m_Folded[count] = new BeatSample(sample.beat - lag, sample.flap, sample.lift);
+                m_Phases[count] = m_Folded[count].Phase;
+                count++;
             }
 
             Array.Sort(m_Phases, m_Folded, 0, count);

@@ -15,7 +15,7 @@ namespace Alate.Editor
                 "Over one beat, from the top of the stroke at the left to the next at the right; the last beats lie one over the other. The tip as it is deformed: it lags behind what drives it.");
 
             public static readonly GUIContent Lift = new GUIContent(
-                "Lift over weight", "Air force on all wings against gravity, over the weight of the insect, in the same beats. It flies level where the mean is 1.");
+                "Lift over weight", "Air force on all wings against gravity, over the weight of the insect, in the same beats; each value is the mean of a step. It flies level where the mean is 1.");
 
             public static readonly GUIContent Frequency = new GUIContent("Frequency", "Of this beat of the first wing.");
             public static readonly GUIContent Range = new GUIContent("Flap Range", "What drives the first wing, from lowest to highest in this beat.");
@@ -60,8 +60,8 @@ namespace Alate.Editor
                 return;
             }
 
-            m_Flap.Draw(m_Trace);
-            m_Lift.Draw(m_Trace);
+            m_Flap.Draw(m_Trace, 0.0);
+            m_Lift.Draw(m_Trace, BeatReader.ForceLag(insect));
             Line(Content.Frequency, LiveNumbers.Frequency(insect));
             Line(Content.Range, LiveNumbers.FlapRange(insect));
             Line(Content.MeanLift, LiveNumbers.Lift(m_Trace.Fold()));

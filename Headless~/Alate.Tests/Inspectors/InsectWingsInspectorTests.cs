@@ -135,6 +135,7 @@ namespace Alate.Tests.Inspectors
         {
             InsectWings insect = Without(Bare());
             Open(insect);
+            m_Editor.serializedObject.FindProperty("m_Wings").isExpanded = true;
 
             DrawnInspector page = DrawnInspector.Press(m_Editor, "Find Wings");
 

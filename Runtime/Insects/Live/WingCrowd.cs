@@ -34,6 +34,9 @@ namespace Alate
         /// <summary>Whether nobody lives, waits or is broken.</summary>
         public bool IsEmpty => m_Population.IsEmpty;
 
+        /// <summary>[clock] The time within its last step that was drawn last, 0 its start, 1 its end.</summary>
+        public float4 DrawnAlpha => m_DrawnAlpha;
+
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
 
