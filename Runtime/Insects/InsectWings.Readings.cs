@@ -99,7 +99,7 @@ namespace Alate
         public Vector3 JointPosition(int wing, int chain, int joint)
         {
             CheckWing(wing);
-            if (Live == null)
+            if (Live == null || Live.wings[wing].transform == null)
                 return default;
             LiveWing live = Live.wings[wing];
             return live.transform.TransformPoint(live.rig.Frame.ToMesh(Read(wing).JointPosition(chain, joint)));

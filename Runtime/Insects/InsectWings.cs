@@ -10,6 +10,7 @@ namespace Alate
     /// </summary>
     [AddComponentMenu("Alate/Insect Wings")]
     [HelpURL("https://example.invalid/alate/documentation/insect-wings.html")]
+    [Icon("Packages/com.alate.insect-wings/Editor/Icons/InsectWings.png")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(ExecutionOrders.InsectWings)]
     public sealed partial class InsectWings : MonoBehaviour
@@ -39,6 +40,9 @@ namespace Alate
 
         [SerializeField]
         InsectQuality m_Quality = InsectQuality.Default;
+
+        // Found, not chosen: it must not follow into a clone, nor stay when the insect changes its carrier.
+        private Rigidbody m_Carrier;
 
         /// <summary>The preset; null stands for a monarch. A preset that changes is followed from the next step on.</summary>
         public WingSpecies Species
@@ -95,9 +99,11 @@ namespace Alate
         {
             get
             {
-                if (m_Motion.body == null)
-                    m_Motion.body = GetComponentInParent<Rigidbody>();
-                return m_Motion.body;
+                if (m_Motion.body != null)
+                    return m_Motion.body;
+                if (m_Carrier == null)
+                    m_Carrier = GetComponentInParent<Rigidbody>();
+                return m_Carrier;
             }
         }
 
@@ -123,13 +129,13 @@ namespace Alate
                 WingSystem.Crowd.Restart(Live);
         }
 
-        /// <summary>Tells the wings that the insect has just been moved to another place: the move is not felt as motion.</summary>
+        /// <summary>Tells the wings that the insect is moved to another place in this frame: the move is not felt as motion.</summary>
         /// <param name="keepMotion">Whether the wings beat on; otherwise they start anew.</param>
         public void Teleport(bool keepMotion = true)
         {
             if (Live == null)
                 return;
-            Live.motion.Rebase(transform.position, transform.rotation);
+            Live.motion.Interrupt();
             if (!keepMotion)
                 ResetState();
         }
@@ -148,9 +154,9 @@ namespace Alate
         internal void Report(in InsectProblem problem)
         {
             bool isNew = problem.State != Problem.State || problem.Wing != Problem.Wing;
-            Problem = problem;
-            if (isNew && problem.IsProblem)
-                Debug.LogWarning(problem.Message, this);
+            Problem = problem.IsProblem ? problem.Of(name) : problem;
+            if (isNew && Problem.IsProblem)
+                Debug.LogWarning(Problem.Message, this);
         }
 
         private void Reset() => FindWings();
@@ -169,6 +175,8 @@ namespace Alate
             WingSystem.Leave(this);
             Report(InsectProblem.Inactive);
         }
+
+        private void OnTransformParentChanged() => m_Carrier = null;
 
         private void OnValidate()
         {

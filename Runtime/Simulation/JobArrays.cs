@@ -121,6 +121,16 @@ namespace Alate
         public void Resume(PackMemory pack, int lane, float seconds) =>
             PackReset.Resume(pack.view, Scratch(pack), Lanes(pack, lane), seconds);
 
+        /// <summary>Puts a wing where another one is in its beat, into the driven pose there.</summary>
+        public void Follow(PackMemory pack, int lane, PackMemory leader, int leaderLane)
+        {
+            // Resuming settles on the present frequency; the glide from the last one is taken over after it, so that the two stay together.
+            BeatState beat = *leader.view.beat;
+            TakeClock(pack, lane, beat, leaderLane);
+            Resume(pack, lane, 0f);
+            TakeClock(pack, lane, beat, leaderLane);
+        }
+
         /// <summary>Steps the wings of one owner, here and now.</summary>
         public void StepNow(IReadOnlyList<PackMemory> packs, int owner, float dt)
         {
@@ -182,6 +192,15 @@ namespace Alate
             ReserveScratch(RigSize.Of(pack.view.rig));
             StepScratch.Layout(m_ScratchSize, m_Scratch, out StepScratch scratch);
             return scratch;
+        }
+
+        private static void TakeClock(PackMemory pack, int lane, in BeatState beat, int from)
+        {
+            for (int l = 0; l < WingPack.Lanes; l++)
+            {
+                if (pack.Writes(lane, l))
+                    pack.view.beat->TakeClock(l, beat, from);
+            }
         }
 
         private static bool4 Lanes(PackMemory pack, int lane)

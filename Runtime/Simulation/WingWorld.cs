@@ -147,6 +147,13 @@ namespace Alate
             m_Arrays.Resume(entry.pack, entry.lane, seconds);
         }
 
+        /// <summary>Lets a wing go on in the beat of another one, in its own driven pose, without a kick.</summary>
+        internal void Follow(WingHandle wing, WingHandle leader)
+        {
+            WingEntry follower = Entry(wing), led = Entry(leader);
+            m_Arrays.Follow(follower.pack, follower.lane, led.pack, led.lane);
+        }
+
         /// <summary>Chooses whether <see cref="Skin"/> deforms a wing; otherwise its vertices stay as they are.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void SetSkinned(WingHandle wing, bool skinned) => m_Arrays.SetSkinned(Entry(wing), skinned);

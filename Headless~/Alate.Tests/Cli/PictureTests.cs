@@ -52,7 +52,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void OutlineOfASquareOfTwoTriangles_HasFourCorners()
         {
-            List<List<int>> outlines = OutlineTracer.Outlines(new List<int3> { new int3(0, 1, 2), new int3(0, 2, 3) });
+            List<List<int>> outlines = Alate.Cli.Pictures.OutlineTracer.Outlines(new List<int3> { new int3(0, 1, 2), new int3(0, 2, 3) });
 
             Assert.That(outlines, Has.Count.EqualTo(1));
             Assert.That(outlines[0], Has.Count.EqualTo(5));
@@ -70,7 +70,7 @@ namespace Alate.Tests.Cli
                 triangles.Add(new int3(next, 4 + next, 4 + k));
             }
 
-            Assert.That(OutlineTracer.Outlines(triangles), Has.Count.EqualTo(2));
+            Assert.That(Alate.Cli.Pictures.OutlineTracer.Outlines(triangles), Has.Count.EqualTo(2));
         }
 
         [Test]
@@ -78,7 +78,7 @@ namespace Alate.Tests.Cli
         {
             var lines = new List<int3> { new int3(2, 3, -1), new int3(1, 2, -1), new int3(3, 4, -1) };
 
-            List<List<int>> strokes = OutlineTracer.Strokes(lines);
+            List<List<int>> strokes = Alate.Cli.Pictures.OutlineTracer.Strokes(lines);
 
             Assert.That(strokes, Has.Count.EqualTo(1));
             Assert.That(strokes[0], Is.EqualTo(new[] { 1, 2, 3, 4 }));

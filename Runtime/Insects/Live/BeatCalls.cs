@@ -1,8 +1,10 @@
+using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Tells insects that a beat began. Whoever listens may destroy or make insects.</summary>
+    /// <summary>Tells insects that a beat began. Whoever listens may destroy or make insects; one who throws is logged and keeps nobody else from hearing.</summary>
     internal sealed class BeatCalls
     {
         private readonly List<InsectWings> m_Beating = new List<InsectWings>();
@@ -25,11 +27,23 @@ namespace Alate
                 foreach (InsectWings insect in m_Beating)
                 {
                     if (insect != null && insect.Live != null)
-                        insect.TellBeat();
+                        Tell(insect);
                 }
             }
 
             m_Beating.Clear();
+        }
+
+        private static void Tell(InsectWings insect)
+        {
+            try
+            {
+                insect.TellBeat();
+            }
+            catch (Exception exception)
+            {
+                Debug.LogException(exception, insect);
+            }
         }
     }
 }

@@ -12,10 +12,10 @@ namespace Alate
 
         public readonly InsectWings insect;
         public readonly Transform root;
-        public readonly LiveMesh[] meshes;
+        public readonly List<LiveMesh> meshes = new List<LiveMesh>();
 
         /// <summary>In the order of the insect's list.</summary>
-        public readonly LiveWing[] wings;
+        public LiveWing[] wings = System.Array.Empty<LiveWing>();
 
         /// <summary>Names the insect's own clock.</summary>
         public readonly int owner;
@@ -28,14 +28,12 @@ namespace Alate
         public int beats;
 
         private WingPacing m_Pacing;
-        private bool m_Resting, m_Skinned = true;
+        private bool m_Resting, m_Seen, m_Skinned = true;
         private double m_RestingSince, m_AsleepSince;
 
-        public LiveInsect(InsectWings insect, LiveMesh[] meshes, LiveWing[] wings, int owner)
+        public LiveInsect(InsectWings insect, int owner)
         {
             this.insect = insect;
-            this.meshes = meshes;
-            this.wings = wings;
             this.owner = owner;
             root = insect.transform;
         }
@@ -64,19 +62,33 @@ namespace Alate
             }
         }
 
-        /// <summary>Puts the wings into the world.</summary>
-        public void Enter(WingWorld world, SpeciesWatch species)
+        /// <summary>Puts those of the wings into the world that are not in it.</summary>
+        /// <param name="world">Where all wings are.</param>
+        /// <param name="species">The presets in use.</param>
+        /// <param name="leader">A wing of the insect whose beat goes on; none starts a new one.</param>
+        public void Enter(WingWorld world, SpeciesWatch species, WingHandle leader = default)
         {
-            m_Pacing = new WingPacing(Clock, owner, WingDetail.Full);
-            Sense(default);
-            foreach (LiveWing wing in wings)
+            if (leader.IsNone)
             {
-                wing.Tune(species, insect.Species, insect.SubstepsPerBeat, Fade, out WingParameters parameters);
-                wing.Place();
-                wing.handle = world.Add(wing.rig, parameters, wing.Surroundings(flight), m_Pacing);
+                m_Pacing = new WingPacing(Clock, owner, WingDetail.Full);
+                Sense(default);
             }
 
-            Start(world);
+            foreach (LiveWing wing in wings)
+            {
+                if (!wing.handle.IsNone)
+                    continue;
+                wing.Tune(species, insect.Species, insect.SubstepsPerBeat, Fade, out WingParameters parameters);
+                wing.Place();
+                WingSurroundings around = wing.Surroundings(flight);
+                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing);
+                world.SetSkinned(wing.handle, m_Skinned);
+                if (!leader.IsNone)
+                    world.Follow(wing.handle, leader);
+            }
+
+            if (leader.IsNone)
+                Start(world);
         }
 
         /// <summary>Starts all wings anew, at the insect's phase.</summary>
@@ -85,13 +97,6 @@ namespace Alate
             foreach (LiveWing wing in wings)
                 world.Reset(wing.handle);
             Start(world);
-        }
-
-        /// <summary>Takes the wings out of the world.</summary>
-        public void Leave(WingWorld world)
-        {
-            foreach (LiveWing wing in wings)
-                world.Remove(wing.handle);
         }
 
         /// <summary>Takes over sliders and presets.</summary>
@@ -158,9 +163,12 @@ namespace Alate
         }
 
         /// <summary>Chooses the level of detail by what cameras see of the insect, and whether to deform its meshes.</summary>
-        public void ChooseDetail(WingWorld world, Camera camera, float bias, Pacer pacer)
+        /// <returns>Whether its meshes have to be drawn anew though nothing may have moved.</returns>
+        public bool ChooseDetail(WingWorld world, Camera camera, float bias, Pacer pacer)
         {
-            visible = false;
+            // No camera has had a look at a new one.
+            visible = !m_Seen;
+            m_Seen = true;
             foreach (LiveMesh mesh in meshes)
                 visible |= mesh.renderer != null && mesh.renderer.isVisible;
             bool outOfSight = !visible && insect.Quality.culling == WingCulling.Everything;
@@ -168,7 +176,7 @@ namespace Alate
                 Pace(world, WingDetail.Full, false, pacer);
             else
                 Pace(world, Wanted(camera, bias), outOfSight, pacer);
-            SetSkinned(world);
+            return SetSkinned(world);
         }
 
         /// <summary>Puts what was deformed into the meshes.</summary>
@@ -182,6 +190,9 @@ namespace Alate
 
         private WingDetail Wanted(Camera camera, float bias)
         {
+            // Where nothing is computed nobody else looks where the wings are.
+            if (Detail == WingDetail.Frozen)
+                wings[0].Place();
             if (!insect.Quality.levelOfDetail || camera == null || !wings[0].placed.isValid)
                 return WingDetail.Full;
             float height = bias * DetailChoice.ScreenHeight(camera, wings[0].placed.hinge, wings[0].placed.length);
@@ -192,7 +203,9 @@ namespace Alate
         public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Pacer pacer)
         {
             WingClock clock = Clock;
-            double now = pacer.TimeOf(m_Pacing.clock);
+            double now = pacer.TimeOf(clock), shift = now - pacer.TimeOf(m_Pacing.clock);
+            m_RestingSince += shift;
+            m_AsleepSince += shift;
             bool resting = wanted == WingDetail.Frozen && !outOfSight;
             if (resting && !m_Resting)
                 m_RestingSince = now;
@@ -219,10 +232,10 @@ namespace Alate
 
             m_Pacing = pacing;
             if (sleeps)
-                m_AsleepSince = pacer.TimeOf(clock);
+                m_AsleepSince = now;
         }
 
-        private void SetSkinned(WingWorld world)
+        private bool SetSkinned(WingWorld world)
         {
             bool skinned = m_Pacing.detail != WingDetail.Frozen && (visible || insect.Quality.culling == WingCulling.Nothing);
             if (skinned != m_Skinned)
@@ -231,14 +244,9 @@ namespace Alate
                     world.SetSkinned(wing.handle, skinned);
             }
 
+            bool again = skinned && !m_Skinned;
             m_Skinned = skinned;
-        }
-
-        /// <summary>Gives all meshes back.</summary>
-        public void RestoreMeshes()
-        {
-            foreach (LiveMesh mesh in meshes)
-                mesh.Restore();
+            return again;
         }
 
         /// <summary>The clock of an update mode.</summary>

@@ -39,7 +39,7 @@ namespace Alate
         public float4 Alpha()
         {
             float length = Time.fixedDeltaTime;
-            float fixedAlpha = length > 0f ? math.saturate((Time.time - Time.fixedTime) / length) : 1f;
+            float fixedAlpha = length > 0f ? (float)math.saturate((Time.timeAsDouble - Time.fixedTimeAsDouble) / length) : 1f;
             return new float4(fixedAlpha, m_Frame.Alpha, m_Unscaled.Alpha, 1f);
         }
 

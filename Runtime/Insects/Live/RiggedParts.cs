@@ -36,7 +36,7 @@ namespace Alate
                     if (shapes[w].Overlaps(shapes[other]))
                     {
                         problem = new InsectProblem(InsectState.WingsOverlap, indices[w],
-                            $"Wings {indices[other]} and {indices[w]} share vertices of mesh '{Mesh.name}'. Give each a part of its own: a submesh, or a connected part.");
+                            $"it shares vertices of mesh '{Mesh.name}' with wing {indices[other]}. Give each a part of its own: a submesh, or a connected part.");
                     }
                 }
 
@@ -61,7 +61,7 @@ namespace Alate
             }
             catch (ArgumentException exception)
             {
-                return new InsectProblem(InsectState.NoSuchPart, index, $"Wing {index}: {OneLine(exception)} Choose another part.");
+                return new InsectProblem(InsectState.NoSuchPart, index, $"{OneLine(exception)} Choose another part.");
             }
 
             WingSurface surface = MeshParts.Surface(Mesh, selection);
@@ -78,9 +78,9 @@ namespace Alate
             {
                 return automatic
                     ? new InsectProblem(InsectState.NoSkeleton, index,
-                        $"Wing {index} has no skeleton, and none could be laid out on mesh '{Mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
+                        $"it has no skeleton, and none could be laid out on mesh '{Mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
                     : new InsectProblem(InsectState.SkeletonDoesNotFit, index,
-                        $"Wing {index}: {OneLine(exception)} Assign the skeleton that was made for mesh '{Mesh.name}'.");
+                        $"{OneLine(exception)} Assign the skeleton that was made for mesh '{Mesh.name}'.");
             }
             finally
             {
@@ -90,7 +90,7 @@ namespace Alate
         }
 
         // Without the "(Parameter 'x')" that .NET adds.
-        private static string OneLine(ArgumentException exception)
+        internal static string OneLine(ArgumentException exception)
         {
             string message = exception.Message;
             int end = exception.ParamName == null ? -1 : message.IndexOf(" (Parameter '", StringComparison.Ordinal);

@@ -1,3 +1,5 @@
+using Unity.Mathematics;
+
 namespace Alate
 {
     /// <summary>What a preset says now, in the units of the model; compared once a step, however many insects share it.</summary>
@@ -44,10 +46,10 @@ namespace Alate
 
         private void Take(in SpeciesSize size)
         {
-            wingLength = size.wingLength;
-            wingMass = size.wingMass;
-            insectMass = size.insectMass;
-            gravityShare = size.gravityShare;
+            wingLength = math.clamp(size.wingLength, 5e-4f, 1f);
+            wingMass = math.clamp(size.wingMass, 1e-9f, 1f);
+            insectMass = math.clamp(size.insectMass, 1e-8f, 10f);
+            gravityShare = math.saturate(size.gravityShare);
         }
     }
 }

@@ -9,40 +9,30 @@ namespace Alate
     /// <summary>All insects that live, and what is done with them in each fixed step and frame, in order.</summary>
     internal sealed class WingCrowd : IDisposable
     {
-        /// <summary>
-        /// Vertices of insects that may start in one frame: a swarm that appears at once comes to life over several frames instead of stopping the game. The first one of a frame
-        /// always starts.
-        /// </summary>
-        private const int k_VerticesPerFrame = 1 << 17;
-
-        private readonly List<InsectWings> m_Arriving = new List<InsectWings>();
-        private readonly List<LiveInsect> m_Leaving = new List<LiveInsect>();
-        private readonly List<LiveInsect> m_Insects = new List<LiveInsect>();
-        private readonly BrokenInsects m_Broken;
+        private readonly Population m_Population;
         private readonly BeatCalls m_Calls = new BeatCalls();
         private readonly SpeciesWatch m_Species = new SpeciesWatch();
-        private readonly SkeletonWatch m_Skeletons = new SkeletonWatch();
         private readonly WindZones m_WindZones = new WindZones();
         private readonly Pacer m_Pacer = new Pacer();
-        private readonly InsectBuilder m_Builder;
         private bool m_Moved;
         private float4 m_DrawnAlpha;
 
         public WingCrowd()
         {
             World = new WingWorld();
-            m_Builder = new InsectBuilder(new TemplateCache(), m_Skeletons);
-            m_Broken = new BrokenInsects(m_Skeletons);
+            m_Population = new Population(World, m_Species);
         }
 
         /// <summary>The simulation.</summary>
         public WingWorld World { get; }
 
         /// <summary>Insects whose wings beat.</summary>
-        public int Count => m_Insects.Count;
+        public int Count => Insects.Count;
+
+        private List<LiveInsect> Insects => m_Population.Living;
 
         /// <summary>Whether nobody lives, waits or is broken.</summary>
-        public bool IsEmpty => m_Insects.Count == 0 && m_Arriving.Count == 0 && m_Broken.Count == 0;
+        public bool IsEmpty => m_Population.IsEmpty;
 
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
@@ -51,7 +41,7 @@ namespace Alate
         public int CountResets()
         {
             int count = 0;
-            foreach (LiveInsect live in m_Insects)
+            foreach (LiveInsect live in Insects)
             {
                 foreach (LiveWing wing in live.wings)
                     count += World.Read(wing.handle).Resets;
@@ -63,20 +53,10 @@ namespace Alate
         public void FindWindZones() => m_WindZones.Find();
 
         /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
-        public void Enter(InsectWings insect)
-        {
-            insect.Report(InsectProblem.Waiting);
-            m_Arriving.Add(insect);
-        }
+        public void Enter(InsectWings insect) => m_Population.Enter(insect);
 
         /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
-        public void Leave(InsectWings insect)
-        {
-            m_Arriving.Remove(insect);
-            m_Broken.Remove(insect);
-            if (insect.Live != null)
-                Retire(insect.Live);
-        }
+        public void Leave(InsectWings insect) => m_Population.Leave(insect);
 
         /// <summary>One fixed step of the physics.</summary>
         public void FixedStep(float dt)
@@ -97,15 +77,15 @@ namespace Alate
             using (SystemMarkers.frame.Auto())
             {
                 Wait();
-                Renew();
-                Admit(k_VerticesPerFrame);
+                if (m_Population.Turn())
+                    WelcomeNew();
                 Tune();
                 Watch(dt, unscaledDt);
                 ChooseDetail();
                 Sense(WingClock.Frame, WingClock.Unscaled);
                 Schedule(m_Pacer.Frame(dt, unscaledDt));
                 Draw();
-                m_Calls.Tell(m_Insects, World);
+                m_Calls.Tell(Insects, World);
             }
         }
 
@@ -113,8 +93,9 @@ namespace Alate
         public void StepByHand(InsectWings insect, float dt)
         {
             World.Complete();
-            if (m_Arriving.Remove(insect))
-                Admit(insect);
+            if (m_Population.Hurry(insect))
+                WelcomeNew();
+
             LiveInsect live = insect.Live;
             if (live == null)
                 return;
@@ -140,86 +121,15 @@ namespace Alate
 
         public void Dispose()
         {
-            while (m_Insects.Count > 0)
-                Retire(m_Insects[m_Insects.Count - 1]);
             World.Complete();
-            LetGo();
+            m_Population.End();
             World.Dispose();
         }
 
-        private void Retire(LiveInsect live)
+        private void WelcomeNew()
         {
-            live.RestoreMeshes();
-            live.insect.Live = null;
-            m_Insects.Remove(live);
-            m_Leaving.Add(live);
-        }
-
-        private void LetGo()
-        {
-            foreach (LiveInsect live in m_Leaving)
-            {
-                live.Leave(World);
-                m_Builder.Free(live);
-            }
-
-            m_Leaving.Clear();
-        }
-
-        // Insects whose mesh, wings or skeletons changed, and broken ones that were mended, start anew.
-        private void Renew()
-        {
-            using (SystemMarkers.renew.Auto())
-            {
-                LetGo();
-                m_Skeletons.Refresh();
-                RetireChanged();
-                m_Broken.TakeMended(m_Arriving);
-                LetGo();
-            }
-        }
-
-        private void RetireChanged()
-        {
-            for (int k = m_Insects.Count - 1; k >= 0; k--)
-            {
-                LiveInsect live = m_Insects[k];
-                if (!m_Builder.IsStale(live))
-                    continue;
-                Retire(live);
-                m_Arriving.Add(live.insect);
-            }
-        }
-
-        private void Admit(int vertices)
-        {
-            using (SystemMarkers.admit.Auto())
-            {
-                int admitted = 0;
-                for (; admitted < m_Arriving.Count && vertices > 0; admitted++)
-                    vertices -= Admit(m_Arriving[admitted]);
-                if (admitted == 0)
-                    return;
-                m_Arriving.RemoveRange(0, admitted);
-                m_WindZones.Find();
-            }
-        }
-
-        private int Admit(InsectWings insect)
-        {
-            LiveInsect live = m_Builder.Build(insect, out InsectProblem problem);
-            insect.Report(problem);
-            if (live == null)
-            {
-                m_Broken.Add(insect);
-                return 0;
-            }
-
-            insect.Live = live;
-            live.Enter(World, m_Species);
-            m_Insects.Add(live);
+            m_WindZones.Find();
             m_Moved = true;
-            return live.VertexCount;
         }
 
         private void Tune()
@@ -227,7 +137,7 @@ namespace Alate
             using (SystemMarkers.tune.Auto())
             {
                 m_Species.Refresh();
-                foreach (LiveInsect live in m_Insects)
+                foreach (LiveInsect live in Insects)
                     live.Tune(World, m_Species);
             }
         }
@@ -236,7 +146,7 @@ namespace Alate
         {
             using (SystemMarkers.watch.Auto())
             {
-                foreach (LiveInsect live in m_Insects)
+                foreach (LiveInsect live in Insects)
                 {
                     if (live.Clock != WingClock.Own)
                         Watch(live, live.Clock == WingClock.Unscaled ? unscaledDt : dt);
@@ -258,8 +168,8 @@ namespace Alate
                 if (camera == null)
                     camera = Camera.main;
                 float bias = QualitySettings.lodBias;
-                foreach (LiveInsect live in m_Insects)
-                    live.ChooseDetail(World, camera, bias, m_Pacer);
+                foreach (LiveInsect live in Insects)
+                    m_Moved |= live.ChooseDetail(World, camera, bias, m_Pacer);
             }
         }
 
@@ -267,7 +177,7 @@ namespace Alate
         {
             using (SystemMarkers.sense.Auto())
             {
-                foreach (LiveInsect live in m_Insects)
+                foreach (LiveInsect live in Insects)
                 {
                     WingClock clock = live.Clock;
                     if ((clock == first || clock == second) && live.Detail != WingDetail.Frozen)
@@ -280,11 +190,16 @@ namespace Alate
         {
             float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position, Time.time) : default;
             live.Sense(wind);
-            live.insect.Report(live.Feel(World) ? InsectProblem.None : InsectProblem.NoSize(live.insect.name));
+            bool hasSize = live.Feel(World);
+            if (hasSize)
+                live.insect.Report(InsectProblem.None);
+            else if (live.insect.State != InsectState.ZeroScale)
+                live.insect.Report(InsectProblem.NoSize);
         }
 
-        private void Schedule(in StepPlan plan)
+        private void Schedule(StepPlan plan)
         {
+            plan.count = math.select(0, plan.count, ClocksInUse());
             if (plan.IsEmpty)
                 return;
             using (SystemMarkers.schedule.Auto())
@@ -299,6 +214,18 @@ namespace Alate
                 World.Complete();
         }
 
+        private bool4 ClocksInUse()
+        {
+            bool4 used = default;
+            foreach (LiveInsect live in Insects)
+            {
+                if (live.Detail != WingDetail.Frozen)
+                    used[(int)live.Clock] = true;
+            }
+
+            return used;
+        }
+
         private void Draw()
         {
             float4 alpha = m_Pacer.Alpha();
@@ -311,7 +238,7 @@ namespace Alate
             Wait();
             using (SystemMarkers.upload.Auto())
             {
-                foreach (LiveInsect live in m_Insects)
+                foreach (LiveInsect live in Insects)
                     live.Upload(World);
             }
         }

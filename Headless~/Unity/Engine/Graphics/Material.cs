@@ -48,6 +48,9 @@ public class Material : Object, ICopyable
         set => SetTexture("_MainTex", value);
     }
 
+    /// <summary>There is no screen to draw on.</summary>
+    public bool SetPass(int pass) => false;
+
     public bool HasProperty(string name) => _values.Has(name);
     public Color GetColor(string name) => _values.Get<Color>(name);
     public void SetColor(string name, Color value) => _values.Set(name, value);

@@ -26,4 +26,5 @@ public class Texture : Object
     public virtual int width { get; set; }
     public virtual int height { get; set; }
     public TextureWrapMode wrapMode { get; set; }
+    public virtual bool isReadable => true;
 }

@@ -4,7 +4,8 @@ namespace UnityEngine;
 
 public sealed class Texture2D : Texture
 {
-    private readonly Color[] _pixels;
+    private Color[] _pixels;
+    private bool _isReadable = true;
 
     public Texture2D(int width, int height)
         : this(width, height, TextureFormat.RGBA32, true)
@@ -20,17 +21,22 @@ public sealed class Texture2D : Texture
         _pixels = new Color[width * height];
         Array.Fill(_pixels, new Color(0.8f, 0.8f, 0.8f, 0.8f));
         format = textureFormat;
-        isReadable = true;
     }
 
     public TextureFormat format { get; }
 
-    public bool isReadable { get; private set; }
+    public override bool isReadable => _isReadable;
 
     public Color GetPixel(int x, int y)
     {
         CheckReadable();
         return _pixels[Place(x, y)];
+    }
+
+    public Color32[] GetPixels32()
+    {
+        CheckReadable();
+        return Array.ConvertAll(_pixels, pixel => (Color32)pixel);
     }
 
     public void SetPixel(int x, int y, Color color)
@@ -47,27 +53,39 @@ public sealed class Texture2D : Texture
         Array.Copy(colors, _pixels, _pixels.Length);
     }
 
-    public void SetPixels32(Color32[] colors) => SetPixels(Array.ConvertAll(colors, color => (Color)color));
-
-    public Color32[] GetPixels32()
+    public void SetPixels32(Color32[] colors)
     {
         CheckReadable();
-        return Array.ConvertAll(_pixels, color => (Color32)color);
+        if (colors.Length < _pixels.Length)
+            throw new ArgumentException($"The texture has {_pixels.Length} pixels, the array {colors.Length}.");
+        for (int k = 0; k < _pixels.Length; k++)
+            _pixels[k] = colors[k];
     }
 
-    public void Apply() => Apply(true, false);
+    public void Apply() => CheckReadable();
+
+    public void Apply(bool updateMipmaps) => CheckReadable();
 
     public void Apply(bool updateMipmaps, bool makeNoLongerReadable)
     {
         CheckReadable();
-        isReadable = !makeNoLongerReadable;
+        _isReadable = !makeNoLongerReadable;
+    }
+
+    internal void Become(int newWidth, int newHeight, Color32[] pixels, bool readable)
+    {
+        CheckAlive();
+        width = newWidth;
+        height = newHeight;
+        _pixels = Array.ConvertAll(pixels, pixel => (Color)pixel);
+        _isReadable = readable;
     }
 
     private void CheckReadable()
     {
         CheckAlive();
-        if (!isReadable)
-            throw new UnityException($"Texture '{name}' is not readable.");
+        if (!_isReadable)
+            throw new UnityException($"Texture '{name}' is not readable, the texture memory can not be accessed from scripts.");
     }
 
     private int Place(int x, int y) => Math.Clamp(y, 0, height - 1) * width + Math.Clamp(x, 0, width - 1);

@@ -64,7 +64,8 @@ namespace Alate.Tests
 
         public void Dispose()
         {
-            Object.DestroyImmediate(Root.gameObject);
+            if (Root != null)
+                Object.DestroyImmediate(Root.gameObject);
             m_Made.ForEach(Object.DestroyImmediate);
         }
 
