@@ -28,6 +28,7 @@ namespace Alate
                 TriangleCount = 824,
                 ChainPaths = ChainPath.Straight(0.39, 0.425, 0.503, 0.594, 0.78),
                 Hinge = new Vector3(1.15e-3f, 0.6e-3f, 0.7e-3f),
+                Pattern = new LichenMothPattern(outline.Smoothed()),
             };
             return new SpeciesDefinition(
                 "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), new SpeciesSource[0]);

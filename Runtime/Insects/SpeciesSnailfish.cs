@@ -27,13 +27,29 @@ namespace Alate
             species.Options.coefficients = CoefficientSet.FlatPlate;
         }
 
+        static double[] RayTips()
+        {
+            var tips = new double[s_Hollows.Length + 1];
+            for (var ray = 0; ray < tips.Length; ray++)
+            {
+                tips[ray] = 0.2 + 0.72 * ray / s_Hollows.Length;
+            }
+
+            return tips;
+        }
+
+        static readonly double[] s_Hollows = { 0.012, 0.012, 0.014, 0.016, 0.018, 0.02, 0.022, 0.025, 0.028, 0.032, 0.038, 0.046, 0.054, 0.06, 0.06, 0.05 };
+
         public static SpeciesDefinition Define()
         {
-            var fin = new SpeciesWing("fin", WingOutline.FromMillimetres(s_Span, s_Leading, s_Trailing), Author)
+            var outline = WingOutline.FromMillimetres(s_Span, s_Leading, s_Trailing);
+            var fin = new SpeciesWing("fin", outline, Author)
             {
-                TriangleCount = 1600,
+                TriangleCount = 1800,
                 ChainPaths = ChainPath.Straight(0.2, 0.29, 0.38, 0.47, 0.56, 0.65, 0.74, 0.83, 0.92),
                 Hinge = new Vector3(9e-3f, 1e-3f, 2e-3f),
+                Scallops = new RimScallops(0.2, 0.92, s_Hollows),
+                Pattern = new FinPattern(outline.Smoothed(), new VeinFan(outline.Smoothed(), 0).Add(RayTips())),
             };
             return new SpeciesDefinition("snailfish", "Snailfish", new[] { fin }, SnailfishBody.Create(fin), new SpeciesSource[0]);
         }

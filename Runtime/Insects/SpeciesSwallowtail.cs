@@ -36,13 +36,16 @@ namespace Alate
 
         public static SpeciesDefinition Define()
         {
-            var fore = new SpeciesWing("fore wing", WingOutline.FromMillimetres(s_ForeSpan, s_ForeLeading, s_ForeTrailing), AuthorFore)
+            var foreOutline = WingOutline.FromMillimetres(s_ForeSpan, s_ForeLeading, s_ForeTrailing);
+            var hindOutline = WingOutline.FromMillimetres(s_HindSpan, s_HindLeading, s_HindTrailing);
+            var fore = new SpeciesWing("fore wing", foreOutline, AuthorFore)
             {
                 TriangleCount = 1080,
                 ChainPaths = ChainPath.Straight(0.46, 0.52, 0.58, 0.64, 0.71),
                 Hinge = new Vector3(2.1e-3f, 1.3e-3f, 2.1e-3f),
+                Pattern = new SwallowtailForePattern(foreOutline.Smoothed()),
             };
-            var hind = new SpeciesWing("hind wing", WingOutline.FromMillimetres(s_HindSpan, s_HindLeading, s_HindTrailing), AuthorHind)
+            var hind = new SpeciesWing("hind wing", hindOutline, AuthorHind)
             {
                 TriangleCount = 1320,
                 JointsPerChain = 6,
@@ -52,6 +55,7 @@ namespace Alate
                     new ChainPath(0.82),
                 },
                 Hinge = new Vector3(2.1e-3f, 0.9e-3f, -1.4e-3f),
+                Pattern = new SwallowtailHindPattern(hindOutline.Smoothed()),
             };
             return new SpeciesDefinition(
                 "swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), new SpeciesSource[0]);
