@@ -213,6 +213,21 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator WithoutGravity_ThereIsNoPitchAndNoLift()
+        {
+            Vector3 gravity = Physics.gravity;
+            Physics.gravity = Vector3.zero;
+            InsectWings insect = Insect();
+            insect.transform.rotation = Quaternion.Euler(-50f, 0f, 0f);
+            yield return Frames(20);
+            float pitch = insect.AngleOfAttack, lift = insect.Lift, ratio = insect.LiftOverWeight;
+            Physics.gravity = gravity;
+
+            Assert.That(new[] { pitch, lift, ratio }, Is.All.Zero);
+            Assert.That(insect.AirForce.magnitude, Is.GreaterThan(0f));
+        }
+
+        [UnityTest]
         public IEnumerator ADirectionalWindZone_IsFelt_UnlessItIsNotWanted()
         {
             InsectWings insect = Insect(), sheltered = Insect();
