@@ -4,6 +4,7 @@ using UnityEngine;
 namespace Unity.StandIns;
 
 /// <summary>Shaders that a test's project has besides Unity's own.</summary>
+[StandInExtension]
 public static class ProjectShaders
 {
     private static readonly Dictionary<string, Shader> s_ByName = [];
