@@ -137,6 +137,23 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
+        public IEnumerator OutOfSight_AnotherCullingOrMode_WakesIt([Values] bool byMode)
+        {
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything)), twin = Hatch();
+            yield return Frames(10);
+            LookAway();
+            yield return Frames(30);
+            if (byMode)
+                insect.UpdateMode = WingUpdateMode.Manual;
+            else
+                insect.Quality.culling = WingCulling.Skinning;
+            yield return Frames(2);
+
+            Assert.That(insect.Detail, Is.EqualTo(WingDetail.Full));
+            Assert.That(Beats(insect), Is.EqualTo(Beats(twin)).Within(byMode ? 0.5f : 0.01f));
+        }
+
+        [UnityTest]
         public IEnumerator AtTheEdgeOfTheScreen_NothingPops()
         {
             InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything));

@@ -213,60 +213,18 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator ADirectionalWindZone_IsFelt_UnlessItIsNotWanted()
+        public IEnumerator WithoutGravity_ThereIsNoPitchAndNoLift()
         {
-            InsectWings insect = Insect(), sheltered = Insect();
-            sheltered.Air.windZones = false;
-            WindZone zone = Zone(WindZoneMode.Directional, 7f);
-            zone.transform.rotation = Quaternion.Euler(0f, 90f, 0f);
-            WingSystem.FindWindZones();
-            yield return Frames(5);
-
-            Assert.That(math.distance(insect.Live.flight.wind, new float3(7f, 0f, 0f)), Is.LessThan(1e-3f));
-            Assert.That(math.length(sheltered.Live.flight.wind), Is.Zero);
-            insect.Air.wind = new Vector3(0f, 0f, 2f);
-            yield return Frames(3);
-            Assert.That(math.distance(insect.Live.flight.wind, new float3(7f, 0f, 2f)), Is.LessThan(1e-3f));
-
-            zone.gameObject.SetActive(false);
-            yield return Frames(3);
-            Assert.That(math.distance(insect.Live.flight.wind, new float3(0f, 0f, 2f)), Is.LessThan(1e-3f));
-        }
-
-        [UnityTest]
-        public IEnumerator ASphericalWindZone_BlowsOutwards_AndEndsAtItsRadius()
-        {
-            InsectWings near = Insect(), far = Insect();
-            near.transform.position = new Vector3(5f, 0f, 0f);
-            far.transform.position = new Vector3(0f, 0f, 30f);
-            Zone(WindZoneMode.Spherical, 8f).radius = 20f;
-            WingSystem.FindWindZones();
-            yield return Frames(5);
-
-            Assert.That(near.Live.flight.wind.x, Is.EqualTo(8f * 0.75f).Within(1e-3f));
-            Assert.That(math.length(far.Live.flight.wind), Is.Zero);
-        }
-
-        [UnityTest]
-        public IEnumerator ATurbulentZone_GustsButDoesNotBlowBackwards()
-        {
+            Vector3 gravity = Physics.gravity;
+            Physics.gravity = Vector3.zero;
             InsectWings insect = Insect();
-            WindZone zone = Zone(WindZoneMode.Directional, 10f);
-            zone.windTurbulence = 1f;
-            WingSystem.FindWindZones();
-            float least = float.PositiveInfinity, most = 0f;
-            for (int frame = 0; frame < 300; frame++)
-            {
-                yield return null;
-                if (frame < 3)
-                    continue;
-                least = math.min(least, insect.Live.flight.wind.z);
-                most = math.max(most, insect.Live.flight.wind.z);
-            }
+            insect.transform.rotation = Quaternion.Euler(-50f, 0f, 0f);
+            yield return Frames(20);
+            float pitch = insect.AngleOfAttack, lift = insect.Lift, ratio = insect.LiftOverWeight;
+            Physics.gravity = gravity;
 
-            Assert.That(most - least, Is.GreaterThan(2f));
-            Assert.That(least, Is.GreaterThan(5f));
-            Assert.That(most, Is.LessThan(15f));
+            Assert.That(new[] { pitch, lift, ratio }, Is.All.Zero);
+            Assert.That(insect.AirForce.magnitude, Is.GreaterThan(0f));
         }
 
         [UnityTest]
@@ -283,15 +241,6 @@ namespace Alate.Tests.Play
             }
 
             Assert.That(higher / 41f, Is.GreaterThan(0.005f));
-        }
-
-        private WindZone Zone(WindZoneMode mode, float main)
-        {
-            WindZone zone = Keep(new GameObject("wind")).AddComponent<WindZone>();
-            zone.mode = mode;
-            zone.windMain = main;
-            zone.windTurbulence = zone.windPulseMagnitude = 0f;
-            return zone;
         }
 
         // Means over some beats, weighted by time: forces are means over a fixed step each.

@@ -72,7 +72,7 @@ namespace Alate.Tests.Play
             if (ending == Ending.DestroyWing)
                 yield break;
             Assert.That(WingSystem.Crowd, Is.Null);
-            Assert.That(GameObject.Find("Wing System"), Is.Null);
+            Assert.That(Object.FindAnyObjectByType<WingSystem>(), Is.Null);
         }
 
         [UnityTest]
@@ -118,7 +118,7 @@ namespace Alate.Tests.Play
                 Object.DestroyImmediate(Hatch().gameObject);
             Assert.That(WingSystem.Crowd, Is.Null);
             yield return Frames(2);
-            Assert.That(GameObject.Find("Wing System"), Is.Null);
+            Assert.That(Object.FindAnyObjectByType<WingSystem>(), Is.Null);
         }
 
         [UnityTest]
@@ -127,7 +127,7 @@ namespace Alate.Tests.Play
             InsectWings insect = Hatch(), broken = Hatch(made => made.Wings.Clear());
             yield return Frames(5);
 
-            Object.Destroy(GameObject.Find("Wing System"));
+            Object.Destroy(Object.FindAnyObjectByType<WingSystem>().gameObject);
             yield return Frames(3);
             Assert.That(insect.State, Is.EqualTo(InsectState.Inactive));
             Assert.That(broken.State, Is.EqualTo(InsectState.Inactive));
