@@ -21,7 +21,7 @@ namespace Alate
                 Hinge = new Vector3(1.25e-3f, 0.75e-3f, -0.5e-3f),
                 Pattern = Pattern(outline.Smoothed()),
             }.With(SpeciesVariant.Biological, Quicken).With(SpeciesVariant.Expressive, Soften);
-            return new SpeciesDefinition("firefly", "Firefly", new[] { wing }, PlaceholderBody.Create(1.5f, 1.3f, 2.6f), Sources());
+            return new SpeciesDefinition("firefly", "Firefly", new[] { wing }, FireflyBody.Create(wing), Sources());
         }
 
         static WingPattern Pattern(WingOutline outline)

@@ -14,7 +14,9 @@ namespace Alate
 
         public static SpeciesDefinition Define()
         {
-            return new SpeciesDefinition("fishfly", "Fishfly", new[] { ForeWing(), HindWing() }, PlaceholderBody.Create(2.3f, 2.2f, 6f), Sources());
+            var fore = ForeWing();
+            var hind = HindWing();
+            return new SpeciesDefinition("fishfly", "Fishfly", new[] { fore, hind }, FishflyBody.Create(fore, hind), Sources());
         }
 
         static SpeciesWing ForeWing()

@@ -28,7 +28,7 @@ namespace Alate
                 Hinge = new Vector3(1.9e-3f, 1.0e-3f, 1.2e-3f),
                 Pattern = new MonarchPattern(outline.Smoothed()),
             }.With(SpeciesVariant.Expressive, Soften);
-            return new SpeciesDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(), Sources());
+            return new SpeciesDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(wing), Sources());
         }
 
         static void Soften(WingSpecies species)

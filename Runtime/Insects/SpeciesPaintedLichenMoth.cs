@@ -20,7 +20,7 @@ namespace Alate
                 Pattern = new LichenMothPattern(outline.Smoothed()),
             }.With(SpeciesVariant.Expressive, Soften);
             return new SpeciesDefinition(
-                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PlaceholderBody.Create(1.3f, 1.2f, 2.2f), Sources());
+                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), Sources());
         }
 
         static void Author(WingSpecies species)

@@ -27,7 +27,7 @@ namespace Alate
                 Hinge = new Vector3(9e-3f, 1e-3f, 2e-3f),
                 Pattern = new FinPattern(contour, new VeinFan(contour, 0).Add(RayTips())),
             }.With(SpeciesVariant.Expressive, Soften);
-            return new SpeciesDefinition("snailfish", "Snailfish", new[] { fin }, PlaceholderBody.Create(9.5f, 10f, 20f), Sources());
+            return new SpeciesDefinition("snailfish", "Snailfish", new[] { fin }, SnailfishBody.Create(fin), Sources());
         }
 
         /// <summary>Tips of rays on the margin, each at an end of a hollow.</summary>

@@ -26,8 +26,9 @@ namespace Alate
 
         public static SpeciesDefinition Define()
         {
-            return new SpeciesDefinition(
-                "swallowtail", "Swallowtail", new[] { ForeWing(), HindWing() }, PlaceholderBody.Create(2.4f, 2.6f, 4.5f), Sources());
+            var fore = ForeWing();
+            var hind = HindWing();
+            return new SpeciesDefinition("swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), Sources());
         }
 
         static SpeciesWing ForeWing()

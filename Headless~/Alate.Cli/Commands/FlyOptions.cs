@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Alate.Cli.Flights;
+using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Commands;
 
@@ -79,6 +80,9 @@ internal sealed class FlyOptions
         Description = "The species whose size, beat and stiffness that wing takes.",
     };
 
+    private readonly Option<PictureView?> m_View = Choice.Optional(
+        "--view", "The side the picture shows. [default: front-left]", PictureView.ByName);
+
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
     public void AddTo(Command command)
@@ -86,7 +90,7 @@ internal sealed class FlyOptions
         Option[] all =
         [
             m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
-            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Species, m_Out,
+            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Species, m_View, m_Out,
         ];
         foreach (Option option in all)
             command.Options.Add(option);
@@ -116,6 +120,7 @@ internal sealed class FlyOptions
             Preset = parsed.GetValue(m_Preset) ?? ModelPreset.Physical,
             NoWave = parsed.GetValue(m_NoWave),
             Rigid = parsed.GetValue(m_Rigid),
+            View = parsed.GetValue(m_View) ?? PictureView.FrontLeft,
             Folder = parsed.GetValue(m_Out),
         };
         Check(plan, species, parsed.GetValue(m_Species));

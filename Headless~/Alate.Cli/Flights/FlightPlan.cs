@@ -1,4 +1,5 @@
 using System;
+using Alate.Cli.Pictures;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
@@ -37,6 +38,9 @@ internal sealed class FlightPlan
     public SpeciesVariant Variant { get; init; }
     public bool NoWave { get; init; }
     public bool Rigid { get; init; }
+
+    /// <summary>The side from which the pictures show the insect.</summary>
+    public PictureView View { get; init; } = PictureView.FrontLeft;
 
     /// <summary>Null is out/SPECIES.</summary>
     public string Folder { get; init; }

@@ -114,7 +114,8 @@ namespace Alate.Tests.Cli
                 agreeing += math.dot(face, normals[corners[k]] + normals[corners[k + 1]] + normals[corners[k + 2]]) > 0f ? 1 : 0;
             }
 
-            Assert.That(agreeing, Is.GreaterThan(0.99 * corners.Length / 3));
+            // Hairs have partly the normals of the skin they lie on; their feet and undersides turn away from it.
+            Assert.That(agreeing, Is.GreaterThan((node == k_Body ? 0.93 : 0.99) * corners.Length / 3));
         }
 
         [TestCase(k_Right)]
