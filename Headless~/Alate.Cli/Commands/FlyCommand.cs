@@ -43,6 +43,7 @@ internal static class FlyCommand
     private const string k_Examples =
         "Examples:\n"
         + "  fly monarch\n"
+        + "  fly firefly --variant biological\n"
         + "  fly monarch --speed 0.8 --climb 0.5 --pitch 30 --elasticity 0.5 --out climbing\n"
         + "  fly --mesh wing.obj --skeleton wing.json --species monarch --out mine\n\n"
         + "Writes into the output folder:\n"

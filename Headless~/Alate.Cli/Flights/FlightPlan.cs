@@ -35,6 +35,7 @@ internal sealed class FlightPlan
     public int Patches { get; init; } = WingRigSettings.Default.patchCount;
     public CoefficientSet? Coefficients { get; init; }
     public ModelPreset Preset { get; init; }
+    public SpeciesVariant Variant { get; init; }
     public bool NoWave { get; init; }
     public bool Rigid { get; init; }
 
@@ -46,6 +47,16 @@ internal sealed class FlightPlan
 
     /// <summary>|u| of Eq. 6–7, m/s.</summary>
     public double BodySpeed => Math.Sqrt(Speed * Speed + Climb * Climb);
+
+    /// <summary>The speed ahead of a species that is not told any, m/s: 0.65 of its top speed, 1.3 for every insect.</summary>
+    public static double CruiseOf(SpeciesDefinition definition)
+    {
+        const double k_Share = 0.65;
+        WingSpecies species = definition.Wings[0].CreateSpecies();
+        double cruise = Math.Round(k_Share * species.Beat.maxSpeed, 3);
+        UnityEngine.Object.DestroyImmediate(species);
+        return cruise;
+    }
 
     /// <summary>The species' parameters with this plan's changes.</summary>
     /// <exception cref="UserException">They leave the range that the model takes.</exception>
