@@ -15,10 +15,10 @@ internal static class WingPaint
     private const float k_Softness = 0.5f;
 
     /// <summary>Steps of a colour, sRGB: neighbours that differ by less are painted in one go.</summary>
-    private const float k_Step = 0.08f;
+    private const float k_Step = 0.05f;
 
     /// <summary>The same for vertex colours, which pass into one another: coarse steps would change their hue in bands.</summary>
-    private const float k_FineStep = 0.03f;
+    private const float k_FineStep = 0.012f;
 
     /// <summary>By the wing's pattern where it has one, else by its vertex colours, else one pale colour.</summary>
     public static float4[] Of(InsectWing wing, FineTriangles fine)
