@@ -173,6 +173,8 @@ public sealed partial class EditorGUILayout
         params GUILayoutOption[] options) => throw Absent.Editor;
     public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector2 Vector2Field(string label, Vector2 value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector2 Vector2Field(GUIContent label, Vector2 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Vector3 Vector3Field(string label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Vector3 Vector3Field(GUIContent label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static string TextField(string label, string text, params GUILayoutOption[] options) => throw Absent.Editor;

@@ -100,7 +100,7 @@ namespace Alate
             skeleton.Chains = Array.ConvertAll(chains, chain => new JointChain(Array.ConvertAll(chain, ToVector)));
             skeleton.Hinge = ToVector(Hinge);
             skeleton.SpanAxis = ToVector(Span);
-            bool isValid = skeleton.IsValid && Array.TrueForAll(chains, StaysInside);
+            bool isValid = skeleton.IsValid && Array.TrueForAll(chains, chain => Array.IndexOf(m_Fitted, chain) >= 0 || StaysInside(chain));
             UnityEngine.Object.DestroyImmediate(skeleton);
             return isValid;
         }

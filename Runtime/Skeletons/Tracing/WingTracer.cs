@@ -23,7 +23,7 @@ namespace Alate
             settings.Check(picture);
             WorkingPicture working = WorkingPicture.Of(picture);
             WingSeparation wing = WingSeparation.Of(working);
-            PlanPoint[] outline = OutlineTracer.Trace(wing, working.Factor);
+            PlanPoint[] outline = OutlineFinder.Find(wing, working.Factor);
             TriangleLinks mesh = OutlineMesher.Mesh(outline, settings.triangles, out _);
             var lines = new VeinLines(working, wing.Mask, outline);
             TracedFit fit = TracedFit.Make(mesh, settings, TracedHinge.Find(settings, lines, wing, working.Factor, outline));

@@ -15,15 +15,24 @@ public static class ImageConversion
         try
         {
             PngFile png = PngFile.Read(data);
-            var upright = new Color32[png.Pixels.Length];
-            for (int row = 0; row < png.Height; row++)
-                Array.Copy(png.Pixels, row * png.Width, upright, (png.Height - 1 - row) * png.Width, png.Width);
-            tex.Become(png.Width, png.Height, upright, !markNonReadable);
+            tex.Become(png.Width, png.Height, UpsideDown(png.Width, png.Height, png.Pixels), !markNonReadable);
             return true;
         }
         catch (FormatException)
         {
             return false;
         }
+    }
+
+    public static byte[] EncodeToPNG(this Texture2D tex) =>
+        PngWriter.Write(tex.width, tex.height, UpsideDown(tex.width, tex.height, tex.GetPixels32()));
+
+    // Textures begin with their lowest row, PNG pictures with their highest.
+    private static Color32[] UpsideDown(int width, int height, Color32[] pixels)
+    {
+        var turned = new Color32[pixels.Length];
+        for (int row = 0; row < height; row++)
+            Array.Copy(pixels, row * width, turned, (height - 1 - row) * width, width);
+        return turned;
     }
 }

@@ -11,6 +11,9 @@ namespace Alate
 
         private const int k_Rounds = 30;
 
+        /// <summary>Least step over that of points spread evenly; where those find no room, smaller ones hardly do.</summary>
+        private const double k_LeastStep = 0.2;
+
         /// <summary>Sideways shift of the lattice, in steps, so that it never lies on lines of the outline.</summary>
         private const double k_ShiftX = 0.137, k_ShiftZ = 0.291;
 
@@ -20,7 +23,8 @@ namespace Alate
             var found = new List<(double Clearance, PlanPoint Point)>();
             if (count <= 0)
                 return new List<PlanPoint>();
-            double area = ClosedPath.Area(rim), high = 2.0 * Math.Sqrt(area / count) + 2.0 * area / ClosedPath.Length(rim), low = 0.0;
+            double area = ClosedPath.Area(rim), high = 2.0 * Math.Sqrt(area / count) + 2.0 * area / ClosedPath.Length(rim);
+            double low = k_LeastStep * Math.Sqrt(area / count);
             // The coarsest lattice that has them all; the ones nearest to the rim are left out then.
             for (int round = 0; round < k_Rounds && (round < 8 || found.Count != count); round++)
             {

@@ -113,18 +113,21 @@ namespace Alate
             List<PixelPart> parts = Solid(excess).Parts();
             if (parts.Count == 0)
                 throw new FormatException("No wing was found: nothing in the picture stands out from its ground.");
-            int wings = parts.FindAll(part => part.Count > k_OtherWing * parts[0].Count && part.Extent >= k_ShortestWing).Count;
-            if (wings > 1)
-                throw new FormatException($"The picture shows {wings} wings or other things of similar size; it must show one wing alone.");
             int length = parts[0].Extent;
             if (length < k_ShortestWing)
+            {
                 throw new FormatException(
                     $"No wing was found: the largest thing in the picture is {length * picture.Factor} pixels long; a wing needs at least {k_ShortestWing * picture.Factor}.");
+            }
+
             if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
                 return WithoutFrame(picture, excess);
             PixelMask mask = parts[0].ToMask(picture.Height);
             if (!IsThick(mask))
                 throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
+            int wings = parts.FindAll(part => part.Count > k_OtherWing * parts[0].Count && part.Extent >= k_ShortestWing).Count;
+            if (wings > 1)
+                throw new FormatException($"The picture shows {wings} wings or other things of similar size; it must show one wing alone.");
             return new WingSeparation(excess, mask);
         }
 
@@ -169,7 +172,7 @@ namespace Alate
                 }
             }
 
-            return filled.Shrunk(k_Whisker).Grown(k_Whisker);
+            return IsThick(filled) ? filled.Shrunk(k_Whisker).Grown(k_Whisker) : filled;
         }
 
         // Whether it is more than lines.

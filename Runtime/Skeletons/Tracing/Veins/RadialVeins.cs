@@ -15,6 +15,9 @@ namespace Alate
         /// <summary>Length over which a vein's direction at its end is taken, a share of the wing's length.</summary>
         private const double k_EndLength = 0.06;
 
+        /// <summary>Length at the end of a vein that is passed over, and distance from the margin beyond which it also turns outward; shares of the wing's length.</summary>
+        private const double k_Bent = 0.015, k_FarRim = 0.08;
+
         /// <summary>Cosine of the most that a vein may turn from the line from the hinge at its end; others run along the margin or across.</summary>
         private const double k_LeastCosine = 0.5;
 
@@ -62,23 +65,42 @@ namespace Alate
         {
             vein = null;
             way = m_Tree.WayTo(vertex);
-            PlanPoint end = m_Graph[vertex], outward = Unit(end - m_Hinge), direction = DirectionAtEnd(way);
-            if (way.Count < 3 || PlanPoint.Dot(direction, outward) < k_LeastCosine)
+            double covered = m_Tree.CoveredTo(vertex) - Trim(way);
+            if (way.Count < 3)
                 return false;
-            PlanPoint onward = Unit(direction + outward);
-            double rest = m_Rim.Meet(end, onward, -1, out int met), covered = m_Tree.CoveredTo(vertex);
-            if (met < 0)
+            PlanPoint end = m_Graph[way[way.Count - 1]], outward = Unit(end - m_Hinge), direction = DirectionAtEnd(way);
+            if (PlanPoint.Dot(direction, outward) < k_LeastCosine)
                 return false;
+            double rest = m_Rim.Meet(end, direction, -1, out int met);
+            if (rest > k_FarRim * m_Length)
+            {
+                direction = Unit(direction + outward);
+                rest = m_Rim.Meet(end, direction, -1, out met);
+            }
+
             double whole = Math.Sqrt((m_Graph[way[0]] - m_Hinge).LengthSquared) + PathLength(way) + rest;
-            if (covered < k_LeastCoverage * whole)
+            if (met < 0 || covered < k_LeastCoverage * whole)
                 return false;
             var path = new List<PlanPoint> { m_Hinge };
             foreach (int pixel in way)
                 path.Add(m_Graph[pixel]);
-            PlanPoint tip = end + onward * rest;
+            PlanPoint tip = end + direction * rest;
             path.Add(tip);
             vein = new RadialVein(VeinPath.Smoothed(path, 0.01 * m_Length), m_Rim.Nearest(tip), covered / whole);
             return true;
+        }
+
+        // Lines bend where they meet the margin; the direction before that is the better one.
+        private double Trim(List<int> way)
+        {
+            double cut = 0.0;
+            while (way.Count > 3 && cut < k_Bent * m_Length)
+            {
+                cut += Math.Sqrt((m_Graph[way[way.Count - 1]] - m_Graph[way[way.Count - 2]]).LengthSquared);
+                way.RemoveAt(way.Count - 1);
+            }
+
+            return cut;
         }
 
         private PlanPoint DirectionAtEnd(List<int> way)

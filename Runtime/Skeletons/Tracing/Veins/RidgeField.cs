@@ -16,6 +16,9 @@ namespace Alate
         /// <summary>Pixels so near to the rim, as a share of the wing's length, are left out: there lies the rim's own line.</summary>
         private const double k_RimShare = 0.012;
 
+        /// <summary>Pixels of the rim that are mixed with ground, and width of the bell by which shades go on beyond them, pixels.</summary>
+        private const double k_Mixed = 2.0, k_Reach = 6.0;
+
         /// <summary>Share of the pixels with the strongest response by which dark and bright lines are compared.</summary>
         private const double k_Strongest = 0.03;
 
@@ -39,16 +42,16 @@ namespace Alate
         {
             var shades = new PixelPlane(picture.Width, picture.Height);
             var known = new PixelPlane(picture.Width, picture.Height);
+            PixelMask sure = wing.Shrunk(k_Mixed);
             for (int k = 0; k < shades.values.Length; k++)
             {
-                bool inside = wing[k % picture.Width, k / picture.Width];
+                bool inside = sure[k % picture.Width, k / picture.Width];
                 float shade = 0.299f * picture.Red.values[k] + 0.587f * picture.Green.values[k] + 0.114f * picture.Blue.values[k];
                 shades.values[k] = inside ? shade : 0f;
                 known.values[k] = inside ? 1f : 0f;
             }
 
-            const double reach = 3.0;
-            PixelPlane blurred = shades.Blurred(reach), weight = known.Blurred(reach);
+            PixelPlane blurred = shades.Blurred(k_Reach), weight = known.Blurred(k_Reach);
             for (int k = 0; k < shades.values.Length; k++)
             {
                 if (known.values[k] == 0f && weight.values[k] > 1e-4f)

@@ -9,6 +9,12 @@ namespace Alate
         /// <summary>Longest spur that is cut off and longest gap that is bridged, shares of the wing's length.</summary>
         private const double k_Spur = 0.02, k_Gap = 0.07;
 
+        /// <summary>Cost of a gap that lies in a vein's way and of one that does not, over that of a vein as long.</summary>
+        private const double k_Straight = 1.5, k_Sideways = 2.5;
+
+        /// <summary>Stretch before a gap that tells where a vein goes, as a share of the longest gap, and cosine within which that is.</summary>
+        private const double k_Ahead = 0.4, k_AheadCosine = 0.9;
+
         private readonly PixelMask m_Thin;
         private readonly List<PlanPoint> m_Places = new List<PlanPoint>();
         private readonly Dictionary<int, int> m_Vertices = new Dictionary<int, int>();
@@ -24,7 +30,7 @@ namespace Alate
             int[] parts = Parts();
             for (int vertex = 0; vertex < Count; vertex++)
             {
-                if (LinesAt(vertex) < 2)
+                if (LinesAt(vertex) == 1)
                     Bridge(vertex, parts, k_Gap * length);
             }
         }
@@ -62,7 +68,7 @@ namespace Alate
         {
             int lines = 0;
             foreach (VeinLink link in m_Links[vertex])
-                lines += link.isBridge ? 0 : 1;
+                lines += link.IsBridge ? 0 : 1;
             return lines;
         }
 
@@ -104,7 +110,7 @@ namespace Alate
             }
 
             foreach (int pixel in m_Vertices.Keys)
-                m_Links.Add(Neighbours(pixel).ConvertAll(next => new VeinLink(m_Vertices[next], Distance(m_Vertices[pixel], m_Vertices[next]), false)));
+                m_Links.Add(Neighbours(pixel).ConvertAll(next => new VeinLink(m_Vertices[next], Distance(m_Vertices[pixel], m_Vertices[next]), 1.0)));
         }
 
         // A corner neighbour counts only where no side neighbour leads there as well.
@@ -152,23 +158,35 @@ namespace Alate
             return parts;
         }
 
-        // Joins an end to the nearest pixel of every other part that is not far.
+        // Joins an end to the nearest pixel of every other part that is not far, and to the one that lies straight ahead.
         private void Bridge(int end, int[] parts, double longest)
         {
+            PlanPoint ahead = m_Places[end] - m_Places[Walk(end, 0, Math.Max(3, (int)(k_Ahead * longest)))];
+            double least = k_AheadCosine * Math.Sqrt(ahead.LengthSquared);
+            int straight = -1;
             var nearest = new Dictionary<int, int>();
             for (int vertex = 0; vertex < Count; vertex++)
             {
-                if (parts[vertex] == parts[end] || Distance(vertex, end) > longest)
+                double distance = Distance(vertex, end);
+                if (vertex == end || distance > longest)
                     continue;
-                if (!nearest.TryGetValue(parts[vertex], out int before) || Distance(vertex, end) < Distance(before, end))
+                bool isAhead = PlanPoint.Dot(m_Places[vertex] - m_Places[end], ahead) > least * distance;
+                if (isAhead && (straight < 0 || distance < Distance(straight, end)))
+                    straight = vertex;
+                if (parts[vertex] != parts[end] && (!nearest.TryGetValue(parts[vertex], out int before) || distance < Distance(before, end)))
                     nearest[parts[vertex]] = vertex;
             }
 
             foreach (int vertex in nearest.Values)
-            {
-                m_Links[end].Add(new VeinLink(vertex, Distance(vertex, end), true));
-                m_Links[vertex].Add(new VeinLink(end, Distance(vertex, end), true));
-            }
+                Join(end, vertex, k_Sideways);
+            if (straight >= 0)
+                Join(end, straight, k_Straight);
+        }
+
+        private void Join(int end, int vertex, double dearness)
+        {
+            m_Links[end].Add(new VeinLink(vertex, Distance(vertex, end), dearness));
+            m_Links[vertex].Add(new VeinLink(end, Distance(vertex, end), dearness));
         }
 
         private double Distance(int a, int b) => Math.Sqrt((m_Places[a] - m_Places[b]).LengthSquared);

@@ -6,14 +6,16 @@ namespace Alate
         public readonly int to;
         public readonly double length;
 
-        /// <summary>Whether it leads over a gap.</summary>
-        public readonly bool isBridge;
+        /// <summary>Cost of its length over that of a step along a vein; above 1 for one that leads over a gap.</summary>
+        public readonly double dearness;
 
-        public VeinLink(int to, double length, bool isBridge)
+        public VeinLink(int to, double length, double dearness)
         {
             this.to = to;
             this.length = length;
-            this.isBridge = isBridge;
+            this.dearness = dearness;
         }
+
+        public bool IsBridge => dearness > 1.0;
     }
 }

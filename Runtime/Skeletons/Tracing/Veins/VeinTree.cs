@@ -6,8 +6,8 @@ namespace Alate
     /// <summary>The shortest way from the hinge to every pixel of the veins (Dijkstra, 1959), where ground off the veins is dear.</summary>
     internal sealed class VeinTree
     {
-        /// <summary>Cost of a way off the veins over that of one as long on them.</summary>
-        private const double k_OffVein = 3.0;
+        /// <summary>Cost of the way from the hinge to the first vein over that of one as long on veins.</summary>
+        private const double k_OffVein = 2.0;
 
         private readonly VeinGraph m_Graph;
         private readonly double[] m_Costs;
@@ -54,13 +54,13 @@ namespace Alate
 
         private void Relax(int vertex, VeinLink link, SortedSet<(double Cost, int Vertex)> open)
         {
-            double cost = m_Costs[vertex] + (link.isBridge ? k_OffVein : 1.0) * link.length;
+            double cost = m_Costs[vertex] + link.dearness * link.length;
             if (cost >= m_Costs[link.to])
                 return;
             open.Remove((m_Costs[link.to], link.to));
             m_Costs[link.to] = cost;
             m_Parents[link.to] = vertex;
-            m_Covered[link.to] = m_Covered[vertex] + (link.isBridge ? 0.0 : link.length);
+            m_Covered[link.to] = m_Covered[vertex] + (link.IsBridge ? 0.0 : link.length);
             open.Add((cost, link.to));
         }
     }

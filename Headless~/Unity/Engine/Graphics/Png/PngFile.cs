@@ -10,8 +10,9 @@ namespace Unity.StandIns;
 [StandInExtension]
 public sealed class PngFile
 {
+    internal static readonly byte[] Signature = [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
+
     private const int k_LongestSide = 16384;
-    private static readonly byte[] s_Signature = [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
 
     private readonly ReadOnlyMemory<byte> m_File;
     private readonly MemoryStream m_Packed = new();
@@ -37,7 +38,7 @@ public sealed class PngFile
     {
         if (file.Length == 0)
             throw new FormatException("it is empty.");
-        if (file.Length < s_Signature.Length || !file.Span[..s_Signature.Length].SequenceEqual(s_Signature))
+        if (file.Length < Signature.Length || !file.Span[..Signature.Length].SequenceEqual(Signature))
             throw new FormatException("it is not a PNG picture.");
         var png = new PngFile(file);
         png.ReadChunks();
@@ -48,7 +49,7 @@ public sealed class PngFile
 
     private void ReadChunks()
     {
-        int at = s_Signature.Length;
+        int at = Signature.Length;
         for (string name = ""; name != "IEND";)
         {
             ReadOnlySpan<byte> rest = m_File.Span[at..];
@@ -58,7 +59,7 @@ public sealed class PngFile
             name = System.Text.Encoding.Latin1.GetString(rest.Slice(4, 4));
             if (PngChecksum.Of(rest.Slice(4, length + 4)) != BinaryPrimitives.ReadUInt32BigEndian(rest[(8 + length)..]))
                 throw new FormatException($"it is damaged: the checksum of its part '{name}' is wrong.");
-            Take(name, rest.Slice(8, length), isFirst: at == s_Signature.Length);
+            Take(name, rest.Slice(8, length), isFirst: at == Signature.Length);
             at += length + 12;
         }
 

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>The outline of the wing in a picture.</summary>
-    internal static class OutlineTracer
+    internal static class OutlineFinder
     {
         /// <summary>Rounds of smoothing, which take steps of single pixels and noise off the rim: a bell of one pixel.</summary>
         private const int k_SmoothingRounds = 4;
@@ -13,7 +13,7 @@ namespace Alate
         private const double k_Tolerance = 5e-4, k_LeastTolerance = 0.25;
 
         /// <summary>The outline, counterclockwise with x to the right and z up: z is minus the row. Pixels of the whole picture.</summary>
-        public static PlanPoint[] Trace(WingSeparation wing, int factor)
+        public static PlanPoint[] Find(WingSeparation wing, int factor)
         {
             List<PlanPoint> rim = ContourTracer.Longest(wing.SignedField());
             rim.Reverse();
