@@ -38,9 +38,8 @@ namespace Alate.Editor
         public bool Draw(out RigProblem pressed)
         {
             pressed = default;
-            EditorGUI.BeginChangeCheck();
             var mesh = (Mesh)EditorGUILayout.ObjectField(Content.Mesh, Mesh, typeof(Mesh), false);
-            if (EditorGUI.EndChangeCheck())
+            if (mesh != Mesh)
                 Choose(mesh);
             if (Mesh == null)
                 return false;

@@ -92,13 +92,14 @@ namespace Alate.Editor
 
         private void ShowTools()
         {
-            EditorGUILayout.BeginHorizontal();
-            bool edits = GUILayout.Toggle(IsEditing, Content.Edit, EditorStyles.miniButton);
-            if (edits != IsEditing)
-                Edit(edits);
-            if (GUILayout.Button(Content.Mirror, EditorStyles.miniButton))
-                SaveMirrorImage();
-            EditorGUILayout.EndHorizontal();
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                bool edits = GUILayout.Toggle(IsEditing, Content.Edit, EditorStyles.miniButton);
+                if (edits != IsEditing)
+                    Edit(edits);
+                if (GUILayout.Button(Content.Mirror, EditorStyles.miniButton))
+                    SaveMirrorImage();
+            }
 
             SkeletonTarget before = m_Rig.Target;
             if (m_Rig.Draw(out RigProblem pressed))

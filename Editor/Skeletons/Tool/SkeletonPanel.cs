@@ -9,6 +9,7 @@ namespace Alate.Editor
     internal static class SkeletonPanel
     {
         private const float k_Width = 260f;
+        private const float k_SelectWidth = 52f;
         private const int k_MaxProblems = 6;
 
         private static class Content
@@ -40,15 +41,21 @@ namespace Alate.Editor
         public static void Draw(SkeletonSession session)
         {
             SkeletonEditing editing = session.Group.Active;
-            EditorGUILayout.BeginVertical(GUILayout.Width(k_Width));
-            if (editing == null)
+            using (new EditorGUILayout.VerticalScope(GUILayout.Width(k_Width)))
             {
-                EditorGUILayout.HelpBox("None of the selected insects has a wing with a skeleton.", MessageType.Info);
+                if (editing == null)
+                    EditorGUILayout.HelpBox("None of the selected insects has a wing with a skeleton.", MessageType.Info);
+                else
+                    Draw(session, editing);
                 LayOut(session);
-                EditorGUILayout.EndVertical();
-                return;
             }
 
+            if (GUI.changed)
+                SceneView.RepaintAll();
+        }
+
+        private static void Draw(SkeletonSession session, SkeletonEditing editing)
+        {
             ChooseActive(session);
             Counts(session, editing);
             session.Mode = (DragMode)GUILayout.Toolbar((int)session.Mode, Content.Modes);
@@ -60,10 +67,6 @@ namespace Alate.Editor
                 EditorGUILayout.HelpBox(session.LastRefusal, MessageType.Warning);
             Pictures(session.Overlay);
             Acts(session);
-            LayOut(session);
-            EditorGUILayout.EndVertical();
-            if (GUI.changed)
-                SceneView.RepaintAll();
         }
 
         private static void LayOut(SkeletonSession session)
@@ -96,12 +99,14 @@ namespace Alate.Editor
 
         private static void Counts(SkeletonSession session, SkeletonEditing editing)
         {
-            int chains = editing.Skeleton.ChainCount, joints = editing.Skeleton.JointsPerChain;
-            EditorGUI.BeginChangeCheck();
+            // Where counts are not in order, sliders would put them into their range by themselves; Mend is for that.
+            if (SkeletonDraft.Read(editing.Skeleton, out SkeletonDraft draft) != null || draft.FindFault() != null)
+                return;
+            int chains = draft.ChainCount, joints = draft.JointsPerChain;
             int wantedChains = EditorGUILayout.IntSlider(Content.Chains, chains, WingSkeleton.MinChains, WingSkeleton.MaxChains);
             int wantedJoints = EditorGUILayout.IntSlider(Content.Joints, joints, WingSkeleton.MinJoints, WingSkeleton.MaxJoints);
-            if (EditorGUI.EndChangeCheck())
-                session.Tell(editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, wantedChains, wantedJoints)));
+            if (wantedChains != chains || wantedJoints != joints)
+                session.Tell(editing.Do("Set Counts", (present, selected) => ResampleActs.ToCounts(present, wantedChains, wantedJoints)));
         }
 
         private static void Problems(SkeletonSession session, SkeletonEditing editing)
@@ -130,11 +135,11 @@ namespace Alate.Editor
         /// <returns>Whether the button was pressed.</returns>
         public static bool Problem(string message, MessageType type)
         {
-            EditorGUILayout.BeginHorizontal();
-            EditorGUILayout.HelpBox(message, type);
-            bool pressed = GUILayout.Button(Content.Select, GUILayout.Width(52f));
-            EditorGUILayout.EndHorizontal();
-            return pressed;
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                EditorGUILayout.HelpBox(message, type);
+                return GUILayout.Button(Content.Select, GUILayout.Width(k_SelectWidth));
+            }
         }
 
         /// <summary>Selects joints and shows them in the scene view.</summary>
@@ -176,11 +181,12 @@ namespace Alate.Editor
                 EditorGUILayout.LabelField(group.Name, EditorStyles.miniBoldLabel);
                 for (int k = 0; k < group.Acts.Count; k += 2)
                 {
-                    EditorGUILayout.BeginHorizontal();
-                    Act(session, group.Acts[k]);
-                    if (k + 1 < group.Acts.Count)
-                        Act(session, group.Acts[k + 1]);
-                    EditorGUILayout.EndHorizontal();
+                    using (new EditorGUILayout.HorizontalScope())
+                    {
+                        Act(session, group.Acts[k]);
+                        if (k + 1 < group.Acts.Count)
+                            Act(session, group.Acts[k + 1]);
+                    }
                 }
             }
         }

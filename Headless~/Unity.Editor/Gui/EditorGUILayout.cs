@@ -25,8 +25,9 @@ public sealed partial class EditorGUILayout
     public static void HelpBox(string message, MessageType type, bool wide) => throw Absent.Editor;
     public static void HelpBox(GUIContent content, bool wide = true) => throw Absent.Editor;
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(string label, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) =>
+        Add(ControlKind.Label, new GUIContent(label), label2);
+    public static void LabelField(string label, params GUILayoutOption[] options) => Add(ControlKind.Label, new GUIContent(label));
     public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => Add(ControlKind.Label, new GUIContent(label));
     public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) =>
         Add(ControlKind.Label, label, label2.text);
@@ -61,7 +62,7 @@ public sealed partial class EditorGUILayout
     public static Rect BeginVertical(params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect BeginVertical(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
     public static void EndVertical() => throw Absent.Editor;
-    public static void Space() => throw Absent.Editor;
+    public static void Space() => GuiPage.Needed.Next(6f);
     public static void Space(float width) => throw Absent.Editor;
     public static void Space(float width, bool expand) => throw Absent.Editor;
     public static void Separator() => throw Absent.Editor;
@@ -100,7 +101,12 @@ public sealed partial class EditorGUILayout
         float value,
         float leftValue,
         float rightValue,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, FormattableString.Invariant($"{value}"));
+        return Mathf.Clamp(value, leftValue, rightValue);
+    }
+
     public static int IntSlider(
         string label,
         int value,
@@ -129,7 +135,12 @@ public sealed partial class EditorGUILayout
         int value,
         int leftValue,
         int rightValue,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, FormattableString.Invariant($"{value}"));
+        return Mathf.Clamp(value, leftValue, rightValue);
+    }
+
     public static void MinMaxSlider(
         string label,
         ref float minValue,
@@ -155,12 +166,22 @@ public sealed partial class EditorGUILayout
         Object obj,
         Type objType,
         bool allowSceneObjects,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, obj == null ? "None" : obj.name);
+        return obj;
+    }
+
     public static int Popup(
         string label,
         int selectedIndex,
         string[] displayedOptions,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, new GUIContent(label), displayedOptions[selectedIndex]);
+        return selectedIndex;
+    }
+
     public static int Popup(
         GUIContent label,
         int selectedIndex,
@@ -170,7 +191,12 @@ public sealed partial class EditorGUILayout
         GUIContent label,
         int selectedIndex,
         GUIContent[] displayedOptions,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, displayedOptions[selectedIndex].text);
+        return selectedIndex;
+    }
+
     public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Vector2 Vector2Field(string label, Vector2 value, params GUILayoutOption[] options) => throw Absent.Editor;

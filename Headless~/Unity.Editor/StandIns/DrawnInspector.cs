@@ -32,9 +32,12 @@ public sealed class DrawnInspector : IGuiPage
     public IEnumerable<string> Buttons => _controls.Where(c => c.Kind == ControlKind.Button && c.Enabled).Select(c => c.Text);
 
     /// <summary>Draws an inspector as it is.</summary>
-    public static DrawnInspector Of(Editor editor)
+    public static DrawnInspector Of(Editor editor) => Of(editor.OnInspectorGUI);
+
+    /// <summary>Draws a panel as it is.</summary>
+    public static DrawnInspector Of(Action draw)
     {
-        DrawnInspector layout = Pass(editor, EventType.Layout, null), repaint = Pass(editor, EventType.Repaint, null);
+        DrawnInspector layout = Pass(draw, EventType.Layout, null), repaint = Pass(draw, EventType.Repaint, null);
         var before = layout.Controls.Where(c => c.Kind != ControlKind.Area).Select(c => c.Text).ToList();
         var after = repaint.Controls.Where(c => c.Kind != ControlKind.Area).Select(c => c.Text).ToList();
         if (!before.SequenceEqual(after))
@@ -43,12 +46,15 @@ public sealed class DrawnInspector : IGuiPage
     }
 
     /// <summary>Presses the button, toggle or foldout with a text, and draws the inspector as it is then.</summary>
-    public static DrawnInspector Press(Editor editor, string text)
+    public static DrawnInspector Press(Editor editor, string text) => Press(editor.OnInspectorGUI, text);
+
+    /// <summary>Presses the first button, toggle or foldout of a panel with a text, and draws the panel as it is then.</summary>
+    public static DrawnInspector Press(Action draw, string text)
     {
-        Of(editor);
-        if (!Pass(editor, EventType.MouseUp, text)._wasPressed)
+        Of(draw);
+        if (!Pass(draw, EventType.MouseUp, text)._wasPressed)
             throw new InvalidOperationException($"There is nothing to press that says '{text}'.");
-        return Of(editor);
+        return Of(draw);
     }
 
     /// <summary>The only control with a text.</summary>
@@ -86,7 +92,7 @@ public sealed class DrawnInspector : IGuiPage
 
     private IEnumerable<string> Texts(ControlKind kind) => _controls.Where(c => c.Kind == kind).Select(c => c.Text);
 
-    private static DrawnInspector Pass(Editor editor, EventType type, string pressed)
+    private static DrawnInspector Pass(Action draw, EventType type, string pressed)
     {
         var page = new DrawnInspector(pressed);
         Event before = Event.current;
@@ -95,7 +101,7 @@ public sealed class DrawnInspector : IGuiPage
         bool left = false;
         try
         {
-            editor.OnInspectorGUI();
+            draw();
         }
         catch (ExitGUIException)
         {
