@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Alate.Editor.Tests;
 using NUnit.Framework;
-using Unity.StandIns;
+using StandIns;
 using UnityEditor;
 using UnityEngine;
 
@@ -150,7 +150,7 @@ namespace Alate.Tests.Inspectors
             InsectWings insect = Insect();
             for (int w = 0; w < 2; w++)
             {
-                MeshOf(insect.Wings[w]).SetReadable(false);
+                MeshOf(insect.Wings[w]).UploadMeshData(true);
                 ProjectAssets.AddModel($"Assets/wing{w}.fbx", MeshOf(insect.Wings[w]));
             }
 
@@ -166,7 +166,7 @@ namespace Alate.Tests.Inspectors
         public void UnreadableMesh_ThatHasNoImporter_SaysWhatToDo(string path, string advice)
         {
             InsectWings insect = Insect();
-            MeshOf(insect.Wings[0]).SetReadable(false);
+            MeshOf(insect.Wings[0]).UploadMeshData(true);
             if (path != null)
                 ProjectAssets.AddModel(path, MeshOf(insect.Wings[0]));
 

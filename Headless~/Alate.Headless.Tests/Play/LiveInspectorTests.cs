@@ -4,8 +4,8 @@ using System.Linq;
 using Alate.Editor;
 using Alate.Editor.Tests;
 using NUnit.Framework;
+using StandIns;
 using Unity.Mathematics;
-using Unity.StandIns;
 using UnityEditor;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -71,7 +71,7 @@ namespace Alate.Tests.Play
             InsectWings insect = Insect();
             m_Editor = UnityEditor.Editor.CreateEditor(insect);
             yield return Frames(60);
-            LiveInsect live = insect.Live;
+            LiveWing live = insect.Live.wings[0];
             int beats = insect.Read(0).Beats;
             float range = insect.Read(0).Amplitude.x;
 
@@ -80,14 +80,14 @@ namespace Alate.Tests.Play
             m_Editor.serializedObject.ApplyModifiedProperties();
             yield return Frames(60);
 
-            Assert.That(insect.Live, Is.SameAs(live), "the insect was built anew");
+            Assert.That(insect.Live.wings[0], Is.SameAs(live), "the insect was built anew");
             Assert.That(insect.Read(0).Beats, Is.GreaterThan(beats));
             Assert.That(insect.Read(0).Amplitude.x, Is.EqualTo(0.5f * range).Within(0.02f * range));
             Assert.That(insect.Read(1).Amplitude.x, Is.EqualTo(range).Within(0.02f * range));
 
             Undo.PerformUndo();
             yield return Frames(60);
-            Assert.That(insect.Live, Is.SameAs(live), "undo built the insect anew");
+            Assert.That(insect.Live.wings[0], Is.SameAs(live), "undo built the insect anew");
             Assert.That(insect.Read(0).Amplitude.x, Is.EqualTo(range).Within(0.02f * range));
         }
 

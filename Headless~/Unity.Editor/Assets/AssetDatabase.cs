@@ -1,5 +1,5 @@
 using System;
-using Unity.StandIns;
+using StandIns;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;

@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 using System.Linq;
-using Unity.StandIns;
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;

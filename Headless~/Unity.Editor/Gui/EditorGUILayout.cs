@@ -1,5 +1,5 @@
 using System;
-using Unity.StandIns;
+using StandIns;
 using UnityEngine;
 using Object = UnityEngine.Object;
 

@@ -4,13 +4,13 @@ using System.Linq;
 using UnityEditor;
 using UnityEngine;
 
-namespace Unity.StandIns;
+namespace StandIns;
 
 /// <summary>
 /// Draws an inspector without a window: once for layout and once more, which must have the same controls; controls of a drawer lie inside
 /// the lines that it asked for, and every group is closed.
 /// </summary>
-[StandInExtension]
+[Unity.StandIns.StandInExtension]
 public sealed class DrawnInspector : IGuiPage
 {
     private const float k_Width = 400f, k_Gap = 2f;

@@ -2,10 +2,10 @@ using System;
 using System.Collections.Generic;
 using Object = UnityEngine.Object;
 
-namespace Unity.StandIns;
+namespace StandIns;
 
 /// <summary>Objects that a test declares to be instances of prefabs, and of which overrides were recorded.</summary>
-[StandInExtension]
+[Unity.StandIns.StandInExtension]
 public static class PrefabInstances
 {
     private static readonly HashSet<Object> s_Instances = [];

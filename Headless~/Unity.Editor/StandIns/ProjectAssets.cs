@@ -5,10 +5,10 @@ using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Unity.StandIns;
+namespace StandIns;
 
 /// <summary>The assets of a project that exists in memory only.</summary>
-[StandInExtension]
+[Unity.StandIns.StandInExtension]
 public static class ProjectAssets
 {
     private static readonly Dictionary<string, Object> s_Assets = [];

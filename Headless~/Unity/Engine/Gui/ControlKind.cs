@@ -1,7 +1,7 @@
-namespace Unity.StandIns;
+namespace StandIns;
 
 /// <summary>What a control of a drawn inspector is.</summary>
-[StandInExtension]
+[Unity.StandIns.StandInExtension]
 public enum ControlKind
 {
     Field,

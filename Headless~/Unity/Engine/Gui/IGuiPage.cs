@@ -1,4 +1,4 @@
-using Unity.StandIns;
+using StandIns;
 
 namespace UnityEngine;
 
