@@ -2,6 +2,7 @@ using System.Linq;
 using Alate.Editor;
 using Alate.Editor.Tests;
 using NUnit.Framework;
+using StandIns;
 using Unity.StandIns;
 using UnityEngine;
 
