@@ -182,6 +182,30 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ASmallHindWing_BelowTheRearOfABroadForeWing_IsAWingOfItsOwn()
+        {
+            foreach (var side in new[] { 1f, -1f })
+            {
+                var fore = new MeshSketch().Sheet(Side(s_Fore, side), side * Vector3.right, Vector3.back);
+                var below = Side(s_Fore + new Vector3(0.1f, -0.1f, -0.6f), side);
+                m_Insect.Draw("a" + side, new MeshSketch().Sheet(below, 0.6f * side * Vector3.right, 0.35f * Vector3.back));
+                m_Insect.Draw("b" + side, fore);
+            }
+
+            AssertFound("b1 Fore Right WholeMesh", "b-1 Fore Left WholeMesh", "a1 Hind Right WholeMesh", "a-1 Hind Left WholeMesh");
+        }
+
+        [Test]
+        public void SheetsThatAreNoMirrorImages_AreNoWings()
+        {
+            m_Insect.Draw("right", Wing(1f, s_Fore, 1f));
+            m_Insect.Draw("behind", Wing(-1f, s_Fore + Vector3.back, 1f));
+            m_Insect.Draw("larger", Wing(-1f, s_Fore, 1.5f));
+
+            AssertFound();
+        }
+
+        [Test]
         public void VeinsOverAMembrane_AreTheSamePairAsIt()
         {
             foreach (var side in new[] { 1f, -1f })
