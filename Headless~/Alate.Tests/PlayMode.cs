@@ -1,1 +1,1 @@
-[assembly: Unity.StandIns.PlayerTests("Alate.Tests.Play")]
+[assembly: StandIns.PlayerTests("Alate.Tests.Play")]

@@ -29,10 +29,17 @@ namespace Alate
         internal static InsectProblem Waiting => new InsectProblem(InsectState.Waiting, -1, "");
 
         /// <summary>A scale of zero.</summary>
-        internal static InsectProblem NoSize(string insect) => new InsectProblem(InsectState.ZeroScale, -1,
-            $"'{insect}' or a wing of it has a scale of zero. Its wings rest until the scale is something else.");
+        internal static InsectProblem NoSize => new InsectProblem(InsectState.ZeroScale, -1,
+            "a wing has a scale of zero. Give it, and all that it hangs on, some other scale; its wings feel nothing until then.");
 
         /// <summary>No problem.</summary>
         internal static InsectProblem None => new InsectProblem(InsectState.Ready, -1, "");
+
+        /// <summary>The same, said of an insect.</summary>
+        internal InsectProblem Of(string insect)
+        {
+            string where = Wing < 0 ? $"'{insect}'" : $"'{insect}', wing {Wing}";
+            return new InsectProblem(State, Wing, $"{where}: {Message}");
+        }
     }
 }

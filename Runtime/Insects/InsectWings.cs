@@ -123,13 +123,13 @@ namespace Alate
                 WingSystem.Crowd.Restart(Live);
         }
 
-        /// <summary>Tells the wings that the insect has just been moved to another place: the move is not felt as motion.</summary>
+        /// <summary>Tells the wings that the insect is moved to another place in this frame: the move is not felt as motion.</summary>
         /// <param name="keepMotion">Whether the wings beat on; otherwise they start anew.</param>
         public void Teleport(bool keepMotion = true)
         {
             if (Live == null)
                 return;
-            Live.motion.Rebase(transform.position, transform.rotation);
+            Live.motion.Interrupt();
             if (!keepMotion)
                 ResetState();
         }
@@ -142,21 +142,23 @@ namespace Alate
         }
 
         /// <summary>The first thing that keeps the wings from living, as far as can be seen without playing.</summary>
-        internal InsectProblem FindProblem() => InsectCheck.Find(name, m_Wings);
+        internal InsectProblem FindProblem() => InsectCheck.Find(this);
 
         /// <summary>Takes over a state; says so in the log when it is a new problem.</summary>
         internal void Report(in InsectProblem problem)
         {
             bool isNew = problem.State != Problem.State || problem.Wing != Problem.Wing;
-            Problem = problem;
-            if (isNew && problem.IsProblem)
-                Debug.LogWarning(problem.Message, this);
+            Problem = problem.IsProblem ? problem.Of(name) : problem;
+            if (isNew && Problem.IsProblem)
+                Debug.LogWarning(Problem.Message, this);
         }
 
         private void Reset() => FindWings();
 
         private void OnEnable()
         {
+            if (m_Wings.Count == 0)
+                FindWings();
             foreach (Wing wing in m_Wings)
                 InsectCheck.Heal(wing);
             WingSystem.Enter(this);

@@ -1,5 +1,5 @@
 using NUnit.Framework;
-using Unity.StandIns;
+using StandIns;
 
 namespace Alate.Tests.Play
 {

@@ -50,11 +50,13 @@ namespace Alate
             MeshFilter filter = InsectCheck.FilterOf(wing);
             Mesh mesh = InsectCheck.MeshOf(wing, filter);
             int print = wing.Renderer == null ? 0 : wing.Renderer.GetHashCode() * 2 + (wing.Renderer.isPartOfStaticBatch ? 1 : 0);
+            print = print * 31 + (filter == null || filter.sharedMesh == null ? 0 : filter.sharedMesh.GetHashCode());
             print = print * 31 + (mesh == null ? 0 : mesh.GetHashCode() * 2 + (mesh.isReadable ? 1 : 0));
             print = print * 31 + (int)wing.Part;
             print = print * 31 + wing.Submesh;
+            print = print * 31 + (int)wing.Side;
             print = print * 31 + wing.Point.GetHashCode();
-            return print * 31 + (int)m_Skeletons.HashOf(wing.Skeleton);
+            return print * 31 + (int)m_Skeletons.Of(wing.Skeleton).Hash;
         }
 
         private struct Entry

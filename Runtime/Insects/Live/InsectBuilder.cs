@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace Alate
@@ -27,7 +28,7 @@ namespace Alate
             int patches = insect.Quality.Clamped().patches;
             foreach (List<int> group in Groups(insect.Wings))
             {
-                LiveMesh mesh = Build(insect.Wings, group, patches, out problem);
+                LiveMesh mesh = Build(insect, group, patches, out problem);
                 if (mesh == null)
                 {
                     foreach (LiveMesh built in meshes)
@@ -57,14 +58,12 @@ namespace Alate
         /// <summary>Whether an insect's meshes, wings or skeletons are no longer those it was built of.</summary>
         public bool IsStale(LiveInsect live)
         {
-            IReadOnlyList<Wing> wings = live.insect.Wings;
+            List<Wing> wings = live.insect.Wings;
             if (wings.Count != live.wings.Length)
                 return true;
             for (int w = 0; w < wings.Count; w++)
             {
-                LiveWing wing = live.wings[w];
-                if (!ReferenceEquals(wings[w], wing.wing) || !ReferenceEquals(wing.wing.Renderer, wing.renderer)
-                    || !wing.key.Equals(new TemplateKey.WingKey(wing.wing, m_Skeletons.HashOf(wing.wing.Skeleton))))
+                if (live.wings[w].IsStale(wings[w]))
                     return true;
             }
 
@@ -78,15 +77,24 @@ namespace Alate
             return false;
         }
 
-        private LiveMesh Build(IReadOnlyList<Wing> all, List<int> group, int patches, out InsectProblem problem)
+        private LiveMesh Build(InsectWings insect, List<int> group, int patches, out InsectProblem problem)
         {
-            Wing[] wings = group.ConvertAll(w => all[w]).ToArray();
+            Wing[] wings = group.ConvertAll(w => insect.Wings[w]).ToArray();
             MeshFilter filter = InsectCheck.FilterOf(wings[0]);
+            if (LivingMeshes.LivesOn(filter))
+            {
+                problem = new InsectProblem(InsectState.WingsOverlap, group[0],
+                    $"'{filter.name}' is moved by another Insect Wings already. Take it out of the list of one of the two.");
+                return null;
+            }
+
             Mesh mesh = InsectCheck.MeshOf(wings[0], filter);
-            var keys = System.Array.ConvertAll(wings, w => new TemplateKey.WingKey(w, m_Skeletons.HashOf(w.Skeleton)));
-            var key = new TemplateKey(mesh, patches, keys);
-            MeshTemplate template = m_Templates.Take(key, mesh, wings, group.ToArray(), patches, out problem);
-            return template == null ? null : new LiveMesh(filter, template, wings, keys, patches);
+            SkeletonValue[] skeletons = System.Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
+            TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();
+            var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
+            var parts = new RiggedParts(mesh, automatic, patches);
+            MeshTemplate template = m_Templates.Take(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
+            return template == null ? null : new LiveMesh(filter, template, wings, skeletons, patches);
         }
 
         // Wings by the renderer that draws them, in the order of the list.

@@ -7,13 +7,11 @@ namespace Alate
     internal static class InsectCheck
     {
         /// <summary>The first problem; none when all wings look right.</summary>
-        public static InsectProblem Find(string insect, IReadOnlyList<Wing> wings)
+        public static InsectProblem Find(InsectWings insect)
         {
+            List<Wing> wings = insect.Wings;
             if (wings.Count == 0)
-            {
-                return new InsectProblem(InsectState.NoWings, -1,
-                    $"'{insect}' has no wings in its list. Add them, or use Find Wings in the inspector.");
-            }
+                return NoWings(insect);
 
             for (int w = 0; w < wings.Count; w++)
             {
@@ -31,7 +29,7 @@ namespace Alate
             if (wing == null || wing.Renderer == null)
             {
                 return new InsectProblem(InsectState.NoRenderer, index,
-                    $"Wing {index} has no renderer. Assign the MeshRenderer that draws it, or remove the wing from the list.");
+                    "it has no renderer. Assign the MeshRenderer that draws it, or remove the wing from the list.");
             }
 
             string name = wing.Renderer.name;
@@ -40,25 +38,25 @@ namespace Alate
             if (mesh == null)
             {
                 return new InsectProblem(InsectState.NoMesh, index,
-                    $"Wing {index}: '{name}' has no MeshFilter with a mesh. Add one, or assign the renderer that has it.");
+                    $"'{name}' has no MeshFilter with a mesh. Add one, or assign the renderer that has it.");
             }
 
             if (wing.Renderer.isPartOfStaticBatch)
             {
                 return new InsectProblem(InsectState.StaticBatch, index,
-                    $"Wing {index}: '{name}' was merged by static batching. Turn off Batching Static on it.");
+                    $"'{name}' was merged by static batching. Turn off Batching Static on it.");
             }
 
             if (!mesh.isReadable)
             {
                 return new InsectProblem(InsectState.MeshNotReadable, index,
-                    $"Wing {index}: mesh '{mesh.name}' of '{name}' is not readable. Turn on Read/Write in its import settings.");
+                    $"mesh '{mesh.name}' of '{name}' is not readable. Turn on Read/Write in its import settings.");
             }
 
             if (wing.Part == WingPart.Submesh && (wing.Submesh < 0 || wing.Submesh >= mesh.subMeshCount))
             {
                 return new InsectProblem(InsectState.NoSuchPart, index,
-                    $"Wing {index}: mesh '{mesh.name}' has no submesh {wing.Submesh}, it has {mesh.subMeshCount}. Choose one from 0 on.");
+                    $"mesh '{mesh.name}' has no submesh {wing.Submesh}. Choose one from 0 to {mesh.subMeshCount - 1}.");
             }
 
             return Skeleton(wing, index);
@@ -78,7 +76,7 @@ namespace Alate
         {
             MeshFilter filter = wing == null ? null : FilterOf(wing);
             Mesh mesh = wing == null ? null : MeshOf(wing, filter);
-            if (mesh == null)
+            if (mesh == null || LivingMeshes.LivesOn(filter))
                 return;
             if (!ReferenceEquals(filter.sharedMesh, mesh))
                 filter.sharedMesh = mesh;
@@ -89,6 +87,15 @@ namespace Alate
         public static MeshFilter FilterOf(Wing wing) =>
             wing.Renderer != null && wing.Renderer.TryGetComponent(out MeshFilter filter) ? filter : null;
 
+        private static InsectProblem NoWings(InsectWings insect)
+        {
+            List<SkinnedMeshRenderer> skinned = WingFinder.FindSkinned(insect.transform);
+            return skinned.Count == 0
+                ? new InsectProblem(InsectState.NoWings, -1, "the list of wings is empty. Add them, or use Find Wings in the inspector.")
+                : new InsectProblem(InsectState.SkinnedWings, -1,
+                    $"the list of wings is empty, and '{skinned[0].name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain renderer in the inspector, then find the wings.");
+        }
+
         private static InsectProblem Skeleton(Wing wing, int index)
         {
             if (wing.Skeleton == null)
@@ -97,7 +104,7 @@ namespace Alate
             return problems.Count == 0
                 ? InsectProblem.None
                 : new InsectProblem(InsectState.SkeletonInvalid, index,
-                    $"Wing {index}: skeleton '{wing.Skeleton.name}' cannot be used: {problems[0].Message} Mend it in its inspector.");
+                    $"skeleton '{wing.Skeleton.name}' cannot be used: {problems[0].Message} Mend it in its inspector.");
         }
     }
 }

@@ -12,7 +12,7 @@ namespace Alate
         public readonly int patches;
         private readonly Mesh m_Copy;
 
-        public LiveMesh(MeshFilter filter, MeshTemplate template, Wing[] wings, TemplateKey.WingKey[] keys, int patches)
+        public LiveMesh(MeshFilter filter, MeshTemplate template, Wing[] wings, SkeletonValue[] skeletons, int patches)
         {
             this.filter = filter;
             this.patches = patches;
@@ -22,11 +22,11 @@ namespace Alate
             for (int w = 0; w < wings.Length; w++)
             {
                 wings[w].Authored = template.Source;
-                this.wings[w] = new LiveWing(wings[w], keys[w], template, w);
+                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w);
             }
 
             m_Copy = template.CreateCopy();
-            LivingMeshes.Add(m_Copy, template.Source);
+            LivingMeshes.Add(m_Copy, template.Source, filter);
             filter.sharedMesh = m_Copy;
         }
 

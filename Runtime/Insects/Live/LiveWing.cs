@@ -8,8 +8,6 @@ namespace Alate
         public readonly Wing wing;
         public readonly WingRig rig;
 
-        /// <summary>What it was built of.</summary>
-        public readonly TemplateKey.WingKey key;
         public readonly MeshRenderer renderer;
         public readonly Transform transform;
 
@@ -22,19 +20,27 @@ namespace Alate
         /// <summary>Current values of its preset.</summary>
         public SpeciesValues values;
 
+        private WingSpecies m_OwnSpecies, m_Preset;
         private int m_Stamp;
         private float m_Amplitude, m_Lead;
         private int m_Substeps;
+        private readonly TemplateKey.WingKey m_Key;
+        private readonly SkeletonValue m_Skeleton;
 
-        public LiveWing(Wing wing, in TemplateKey.WingKey key, MeshTemplate template, int shape)
+        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape)
         {
             this.wing = wing;
-            this.key = key;
+            m_Skeleton = skeleton;
+            m_Key = new TemplateKey.WingKey(wing, skeleton.Hash);
             renderer = wing.Renderer;
             rig = template.Shapes[shape].Rig;
             start = template.Starts[shape];
             transform = renderer.transform;
         }
+
+        /// <summary>Whether the wing in the list is no longer what this one was built of.</summary>
+        public bool IsStale(Wing listed) =>
+            !ReferenceEquals(listed, wing) || !ReferenceEquals(wing.Renderer, renderer) || !m_Key.Describes(wing, m_Skeleton.Hash);
 
         /// <summary>Looks where the wing is in the world.</summary>
         public void Place()
@@ -56,11 +62,17 @@ namespace Alate
         /// <returns>Whether anything changed since the last call.</returns>
         public bool Tune(SpeciesWatch species, WingSpecies preset, int substeps, float fade, out WingParameters parameters)
         {
-            SpeciesValues now = species.Of(wing.Species == null ? preset : wing.Species);
+            if (values == null || !ReferenceEquals(m_OwnSpecies, wing.Species) || !ReferenceEquals(m_Preset, preset))
+            {
+                m_OwnSpecies = wing.Species;
+                m_Preset = preset;
+                values = species.Of(m_OwnSpecies == null ? preset : m_OwnSpecies);
+                m_Stamp = -1;
+            }
+
             float amplitude = wing.AmplitudeScale * fade, lead = Mathf.Deg2Rad * wing.PhaseLead;
-            bool same = now == values && now.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && substeps == m_Substeps;
-            values = now;
-            m_Stamp = now.Stamp;
+            bool same = values.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && substeps == m_Substeps;
+            m_Stamp = values.Stamp;
             m_Amplitude = amplitude;
             m_Lead = lead;
             m_Substeps = substeps;
@@ -70,7 +82,7 @@ namespace Alate
                 return false;
             }
 
-            parameters = now.parameters;
+            parameters = values.parameters;
             parameters.amplitudeScale *= amplitude;
             parameters.phaseLead += lead;
             if (substeps > 0)

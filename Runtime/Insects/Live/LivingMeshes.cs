@@ -9,22 +9,35 @@ namespace Alate
     /// </summary>
     internal static class LivingMeshes
     {
-        private static readonly Dictionary<Mesh, Mesh> s_Sources = new Dictionary<Mesh, Mesh>();
+        private static readonly Dictionary<Mesh, Entry> s_Living = new Dictionary<Mesh, Entry>();
 
         /// <summary>Living meshes now.</summary>
-        public static int Count => s_Sources.Count;
+        public static int Count => s_Living.Count;
 
-        /// <summary>Notes that a living mesh stands for a source.</summary>
-        public static void Add(Mesh living, Mesh source) => s_Sources.Add(living, source);
+        /// <summary>Notes that a living mesh stands for a source, and where.</summary>
+        public static void Add(Mesh living, Mesh source, MeshFilter filter) =>
+            s_Living.Add(living, new Entry { source = source, filter = filter });
 
         /// <summary>Forgets a living mesh.</summary>
-        public static void Remove(Mesh living) => s_Sources.Remove(living);
+        public static void Remove(Mesh living) => s_Living.Remove(living);
 
         /// <summary>The authored mesh: that for which a living one stands, or the mesh itself.</summary>
-        public static Mesh SourceOf(Mesh mesh) =>
-            mesh is null || !s_Sources.TryGetValue(mesh, out Mesh source) ? mesh : source;
+        public static Mesh SourceOf(Mesh mesh) => mesh is null || !s_Living.TryGetValue(mesh, out Entry entry) ? mesh : entry.source;
+
+        /// <summary>Whether an insect has given this very filter the mesh that it shows; false for the filters of its clones.</summary>
+        public static bool LivesOn(MeshFilter filter)
+        {
+            Mesh shown = filter.sharedMesh;
+            return !(shown is null) && s_Living.TryGetValue(shown, out Entry entry) && ReferenceEquals(entry.filter, filter);
+        }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        private static void Forget() => s_Sources.Clear();
+        private static void Forget() => s_Living.Clear();
+
+        private struct Entry
+        {
+            public Mesh source;
+            public MeshFilter filter;
+        }
     }
 }

@@ -15,10 +15,10 @@ namespace Alate
         /// <summary>Longest time to look over, seconds.</summary>
         private const float k_LongestWindow = 0.5f;
 
-        private Vector3 m_Position, m_WindowPosition;
+        private Vector3 m_Position, m_WindowPosition, m_JumpVelocity, m_JumpRate;
         private Quaternion m_Rotation, m_WindowRotation;
         private float m_Window;
-        private bool m_Started, m_Moving;
+        private bool m_Started, m_Moving, m_Jumped;
 
         /// <summary>World units per second.</summary>
         public Vector3 Velocity { get; private set; }
@@ -26,17 +26,8 @@ namespace Alate
         /// <summary>Radians per second about the world's axes.</summary>
         public Vector3 AngularVelocity { get; private set; }
 
-        /// <summary>Takes the body's place as new, and its motion as it was.</summary>
-        public void Rebase(Vector3 position, Quaternion rotation)
-        {
-            m_Position = m_WindowPosition = position;
-            m_Rotation = m_WindowRotation = rotation;
-            m_Window = 0f;
-            m_Started = true;
-        }
-
-        /// <summary>Forgets the motion: the next place is the first.</summary>
-        public void Forget() => this = default;
+        /// <summary>The body has just been moved, or is about to be: wherever it is seen next, its motion stays as it was.</summary>
+        public void Interrupt() => m_Started = false;
 
         /// <summary>Takes in where the body is after some time, seconds; where no time has passed it may be anywhere.</summary>
         /// <param name="position">World position.</param>
@@ -54,20 +45,37 @@ namespace Alate
                 return false;
             }
 
-            float unexplained = (position - m_Position - Velocity * dt).magnitude;
-            float turned = Quaternion.Angle(m_Rotation, rotation) - AngularVelocity.magnitude * Mathf.Rad2Deg * dt;
-            if (unexplained > jump || turned > turn)
+            Vector3 velocity = (position - m_Position) / dt, rate = Rate(m_Rotation, rotation, dt);
+            if (!IsNear(velocity, Velocity, jump / dt) || !IsNear(rate, AngularVelocity, turn * Mathf.Deg2Rad / dt))
             {
+                // Two jumps in a row that are alike are no jumps but a motion that began of a sudden.
+                bool isMotion = m_Jumped && IsNear(velocity, m_JumpVelocity, jump / dt) && IsNear(rate, m_JumpRate, turn * Mathf.Deg2Rad / dt);
+                m_JumpVelocity = velocity;
+                m_JumpRate = rate;
+                m_Jumped = true;
                 Rebase(position, rotation);
-                return true;
+                if (isMotion)
+                    TakeOver(velocity, rate, 1f);
+                return !isMotion;
             }
 
+            m_Jumped = false;
             m_Position = position;
             m_Rotation = rotation;
             m_Window += dt;
             if (m_Window >= math.min(4f * Resolution(position) / finest, k_LongestWindow))
                 CloseWindow();
             return false;
+        }
+
+        private static bool IsNear(Vector3 a, Vector3 b, float distance) => (a - b).magnitude <= distance;
+
+        private void Rebase(Vector3 position, Quaternion rotation)
+        {
+            m_Position = m_WindowPosition = position;
+            m_Rotation = m_WindowRotation = rotation;
+            m_Window = 0f;
+            m_Started = true;
         }
 
         // The distance between neighbouring floats at a place.
@@ -80,13 +88,17 @@ namespace Alate
         private void CloseWindow()
         {
             float share = m_Moving ? 1f - math.exp(-m_Window / k_Smoothing) : 1f;
-            Vector3 velocity = (m_Position - m_WindowPosition) / m_Window;
-            Velocity += share * (velocity - Velocity);
-            AngularVelocity += share * (Rate(m_WindowRotation, m_Rotation, m_Window) - AngularVelocity);
-            m_Moving = true;
+            TakeOver((m_Position - m_WindowPosition) / m_Window, Rate(m_WindowRotation, m_Rotation, m_Window), share);
             m_WindowPosition = m_Position;
             m_WindowRotation = m_Rotation;
             m_Window = 0f;
+        }
+
+        private void TakeOver(Vector3 velocity, Vector3 rate, float share)
+        {
+            Velocity += share * (velocity - Velocity);
+            AngularVelocity += share * (rate - AngularVelocity);
+            m_Moving = true;
         }
 
         private static Vector3 Rate(Quaternion from, Quaternion to, float seconds)

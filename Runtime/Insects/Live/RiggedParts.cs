@@ -1,25 +1,42 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate
 {
     /// <summary>Takes the wings out of a mesh and bakes their rigs; says what is wrong instead of throwing.</summary>
-    internal static class RiggedParts
+    internal readonly struct RiggedParts
     {
-        /// <summary>A shape for each wing.</summary>
+        private readonly AutomaticSkeleton m_Automatic;
+        private readonly int m_Patches;
+
+        /// <param name="mesh">A readable mesh.</param>
+        /// <param name="automatic">For wings without a skeleton.</param>
+        /// <param name="patches">Surface patches of each wing.</param>
+        public RiggedParts(Mesh mesh, in AutomaticSkeleton automatic, int patches)
+        {
+            Mesh = mesh;
+            m_Automatic = automatic;
+            m_Patches = patches;
+        }
+
+        /// <summary>The mesh that the wings are part of.</summary>
+        public Mesh Mesh { get; }
+
+        /// <summary>A part for each wing; the indices are their places in the insect's list, for messages.</summary>
         /// <returns>Null when there is a problem.</returns>
-        public static RiggedPart[] Build(Mesh mesh, Wing[] wings, int[] indices, int patches, out InsectProblem problem)
+        public RiggedPart[] Build(Wing[] wings, List<int> indices, out InsectProblem problem)
         {
             var shapes = new RiggedPart[wings.Length];
             for (int w = 0; w < wings.Length; w++)
             {
-                problem = Build(mesh, wings[w], indices[w], patches, out shapes[w]);
+                problem = Build(wings[w], indices[w], out shapes[w]);
                 for (int other = 0; other < w && !problem.IsProblem; other++)
                 {
                     if (shapes[w].Overlaps(shapes[other]))
                     {
                         problem = new InsectProblem(InsectState.WingsOverlap, indices[w],
-                            $"Wings {indices[other]} and {indices[w]} share vertices of mesh '{mesh.name}'. Give each a part of its own: a submesh, or a connected part.");
+                            $"it shares vertices of mesh '{Mesh.name}' with wing {indices[other]}. Give each a part of its own: a submesh, or a connected part.");
                     }
                 }
 
@@ -34,36 +51,36 @@ namespace Alate
             return shapes;
         }
 
-        private static InsectProblem Build(Mesh mesh, Wing wing, int index, int patches, out RiggedPart shape)
+        private InsectProblem Build(Wing wing, int index, out RiggedPart shape)
         {
             shape = null;
             MeshSelection selection;
             try
             {
-                selection = MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point);
+                selection = MeshParts.Select(Mesh, wing.Part, wing.Submesh, wing.Point);
             }
             catch (ArgumentException exception)
             {
-                return new InsectProblem(InsectState.NoSuchPart, index, $"Wing {index}: {OneLine(exception)} Choose another part.");
+                return new InsectProblem(InsectState.NoSuchPart, index, $"{OneLine(exception)} Choose another part.");
             }
 
-            WingSurface surface = MeshParts.Surface(mesh, selection);
+            WingSurface surface = MeshParts.Surface(Mesh, selection);
             WingSkeleton skeleton = wing.Skeleton;
             bool automatic = skeleton == null;
             try
             {
                 if (automatic)
-                    skeleton = AutomaticSkeleton.Fit(surface, wing.Side);
-                shape = new RiggedPart(selection, WingRig.Bake(skeleton, surface, new WingRigSettings { patchCount = patches }));
+                    skeleton = m_Automatic.Fit(surface);
+                shape = new RiggedPart(selection, WingRig.Bake(skeleton, surface, new WingRigSettings { patchCount = m_Patches }));
                 return InsectProblem.None;
             }
             catch (ArgumentException exception)
             {
                 return automatic
                     ? new InsectProblem(InsectState.NoSkeleton, index,
-                        $"Wing {index} has no skeleton, and none could be laid out on mesh '{mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
+                        $"it has no skeleton, and none could be laid out on mesh '{Mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
                     : new InsectProblem(InsectState.SkeletonDoesNotFit, index,
-                        $"Wing {index}: {OneLine(exception)} Assign the skeleton that was made for mesh '{mesh.name}'.");
+                        $"{OneLine(exception)} Assign the skeleton that was made for mesh '{Mesh.name}'.");
             }
             finally
             {

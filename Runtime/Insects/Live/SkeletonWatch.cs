@@ -1,56 +1,33 @@
 using System.Collections.Generic;
-using Unity.Mathematics;
-using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Tells whether skeletons were edited, by their content.</summary>
+    /// <summary>The skeletons in use, each read once a frame to see whether it was edited.</summary>
     internal sealed class SkeletonWatch
     {
-        private readonly Dictionary<WingSkeleton, uint> m_Hashes = new Dictionary<WingSkeleton, uint>();
-        private readonly List<WingSkeleton> m_Known = new List<WingSkeleton>();
+        private readonly Dictionary<WingSkeleton, SkeletonValue> m_Values = new Dictionary<WingSkeleton, SkeletonValue>();
+        private readonly List<SkeletonValue> m_All = new List<SkeletonValue>();
+        private readonly SkeletonValue m_None = new SkeletonValue(null);
 
-        /// <summary>A number that changes with the skeleton's content, as of the last <see cref="Refresh"/>; 0 for none.</summary>
-        public uint HashOf(WingSkeleton skeleton)
+        /// <summary>What stands for a skeleton's content.</summary>
+        public SkeletonValue Of(WingSkeleton skeleton)
         {
             if (skeleton == null)
-                return 0;
-            if (!m_Hashes.TryGetValue(skeleton, out uint hash))
+                return m_None;
+            if (!m_Values.TryGetValue(skeleton, out SkeletonValue value))
             {
-                m_Hashes.Add(skeleton, hash = Hash(skeleton));
-                m_Known.Add(skeleton);
+                m_Values.Add(skeleton, value = new SkeletonValue(skeleton));
+                m_All.Add(value);
             }
 
-            return hash;
+            return value;
         }
 
-        /// <summary>Reads all known skeletons again.</summary>
+        /// <summary>Reads all skeletons again.</summary>
         public void Refresh()
         {
-            foreach (WingSkeleton skeleton in m_Known)
-            {
-                if (skeleton != null)
-                    m_Hashes[skeleton] = Hash(skeleton);
-            }
-        }
-
-        private static uint Hash(WingSkeleton skeleton)
-        {
-            uint hash = Mix(Mix(Mix(1u, skeleton.Hinge), skeleton.SpanAxis), skeleton.UpAxis);
-            foreach (JointChain chain in skeleton.Chains)
-            {
-                hash = hash * 31u + (uint)chain.Length;
-                for (int joint = 0; joint < chain.Length; joint++)
-                    hash = Mix(hash, chain.joints[joint]);
-            }
-
-            return hash == 0 ? 1u : hash;
-        }
-
-        private static uint Mix(uint hash, Vector3 point)
-        {
-            uint3 bits = math.asuint((float3)point);
-            return ((hash * 0x9E3779B1u + bits.x) * 0x85EBCA77u + bits.y) * 0xC2B2AE3Du + bits.z;
+            foreach (SkeletonValue value in m_All)
+                value.Refresh();
         }
     }
 }

@@ -1,6 +1,4 @@
-using System;
 using System.Collections.Generic;
-using UnityEngine;
 
 namespace Alate
 {
@@ -14,13 +12,12 @@ namespace Alate
 
         /// <summary>Finds or builds the template for some wings of one mesh; one user more.</summary>
         /// <param name="key">What it is made of.</param>
-        /// <param name="mesh">A readable mesh.</param>
+        /// <param name="parts">How to make what is not there.</param>
         /// <param name="wings">The wings on it.</param>
         /// <param name="indices">Their places in the insect's list, for messages.</param>
-        /// <param name="patches">Surface patches of each.</param>
         /// <param name="problem">Why there is none.</param>
         /// <returns>Null when there is a problem.</returns>
-        public MeshTemplate Take(TemplateKey key, Mesh mesh, Wing[] wings, int[] indices, int patches, out InsectProblem problem)
+        public MeshTemplate Take(TemplateKey key, in RiggedParts parts, Wing[] wings, List<int> indices, out InsectProblem problem)
         {
             problem = InsectProblem.None;
             foreach (Entry entry in m_Entries)
@@ -31,10 +28,10 @@ namespace Alate
                 return entry.template;
             }
 
-            RiggedPart[] shapes = RiggedParts.Build(mesh, wings, indices, patches, out problem);
+            RiggedPart[] shapes = parts.Build(wings, indices, out problem);
             if (shapes == null)
                 return null;
-            MeshTemplate template = MeshTemplate.Build(mesh, shapes);
+            MeshTemplate template = MeshTemplate.Build(parts.Mesh, shapes);
             template.Users = 1;
             m_Entries.Add(new Entry { key = key, template = template });
             return template;

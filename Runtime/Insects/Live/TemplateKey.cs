@@ -9,9 +9,11 @@ namespace Alate
         private readonly Mesh m_Mesh;
         private readonly int m_Patches;
         private readonly WingKey[] m_Wings;
+        private readonly AutomaticSkeleton m_Automatic;
 
-        public TemplateKey(Mesh mesh, int patches, WingKey[] wings)
+        public TemplateKey(Mesh mesh, int patches, WingKey[] wings, in AutomaticSkeleton automatic)
         {
+            m_Automatic = automatic;
             m_Mesh = mesh;
             m_Patches = patches;
             m_Wings = wings;
@@ -23,7 +25,7 @@ namespace Alate
                 return false;
             for (int w = 0; w < m_Wings.Length; w++)
             {
-                if (!m_Wings[w].Equals(other.m_Wings[w]))
+                if (!m_Wings[w].Equals(other.m_Wings[w]) || (m_Wings[w].IsAutomatic && !m_Automatic.Matches(other.m_Automatic)))
                     return false;
             }
 
@@ -47,6 +49,13 @@ namespace Alate
                 m_Skeleton = wing.Skeleton;
                 m_SkeletonHash = skeletonHash;
             }
+
+            /// <summary>Whether the wing has no skeleton of its own.</summary>
+            public bool IsAutomatic => m_Skeleton == null;
+
+            /// <summary>Whether a wing is still what the key was made of.</summary>
+            public bool Describes(Wing wing, uint skeletonHash) =>
+                ReferenceEquals(m_Skeleton, wing.Skeleton) && m_SkeletonHash == skeletonHash && Equals(new WingKey(wing, skeletonHash));
 
             public bool Equals(WingKey other) =>
                 m_Part == other.m_Part && m_Submesh == other.m_Submesh && m_Point == other.m_Point

@@ -81,28 +81,32 @@ namespace Alate
         /// <summary>One fixed step of the physics.</summary>
         public void FixedStep(float dt)
         {
-            World.Complete();
-            Tune();
-            Sense(WingClock.Fixed, WingClock.Fixed);
-            Schedule(m_Pacer.FixedStep(dt));
-            JobHandle.ScheduleBatchedJobs();
+            using (SystemMarkers.fixedStep.Auto())
+            {
+                Wait();
+                Tune();
+                Sense(WingClock.Fixed, WingClock.Fixed);
+                Schedule(m_Pacer.FixedStep(dt));
+                JobHandle.ScheduleBatchedJobs();
+            }
         }
 
         /// <summary>The end of a frame: who comes and goes, the steps of the frame's clocks, and the picture.</summary>
         public void Frame(float dt, float unscaledDt)
         {
-            World.Complete();
-            LetGo();
-            m_Skeletons.Refresh();
-            Renew();
-            Admit(k_VerticesPerFrame);
-            Tune();
-            Watch(dt, unscaledDt);
-            ChooseDetail();
-            Sense(WingClock.Frame, WingClock.Unscaled);
-            Schedule(m_Pacer.Frame(dt, unscaledDt));
-            Draw();
-            m_Calls.Tell(m_Insects, World);
+            using (SystemMarkers.frame.Auto())
+            {
+                Wait();
+                Renew();
+                Admit(k_VerticesPerFrame);
+                Tune();
+                Watch(dt, unscaledDt);
+                ChooseDetail();
+                Sense(WingClock.Frame, WingClock.Unscaled);
+                Schedule(m_Pacer.Frame(dt, unscaledDt));
+                Draw();
+                m_Calls.Tell(m_Insects, World);
+            }
         }
 
         /// <summary>Steps one insect by hand; it starts now if it has not yet.</summary>
@@ -110,7 +114,11 @@ namespace Alate
         {
             World.Complete();
             if (m_Arriving.Remove(insect))
+            {
                 Admit(insect);
+                m_WindZones.Find();
+            }
+
             LiveInsect live = insect.Live;
             if (live == null)
                 return;
@@ -165,6 +173,18 @@ namespace Alate
         // Insects whose mesh, wings or skeletons changed, and broken ones that were mended, start anew.
         private void Renew()
         {
+            using (SystemMarkers.renew.Auto())
+            {
+                LetGo();
+                m_Skeletons.Refresh();
+                RetireChanged();
+                m_Broken.TakeMended(m_Arriving);
+                LetGo();
+            }
+        }
+
+        private void RetireChanged()
+        {
             for (int k = m_Insects.Count - 1; k >= 0; k--)
             {
                 LiveInsect live = m_Insects[k];
@@ -173,10 +193,6 @@ namespace Alate
                 Retire(live);
                 m_Arriving.Add(live.insect);
             }
-
-            m_Broken.TakeMended(m_Arriving);
-            if (m_Leaving.Count > 0)
-                LetGo();
         }
 
         private void Admit(int vertices)
@@ -222,10 +238,13 @@ namespace Alate
 
         private void Watch(float dt, float unscaledDt)
         {
-            foreach (LiveInsect live in m_Insects)
+            using (SystemMarkers.watch.Auto())
             {
-                if (live.Clock != WingClock.Own)
-                    Watch(live, live.Clock == WingClock.Unscaled ? unscaledDt : dt);
+                foreach (LiveInsect live in m_Insects)
+                {
+                    if (live.Clock != WingClock.Own)
+                        Watch(live, live.Clock == WingClock.Unscaled ? unscaledDt : dt);
+                }
             }
         }
 
@@ -265,17 +284,40 @@ namespace Alate
         {
             float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position, Time.time) : default;
             live.Sense(wind);
-            live.insect.Report(live.Feel(World) ? InsectProblem.None : InsectProblem.NoSize(live.insect.name));
+            bool hasSize = live.Feel(World);
+            if (hasSize)
+                live.insect.Report(InsectProblem.None);
+            else if (live.insect.State != InsectState.ZeroScale)
+                live.insect.Report(InsectProblem.NoSize);
         }
 
-        private void Schedule(in StepPlan plan)
+        private void Schedule(StepPlan plan)
         {
+            plan.count = math.select(0, plan.count, ClocksInUse());
             if (plan.IsEmpty)
                 return;
             using (SystemMarkers.schedule.Auto())
                 World.ScheduleStep(plan);
             StepCount++;
             m_Moved = true;
+        }
+
+        private void Wait()
+        {
+            using (SystemMarkers.wait.Auto())
+                World.Complete();
+        }
+
+        private bool4 ClocksInUse()
+        {
+            bool4 used = default;
+            foreach (LiveInsect live in m_Insects)
+            {
+                if (live.Detail != WingDetail.Frozen)
+                    used[(int)live.Clock] = true;
+            }
+
+            return used;
         }
 
         private void Draw()
@@ -287,8 +329,7 @@ namespace Alate
             m_DrawnAlpha = alpha;
             using (SystemMarkers.schedule.Auto())
                 World.ScheduleSkin(alpha);
-            using (SystemMarkers.wait.Auto())
-                World.Complete();
+            Wait();
             using (SystemMarkers.upload.Auto())
             {
                 foreach (LiveInsect live in m_Insects)

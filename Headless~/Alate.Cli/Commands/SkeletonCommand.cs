@@ -1,0 +1,16 @@
+using System.CommandLine;
+using System.IO;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>skeleton</c>: makes skeletons for wings that have none.</summary>
+internal static class SkeletonCommand
+{
+    public static Command Create(TextWriter output)
+    {
+        var command = new Command("skeleton", "Makes a skeleton for a wing that has none.");
+        command.Subcommands.Add(SkeletonFitCommand.Create(output));
+        HelpExamples.Set(command, "Examples:\n  skeleton fit wing.obj --hinge 0,0,0");
+        return command;
+    }
+}

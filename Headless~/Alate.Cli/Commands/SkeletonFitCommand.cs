@@ -1,0 +1,100 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Text;
+using Alate.Cli.Input;
+using Alate.Cli.Output;
+using Alate.Cli.Pictures;
+using UnityEngine;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>skeleton fit MESH.obj</c>: lays a skeleton into a wing's mesh.</summary>
+internal static class SkeletonFitCommand
+{
+    private const double k_Far = 1e9;
+
+    public static Command Create(TextWriter output)
+    {
+        var mesh = new Argument<string>("MESH.obj") { Description = "A wing at rest." };
+        Option<int?> chains = Numbers.OptionalCount(
+            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains, "Chains of joints, 3 to 16. [default: 5]");
+        Option<int?> joints = Numbers.OptionalCount(
+            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints, "Joints of each chain, 3 to 16. [default: 5]");
+        Option<double[]> hinge = Numbers.Vector(
+            "--hinge", "X,Y,Z", k_Far, "Where the wing turns, in the mesh's space. [default: guessed]");
+        Option<double[]> body = Numbers.Vector(
+            "--body", "X,Y,Z", k_Far, "A point of the body, where the hinge is not known. [default: guessed]");
+        Option<double[]> forward = Numbers.Vector(
+            "--forward", "X,Y,Z", k_Far, "The way the insect faces: the side of the leading edge. [default: 0,0,1]");
+        Option<double[]> up = Numbers.Vector("--up", "X,Y,Z", k_Far, "The wing's upper side. [default: 0,1,0]");
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/MESH]" };
+        var command = new Command("fit", "Lays a skeleton into a wing's mesh: chains that fan from its base to its margin.")
+        {
+            mesh, chains, joints, hinge, body, forward, up, folder,
+        };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            SkeletonFitSettings settings = SkeletonFitSettings.Default;
+            settings.chains = parsed.GetValue(chains) ?? settings.chains;
+            settings.jointsPerChain = parsed.GetValue(joints) ?? settings.jointsPerChain;
+            settings.hinge = Vector(parsed.GetValue(hinge));
+            settings.bodyPoint = Vector(parsed.GetValue(body));
+            settings.forward = Vector(parsed.GetValue(forward)) ?? settings.forward;
+            settings.up = Vector(parsed.GetValue(up));
+            string file = parsed.GetValue(mesh);
+            Run(file, settings, parsed.GetValue(folder) ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(string file, in SkeletonFitSettings settings, string path, TextWriter output)
+    {
+        const string k_Skeleton = "skeleton.json", k_Picture = "skeleton.svg";
+        SkeletonFit fit = Fit(TextFile.Read(file, ObjReader.Read).ToWingSurface(file), settings);
+        using OutputFolder folder = OutputFolder.Prepare(path, k_Skeleton, k_Picture);
+        folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(fit.Skeleton))));
+        folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonPicture.Draw(fit))));
+        folder.Commit();
+        output.WriteLine(Summary(fit));
+        output.WriteLine($"Wrote {k_Skeleton} and {k_Picture} into {path}.");
+    }
+
+    /// <summary>One line: the confidence and all warnings.</summary>
+    public static string Summary(SkeletonFit fit)
+    {
+        var text = new StringBuilder();
+        text.Append(CultureInfo.InvariantCulture, $"{fit.Skeleton.ChainCount} chains of {fit.Skeleton.JointsPerChain} joints, ");
+        text.Append(CultureInfo.InvariantCulture, $"confidence {fit.Confidence:0.00}.");
+        foreach (SkeletonFitWarning warning in fit.Warnings)
+            text.Append($" {warning.Kind}: {warning.Message}");
+        return text.ToString();
+    }
+
+    private static SkeletonFit Fit(in WingSurface surface, in SkeletonFitSettings settings)
+    {
+        try
+        {
+            return SkeletonFitter.Fit(surface, settings);
+        }
+        catch (ArgumentException problem)
+        {
+            throw new UserException(problem.Message);
+        }
+    }
+
+    private static Vector3? Vector(double[] given) =>
+        given is { Length: 3 } ? new Vector3((float)given[0], (float)given[1], (float)given[2]) : null;
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  skeleton fit wing.obj\n"
+        + "  skeleton fit wing.obj --chains 7 --joints 6 --hinge 0,0,0.1 --forward 0,0,1 --out mine\n\n"
+        + "Writes into the output folder:\n"
+        + "  skeleton.json  the skeleton, in the mesh's space, for 'fly --mesh wing.obj --skeleton skeleton.json --species NAME'\n"
+        + "  skeleton.svg   the wing's outline and the chains, seen from above\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}
