@@ -10,6 +10,7 @@ namespace Alate
     /// </summary>
     [AddComponentMenu("Alate/Insect Wings")]
     [HelpURL("https://example.invalid/alate/documentation/insect-wings.html")]
+    [Icon("Packages/com.alate.insect-wings/Editor/Icons/InsectWings.png")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(ExecutionOrders.InsectWings)]
     public sealed partial class InsectWings : MonoBehaviour

@@ -69,6 +69,19 @@ namespace Alate
         /// <summary>Aerodynamic patches.</summary>
         public int PatchCount => m_Pack.rig.patchCount;
 
+        /// <summary>Middle of a patch, between the four joints around it, wing lengths from the hinge.</summary>
+        public float3 PatchPosition(int patch)
+        {
+            Check(patch, PatchCount, nameof(patch));
+            int cell = 0;
+            while (patch >= m_Pack.rig.patchCells[cell].firstPatch + m_Pack.rig.patchCells[cell].patchCount)
+                cell++;
+            int chain = cell / (JointsPerChain - 1), joint = cell % (JointsPerChain - 1);
+            float u = m_Pack.rig.patchU[patch], v = m_Pack.rig.patchV[patch];
+            float3 ahead = math.lerp(JointPosition(chain, joint), JointPosition(chain, joint + 1), v);
+            return math.lerp(ahead, math.lerp(JointPosition(chain + 1, joint), JointPosition(chain + 1, joint + 1), v), u);
+        }
+
         /// <summary>Force on a patch in the last substep, wing masses · L/s².</summary>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         public float3 PatchForce(int patch) => Load(patch)->force[m_Lane];

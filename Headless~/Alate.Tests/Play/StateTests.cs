@@ -62,7 +62,7 @@ namespace Alate.Tests.Play.Headless
             }
 
             LogChannel.Received += Hear;
-            InsectWings patient = Hatch(insect => insect.Wings.Clear());
+            InsectWings patient = Hatch(insect => insect.Wings[0].Renderer = null);
             yield return Frames(3);
             LogChannel.Received -= Hear;
 

@@ -1,4 +1,5 @@
 using System;
+using Unity.StandIns;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -9,36 +10,38 @@ public sealed partial class EditorGUILayout
     public static bool PropertyField(
         SerializedProperty property,
         bool includeChildren,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options) => Field(property, null, includeChildren);
     public static bool PropertyField(
         SerializedProperty property,
         GUIContent label,
         bool includeChildren,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options) => Field(property, label, includeChildren);
     public static bool PropertyField(
         SerializedProperty property,
         GUIContent label,
-        params GUILayoutOption[] options) => throw Absent.Editor;
-    public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void HelpBox(string message, MessageType type) => throw Absent.Editor;
+        params GUILayoutOption[] options) => Field(property, label, true);
+    public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => Field(property, null, true);
+    public static void HelpBox(string message, MessageType type) => Add(ControlKind.HelpBox, new GUIContent(message), type.ToString());
     public static void HelpBox(string message, MessageType type, bool wide) => throw Absent.Editor;
     public static void HelpBox(GUIContent content, bool wide = true) => throw Absent.Editor;
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) => throw Absent.Editor;
     public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
     public static void LabelField(string label, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => Add(ControlKind.Label, new GUIContent(label));
+    public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) =>
+        Add(ControlKind.Label, label, label2.text);
     public static void LabelField(
         GUIContent label,
         GUIContent label2,
         GUIStyle style,
         params GUILayoutOption[] options) => throw Absent.Editor;
     public static void LabelField(GUIContent label, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(GUIContent label, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(GUIContent label, GUIStyle style, params GUILayoutOption[] options) => Add(ControlKind.Label, label);
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => throw Absent.Editor;
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick, GUIStyle style) => throw Absent.Editor;
     public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick) => throw Absent.Editor;
-    public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick, GUIStyle style) => throw Absent.Editor;
+    public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick, GUIStyle style) =>
+        Add(ControlKind.Foldout, content) != foldout;
     public static bool BeginFoldoutHeaderGroup(
         bool foldout,
         string content,
@@ -63,7 +66,8 @@ public sealed partial class EditorGUILayout
     public static void Space(float width, bool expand) => throw Absent.Editor;
     public static void Separator() => throw Absent.Editor;
     public static bool Toggle(string label, bool value, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) =>
+        Add(ControlKind.Toggle, label, value ? "on" : "off") != value;
     public static float FloatField(string label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static float FloatField(GUIContent label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static int IntField(string label, int value, params GUILayoutOption[] options) => throw Absent.Editor;
@@ -175,7 +179,7 @@ public sealed partial class EditorGUILayout
     public static string TextField(GUIContent label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
     public static void PrefixLabel(string label) => throw Absent.Editor;
     public static void PrefixLabel(GUIContent label) => throw Absent.Editor;
-    public static Rect GetControlRect(bool hasLabel, float height, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Rect GetControlRect(bool hasLabel, float height, params GUILayoutOption[] options) => GuiPage.Needed.Next(height);
     public static Rect GetControlRect(bool hasLabel, float height, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect GetControlRect(bool hasLabel, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect GetControlRect(params GUILayoutOption[] options) => throw Absent.Editor;
@@ -183,4 +187,13 @@ public sealed partial class EditorGUILayout
     public static void EndScrollView() => throw Absent.Editor;
     public static Color ColorField(string label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Color ColorField(GUIContent label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
+
+    private static bool Field(SerializedProperty property, GUIContent label, bool includeChildren)
+    {
+        Rect position = GuiPage.Needed.Next(DrawnProperty.HeightOf(property, label, includeChildren));
+        return DrawnProperty.Draw(position, property, label, includeChildren);
+    }
+
+    private static bool Add(ControlKind kind, GUIContent content, string value = "") =>
+        GuiPage.Needed.Add(kind, GuiPage.Needed.Next(EditorGUIUtility.singleLineHeight), content, value);
 }

@@ -23,13 +23,17 @@ namespace Alate
 
         /// <summary>Lays out chains on a wing; the caller destroys the skeleton.</summary>
         /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
-        public WingSkeleton Fit(in WingSurface surface)
+        public WingSkeleton Fit(in WingSurface surface) => FitWithNotes(surface).Skeleton;
+
+        /// <summary>The same, with how sure it is.</summary>
+        /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
+        public SkeletonFit FitWithNotes(in WingSurface surface)
         {
             SkeletonFitSettings settings = SkeletonFitSettings.Default;
             settings.bodyPoint = m_Body;
             settings.forward = m_Forward;
             settings.up = m_Up;
-            return SkeletonFitter.Fit(surface, settings).Skeleton;
+            return SkeletonFitter.Fit(surface, settings);
         }
     }
 }

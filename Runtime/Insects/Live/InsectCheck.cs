@@ -89,11 +89,12 @@ namespace Alate
 
         private static InsectProblem NoWings(InsectWings insect)
         {
-            List<SkinnedMeshRenderer> skinned = WingFinder.FindSkinned(insect.transform);
-            return skinned.Count == 0
+            List<SkinnedMeshRenderer> likely = WingFinder.FindSkinned(insect.transform);
+            SkinnedMeshRenderer skinned = likely.Count > 0 ? likely[0] : insect.GetComponentInChildren<SkinnedMeshRenderer>(true);
+            return skinned == null
                 ? new InsectProblem(InsectState.NoWings, -1, "the list of wings is empty. Add them, or use Find Wings in the inspector.")
                 : new InsectProblem(InsectState.SkinnedWings, -1,
-                    $"the list of wings is empty, and '{skinned[0].name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain renderer in the inspector, then find the wings.");
+                    $"the list of wings is empty, and '{skinned.name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain renderer in the inspector, then find the wings.");
         }
 
         private static InsectProblem Skeleton(Wing wing, int index)

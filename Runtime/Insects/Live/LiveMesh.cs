@@ -52,7 +52,7 @@ namespace Alate
             if (filter != null && ReferenceEquals(filter.sharedMesh, m_Copy))
                 filter.sharedMesh = template.Source;
             foreach (LiveWing wing in wings)
-                wing.wing.Authored = null;
+                wing.ForgetAuthored();
             LivingMeshes.Remove(m_Copy);
             ObjectEnd.Destroy(m_Copy);
         }

@@ -5,7 +5,6 @@ namespace Alate
     /// <summary>One wing while it lives: its place in the world of the simulation, and what it was last told.</summary>
     internal sealed class LiveWing
     {
-        public readonly Wing wing;
         public readonly WingRig rig;
 
         public readonly MeshRenderer renderer;
@@ -20,6 +19,7 @@ namespace Alate
         /// <summary>Current values of its preset.</summary>
         public SpeciesValues values;
 
+        private Wing m_Wing;
         private WingSpecies m_OwnSpecies, m_Preset;
         private int m_Stamp;
         private float m_Amplitude, m_Lead;
@@ -29,7 +29,7 @@ namespace Alate
 
         public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape)
         {
-            this.wing = wing;
+            m_Wing = wing;
             m_Skeleton = skeleton;
             m_Key = new TemplateKey.WingKey(wing, skeleton.Hash);
             renderer = wing.Renderer;
@@ -38,9 +38,21 @@ namespace Alate
             transform = renderer.transform;
         }
 
-        /// <summary>Whether the wing in the list is no longer what this one was built of.</summary>
-        public bool IsStale(Wing listed) =>
-            !ReferenceEquals(listed, wing) || !ReferenceEquals(wing.Renderer, renderer) || !m_Key.Describes(wing, m_Skeleton.Hash);
+        /// <summary>
+        /// Whether the wing in the list is no longer what this one was built of. Another object that says the same is taken over: the editor makes new ones when a slider is moved.
+        /// </summary>
+        public bool IsStale(Wing listed)
+        {
+            if (listed == null || !ReferenceEquals(listed.Renderer, renderer) || !m_Key.Describes(listed, m_Skeleton.Hash))
+                return true;
+            if (!ReferenceEquals(listed, m_Wing))
+                listed.Authored = m_Wing.Authored;
+            m_Wing = listed;
+            return false;
+        }
+
+        /// <summary>The wing shows its authored mesh again.</summary>
+        public void ForgetAuthored() => m_Wing.Authored = null;
 
         /// <summary>Looks where the wing is in the world.</summary>
         public void Place()
@@ -62,15 +74,15 @@ namespace Alate
         /// <returns>Whether anything changed since the last call.</returns>
         public bool Tune(SpeciesWatch species, WingSpecies preset, int substeps, float fade, out WingParameters parameters)
         {
-            if (values == null || !ReferenceEquals(m_OwnSpecies, wing.Species) || !ReferenceEquals(m_Preset, preset))
+            if (values == null || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Preset, preset))
             {
-                m_OwnSpecies = wing.Species;
+                m_OwnSpecies = m_Wing.Species;
                 m_Preset = preset;
                 values = species.Of(m_OwnSpecies == null ? preset : m_OwnSpecies);
                 m_Stamp = -1;
             }
 
-            float amplitude = wing.AmplitudeScale * fade, lead = Mathf.Deg2Rad * wing.PhaseLead;
+            float amplitude = m_Wing.AmplitudeScale * fade, lead = Mathf.Deg2Rad * m_Wing.PhaseLead;
             bool same = values.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && substeps == m_Substeps;
             m_Stamp = values.Stamp;
             m_Amplitude = amplitude;

@@ -90,7 +90,7 @@ namespace Alate
         }
 
         // Without the "(Parameter 'x')" that .NET adds.
-        private static string OneLine(ArgumentException exception)
+        internal static string OneLine(ArgumentException exception)
         {
             string message = exception.Message;
             int end = exception.ParamName == null ? -1 : message.IndexOf(" (Parameter '", StringComparison.Ordinal);

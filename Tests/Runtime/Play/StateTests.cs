@@ -26,16 +26,16 @@ namespace Alate.Tests.Play
             new Fault
             {
                 state = InsectState.NoWings, thing = "patient", remedy = "Add them",
-                breaks = (_, insect) => insect.Wings.Clear(),
+                breaks = (_, insect) => TakeWings(insect),
                 mends = (test, insect) => insect.Wings.Add(test.MakeWing(insect.transform, WingSide.Right)),
             },
             new Fault
             {
-                state = InsectState.SkinnedWings, thing = "skin", remedy = "Convert",
+                state = InsectState.SkinnedWings, thing = "skin of the wings", remedy = "Convert",
                 breaks = (_, insect) =>
                 {
-                    insect.Wings.Clear();
-                    var skin = new GameObject("skin");
+                    TakeWings(insect);
+                    var skin = new GameObject("skin of the wings");
                     skin.transform.SetParent(insect.transform, false);
                     skin.AddComponent<SkinnedMeshRenderer>();
                 },
@@ -98,6 +98,14 @@ namespace Alate.Tests.Play
                 mends = (test, insect) => insect.Wings[1].Skeleton = test.Skeleton,
             },
         };
+
+        // The list and what it could be filled from again.
+        private static void TakeWings(InsectWings insect)
+        {
+            foreach (Wing wing in insect.Wings)
+                UnityEngine.Object.DestroyImmediate(wing.Renderer.gameObject);
+            insect.Wings.Clear();
+        }
 
         private static readonly string[] s_NoWings = { "empty", "lines", "needle", "point" };
 

@@ -1,11 +1,19 @@
+using Unity.StandIns;
+
 namespace UnityEngine;
 
 public class GUILayout
 {
-    public static bool Button(string text, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static bool Button(GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    private const float k_Line = 18f;
+
+    public static bool Button(string text, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), new GUIContent(text));
+    public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), new GUIContent(text));
+    public static bool Button(GUIContent content, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), content);
+    public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), content);
     public static bool Button(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static void Label(string text, params GUILayoutOption[] options) => throw Absent.Gui;

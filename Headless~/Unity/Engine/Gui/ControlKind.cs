@@ -1,0 +1,14 @@
+namespace Unity.StandIns;
+
+/// <summary>What a control of a drawn inspector is.</summary>
+[StandInExtension]
+public enum ControlKind
+{
+    Field,
+    Label,
+    Button,
+    Toggle,
+    Foldout,
+    HelpBox,
+    Area,
+}
