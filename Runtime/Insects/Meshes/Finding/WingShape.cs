@@ -12,10 +12,7 @@ namespace Alate
         // Mean share of a triangle that faces across the sheet: 1 in a plane, 0.64 in a tube, 0.5 in a ball. Cambered wings have above 0.9.
         const float k_Facing = 0.8f;
 
-        // Thickness over the side of a square of the same area.
-        const float k_Thickness = 0.35f;
-
-        // The same of a box where only that is known, thickness over middle side.
+        // Smallest side over middle side of a box where only that is known.
         const float k_BoxThickness = 0.2f;
 
         /// <summary>Area of all triangles.</summary>
@@ -102,17 +99,10 @@ namespace Alate
 
         static bool IsSheet(Vector3[] points, int[] triangles, float area, Vector3 axis)
         {
-            float facing = 0f, low = float.MaxValue, high = float.MinValue;
+            var facing = 0f;
             for (var corner = 0; corner < triangles.Length; corner += 3)
                 facing += Mathf.Abs(Vector3.Dot(AreaNormal(points, triangles, corner), axis));
-            foreach (var point in points)
-            {
-                var height = Vector3.Dot(point, axis);
-                low = Mathf.Min(low, height);
-                high = Mathf.Max(high, height);
-            }
-
-            return facing > k_Facing * area && high - low < k_Thickness * Mathf.Sqrt(area);
+            return facing > k_Facing * area;
         }
 
         /// <summary>The direction that most of the area faces, by squaring the matrix until only its largest axis is left.</summary>

@@ -116,6 +116,27 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void EverySeam_IsWelded_WhereverItLies()
+        {
+            // Squares of two triangles whose common corners differ in the last bits of their coordinates.
+            const int k_Squares = 3000;
+            var random = new System.Random(8);
+            float Any() => 2f * (float)random.NextDouble() - 1f;
+            float Nearly(float value) => value * (1f + 1.2e-7f * random.Next(-2, 3));
+            var sketch = new MeshSketch();
+            for (var square = 0; square < k_Squares; square++)
+                sketch.Sheet(new Vector3(Any(), Any(), Any()), 1e-3f * Vector3.right, 1e-3f * Vector3.forward, 1, 1);
+            sketch.Split();
+            for (var vertex = 0; vertex < sketch.positions.Count; vertex++)
+            {
+                var p = sketch.positions[vertex];
+                sketch.positions[vertex] = new Vector3(Nearly(p.x), Nearly(p.y), Nearly(p.z));
+            }
+
+            Assert.That(MeshParts.Parts(Made(sketch)), Has.Count.EqualTo(k_Squares));
+        }
+
+        [Test]
         public void TheNearestTriangle_IsFoundByItsFace_NotItsCorners()
         {
             // The point is 1 above the middle of a large triangle whose corners are far, and 2 from a small sheet.
@@ -207,7 +228,7 @@ namespace Alate.Tests
 
             TestContext.WriteLine($"{watch.Elapsed.TotalMilliseconds:f0} ms for {mesh.vertexCount} vertices");
             Assert.That(part.triangles, Has.Length.EqualTo(300000));
-            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(5), "a quadratic search would take minutes");
+            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30), "a quadratic search would take minutes");
         }
 
         [Test]
@@ -221,7 +242,7 @@ namespace Alate.Tests
 
             Assert.That(MeshParts.Parts(mesh), Has.Count.EqualTo(100000));
             TestContext.WriteLine($"{watch.Elapsed.TotalMilliseconds:f0} ms");
-            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(5));
+            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30));
         }
 
         [Test]

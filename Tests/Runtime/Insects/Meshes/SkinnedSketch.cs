@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>A skinned insect: bones in places, turns and sizes of all kinds, and a renderer that is not where its mesh is drawn.</summary>
+    /// <summary>A skinned insect: bones turned and scaled in all ways, and a renderer that is not where its mesh is drawn.</summary>
     public sealed class SkinnedSketch : IDisposable
     {
         readonly InsectSketch m_Insect = new InsectSketch();

@@ -57,7 +57,8 @@ namespace Alate.Tests
             {
                 Assert.That((wing.gameObject.layer, wing.tag, wing.enabled), Is.EqualTo((5, "EditorOnly", true)));
                 Assert.That((wing.shadowCastingMode, wing.receiveShadows), Is.EqualTo((ShadowCastingMode.TwoSided, false)));
-                Assert.That((wing.lightProbeUsage, wing.reflectionProbeUsage), Is.EqualTo((LightProbeUsage.Off, ReflectionProbeUsage.Simple)));
+                Assert.That(wing.lightProbeUsage, Is.EqualTo(LightProbeUsage.Off));
+                Assert.That(wing.reflectionProbeUsage, Is.EqualTo(ReflectionProbeUsage.Simple));
                 Assert.That(wing.probeAnchor, Is.SameAs(anchor));
                 Assert.That(wing.motionVectorGenerationMode, Is.EqualTo(MotionVectorGenerationMode.Camera));
                 Assert.That((wing.allowOcclusionWhenDynamic, wing.renderingLayerMask), Is.EqualTo((false, 6u)));

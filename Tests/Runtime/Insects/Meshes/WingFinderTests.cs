@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
@@ -6,19 +5,8 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    public sealed class WingFinderTests
+    public sealed class WingFinderTests : WingFinderFixture
     {
-        static readonly Vector3 s_Fore = new Vector3(0.1f, 0.1f, 0.25f);
-        static readonly Vector3 s_Hind = new Vector3(0.1f, 0.05f, -0.15f);
-
-        InsectSketch m_Insect;
-
-        [SetUp]
-        public void MakeAnInsect() => m_Insect = new InsectSketch();
-
-        [TearDown]
-        public void EndIt() => m_Insect.Dispose();
-
         [Test]
         public void NamesAlone_AreEnough_InAnyHierarchy()
         {
@@ -58,60 +46,6 @@ namespace Alate.Tests
             m_Insect.Draw("d", Wing(1f, s_Fore, 1f));
 
             AssertFound("d Fore Right WholeMesh", "b Fore Left WholeMesh", "a Hind Right WholeMesh", "c Hind Left WholeMesh");
-        }
-
-        [TestCase(false)]
-        [TestCase(true)]
-        public void OneMeshWithBothWings_IsTwoConnectedParts(bool split)
-        {
-            var sketch = new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f);
-            m_Insect.Draw("Wings", split ? sketch.Split() : sketch);
-
-            AssertFound("Wings Fore Right ConnectedPart", "Wings Fore Left ConnectedPart");
-            AssertThePointsTellTheParts();
-        }
-
-        [Test]
-        public void FourWingsInOneMeshWithTheBody_AreFoundByTheirShape()
-        {
-            var sketch = m_Insect.Body();
-            foreach (var side in new[] { -1f, 1f })
-                sketch.Wing(Side(s_Hind, side), 0.8f * side, 0.4f).Wing(Side(s_Fore, side), side, 0.35f);
-            m_Insect.Draw("Insect", sketch);
-
-            AssertFound(
-                "Insect Fore Right ConnectedPart", "Insect Fore Left ConnectedPart",
-                "Insect Hind Right ConnectedPart", "Insect Hind Left ConnectedPart");
-            AssertThePointsTellTheParts();
-        }
-
-        [Test]
-        public void SubmeshesWhoseMaterialsAreCalledWing_AreWings()
-        {
-            var sketch = m_Insect.Body().NextSubmesh().Wing(Mirror(s_Fore), -1f, 0.5f).NextSubmesh().Wing(s_Fore, 1f, 0.5f);
-            m_Insect.Draw("Butterfly", sketch, "Body", "Wing Left", "WingRight");
-
-            AssertFound("Butterfly Fore Right Submesh 2", "Butterfly Fore Left Submesh 1");
-        }
-
-        [Test]
-        public void ASubmeshWithBothWings_IsTakenApart()
-        {
-            var sketch = m_Insect.Body().NextSubmesh().Wing(Mirror(s_Fore), -1f, 0.5f).Wing(s_Fore, 1f, 0.5f);
-            m_Insect.Draw("Butterfly", sketch, "Chitin", "M_Wings");
-
-            AssertFound("Butterfly Fore Right ConnectedPart", "Butterfly Fore Left ConnectedPart");
-            AssertThePointsTellTheParts();
-        }
-
-        [Test]
-        public void SubmeshesOfAMeshOfWings_AreOneWingEach()
-        {
-            // Welded along the middle, so that the parts hang together; only the submeshes tell them.
-            var sketch = new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, -1f, 0.5f);
-            m_Insect.Draw("Wings", sketch, "Blue", "Blue");
-
-            AssertFound("Wings Fore Right Submesh 0", "Wings Fore Left Submesh 1");
         }
 
         [TestCase("Wing")]
@@ -170,15 +104,27 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void OneRendererASide_WithTwoWings_IsTwoWings()
+        public void ASmallHindWing_BelowTheRearOfABroadForeWing_IsAWingOfItsOwn()
         {
             foreach (var side in new[] { 1f, -1f })
-                m_Insect.Draw("Wings" + side, Wing(side, s_Hind, 0.8f).Wing(Side(s_Fore, side), side, 0.35f));
+            {
+                var fore = new MeshSketch().Sheet(Side(s_Fore, side), side * Vector3.right, Vector3.back);
+                var below = Side(s_Fore + new Vector3(0.1f, -0.1f, -0.6f), side);
+                m_Insect.Draw("a" + side, new MeshSketch().Sheet(below, 0.6f * side * Vector3.right, 0.35f * Vector3.back));
+                m_Insect.Draw("b" + side, fore);
+            }
 
-            AssertFound(
-                "Wings1 Fore Right ConnectedPart", "Wings-1 Fore Left ConnectedPart",
-                "Wings1 Hind Right ConnectedPart", "Wings-1 Hind Left ConnectedPart");
-            AssertThePointsTellTheParts();
+            AssertFound("b1 Fore Right WholeMesh", "b-1 Fore Left WholeMesh", "a1 Hind Right WholeMesh", "a-1 Hind Left WholeMesh");
+        }
+
+        [Test]
+        public void SheetsThatAreNoMirrorImages_AreNoWings()
+        {
+            m_Insect.Draw("right", Wing(1f, s_Fore, 1f));
+            m_Insect.Draw("behind", Wing(-1f, s_Fore + Vector3.back, 1f));
+            m_Insect.Draw("larger", Wing(-1f, s_Fore, 1.5f));
+
+            AssertFound();
         }
 
         [Test]
@@ -257,36 +203,6 @@ namespace Alate.Tests
             AssertFound("Wing_R_LOD0 Fore Right WholeMesh", "Wing_L_LOD0 Fore Left WholeMesh");
         }
 
-        [TestCase("Wing_A", "Wing_B")]
-        [TestCase("Plane", "Plane.001")]
-        public void MeshesThatAreNotReadable_AreToldByTheirBoxes(string right, string left)
-        {
-            m_Insect.Draw("Body", m_Insect.Body());
-            m_Insect.Draw(right, Wing(1f, s_Fore, 1f));
-            m_Insect.Draw(left, Wing(-1f, s_Fore, 1f));
-            foreach (var filter in m_Insect.Root.GetComponentsInChildren<MeshFilter>())
-                filter.sharedMesh.UploadMeshData(true);
-
-            AssertFound($"{right} Fore Right WholeMesh", $"{left} Fore Left WholeMesh");
-        }
-
-        [Test]
-        public void BothWingsInAMeshThatIsNotReadable_AreToldByPointsOnItsSides()
-        {
-            var renderer = m_Insect.Draw("Wings", new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f));
-            var readable = renderer.GetComponent<MeshFilter>().sharedMesh;
-            var unreadable = m_Insect.Mesh(new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f));
-            unreadable.UploadMeshData(true);
-            renderer.GetComponent<MeshFilter>().sharedMesh = unreadable;
-
-            AssertFound("Wings Fore Right ConnectedPart", "Wings Fore Left ConnectedPart");
-
-            // After Read/Write has been turned on, the points lead to the wings.
-            var wings = WingFinder.Find(m_Insect.Root);
-            renderer.GetComponent<MeshFilter>().sharedMesh = readable;
-            AssertThePointsTellTheParts(wings);
-        }
-
         [Test]
         public void TheWingsOfEverySpecies_AreFound_WithoutNames()
         {
@@ -338,35 +254,5 @@ namespace Alate.Tests
 
             Assert.That(() => WingFinder.Find(m_Insect.Root), Throws.Nothing);
         }
-
-        void AssertFound(params string[] wings)
-        {
-            var found = WingFinder.Find(m_Insect.Root).ConvertAll(wing =>
-                $"{wing.Renderer.name} {wing.Pair} {wing.Side} {wing.Part}" + (wing.Part == WingPart.Submesh ? $" {wing.Submesh}" : ""));
-            Assert.That(found, Is.EqualTo(wings));
-        }
-
-        void AssertThePointsTellTheParts() => AssertThePointsTellTheParts(WingFinder.Find(m_Insect.Root));
-
-        // All vertices of a part are on the side and in the pair that the wing is said to be.
-        void AssertThePointsTellTheParts(List<Wing> wings)
-        {
-            foreach (var wing in wings)
-            {
-                var mesh = wing.Renderer.GetComponent<MeshFilter>().sharedMesh;
-                var surface = MeshParts.Surface(mesh, MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point));
-                var hinge = wing.Pair == WingPair.Fore ? s_Fore : s_Hind;
-                Assert.That(surface.triangles, Has.Length.EqualTo(6 * 24));
-                Assert.That(surface.positions.Max(p => p.z), Is.EqualTo(hinge.z).Within(1e-5f));
-                foreach (var p in surface.positions)
-                    Assert.That(wing.Side == WingSide.Right ? p.x : -p.x, Is.GreaterThan(hinge.x - 1e-5f));
-            }
-        }
-
-        static MeshSketch Wing(float side, Vector3 hinge, float length) => new MeshSketch().Wing(Side(hinge, side), length * side, 0.4f);
-
-        static Vector3 Side(Vector3 hinge, float side) => Vector3.Scale(hinge, new Vector3(side, 1f, 1f));
-
-        static Vector3 Mirror(Vector3 hinge) => Side(hinge, -1f);
     }
 }
