@@ -22,9 +22,11 @@ public sealed partial class Handles
     public static void DrawLines(Vector3[] lineSegments) => throw Absent.Editor;
     public static void DrawLines(Vector3[] points, int[] segmentIndices) => throw Absent.Editor;
     public static void DrawDottedLine(Vector3 p1, Vector3 p2, float screenSpaceSize) => throw Absent.Editor;
-    public static void DrawAAPolyLine(float width, int actualNumberOfPoints, params Vector3[] points) => throw Absent.Editor;
+    public static void DrawAAPolyLine(float width, int actualNumberOfPoints, params Vector3[] points) =>
+        DrawnLine.Check(points, actualNumberOfPoints);
     public static void DrawAAPolyLine(float width, Color[] colors, Vector3[] points) => throw Absent.Editor;
-    public static void DrawAAPolyLine(float width, params Vector3[] points) => throw Absent.Editor;
+    public static void DrawAAPolyLine(float width, params Vector3[] points) =>
+        DrawnLine.Check(points, points.Length);
     public static void DrawAAPolyLine(Color[] colors, Vector3[] points) => throw Absent.Editor;
     public static void DrawAAPolyLine(Texture2D lineTex, float width, params Vector3[] points) => throw Absent.Editor;
     public static void DrawAAPolyLine(Texture2D lineTex, params Vector3[] points) => throw Absent.Editor;

@@ -47,8 +47,8 @@ namespace Alate
                 m_Extent = Math.Max(m_Extent, 2.0 * Math.Sqrt((p - m_Centre).LengthSquared));
         }
 
-        /// <summary>The hinge in unit space where one was given and lies at the wing.</summary>
-        public float3? Hinge { get; private set; }
+        /// <summary>Whether a hinge was given and lies at the wing.</summary>
+        public bool UsesHinge { get; private set; }
 
         /// <summary>The anchor's arc length on the outline.</summary>
         public double Find(in SkeletonFitSettings settings)
@@ -73,19 +73,24 @@ namespace Alate
 
         private double FromHinge(float3 hinge)
         {
-            PlanPoint at = m_Sheet.plane.ToPlan(hinge);
-            double anchor = m_Outline.Nearest(at);
-            double distance = Math.Sqrt((m_Outline.At(anchor) - at).LengthSquared);
-            if (distance <= k_NearHinge * m_Extent)
+            double anchor = m_Outline.Nearest(m_Sheet.plane.ToPlan(hinge)), distance = Distance(hinge, anchor);
+            UsesHinge = distance <= k_NearHinge;
+            if (!UsesHinge)
             {
-                Hinge = hinge;
-                return anchor;
+                m_Notes.Warn(
+                    SkeletonFitWarningKind.HingeOffWing, 0.7,
+                    $"The given hinge lies {Percent(distance)} of the wing's extent off its outline; the wing turns about the nearest base instead.");
             }
 
-            m_Notes.Warn(
-                SkeletonFitWarningKind.HingeOffWing, 0.7,
-                $"The given hinge lies {Percent(distance / m_Extent)} of the wing's extent off its outline; the hinge was put on the nearest base.");
             return anchor;
+        }
+
+        // From a place of the outline, seen from above, and from the surface; in extents of the wing.
+        private double Distance(float3 point, double place)
+        {
+            PlanPoint seen = m_Sheet.plane.ToPlan(point);
+            double beside = Math.Sqrt((m_Outline.At(place) - seen).LengthSquared);
+            return Math.Max(beside, math.distance(point, new SurfaceLift(m_Sheet).Lift(seen))) / m_Extent;
         }
 
         private double FromSide(PlanPoint side, Vector3? forward)
@@ -113,17 +118,16 @@ namespace Alate
 
         private double Guess()
         {
-            PlanPoint origin = Plan(Vector3.zero);
-            double nearest = m_Outline.Nearest(origin);
-            double distance = Math.Sqrt((m_Outline.At(nearest) - origin).LengthSquared);
-            double above = Math.Abs(m_Sheet.plane.Height(m_Unit.ToUnit(Vector3.zero)));
-            if (distance + above <= k_NearHinge * m_Extent)
+            float3 origin = m_Unit.ToUnit(Vector3.zero);
+            PlanPoint seen = m_Sheet.plane.ToPlan(origin);
+            double nearest = m_Outline.Nearest(seen), distance = Distance(origin, nearest);
+            if (distance <= k_NearHinge)
             {
                 Warn(0.8, "it is taken where the mesh's origin is");
                 return nearest;
             }
 
-            if (!m_Outline.Contains(origin) && distance + above <= k_NearBody * m_Extent)
+            if (!m_Outline.Contains(seen) && distance <= k_NearBody)
             {
                 Warn(0.6, "the body is taken to be at the mesh's origin");
                 return nearest;

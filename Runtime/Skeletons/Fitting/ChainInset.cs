@@ -20,38 +20,42 @@ namespace Alate
         public static void Apply(PlanPoint[] joints, ClosedCurve outline)
         {
             var moves = new PlanPoint[joints.Length];
-            for (int round = 0; round < k_Rounds; round++)
+            var best = (PlanPoint[])joints.Clone();
+            double least = double.MaxValue;
+            for (int round = 0; round < k_Rounds && least > 0.0; round++)
             {
                 Array.Clear(moves, 0, moves.Length);
-                bool inside = true;
+                double outside = 0.0;
                 for (int j = 0; j + 1 < joints.Length; j++)
-                    inside &= Check(joints, j, outline, moves);
-                if (inside)
-                    return;
+                    outside = Math.Max(outside, Check(joints, j, outline, moves));
+                if (outside < least)
+                {
+                    least = outside;
+                    joints.CopyTo(best, 0);
+                }
+
                 for (int j = 1; j + 1 < joints.Length; j++)
                     joints[j] += moves[j];
             }
+
+            best.CopyTo(joints, 0);
         }
 
-        /// <summary>How far a bone strays from the wing.</summary>
-        public static double Outside(PlanPoint from, PlanPoint to, ClosedCurve outline)
+        /// <summary>How far the bones of a chain stray from the wing.</summary>
+        public static double Outside(PlanPoint[] joints, ClosedCurve outline)
         {
-            double farthest = 0.0;
-            int steps = Steps(from, to);
-            for (int k = 0; k <= steps; k++)
-            {
-                PlanPoint p = from + (to - from) * ((double)k / steps);
-                if (!outline.Contains(p))
-                    farthest = Math.Max(farthest, Math.Sqrt((outline.At(outline.Nearest(p)) - p).LengthSquared));
-            }
-
-            return farthest;
+            var moves = new PlanPoint[joints.Length];
+            double outside = 0.0;
+            for (int j = 0; j + 1 < joints.Length; j++)
+                outside = Math.Max(outside, Check(joints, j, outline, moves));
+            return outside;
         }
 
-        private static bool Check(PlanPoint[] joints, int bone, ClosedCurve outline, PlanPoint[] moves)
+        // How far the bone strays, and how its joints should move.
+        private static double Check(PlanPoint[] joints, int bone, ClosedCurve outline, PlanPoint[] moves)
         {
             PlanPoint from = joints[bone], to = joints[bone + 1];
-            bool inside = true;
+            double farthest = 0.0;
             int steps = Steps(from, to);
             for (int k = 1; k < steps; k++)
             {
@@ -63,22 +67,28 @@ namespace Alate
                 double distance = Math.Sqrt(off.LengthSquared);
                 if (distance < k_Clearance)
                     continue;
-                inside = false;
+                farthest = Math.Max(farthest, distance);
                 PlanPoint push = off * ((distance + k_Clearance) / distance);
-                Push(moves, bone, joints.Length, 1.0 - share, push);
-                Push(moves, bone + 1, joints.Length, share, push);
+                Share(joints.Length, bone, share, out double inner, out double outer);
+                Push(moves, bone, push * inner);
+                Push(moves, bone + 1, push * outer);
             }
 
-            return inside;
+            return farthest;
         }
 
-        // The largest push on a joint counts; root and tip stay, so that the other end of their bone has to do it all.
-        private static void Push(PlanPoint[] moves, int joint, int count, double share, PlanPoint push)
+        // The least moves of both joints that move the bone's point by 1; root and tip stay.
+        private static void Share(int count, int bone, double share, out double inner, out double outer)
         {
-            if (joint == 0 || joint == count - 1 || share <= 0.0)
-                return;
-            bool otherIsFixed = joint == 1 || joint == count - 2;
-            PlanPoint move = push * (otherIsFixed ? Math.Min(1.0 / share, k_MostLeverage) : 1.0) * Math.Min(2.0 * share, 1.0);
+            double first = bone == 0 ? 0.0 : 1.0 - share, second = bone + 1 == count - 1 ? 0.0 : share;
+            double squares = Math.Max(first * first + second * second, 1.0 / (k_MostLeverage * k_MostLeverage));
+            inner = first / squares;
+            outer = second / squares;
+        }
+
+        // The largest push on a joint counts.
+        private static void Push(PlanPoint[] moves, int joint, PlanPoint move)
+        {
             if (move.LengthSquared > moves[joint].LengthSquared)
                 moves[joint] = move;
         }

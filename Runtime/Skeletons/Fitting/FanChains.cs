@@ -1,60 +1,102 @@
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Alate
 {
     /// <summary>
     /// Lays the chains of a wing: the first along its leading edge, the last straight to the trailing edge, those between along level
-    /// lines of a <see cref="FanField"/>.
+    /// lines of a <see cref="FanField"/>. A chain that ends next to a tail goes on into it.
     /// </summary>
-    internal static class FanChains
+    internal sealed class FanChains
     {
-        /// <summary>[chain][joint] in the wing's view.</summary>
-        public static PlanPoint[][] Lay(ClosedCurve outline, WingLandmarks marks, int chains, int joints)
-        {
-            var margin = new WingMargin(outline, marks);
-            var made = new PlanPoint[chains][];
-            made[0] = Jointed(OpenPath.Along(outline, marks.LeadingRoot, marks.Tip), joints, outline);
-            made[chains - 1] = Jointed(new InnerPath(outline).Find(marks.TrailingRoot, marks.Last), joints, outline);
+        /// <summary>How far a chain may stray from the wing without a word, wing reaches.</summary>
+        private const double k_Outside = 0.01;
 
-            PlanPoint firstRoot = made[0][0], lastRoot = made[chains - 1][0];
-            FanField field = Field(made[0], margin, made[chains - 1], margin.Points[0] - marks.Base);
-            for (int i = 1; i + 1 < chains; i++)
+        private readonly ClosedCurve m_Outline;
+        private readonly WingLandmarks m_Marks;
+        private readonly WingMargin m_Margin;
+        private readonly FitNotes m_Notes;
+
+        public FanChains(ClosedCurve outline, WingLandmarks marks, FitNotes notes)
+        {
+            m_Outline = outline;
+            m_Marks = marks;
+            m_Margin = new WingMargin(marks);
+            m_Notes = notes;
+        }
+
+        /// <summary>[chain][joint] in the wing's view.</summary>
+        public PlanPoint[][] Lay(int chains, int joints)
+        {
+            var made = new PlanPoint[chains][];
+            made[0] = BalancedJoints.Place(LeadingEdge(), joints);
+            ChainInset.Apply(made[0], m_Outline);
+            List<PlanPoint> lastPath = new InnerPath(m_Outline).Find(m_Marks.TrailingRoot, m_Marks.Last);
+            FanField field = Field(made[0], lastPath);
+            var shares = new FanShares(m_Marks, m_Margin, chains);
+            PlanPoint firstRoot = made[0][0], lastRoot = lastPath[0];
+            for (int i = 1; i < chains; i++)
             {
-                double share = (double)i / (chains - 1);
-                PlanPoint root = firstRoot + (lastRoot - firstRoot) * share;
-                made[i] = Jointed(LevelLine.Trace(field, share, root, margin.At(share)), joints, outline);
+                PlanPoint root = firstRoot + (lastRoot - firstRoot) * shares[i];
+                List<PlanPoint> path = i == chains - 1 ? lastPath : LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
+                if (shares.TailOf(i) is OutlineStretch tail)
+                    path.Add(m_Marks.Trimmed.EndOf(tail));
+                made[i] = OpenPath.Even(path, joints);
+                ChainInset.Apply(made[i], m_Outline);
             }
 
+            ChainOrder.Untangle(made);
+            Warn(made);
             return made;
         }
 
-        private static PlanPoint[] Jointed(IReadOnlyList<PlanPoint> path, int joints, ClosedCurve outline)
+        private void Warn(PlanPoint[][] chains)
         {
-            PlanPoint[] chain = OpenPath.Even(path, joints);
-            ChainInset.Apply(chain, outline);
-            return chain;
+            for (int i = 0; i < chains.Length; i++)
+            {
+                double outside = ChainInset.Outside(chains[i], m_Outline);
+                if (outside > k_Outside)
+                {
+                    m_Notes.Warn(
+                        SkeletonFitWarningKind.ChainLeavesWing, 0.9,
+                        $"Chain {i} strays {(100.0 * outside).ToString("0.#", CultureInfo.InvariantCulture)} % of the wing's length from it.");
+                }
+            }
+        }
+
+        // Straight across spikes; out to the very end where the tip itself is one.
+        private List<PlanPoint> LeadingEdge()
+        {
+            bool isPointed = m_Marks.Trimmed.TryFindTail(m_Marks.Tip, out OutlineStretch point);
+            double trimmedTo = isPointed ? point.from : m_Marks.Tip;
+            List<PlanPoint> path = OpenPath.Along(m_Marks.Trimmed, m_Marks.LeadingRoot, trimmedTo);
+            for (double s = trimmedTo + m_Outline.Step; s < m_Marks.Tip; s += m_Outline.Step)
+                path.Add(m_Outline.At(s));
+            if (isPointed)
+                path.Add(m_Outline.At(m_Marks.Tip));
+            return path;
         }
 
         // Out along the first chain, along the margin and back along the last; the base closes the rim.
-        private static FanField Field(PlanPoint[] first, WingMargin margin, PlanPoint[] last, PlanPoint axis)
+        private FanField Field(PlanPoint[] first, List<PlanPoint> last)
         {
             var rim = new List<PlanPoint>(first);
             var values = new List<double>();
             while (values.Count < rim.Count)
                 values.Add(0.0);
-            for (int k = 1; k < margin.Points.Count; k++)
+            for (int k = 1; k < m_Margin.Points.Count; k++)
             {
-                rim.Add(margin.Points[k]);
-                values.Add(margin.Shares[k]);
+                rim.Add(m_Margin.Points[k]);
+                values.Add(m_Margin.Shares[k]);
             }
 
-            for (int j = last.Length - 1; j >= 0; j--)
+            for (int j = last.Count - 1; j >= 0; j--)
             {
                 rim.Add(last[j]);
                 values.Add(1.0);
             }
 
-            return new FanField(rim, values, axis);
+            return new FanField(rim, values, m_Margin.Points[0] - m_Marks.Base);
         }
     }
 }

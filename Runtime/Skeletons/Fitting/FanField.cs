@@ -17,6 +17,7 @@ namespace Alate
         /// <summary>Nodes beyond the domain that take the nearest boundary's value, so that level lines reach it.</summary>
         private const int k_Rings = 2;
 
+        private const double k_Start = 0.5;
         private const int k_MostSweeps = 2000;
         private const double k_Converged = 1e-6;
 
@@ -94,8 +95,11 @@ namespace Alate
             {
                 for (int column = 0; column < Columns; column++)
                 {
-                    if (HasInside(column, row))
-                        Values[row * Columns + column] = rim.Nearest(At(column, row));
+                    int node = row * Columns + column;
+                    if (m_Inside[node])
+                        Values[node] = k_Start;
+                    else if (HasInside(column, row))
+                        Values[node] = rim.Nearest(At(column, row));
                 }
             }
         }
@@ -114,7 +118,7 @@ namespace Alate
             return false;
         }
 
-        // Successive over-relaxation from the nearest boundary values.
+        // Successive over-relaxation.
         private void Solve()
         {
             double ratio = m_StepAlong / m_StepAcross, across = ratio * ratio, share = 1.0 / (2.0 + 2.0 * across);

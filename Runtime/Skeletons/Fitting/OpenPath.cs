@@ -41,10 +41,10 @@ namespace Alate
             return points;
         }
 
-        /// <summary>The stretch of an outline between two arc lengths, both ends included.</summary>
-        public static List<PlanPoint> Along(ClosedCurve outline, double from, double to)
+        /// <summary>The stretch of a trimmed outline between two arc lengths, both ends included.</summary>
+        public static List<PlanPoint> Along(TrimmedOutline outline, double from, double to)
         {
-            int steps = Math.Max(1, (int)Math.Ceiling((to - from) / outline.Step));
+            int steps = Math.Max(1, (int)Math.Ceiling((to - from) / outline.Full.Step));
             var path = new List<PlanPoint>(steps + 1);
             for (int k = 0; k <= steps; k++)
                 path.Add(outline.At(from + (to - from) * k / steps));

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate
 {
@@ -23,19 +24,21 @@ namespace Alate
         private readonly string m_Name;
         private readonly UnitSurface m_Surface;
         private readonly UpperSide m_Upper;
+        private readonly FitNotes m_Notes;
+        private int m_PiecesIgnored;
+        private bool m_IsShell;
 
-        public SheetReader(string name, UnitSurface surface, UpperSide upper)
+        /// <param name="name">How messages call the surface, at the start of a sentence.</param>
+        /// <param name="surface">A checked one.</param>
+        /// <param name="up">The upper side as given.</param>
+        /// <param name="notes">Takes the warnings.</param>
+        public SheetReader(string name, UnitSurface surface, Vector3? up, FitNotes notes)
         {
             m_Name = name;
             m_Surface = surface;
-            m_Upper = upper;
+            m_Upper = new UpperSide(up);
+            m_Notes = notes;
         }
-
-        /// <summary>Number of pieces that had no say, if any.</summary>
-        public int PiecesIgnored { get; private set; }
-
-        /// <summary>Whether the sheet is the upper side of a shell.</summary>
-        public bool IsShell { get; private set; }
 
         /// <exception cref="ArgumentException">The surface is no single wing; the message is one line.</exception>
         public WingSheet Read()
@@ -45,7 +48,11 @@ namespace Alate
             {
                 WingSheet sheet = TryRead(tolerance, out string problem);
                 if (problem == null)
+                {
+                    Warn(sheet);
                     return sheet;
+                }
+
                 complaint ??= problem;
             }
 
@@ -58,9 +65,8 @@ namespace Alate
             var boundary = new SheetBoundary(m_Surface.points, triangles, 2f * tolerance);
             List<List<int3>> pieces = SheetPieces.Of(m_Surface.points, triangles, boundary.junctions);
             WingSheet sheet = OneLayer(pieces[0], tolerance);
-            double beside = AreaBeside(sheet, pieces);
-            problem = beside > k_Debris * sheet.PlanArea ? Scattered(pieces) : null;
-            PiecesIgnored = pieces.Count - 1;
+            problem = AreaBeside(sheet, pieces) > k_Debris * sheet.PlanArea ? Scattered(pieces) : null;
+            m_PiecesIgnored = pieces.Count - 1;
             return sheet;
         }
 
@@ -92,11 +98,11 @@ namespace Alate
             float3 normal = m_Upper.Choose(PlaneFit.Normal(points, triangles), points, triangles);
             WingPlane plane = WingPlane.Facing(normal);
             var sheet = new WingSheet(points, triangles, plane, 2f * tolerance);
-            IsShell = sheet.OutlineShare < k_OneLayer;
-            if (!IsShell)
+            m_IsShell = sheet.OutlineShare < k_OneLayer;
+            if (!m_IsShell)
                 return sheet;
 
-            double facing = sheet.PlanArea / SheetPieces.Area(points, triangles);
+            double facing = sheet.PlanArea / sheet.Area;
             List<int3> upper = triangles.FindAll(t => Polygon.DoubledArea(sheet.plan[t.x], sheet.plan[t.y], sheet.plan[t.z]) < 0.0);
             if (upper.Count > 1 && facing > k_ThinShell)
             {
@@ -135,6 +141,26 @@ namespace Alate
                 whole += SheetPieces.Area(m_Surface.points, piece);
             return $"{m_Name} is not one wing but {pieces.Count} pieces apart, the largest with {Percent(largest / whole)} of the area; "
                 + "fit each wing by itself.";
+        }
+
+        private void Warn(WingSheet sheet)
+        {
+            if (m_Upper.IsGuessed)
+            {
+                m_Notes.Warn(
+                    SkeletonFitWarningKind.UpperSideGuessed, m_Upper.Confidence,
+                    "The upper side is a guess, the front of the triangles: the up direction lies in the wing's plane.");
+            }
+
+            if (m_IsShell)
+                m_Notes.Warn(SkeletonFitWarningKind.ClosedShell, 0.9, "The mesh is a shell; the joints lie on its upper side.");
+            if (m_PiecesIgnored > 0)
+            {
+                string pieces = m_PiecesIgnored == 1 ? "1 smaller piece" : $"{m_PiecesIgnored} smaller pieces";
+                m_Notes.Warn(SkeletonFitWarningKind.PiecesIgnored, 0.95, $"{pieces} on, under or beside the wing had no say.");
+            }
+
+            SheetDoubts.Warn(sheet, m_Notes);
         }
 
         private static string Percent(double share) => (100.0 * share).ToString("F0", CultureInfo.InvariantCulture) + " %";

@@ -1,15 +1,17 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate
 {
     /// <summary>
     /// Makes the radial skeleton of a wing (Sec. 4.1) from its mesh alone: finds the outline, the base, the tip and both edges, and lays
-    /// chains that fan from the base, the first along the leading edge, all inside the wing and joints on its surface.
+    /// chains that fan from the base, the first along the leading edge, all inside the wing and all joints on its surface.
     /// </summary>
+    /// <remarks>
+    /// The result does not depend on where the mesh has its vertices, nor on its position, size or side: it is computed on the outline
+    /// resampled by arc length, in a view in which every wing is a right one of length 1.
+    /// </remarks>
     public static class SkeletonFitter
     {
         /// <summary>Points of the resampled outline.</summary>
@@ -24,59 +26,54 @@ namespace Alate
         /// not finite or zero. The message is one line.</exception>
         public static SkeletonFit Fit(Mesh mesh, in SkeletonFitSettings settings) => Fit(WingSurface.FromMesh(mesh), settings);
 
-        /// <summary>A skeleton for a surface of plain arrays.</summary>
+        /// <summary>A skeleton for a surface of plain arrays: a single sheet, a double-sided one or a thin closed shell.</summary>
         /// <inheritdoc cref="Fit(Mesh, in SkeletonFitSettings)"/>
         public static SkeletonFit Fit(in WingSurface surface, in SkeletonFitSettings settings)
         {
             settings.Check();
             SurfaceCheck.Run(surface);
             string name = SurfaceCheck.Name(surface);
-            var unit = new UnitSurface(surface);
             var notes = new FitNotes();
-            WingSheet sheet = ReadSheet(name, unit, settings.up, notes);
+            var unit = new UnitSurface(surface);
+            WingSheet sheet = new SheetReader(name, unit, settings.up, notes).Read();
 
             var outline = new ClosedCurve(sheet.outline, k_Samples);
             var finder = new BaseFinder(outline, sheet, unit, notes);
             double anchor = finder.Find(settings);
-            WingView view = WingOrientation.Find(outline, anchor, sheet.plane, settings.forward, notes);
+            WingView view = WingOrientation.Find(outline, anchor, sheet.plane, settings.forward, notes, out bool isGuessed);
             ClosedCurve wing = view.Turn(outline, anchor);
-            var marks = new WingLandmarks(wing);
-            PlanPoint[][] chains = FanChains.Lay(wing, marks, settings.chains, settings.jointsPerChain);
+            var marks = new WingLandmarks(wing, notes);
+            PlanPoint[][] chains = new FanChains(wing, marks, notes).Lay(settings.chains, settings.jointsPerChain);
 
             var lift = new SurfaceLift(sheet);
             var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Chains = Array.ConvertAll(
                 chains, chain => new JointChain(Array.ConvertAll(chain, joint => unit.ToMesh(lift.Lift(view.FromWing(joint))))));
-            skeleton.Hinge = finder.Hinge is float3 hinge ? unit.ToMesh(hinge) : skeleton.GetJoint(0, 0);
-            skeleton.SpanAxis = sheet.plane.Direction(view.span);
+            skeleton.Hinge = finder.UsesHinge ? settings.hinge.Value : skeleton.GetJoint(0, 0);
+            skeleton.SpanAxis = sheet.plane.Direction(isGuessed ? view.FromWing(wing.At(marks.Tip)) - view.FromWing(chains[0][0]) : view.span);
             skeleton.UpAxis = sheet.plane.up;
-            return new SkeletonFit(skeleton, (float)notes.Confidence, notes.Warnings, Places(sheet.rim), sheet.holes.ConvertAll(Places));
+            Check(name, skeleton);
+            return new SkeletonFit(
+                skeleton, (float)notes.Confidence, notes.Warnings, Places(sheet.rim), sheet.holes.ConvertAll(Places));
 
             Vector3[] Places(List<int> places) => places.ConvertAll(place => unit.ToMesh(sheet.points[place])).ToArray();
         }
 
-        private static WingSheet ReadSheet(string name, UnitSurface unit, Vector3? up, FitNotes notes)
+        private static void Check(string name, WingSkeleton skeleton)
         {
-            var upper = new UpperSide(up);
-            var reader = new SheetReader(name, unit, upper);
-            WingSheet sheet = reader.Read();
-            if (upper.IsGuessed)
-            {
-                notes.Warn(
-                    SkeletonFitWarningKind.UpperSideGuessed, upper.Confidence,
-                    "The upper side is a guess, the front of the triangles: the up direction lies in the wing's plane.");
-            }
+            List<SkeletonProblem> problems = skeleton.Validate();
+            if (problems.Count == 0)
+                return;
+            Destroy(skeleton);
+            throw new ArgumentException($"{name} does not take a skeleton of so many chains and joints: {problems[0].Message}");
+        }
 
-            if (reader.IsShell)
-                notes.Warn(SkeletonFitWarningKind.ClosedShell, 0.9, "The mesh is a shell; the joints lie on its upper side.");
-            if (reader.PiecesIgnored > 0)
-            {
-                notes.Warn(
-                    SkeletonFitWarningKind.PiecesIgnored, 0.95,
-                    $"{reader.PiecesIgnored.ToString(CultureInfo.InvariantCulture)} smaller pieces on or under the wing had no say.");
-            }
-
-            return sheet;
+        private static void Destroy(WingSkeleton skeleton)
+        {
+            if (Application.isPlaying)
+                UnityEngine.Object.Destroy(skeleton);
+            else
+                UnityEngine.Object.DestroyImmediate(skeleton);
         }
     }
 }

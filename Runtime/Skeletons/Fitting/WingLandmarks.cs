@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Globalization;
 
 namespace Alate
 {
@@ -18,7 +20,10 @@ namespace Alate
         /// The tip is where the outline touches the outermost of the spirals ln r + c·angle = const about the base: the farthest place,
         /// of nearly equally far ones one closer to the leading edge. This is c.
         /// </summary>
-        private const double k_Spiral = 0.35;
+        private const double k_Spiral = 0.45;
+
+        /// <summary>Standard deviation of the tip's place, wing reaches, up to which it is clear; a round wing has about 0.06.</summary>
+        private const double k_ClearTip = 0.075;
 
         /// <summary>How sharp the spirals' touch and the trailing edge's deepest place are taken.</summary>
         private const double k_TipSharpness = 250.0;
@@ -27,19 +32,34 @@ namespace Alate
         /// <summary>The last tip is looked for around the middle of the trailing edge: depth that it must win to lie a quarter of the edge off.</summary>
         private const double k_MiddlePull = 0.05;
 
+        /// <summary>The last chain reaches at most this many times as far as the first, or it would count as the principal one.</summary>
+        private const double k_MostReach = 1.3;
+
         private readonly ClosedCurve m_Outline;
 
-        public WingLandmarks(ClosedCurve outline)
+        /// <param name="outline">The turned outline.</param>
+        /// <param name="notes">Takes the warning of an unclear tip.</param>
+        public WingLandmarks(ClosedCurve outline, FitNotes notes)
         {
             m_Outline = outline;
             LeadingRoot = BaseEnd(1.0, outline.At(0.0), k_BaseWidth);
             double back = BaseEnd(-1.0, outline.At(LeadingRoot), k_BaseWidth);
             TrailingRoot = outline.Length + back;
             Base = (outline.At(LeadingRoot) + outline.At(TrailingRoot)) * 0.5;
+            Trimmed = new TrimmedOutline(outline, LeadingRoot, TrailingRoot);
             Tip = FindTip(out double spread);
-            TipSpread = spread;
             Last = FindLast();
+            if (spread > k_ClearTip)
+            {
+                notes.Warn(
+                    SkeletonFitWarningKind.TipUnclear, k_ClearTip / spread,
+                    "The wing has no clear tip; the leading edge ends somewhere within "
+                    + $"{(200.0 * spread).ToString("F0", CultureInfo.InvariantCulture)} % of its length.");
+            }
         }
+
+        /// <summary>The outline without its tails.</summary>
+        public TrimmedOutline Trimmed { get; }
 
         /// <summary>Where the leading edge begins.</summary>
         public double LeadingRoot { get; }
@@ -47,8 +67,9 @@ namespace Alate
         /// <summary>Where the leading edge ends.</summary>
         public double Tip { get; }
 
-        /// <summary>How far, along the outline, the tip is unclear.</summary>
-        public double TipSpread { get; }
+        /// <summary>Whether a chain that ends there is not too long to be the last.</summary>
+        public bool IsLastInReach(PlanPoint end) =>
+            (end - Base).LengthSquared <= k_MostReach * k_MostReach * (m_Outline.At(Tip) - Base).LengthSquared;
 
         /// <summary>Where the last chain ends.</summary>
         public double Last { get; }
@@ -75,15 +96,27 @@ namespace Alate
             return s;
         }
 
+        // On the trimmed outline; at the very end where that is a point; before its neck where it is a tail.
         private double FindTip(out double spread)
         {
+            double tip = Outermost(LeadingRoot, TrailingRoot, Trimmed.At, out spread);
+            if (Trimmed.TryFindTail(tip, out OutlineStretch point))
+                tip = Outermost(point.from, point.to, m_Outline.At, out spread);
+            if (!TipNeck.TryFind(m_Outline, LeadingRoot, tip, TrailingRoot, out OutlineStretch tail))
+                return tip;
+            Trimmed.Cut(tail);
+            return Outermost(LeadingRoot, tail.from, Trimmed.At, out spread);
+        }
+
+        private double Outermost(double from, double to, Func<double, PlanPoint> place, out double spread)
+        {
             int steps = m_Outline.Samples.Count;
-            double from = LeadingRoot, to = TrailingRoot, angle = 0.0;
+            double angle = 0.0;
             var values = new double[steps + 1];
-            PlanPoint before = m_Outline.At(from) - Base;
+            PlanPoint before = place(from) - Base;
             for (int k = 0; k <= steps; k++)
             {
-                PlanPoint at = m_Outline.At(from + (to - from) * k / steps) - Base;
+                PlanPoint at = place(from + (to - from) * k / steps) - Base;
                 if (at.LengthSquared > 0.0 && before.LengthSquared > 0.0)
                     angle += Math.Atan2(PlanPoint.Cross(before, at), PlanPoint.Dot(before, at));
                 before = at;
@@ -98,13 +131,20 @@ namespace Alate
         {
             PlanPoint axis = WingView.Unit(Polygon.Centroid(m_Outline.Samples) - Base);
             PlanPoint rear = WingView.Across(axis, new PlanPoint(0.0, -1.0));
-            double from = Tip, to = TrailingRoot;
-            return SoftMaximum.Find(from, to, m_Outline.Samples.Count, k_LastSharpness, s => Depth(s), out _);
+            List<PlanPoint> edge = OpenPath.Along(Trimmed, Tip, TrailingRoot);
+            var walked = new double[edge.Count];
+            for (int k = 1; k < edge.Count; k++)
+                walked[k] = walked[k - 1] + Math.Sqrt((edge[k] - edge[k - 1]).LengthSquared);
+            int end = edge.Count - 1;
+            return Tip + (TrailingRoot - Tip) / end * SoftMaximum.Find(0.0, end, end, k_LastSharpness, Depth, out _);
 
-            double Depth(double s)
+            double Depth(double at)
             {
-                double off = ((s - from) / (to - from) - 0.5) / 0.25;
-                return PlanPoint.Dot(m_Outline.At(s), rear) - k_MiddlePull * off * off;
+                int k = (int)Math.Round(at);
+                if (!IsLastInReach(edge[k]))
+                    return double.NegativeInfinity;
+                double off = (walked[k] / walked[walked.Length - 1] - 0.5) / 0.25;
+                return PlanPoint.Dot(edge[k], rear) - k_MiddlePull * off * off;
             }
         }
     }

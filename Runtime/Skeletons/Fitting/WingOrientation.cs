@@ -23,13 +23,15 @@ namespace Alate
         /// <summary>Difference of the areas on either side of the middle line, over the whole, at which an edge counts as the straight one.</summary>
         private const double k_ClearDifference = 0.3;
 
-        /// <summary>The view of the wing.</summary>
+        /// <summary>The view of the wing. Its span runs across a given forward direction, else through the wing's centre.</summary>
         /// <param name="outline">Its outline in plan.</param>
         /// <param name="anchor">Arc length of a place on its base.</param>
         /// <param name="plane">Of the plan.</param>
         /// <param name="forward">Given by the user, mesh space, or null.</param>
         /// <param name="notes">Takes the warnings.</param>
-        public static WingView Find(ClosedCurve outline, double anchor, in WingPlane plane, Vector3? forward, FitNotes notes)
+        /// <param name="isGuessed">Whether there was no forward direction of use.</param>
+        public static WingView Find(
+            ClosedCurve outline, double anchor, in WingPlane plane, Vector3? forward, FitNotes notes, out bool isGuessed)
         {
             PlanPoint from = outline.At(anchor);
             double reach = 0.0;
@@ -42,7 +44,8 @@ namespace Alate
             {
                 PlanPoint ahead = plane.ToPlan(Directions.Unit(given));
                 double share = Math.Sqrt(ahead.LengthSquared), across = Math.Abs(PlanPoint.Cross(centre, ahead)) / Math.Max(share, 1e-9);
-                if (share > k_InPlane && across > k_Across)
+                isGuessed = share <= k_InPlane || across <= k_Across;
+                if (!isGuessed)
                 {
                     PlanPoint span = Span(centre, WingView.Unit(ahead));
                     return new WingView(from, span, WingView.Across(span, ahead), reach);
@@ -51,6 +54,7 @@ namespace Alate
                 why = share > k_InPlane ? "the forward direction runs along the wing" : "the forward direction stands on the wing";
             }
 
+            isGuessed = true;
             PlanPoint leading = GuessForward(outline, from, centre, out double confidence);
             notes.Warn(
                 SkeletonFitWarningKind.LeadingEdgeGuessed, confidence, $"The leading edge is a guess, the straighter edge: {why}.");

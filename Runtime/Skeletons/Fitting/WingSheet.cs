@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 
@@ -37,7 +38,7 @@ namespace Alate
                 plan[t.x] = plane.ToPlan(points[t.x]);
                 plan[t.y] = plane.ToPlan(points[t.y]);
                 plan[t.z] = plane.ToPlan(points[t.z]);
-                PlanArea += System.Math.Abs(Polygon.DoubledArea(plan[t.x], plan[t.y], plan[t.z])) / 2.0;
+                PlanArea += Math.Abs(Polygon.DoubledArea(plan[t.x], plan[t.y], plan[t.z])) / 2.0;
             }
 
             var walk = new OutlineWalk(plan, new SheetBoundary(points, triangles, tolerance).edges);
@@ -45,6 +46,9 @@ namespace Alate
             holes = walk.holes;
             outline = Seen(rim);
         }
+
+        /// <summary>Area of the triangles in space.</summary>
+        public double Area => SheetPieces.Area(points, triangles);
 
         /// <summary>Sum of the areas of the triangles seen from above.</summary>
         public double PlanArea { get; }

@@ -8,6 +8,11 @@ public sealed class Texture2D : Texture
     private bool _isReadable = true;
 
     public Texture2D(int width, int height)
+        : this(width, height, TextureFormat.RGBA32, true)
+    {
+    }
+
+    public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain)
     {
         if (width <= 0 || height <= 0)
             throw new UnityException("Failed to create texture because of invalid parameters.");
@@ -15,7 +20,10 @@ public sealed class Texture2D : Texture
         this.height = height;
         _pixels = new Color[width * height];
         Array.Fill(_pixels, new Color(0.8f, 0.8f, 0.8f, 0.8f));
+        format = textureFormat;
     }
+
+    public TextureFormat format { get; }
 
     public override bool isReadable => _isReadable;
 

@@ -15,7 +15,7 @@ public class GUIUtility
     public static int GetControlID(FocusType focus, Rect position) => throw Absent.Gui;
     public static int GetControlID(GUIContent contents, FocusType focus) => throw Absent.Gui;
     public static int GetControlID(GUIContent contents, FocusType focus, Rect position) => throw Absent.Gui;
-    public static void ExitGUI() => throw Absent.Gui;
+    public static void ExitGUI() => throw new ExitGUIException();
     public static object GetStateObject(Type t, int controlID) => throw Absent.Gui;
     public static Vector2 GUIToScreenPoint(Vector2 guiPoint) => throw Absent.Gui;
     public static Vector2 ScreenToGUIPoint(Vector2 screenPoint) => throw Absent.Gui;
