@@ -18,9 +18,12 @@ namespace Alate
         /// <summary>Most by which a chain between two others is stretched to reach the margin.</summary>
         private const double k_MostStretch = 1.35;
 
-        /// <summary>Steps of a vein that tell where it comes from, and how far from the fitted root, in wing lengths, that may be.</summary>
+        /// <summary>Share of a chain that surely lies within the wing.</summary>
+        private const double k_Begin = 0.3;
+
+        /// <summary>Steps of a vein that tell where it comes from, and how far from the wing's base, in wing lengths, that may be.</summary>
         private const int k_RootSteps = 8;
-        private const double k_RootReach = 0.12;
+        private const double k_OffBase = 0.03;
 
         private readonly IReadOnlyList<PlanPoint[]> m_Fitted;
         private readonly RadialVein[] m_Followed;
@@ -88,7 +91,7 @@ namespace Alate
             return VeinPath.Resampled(path, m_Fitted[chain].Length);
         }
 
-        // Where the vein came from, if that is about where the fitted chain begins; else there.
+        // Where the vein came from, if that lies on the base; else where the fitted chain begins.
         private PlanPoint Root(int chain, PlanPoint[] vein, int start)
         {
             PlanPoint fitted = m_Fitted[chain][0];
@@ -98,7 +101,8 @@ namespace Alate
             back = back * (1.0 / Math.Max(1e-12, Math.Sqrt(back.LengthSquared)));
             double reach = m_Rim.Meet(vein[start], back, -1, out int met) - k_Inside * m_Length;
             PlanPoint root = vein[start] + back * reach;
-            return met >= 0 && (root - fitted).LengthSquared < k_RootReach * k_RootReach * m_Length * m_Length ? root : fitted;
+            bool isOnBase = PlanPoint.DistanceSquared(root, m_Fitted[0][0], m_Fitted[m_Fitted.Count - 1][0]) < k_OffBase * k_OffBase * m_Length * m_Length;
+            return met >= 0 && isOnBase ? root : fitted;
         }
 
         private bool IsApart(int chain, PlanPoint point)
@@ -129,14 +133,14 @@ namespace Alate
             Chains[chain] = joints;
         }
 
+        // To where the way from the root first meets the margin.
         private void Stretch(PlanPoint[] joints)
         {
-            PlanPoint root = joints[0], whole = joints[joints.Length - 1] - root;
-            double length = Math.Sqrt(whole.LengthSquared);
-            double rest = m_Rim.Meet(joints[joints.Length - 1], whole * (1.0 / length), -1, out int met) - k_Inside * m_Length;
+            PlanPoint root = joints[0], whole = joints[joints.Length - 1] - root, begin = root + whole * k_Begin;
+            double length = Math.Sqrt(whole.LengthSquared), rest = m_Rim.Meet(begin, whole * (1.0 / length), -1, out int met);
             if (met < 0)
                 return;
-            double factor = Math.Min(k_MostStretch, 1.0 + rest / length);
+            double factor = Math.Min(k_MostStretch, k_Begin + (rest - k_Inside * m_Length) / length);
             for (int j = 1; j < joints.Length; j++)
                 joints[j] = root + (joints[j] - root) * factor;
         }
