@@ -39,7 +39,7 @@ public sealed class AssetDatabase
     public static void StartAssetEditing() => throw Absent.Editor;
     public static void StopAssetEditing() => throw Absent.Editor;
     public static bool IsOpenForEdit(string assetOrMetaFilePath) => ProjectAssets.CanWrite(assetOrMetaFilePath);
-    public static bool IsOpenForEdit(Object assetObject) => throw Absent.Editor;
+    public static bool IsOpenForEdit(Object assetObject) => ProjectAssets.CanWrite(ProjectAssets.PathOf(assetObject));
     public static string MoveAsset(string oldPath, string newPath) => throw Absent.Editor;
     public static bool CopyAsset(string path, string newPath) => throw Absent.Editor;
     public static string RenameAsset(string pathName, string newName) => throw Absent.Editor;
