@@ -15,7 +15,9 @@ namespace Alate.Editor
                 "Find Wings", "Looks for wings below this object by names and by symmetry. Wings already in the list keep their settings.");
 
             public static readonly GUIContent LayOut = new GUIContent(
-                "Lay Out Skeletons…", "Lays out joint chains on all wings without a skeleton and saves them as assets, to be looked at and edited. Without that it is done anew whenever play begins.");
+                "Lay Out Skeletons…",
+                "Lays out joint chains on all wings without a skeleton and saves them as assets, to be looked at and edited. "
+                + "Without that it is done anew whenever play begins.");
 
             public static readonly GUIContent Live = new GUIContent("Live", "What the wings do while the game plays.");
             public static readonly GUIContent Gizmos = new GUIContent("Gizmos", "What is drawn over selected insects in the scene view; kept on this machine, not in the scene.");
@@ -30,6 +32,7 @@ namespace Alate.Editor
         private readonly LivePanel m_Live = new LivePanel();
         private readonly GizmoPanel m_Gizmos = new GizmoPanel();
         private readonly PresetPanel m_Presets = new PresetPanel(new PresetSaving(AssetPath.Ask));
+        private readonly SpeciesPanel m_Tuning = new SpeciesPanel();
         private readonly InsectFix m_Find = new FindWingsFix();
         private readonly InsectFix m_LayOut = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
 
@@ -50,7 +53,11 @@ namespace Alate.Editor
             EditorApplication.update += Watch;
         }
 
-        private void OnDisable() => EditorApplication.update -= Watch;
+        private void OnDisable()
+        {
+            EditorApplication.update -= Watch;
+            m_Tuning.Close();
+        }
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -62,6 +69,7 @@ namespace Alate.Editor
                 Refresh();
             EditorGUILayout.PropertyField(m_Species);
             serializedObject.ApplyModifiedProperties();
+            m_Tuning.Draw(m_Species);
             if (m_Presets.Draw(m_Insects, out FixOutcome saved))
                 Refresh(saved);
             DrawWings();

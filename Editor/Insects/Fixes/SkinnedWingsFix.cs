@@ -22,7 +22,8 @@ namespace Alate.Editor
 
         /// <inheritdoc/>
         public override string Tooltip =>
-            "Cuts the wings out of the skinned mesh and draws each by a MeshRenderer below the bone that carries it; the body stays skinned. The model is not changed: the new meshes are saved as an asset where you choose. Can be undone; the asset stays.";
+            "Cuts the wings out of the skinned mesh and draws each by a MeshRenderer below the bone that carries it; the body stays skinned. "
+            + "The model is not changed: the new meshes are saved as an asset where you choose. Can be undone; the asset stays.";
 
         /// <inheritdoc/>
         public override string FindObstacle(InsectWings insect, in InsectProblem problem)

@@ -12,7 +12,8 @@ namespace Alate.Editor
 
             public static readonly GUIContent Flap = new GUIContent(
                 "Flap angle of the first wing's tip, degrees",
-                "Over one beat, from the top of the stroke at the left to the next at the right; the last beats lie one over the other. The tip as it is deformed: it lags behind what drives it.");
+                "Over one beat, from the top of the stroke at the left to the next at the right; the last beats lie one over the other. "
+                + "The tip as it is deformed: it lags behind what drives it.");
 
             public static readonly GUIContent Lift = new GUIContent(
                 "Lift over weight", "Air force on all wings against gravity, over the weight of the insect, in the same beats; each value is the mean of a step. It flies level where the mean is 1.");

@@ -19,7 +19,7 @@ namespace Alate.Tests.Inspectors
             if (m_Editor != null)
                 UnityEngine.Object.DestroyImmediate(m_Editor);
             ProjectAssets.Clear();
-            foreach (string section in new[] { "Live", "Gizmos", "Events" })
+            foreach (string section in new[] { "Live", "Gizmos", "Events", "Species" })
                 SessionState.EraseBool("Alate.InsectWings.Section." + section);
             EditorPrefs.DeleteKey("Alate.InsectWings.Gizmos");
         }
@@ -226,6 +226,34 @@ namespace Alate.Tests.Inspectors
             Open(one, other);
 
             Assert.That(DrawnInspector.Of(m_Editor).Buttons.Any(text => text.StartsWith("Save")), Is.False);
+        }
+
+        [Test]
+        public void Preset_CanBeTuned_BelowItsField()
+        {
+            InsectWings insect = Insect();
+            Open(insect);
+            Assert.That(DrawnInspector.Of(m_Editor).Controls.Select(c => c.Text), Does.Not.Contain("Tune Preset"));
+            insect.Species = Keep(ScriptableObject.CreateInstance<WingSpecies>());
+
+            DrawnInspector page = DrawnInspector.Press(m_Editor, "Tune Preset");
+
+            foreach (string group in new[] { "Size", "Beat", "Wave", "Stiffness", "Substeps Per Beat", "Options" })
+                Assert.That(page.Control(group).Enabled, Is.True);
+        }
+
+        [Test]
+        public void PresetInAPackage_IsShown_ButCannotBeTuned()
+        {
+            InsectWings insect = Insect();
+            insect.Species = Keep(ScriptableObject.CreateInstance<WingSpecies>());
+            ProjectAssets.AddToPackage("Packages/com.alate.insect-wings/Monarch.asset", insect.Species);
+            Open(insect);
+
+            DrawnInspector page = DrawnInspector.Press(m_Editor, "Tune Preset");
+
+            Assert.That(page.Control("Beat").Enabled, Is.False);
+            Assert.That(page.Controls.Count(c => c.Text.Contains("cannot be changed")), Is.EqualTo(1));
         }
 
         [Test]

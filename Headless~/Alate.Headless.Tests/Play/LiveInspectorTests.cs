@@ -66,9 +66,11 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator SliderInTheInspector_IsFelt_AndTheBeatGoesOn()
+        public IEnumerator SliderInTheInspector_IsFelt_AndTheBeatGoesOn([Values] bool withSkeletons)
         {
             InsectWings insect = Insect();
+            foreach (Wing authored in insect.Wings)
+                authored.Skeleton = withSkeletons ? authored.Skeleton : null;
             m_Editor = UnityEditor.Editor.CreateEditor(insect);
             yield return Frames(60);
             LiveWing live = insect.Live.wings[0];
@@ -105,7 +107,7 @@ namespace Alate.Tests.Play
             insect.enabled = false;
 
             Assert.That(Shown(insect, 0), Is.SameAs(authored));
-            Assert.That(insect.Wings[0].Authored, Is.Null);
+            Assert.That(insect.Wings[0].Authored == null, Is.True);
         }
 
         [UnityTest]
@@ -114,6 +116,7 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Insect();
             yield return Frames(31);
+            yield return new WaitForEndOfFrame();
 
             RecordingPen pen = Draw(insect, GizmoLayers.Chains);
 
@@ -149,6 +152,7 @@ namespace Alate.Tests.Play
             yield return Frames(30);
             Draw(insect, GizmoLayers.Loads);
             yield return Frames(2);
+            yield return new WaitForEndOfFrame();
             WingReading reading = insect.Read(0);
 
             List<(Vector3 from, Vector3 to, Color colour)> lines = Draw(insect, GizmoLayers.Loads).Lines;

@@ -12,12 +12,13 @@ internal static class Custom
         .Where(assembly => assembly.GetReferencedAssemblies().Any(name => name.Name == typeof(Custom).Assembly.GetName().Name))
         .SelectMany(assembly => assembly.GetTypes())]);
 
-    /// <summary>The editor of some objects of one type.</summary>
+    /// <summary>The editor of some objects of one type; the plain one where none is declared.</summary>
     public static Type EditorOf(Object[] targets)
     {
         Type inspected = targets[0].GetType();
-        Type editor = s_Types.Value.FirstOrDefault(type => type.GetCustomAttribute<CustomEditor>()?.Inspected == inspected)
-            ?? throw new NotSupportedException($"No editor is declared for {inspected.Name}.");
+        Type editor = s_Types.Value.FirstOrDefault(type => type.GetCustomAttribute<CustomEditor>()?.Inspected == inspected);
+        if (editor == null)
+            return typeof(Editor);
         if (targets.Length > 1 && !editor.IsDefined(typeof(CanEditMultipleObjects)))
             throw new NotSupportedException($"{editor.Name} cannot edit several objects.");
         return editor;

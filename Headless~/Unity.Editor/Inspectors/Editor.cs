@@ -13,11 +13,16 @@ public class Editor : ScriptableObject
     public SerializedObject serializedObject => _serialized ??= new SerializedObject(targets);
     public bool hasUnsavedChanges { get; protected set; }
 
-    public virtual void OnInspectorGUI()
+    public virtual void OnInspectorGUI() => DrawDefaultInspector();
+
+    public bool DrawDefaultInspector()
     {
+        serializedObject.UpdateIfRequiredOrScript();
+        foreach (SerializedProperty property in serializedObject.Visible())
+            EditorGUILayout.PropertyField(property);
+        return serializedObject.ApplyModifiedProperties();
     }
 
-    public bool DrawDefaultInspector() => throw Absent.Editor;
     public void DrawHeader() => throw Absent.Editor;
     public void Repaint()
     {
@@ -35,7 +40,15 @@ public class Editor : ScriptableObject
     }
 
     public static Editor CreateEditor(Object targetObject, Type editorType) => throw Absent.Editor;
-    public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor) => throw Absent.Editor;
+    public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
+    {
+        if (previousEditor != null && previousEditor.target == targetObject)
+            return;
+        if (previousEditor != null)
+            DestroyImmediate(previousEditor);
+        previousEditor = targetObject == null ? null : CreateEditor([targetObject]);
+    }
+
     public virtual bool HasPreviewGUI() => false;
 
     public virtual void OnPreviewGUI(Rect r, GUIStyle background)

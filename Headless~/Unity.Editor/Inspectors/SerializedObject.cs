@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Reflection;
 using Unity.StandIns;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -55,6 +57,16 @@ public class SerializedObject
 
     public SerializedProperty FindProperty(string propertyPath) =>
         _edited[0].Find(propertyPath) == null ? null : new SerializedProperty(this, propertyPath);
+
+    /// <summary>The fields that an inspector shows.</summary>
+    internal IEnumerable<SerializedProperty> Visible()
+    {
+        foreach (SerializedNode field in _edited[0].Children)
+        {
+            if (!field.Field.IsDefined(typeof(HideInInspector)))
+                yield return FindProperty(field.Name);
+        }
+    }
 
     public SerializedProperty GetIterator() => throw Absent.Editor;
     public void SetIsDifferentCacheDirty() => throw Absent.Editor;

@@ -58,6 +58,8 @@ internal sealed class SerializedNode
         return node;
     }
 
+    private bool IsNothing => Value is null || (Value is Object o && o == null);
+
     public SerializedNode Copy()
     {
         var copy = new SerializedNode(Name, Type, Field) { Value = Value };
@@ -68,7 +70,7 @@ internal sealed class SerializedNode
     public bool SameAs(SerializedNode other)
     {
         if (Children == null)
-            return Equals(Value, other.Value);
+            return Equals(Value, other.Value) || (IsNothing && other.IsNothing);
         if (Children.Count != other.Children.Count)
             return false;
         for (int i = 0; i < Children.Count; i++)
@@ -151,13 +153,23 @@ internal sealed class SerializedNode
     private object Make()
     {
         if (Children == null)
-            return Value;
+            return IsNothing ? Nothing(Type) : Value;
         if (IsList)
             return MakeList();
         object made = Activator.CreateInstance(Type, nonPublic: true);
         foreach (SerializedNode child in Children)
             child.Field.SetValue(made, child.Make());
         return made;
+    }
+
+    // In the editor an empty reference is an object that only equals null, so that using it can be told from using a null of code.
+    private static object Nothing(Type type)
+    {
+        if (!typeof(Object).IsAssignableFrom(type) || type.IsAbstract)
+            return null;
+        var nothing = Factory.Make<Object>(type);
+        nothing.MarkDestroyed();
+        return nothing;
     }
 
     private object MakeList()

@@ -22,6 +22,9 @@ public static class ProjectAssets
         s_Importers[path] = new ModelImporter { assetPath = path, isReadable = mesh.isReadable };
     }
 
+    /// <summary>An asset of a package; nobody can change it.</summary>
+    public static void AddToPackage(string path, Object asset) => s_Assets[path] = asset;
+
     /// <summary>Forgets all assets, and destroys none.</summary>
     public static void Clear()
     {

@@ -39,6 +39,7 @@ namespace Alate
             private readonly int m_Submesh;
             private readonly Vector3 m_Point;
             private readonly WingSkeleton m_Skeleton;
+            private readonly bool m_HadNone;
             private readonly uint m_SkeletonHash;
 
             public WingKey(Wing wing, uint skeletonHash)
@@ -47,6 +48,7 @@ namespace Alate
                 m_Submesh = wing.Part == WingPart.Submesh ? wing.Submesh : 0;
                 m_Point = wing.Part == WingPart.ConnectedPart ? wing.Point : Vector3.zero;
                 m_Skeleton = wing.Skeleton;
+                m_HadNone = m_Skeleton == null;
                 m_SkeletonHash = skeletonHash;
             }
 
@@ -55,11 +57,14 @@ namespace Alate
 
             /// <summary>Whether a wing is still what the key was made of.</summary>
             public bool Describes(Wing wing, uint skeletonHash) =>
-                ReferenceEquals(m_Skeleton, wing.Skeleton) && m_SkeletonHash == skeletonHash && Equals(new WingKey(wing, skeletonHash));
+                IsSame(wing.Skeleton) && m_SkeletonHash == skeletonHash && Equals(new WingKey(wing, skeletonHash));
 
             public bool Equals(WingKey other) =>
                 m_Part == other.m_Part && m_Submesh == other.m_Submesh && m_Point == other.m_Point
-                && m_SkeletonHash == other.m_SkeletonHash && ReferenceEquals(m_Skeleton, other.m_Skeleton);
+                && m_SkeletonHash == other.m_SkeletonHash && IsSame(other.m_Skeleton);
+
+            // In the editor an empty field holds an object that only equals null, and another one after each edit.
+            private bool IsSame(WingSkeleton skeleton) => ReferenceEquals(m_Skeleton, skeleton) || (m_HadNone && skeleton == null);
         }
     }
 }

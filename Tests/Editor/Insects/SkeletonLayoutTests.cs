@@ -28,7 +28,7 @@ namespace Alate.Editor.Tests
             Assert.That(insect.Wings[0].Skeleton, Is.Not.SameAs(insect.Wings[1].Skeleton));
             Assert.That(insect.Wings[1].Skeleton.name, Does.EndWith("Left"));
             Undo.PerformUndo();
-            Assert.That(insect.Wings.Select(wing => wing.Skeleton), Is.All.Null);
+            Assert.That(insect.Wings.All(wing => wing.Skeleton == null), Is.True);
         }
 
         [Test]
@@ -101,7 +101,7 @@ namespace Alate.Editor.Tests
 
             Assert.That(made == null, Is.True, "the skeleton was left behind");
             Assert.That(ReferenceEquals(made, null), Is.False, "no skeleton was laid out");
-            Assert.That(insect.Wings.Select(wing => wing.Skeleton), Is.All.Null);
+            Assert.That(insect.Wings.All(wing => wing.Skeleton == null), Is.True);
         }
 
         [Test]

@@ -162,7 +162,7 @@ namespace Alate.Editor.Tests
             new PresetSaving((_, __, ___) => PathFor("Hind")).Save(insect, TunedPreset.Of(insect)[1]);
 
             Assert.That(insect.Species, Is.SameAs(fore));
-            Assert.That(insect.Wings[0].Species, Is.Null);
+            Assert.That(insect.Wings[0].Species == null, Is.True);
             Assert.That(insect.Wings[0].AmplitudeScale, Is.EqualTo(0.5f));
             Assert.That(insect.Wings[1].Species, Is.Not.SameAs(hind));
             Assert.That(insect.Wings[1].AmplitudeScale, Is.EqualTo(1f));

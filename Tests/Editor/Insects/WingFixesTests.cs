@@ -65,7 +65,7 @@ namespace Alate.Editor.Tests
 
             Undo.PerformUndo();
             Assert.That(insect.Wings, Has.Count.EqualTo(2));
-            Assert.That(insect.Wings[0].Renderer, Is.Null);
+            Assert.That(insect.Wings[0].Renderer == null, Is.True);
         }
 
         [Test]
