@@ -155,6 +155,7 @@ namespace Alate.Editor
             return same;
         }
 
-        private static bool IsUsable(Vector3 v) => math.all(math.abs((float3)v) <= Farthest);
+        /// <summary>Whether all components are finite and none is beyond <see cref="Farthest"/>.</summary>
+        public static bool IsUsable(Vector3 v) => math.all(math.abs((float3)v) <= Farthest);
     }
 }

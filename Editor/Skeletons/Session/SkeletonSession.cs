@@ -107,6 +107,8 @@ namespace Alate.Editor
                 foreach (JointIndex joint in JointPicking.All(editing.Skeleton))
                 {
                     Vector3 place = editing.LocalToWorld.MultiplyPoint3x4(editing.Skeleton.GetJoint(joint.chain, joint.joint));
+                    if (!SkeletonDraft.IsUsable(place))
+                        continue;
                     whole = With(whole, place);
                     if (!any || editing.Selection.Contains(joint))
                         bounds = With(bounds, place);

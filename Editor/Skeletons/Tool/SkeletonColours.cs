@@ -37,5 +37,8 @@ namespace Alate.Editor
 
         /// <summary>The box of a box selection.</summary>
         public static readonly Color box = new Color(0.4f, 0.7f, 1f, 0.2f);
+
+        /// <summary>Its edge.</summary>
+        public static readonly Color boxEdge = new Color(0.4f, 0.7f, 1f, 0.8f);
     }
 }

@@ -26,6 +26,8 @@ namespace Alate.Editor
             DrawBones(skeleton, place, strength);
             foreach (JointIndex joint in JointPicking.All(skeleton))
             {
+                if (!IsSomewhere(skeleton, joint))
+                    continue;
                 bool isHovered = hovered.HasValue && hovered.Value == joint;
                 Color colour = editing.Selection.Contains(joint) ? SkeletonColours.selected
                     : isHovered ? SkeletonColours.hovered
@@ -53,9 +55,9 @@ namespace Alate.Editor
             var previous = new Vector3[0];
             for (int i = 0; i < skeleton.ChainCount; i++)
             {
-                var line = new Vector3[skeleton.Chains[i].Length];
-                for (int j = 0; j < line.Length; j++)
-                    line[j] = place.MultiplyPoint3x4(skeleton.GetJoint(i, j));
+                // A joint that is nowhere is left out of its chain.
+                Vector3[] joints = System.Array.FindAll(skeleton.Chains[i].joints ?? new Vector3[0], SkeletonDraft.IsUsable);
+                Vector3[] line = System.Array.ConvertAll(joints, joint => place.MultiplyPoint3x4(joint));
                 Handles.color = (i == 0 ? SkeletonColours.principalChain : SkeletonColours.chain) * strength;
                 if (line.Length > 1)
                     Handles.DrawAAPolyLine(k_BoneWidth, line);
@@ -68,6 +70,8 @@ namespace Alate.Editor
 
         private static void DrawFrame(WingSkeleton skeleton, Matrix4x4 place)
         {
+            if (!SkeletonDraft.IsUsable(skeleton.Hinge))
+                return;
             Vector3 hinge = place.MultiplyPoint3x4(skeleton.Hinge);
             float size = k_AxisLength * HandleUtility.GetHandleSize(hinge);
             Ring(hinge, SkeletonColours.hinge);
@@ -82,7 +86,7 @@ namespace Alate.Editor
             foreach (SkeletonProblem problem in skeleton.Validate())
             {
                 var joint = new JointIndex(problem.Chain, math.max(problem.Joint, 0));
-                if (joint.IsIn(skeleton))
+                if (IsSomewhere(skeleton, joint))
                     Ring(place.MultiplyPoint3x4(skeleton.GetJoint(joint.chain, joint.joint)), SkeletonColours.problem);
             }
         }
@@ -91,16 +95,22 @@ namespace Alate.Editor
         private static void DrawLabels(WingSkeleton skeleton, Matrix4x4 place)
         {
             for (int i = 0; i < skeleton.ChainCount; i++)
-            {
-                int tip = skeleton.Chains[i].Length - 1;
-                if (tip >= 0)
-                    Handles.Label(place.MultiplyPoint3x4(skeleton.GetJoint(i, tip)), $"  chain {i}", EditorStyles.whiteMiniLabel);
-            }
+                Label(skeleton, place, new JointIndex(i, skeleton.Chains[i].Length - 1), $"  chain {i}");
 
             for (int j = 0; j < skeleton.JointsPerChain - 1; j++)
-                Handles.Label(place.MultiplyPoint3x4(skeleton.GetJoint(0, j)), $"  {j}", EditorStyles.whiteMiniLabel);
-            Handles.Label(place.MultiplyPoint3x4(skeleton.Hinge), "\n  hinge", EditorStyles.whiteMiniLabel);
+                Label(skeleton, place, new JointIndex(0, j), $"  {j}");
+            if (SkeletonDraft.IsUsable(skeleton.Hinge))
+                Handles.Label(place.MultiplyPoint3x4(skeleton.Hinge), "\n  hinge", EditorStyles.whiteMiniLabel);
         }
+
+        private static void Label(WingSkeleton skeleton, Matrix4x4 place, JointIndex joint, string text)
+        {
+            if (IsSomewhere(skeleton, joint))
+                Handles.Label(place.MultiplyPoint3x4(skeleton.GetJoint(joint.chain, joint.joint)), text, EditorStyles.whiteMiniLabel);
+        }
+
+        private static bool IsSomewhere(WingSkeleton skeleton, JointIndex joint) =>
+            joint.IsIn(skeleton) && SkeletonDraft.IsUsable(skeleton.GetJoint(joint.chain, joint.joint));
 
         private static void Dot(Vector3 place, Color colour, float scale)
         {

@@ -119,7 +119,7 @@ namespace Alate.Editor
         private static void DrawBox(Rect box)
         {
             Handles.BeginGUI();
-            EditorGUI.DrawRect(box, SkeletonColours.box);
+            Handles.DrawSolidRectangleWithOutline(box, SkeletonColours.box, SkeletonColours.boxEdge);
             Handles.EndGUI();
         }
 

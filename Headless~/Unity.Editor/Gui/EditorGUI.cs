@@ -9,7 +9,7 @@ public sealed partial class EditorGUI
 {
     public static int indentLevel { get; set; }
     public static bool showMixedValue { get; set; }
-    public static bool actionKey { get; }
+    public static bool actionKey => Event.current.control;
 
     public static void BeginChangeCheck() => throw Absent.Editor;
     public static bool EndChangeCheck() => throw Absent.Editor;

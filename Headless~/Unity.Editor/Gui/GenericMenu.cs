@@ -1,19 +1,18 @@
+using System.Collections.Generic;
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;
 
 public sealed class GenericMenu
 {
+    private readonly List<(string Label, MenuFunction Act)> _items = [];
+
     public delegate void MenuFunction();
 
-    public delegate void MenuFunction2(object userData);
+    public void AddItem(GUIContent content, bool on, MenuFunction func) => _items.Add((content.text, func));
+    public void AddSeparator(string path) => _items.Add(("", null));
 
-    public bool allowDuplicateNames { get; set; }
-
-    public void AddItem(GUIContent content, bool on, MenuFunction func) => throw Absent.Editor;
-    public void AddItem(GUIContent content, bool on, MenuFunction2 func, object userData) => throw Absent.Editor;
-    public void AddDisabledItem(GUIContent content) => throw Absent.Editor;
-    public void AddSeparator(string path) => throw Absent.Editor;
-    public void ShowAsContext() => throw Absent.Editor;
-    public void DropDown(Rect position) => throw Absent.Editor;
+    /// <summary>Hands the menu to the test that opened it.</summary>
+    public void ShowAsContext() => ShownMenu.Show(_items);
 }

@@ -33,7 +33,14 @@ public class SceneView : SearchableEditorWindow
     {
     }
 
-    public bool Frame(Bounds bounds, bool instant = true) => throw Absent.Editor;
+
+    public bool Frame(Bounds bounds, bool instant = true)
+    {
+        pivot = bounds.center;
+        size = bounds.extents.magnitude;
+        return true;
+    }
+
     public bool FrameSelected() => throw Absent.Editor;
     public void LookAt(Vector3 point) => throw Absent.Editor;
 }

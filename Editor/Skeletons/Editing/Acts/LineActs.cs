@@ -51,7 +51,7 @@ namespace Alate.Editor
 
         private static void Straighten(SkeletonDraft draft, SkeletonDraft next, int chain, int first, int last)
         {
-            var path = new ChainPath(draft.Chain(chain));
+            var path = new JointPath(draft.Chain(chain));
             float start = path.DistanceOf(first), length = path.DistanceOf(last) - start;
             for (int j = first + 1; j < last; j++)
             {

@@ -20,8 +20,8 @@ namespace Alate.Editor
             int joints = Mathf.Clamp(UsualLength(chains), WingSkeleton.MinJoints, WingSkeleton.MaxJoints);
             SkeletonDraft draft = new SkeletonDraft(chains.Count, joints).TakeFrame(skeleton);
             for (int i = 0; i < chains.Count; i++)
-                draft.SetChain(i, chains[i].Length == joints ? chains[i] : new ChainPath(chains[i]).Evenly(joints));
-            if (!IsUsable(draft.Hinge))
+                draft.SetChain(i, chains[i].Length == joints ? chains[i] : new JointPath(chains[i]).Evenly(joints));
+            if (!SkeletonDraft.IsUsable(draft.Hinge))
                 draft.Hinge = draft[0, 0];
             if (!WingAxes.TryMake(draft.SpanAxis, draft.UpAxis, out float3x3 _))
             {
@@ -41,9 +41,9 @@ namespace Alate.Editor
             var chains = new List<Vector3[]>();
             foreach (JointChain chain in skeleton.Chains)
             {
-                Vector3[] usable = Array.FindAll(chain.joints ?? Array.Empty<Vector3>(), IsUsable);
+                Vector3[] usable = Array.FindAll(chain.joints ?? Array.Empty<Vector3>(), SkeletonDraft.IsUsable);
                 if (usable.Length >= 2)
-                    chains.Add(usable.Length == chain.Length ? usable : new ChainPath(usable).Evenly(chain.Length));
+                    chains.Add(usable.Length == chain.Length ? usable : new JointPath(usable).Evenly(chain.Length));
             }
 
             return chains;
@@ -64,7 +64,5 @@ namespace Alate.Editor
 
             return usual;
         }
-
-        private static bool IsUsable(Vector3 v) => math.all(math.abs((float3)v) <= SkeletonDraft.Farthest);
     }
 }

@@ -15,7 +15,7 @@ namespace Alate.Editor
             for (int i = 0; i < draft.ChainCount; i++)
             {
                 if (chains.Count == 0 || chains.Contains(i))
-                    next.SetChain(i, new ChainPath(draft.Chain(i)).Evenly(draft.JointsPerChain));
+                    next.SetChain(i, new JointPath(draft.Chain(i)).Evenly(draft.JointsPerChain));
             }
 
             return Proposal.Make(next);
@@ -33,7 +33,7 @@ namespace Alate.Editor
             {
                 along = draft.Resized(draft.ChainCount, joints);
                 for (int i = 0; i < draft.ChainCount; i++)
-                    along.SetChain(i, new ChainPath(draft.Chain(i)).Evenly(joints));
+                    along.SetChain(i, new JointPath(draft.Chain(i)).Evenly(joints));
             }
 
             return Proposal.Make(chains == draft.ChainCount ? along.Copy() : Across(along, chains), Array.Empty<JointIndex>());

@@ -21,7 +21,7 @@ namespace Alate.Editor
             var sliding = new HashSet<JointIndex>(selected);
             foreach (JointIndex joint in selected)
             {
-                var path = new ChainPath(draft.Chain(joint.chain));
+                var path = new JointPath(draft.Chain(joint.chain));
                 float low = Limit(path, sliding, joint, -1, distance), high = Limit(path, sliding, joint, 1, distance);
                 next[joint] = path.At(Mathf.Clamp(path.DistanceOf(joint.joint) + distance, low, high));
             }
@@ -30,7 +30,7 @@ namespace Alate.Editor
         }
 
         // A neighbour that slides too makes way by the same distance; how far it gets, its own limit says.
-        private static float Limit(ChainPath path, HashSet<JointIndex> sliding, JointIndex joint, int side, float distance)
+        private static float Limit(JointPath path, HashSet<JointIndex> sliding, JointIndex joint, int side, float distance)
         {
             int beside = joint.joint + side;
             var neighbour = new JointIndex(joint.chain, beside);

@@ -101,7 +101,7 @@ namespace Alate.Editor
 
         private EditOutcome Slide(Vector3 origin, Vector3 direction)
         {
-            var path = new ChainPath(m_Start.Chain(m_Joint.chain));
+            var path = new JointPath(m_Start.Chain(m_Joint.chain));
             float distance = path.ClosestTo(origin, direction) - path.DistanceOf(m_Joint.joint);
             EditOutcome outcome = EditOutcome.Success;
             foreach (var (editing, start, joints) in m_Parts)

@@ -9,7 +9,10 @@ public class GUIUtility
     public static int keyboardControl { get; set; }
     public static string systemCopyBuffer { get; set; }
 
-    public static int GetControlID(int hint, FocusType focus) => throw Absent.Gui;
+
+    /// <summary>The hint: enough where each control has its own.</summary>
+    public static int GetControlID(int hint, FocusType focus) => hint;
+
     public static int GetControlID(int hint, FocusType focusType, Rect rect) => throw Absent.Gui;
     public static int GetControlID(FocusType focus) => throw Absent.Gui;
     public static int GetControlID(FocusType focus, Rect position) => throw Absent.Gui;

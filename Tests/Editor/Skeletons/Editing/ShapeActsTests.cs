@@ -10,7 +10,7 @@ namespace Alate.Editor.Tests
         public void EvenlySpacedChain_HasBonesOfOneLength_ItsOldEnds_AndItsOldLine()
         {
             Bend((1, 1), new Vector3(0.01f, 0f, 0.01f));
-            var old = new ChainPath((Vector3[])Skeleton.Chains[1].joints.Clone());
+            var old = new JointPath((Vector3[])Skeleton.Chains[1].joints.Clone());
             Select((1, 3));
 
             Assert.That(Do("Space Evenly").Done);
@@ -74,7 +74,7 @@ namespace Alate.Editor.Tests
 
             Assert.That(Do("Straighten").Done);
 
-            var path = new ChainPath(Skeleton.Chains[1].joints);
+            var path = new JointPath(Skeleton.Chains[1].joints);
             Assert.That(path.Length, Is.EqualTo(Vector3.Distance(root, tip)).Within(1e-6f));
             Assert.That(Skeleton.GetJoint(1, 0), Is.EqualTo(root));
             Assert.That(Skeleton.GetJoint(1, 4), Is.EqualTo(tip));

@@ -8,7 +8,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void InnerJoint_SlidesAlongItsBones_ByTheDistance()
         {
-            var path = new ChainPath(Skeleton.Chains[0].joints);
+            var path = new JointPath(Skeleton.Chains[0].joints);
             Vector3 outer = Skeleton.GetJoint(0, 3), here = Skeleton.GetJoint(0, 2);
             float bone = Vector3.Distance(here, outer);
             Select((0, 2));
@@ -41,7 +41,7 @@ namespace Alate.Editor.Tests
 
             Assert.That(Slide(distance).Done);
 
-            var path = new ChainPath(Skeleton.Chains[2].joints);
+            var path = new JointPath(Skeleton.Chains[2].joints);
             for (int j = 1; j < 5; j++)
                 Assert.That(path.DistanceOf(j), Is.GreaterThan(path.DistanceOf(j - 1)));
             Assert.That(Skeleton.Validate(), Is.Empty);

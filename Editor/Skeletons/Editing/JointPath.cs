@@ -3,13 +3,13 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>A chain as a line from root to tip that is straight between its joints, measured along its length.</summary>
-    internal readonly struct ChainPath
+    internal readonly struct JointPath
     {
         private readonly Vector3[] m_Joints;
         private readonly float[] m_Distances;
 
         /// <param name="joints">At least one; kept, not copied.</param>
-        public ChainPath(Vector3[] joints)
+        public JointPath(Vector3[] joints)
         {
             m_Joints = joints;
             m_Distances = new float[joints.Length];
