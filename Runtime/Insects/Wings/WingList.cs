@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using UnityEngine;
 
-namespace Alate.Editor
+namespace Alate
 {
     /// <summary>An insect's list of wings: which entries mean the same part of the same mesh.</summary>
     internal static class WingList
