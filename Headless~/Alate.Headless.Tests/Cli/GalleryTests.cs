@@ -59,15 +59,15 @@ namespace Alate.Tests.Cli
             m_Picture.Pixels.Where((pixel, k) => k % k_Width < k_Column && k / k_Width < k_Row && pixel.r > 180 && pixel.g is > 70 and < 150 && pixel.b < 70).Count(),
             Is.GreaterThan(200));
 
-        [TestCase("10")]
-        [TestCase("100000")]
-        [TestCase("wide")]
-        public void AWidthOutOfRange_IsRefused_WithTheRange(string width)
+        [TestCase("10", "90 to 3000")]
+        [TestCase("100000", "90 to 3000")]
+        [TestCase("wide", "whole number")]
+        public void AnImpossibleWidth_IsRefused_WithWhatIsAllowed(string width, string allowed)
         {
             using var run = new CommandRun();
 
             Assert.That(run.Run("gallery", "--width", width, "--out", run.Out), Is.EqualTo(2));
-            Assert.That(run.Errors, Does.Contain("--width").And.Contain("3000").And.Contain(width));
+            Assert.That(run.Errors, Does.Contain("--width").And.Contain(allowed).And.Contain(width));
         }
 
         private Color32 At(int x, int y) => m_Picture.Pixels[y * k_Width + x];
