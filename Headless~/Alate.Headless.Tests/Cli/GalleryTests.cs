@@ -59,8 +59,8 @@ namespace Alate.Tests.Cli
             m_Picture.Pixels.Where((pixel, k) => k % k_Width < k_Column && k / k_Width < k_Row && pixel.r > 180 && pixel.g is > 70 and < 150 && pixel.b < 70).Count(),
             Is.GreaterThan(200));
 
-        [TestCase("10", "90 to 3000")]
-        [TestCase("100000", "90 to 3000")]
+        [TestCase("10", "between 90 and 3000")]
+        [TestCase("100000", "between 90 and 3000")]
         [TestCase("wide", "whole number")]
         public void AnImpossibleWidth_IsRefused_WithWhatIsAllowed(string width, string allowed)
         {
