@@ -10,10 +10,14 @@ namespace Alate
     internal static class BalancedJoints
     {
         private const int k_Places = 400;
-        private const int k_Rounds = 30;
+        private const int k_Rounds = 60;
 
-        /// <summary>A bone's cost is its largest distance from the path and this share of its length.</summary>
-        private const double k_LengthShare = 0.02;
+        /// <summary>
+        /// A bone's cost is this share of its length and the square of its largest distance from the path over the distance that is
+        /// nothing to mind, wing reaches: small bends leave the joints even.
+        /// </summary>
+        private const double k_LengthShare = 0.05;
+        private const double k_Unminded = 0.01;
 
         /// <summary>Weight of the distance where the path turns in, as the bone cannot stay outside the wing.</summary>
         private const double k_HollowWeight = 2.0;
@@ -70,7 +74,7 @@ namespace Alate
                 farthest = Math.Max(farthest, weight * PlanPoint.DistanceSquared(places[k], start, end));
             }
 
-            return Math.Sqrt(farthest) + k_LengthShare * Math.Sqrt((end - start).LengthSquared);
+            return farthest / k_Unminded + k_LengthShare * Math.Sqrt((end - start).LengthSquared);
         }
     }
 }

@@ -28,21 +28,20 @@ namespace Alate
         /// <summary>[chain][joint] in the wing's view.</summary>
         public PlanPoint[][] Lay(int chains, int joints)
         {
+            var shares = new FanShares(m_Marks, m_Margin, chains);
             var made = new PlanPoint[chains][];
             made[0] = BalancedJoints.Place(LeadingEdge(), joints);
             ChainInset.Apply(made[0], m_Outline);
+            int last = chains - 1;
             List<PlanPoint> lastPath = new InnerPath(m_Outline).Find(m_Marks.TrailingRoot, m_Marks.Last);
-            FanField field = Field(made[0], lastPath);
-            var shares = new FanShares(m_Marks, m_Margin, chains);
-            PlanPoint firstRoot = made[0][0], lastRoot = lastPath[0];
-            for (int i = 1; i < chains; i++)
+            made[last] = Jointed(new List<PlanPoint>(lastPath), shares.TailOf(last), joints);
+
+            FanField field = Field(made[0], shares.TailOf(last) == null ? made[last] : (IReadOnlyList<PlanPoint>)lastPath);
+            for (int i = 1; i < last; i++)
             {
-                PlanPoint root = firstRoot + (lastRoot - firstRoot) * shares[i];
-                List<PlanPoint> path = i == chains - 1 ? lastPath : LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
-                if (shares.TailOf(i) is OutlineStretch tail)
-                    path.Add(m_Marks.Trimmed.EndOf(tail));
-                made[i] = OpenPath.Even(path, joints);
-                ChainInset.Apply(made[i], m_Outline);
+                PlanPoint root = made[0][0] + (made[last][0] - made[0][0]) * shares[i];
+                List<PlanPoint> path = LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
+                made[i] = Jointed(path, shares.TailOf(i), joints);
             }
 
             ChainOrder.Untangle(made);
@@ -64,6 +63,16 @@ namespace Alate
             }
         }
 
+        // Evenly along a path and on to the end of a tail.
+        private PlanPoint[] Jointed(List<PlanPoint> path, OutlineStretch? tail, int joints)
+        {
+            if (tail is OutlineStretch beyond)
+                path.Add(m_Marks.Trimmed.EndOf(beyond));
+            PlanPoint[] chain = OpenPath.Even(path, joints);
+            ChainInset.Apply(chain, m_Outline);
+            return chain;
+        }
+
         // Straight across spikes; out to the very end where the tip itself is one.
         private List<PlanPoint> LeadingEdge()
         {
@@ -78,7 +87,7 @@ namespace Alate
         }
 
         // Out along the first chain, along the margin and back along the last; the base closes the rim.
-        private FanField Field(PlanPoint[] first, List<PlanPoint> last)
+        private FanField Field(PlanPoint[] first, IReadOnlyList<PlanPoint> last)
         {
             var rim = new List<PlanPoint>(first);
             var values = new List<double>();
