@@ -5,3 +5,4 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]
 [assembly: InternalsVisibleTo("Alate.Benchmarks")]
 [assembly: InternalsVisibleTo("Alate.Cli")]
+[assembly: InternalsVisibleTo("Alate.Headless.Tests")]

@@ -54,6 +54,7 @@ public static class BenchmarkSuite
         ArrayComparison.Run(report);
         SubstepBreakdown.Run(report, specimen);
         OnOneCore(() => Crowds(report, specimen, plain));
+        SystemFigures.Run(report);
     }
 
     private static void Crowds(Report report, Specimen specimen, PlainRig plain)

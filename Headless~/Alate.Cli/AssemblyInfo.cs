@@ -1,3 +1,3 @@
 using System.Runtime.CompilerServices;
 
-[assembly: InternalsVisibleTo("Alate.Tests")]
+[assembly: InternalsVisibleTo("Alate.Headless.Tests")]

@@ -23,7 +23,7 @@ public static class Program
         PackageVersion.AddTo(root);
 
         ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args);
-        if (parsed.Errors.Count > 0)
+        if (parsed.Errors.Count > 0 && !HelpExamples.AreAskedFor(parsed))
             return Fail(parsed.Errors[0].Message, errors);
         try
         {

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace Alate
@@ -18,6 +19,18 @@ namespace Alate
             return iterations;
         }
 
+        /// <summary>Keeps a share of the deviation, turned with the driven motion, without regard to springs.</summary>
+        public static void Relax(in WingPack pack, in StepScratch scratch, float4 kept)
+        {
+            int joints = pack.rig.jointsPerChain;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                pack.offsets[joint] = SoaQuaternion.Rotate(Turned(pack, scratch, joint, joints), pack.offsets[joint]) * kept;
+                pack.offsetRates[joint] = default;
+                scratch.positions[joint] = scratch.targets[joint] + pack.offsets[joint];
+            }
+        }
+
         /// <summary>How much of ė a substep keeps, β = exp(−2 ζ_E Ω dt).</summary>
         public static float4 Retention(float4 springDamping, float4 anchorRate, float dt) =>
             math.exp(-2f * springDamping * anchorRate * dt);
@@ -34,9 +47,7 @@ namespace Alate
             int joints = pack.rig.jointsPerChain;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                int i = joint / joints, j = joint - i * joints;
-                int bone = i * (joints - 1) + math.min(j, joints - 2);
-                SoaQuaternion turned = scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
+                SoaQuaternion turned = Turned(pack, scratch, joint, joints);
                 SoaFloat3 offset = SoaQuaternion.Rotate(turned, pack.offsets[joint]);
                 SoaFloat3 rate = SoaQuaternion.Rotate(turned, pack.offsetRates[joint]);
                 pack.offsets[joint] = offset;
@@ -44,6 +55,15 @@ namespace Alate
                 scratch.anchors[joint] = scratch.targets[joint] + (offset + rate * reach) * share;
                 scratch.inertia[joint] = total * pack.rig.jointMasses[joint];
             }
+        }
+
+        // How the driven frame of a joint has turned since the last substep.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static SoaQuaternion Turned(in WingPack pack, in StepScratch scratch, int joint, int joints)
+        {
+            int i = joint / joints, j = joint - i * joints;
+            int bone = i * (joints - 1) + math.min(j, joints - 2);
+            return scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
         }
 
         private static void Keep(in WingPack pack, in StepScratch scratch, float dt)

@@ -31,6 +31,18 @@ namespace Alate
             Compose(pack, scratch);
         }
 
+        /// <summary>Keeps a share of every bend, without regard to loads, and turns the chains.</summary>
+        public static void Relax(in WingPack pack, in StepScratch scratch, float4 kept)
+        {
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+            {
+                pack.bendAngles[bone] = pack.bendAngles[bone] * kept;
+                pack.bendRates[bone] = default;
+            }
+
+            Compose(pack, scratch);
+        }
+
         /// <summary>One hinge, one implicit step: the new rate, and the angle held within ±limit.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static float4 Hinge(

@@ -7,7 +7,15 @@ namespace Alate
     /// <summary>The catalogue of species this package can make by itself.</summary>
     public static class Species
     {
-        static readonly SpeciesDefinition[] s_All = { SpeciesMonarch.Define() };
+        static readonly SpeciesDefinition[] s_All =
+        {
+            SpeciesMonarch.Define(),
+            SpeciesSwallowtail.Define(),
+            SpeciesFirefly.Define(),
+            SpeciesFishfly.Define(),
+            SpeciesPaintedLichenMoth.Define(),
+            SpeciesSnailfish.Define(),
+        };
 
         /// <summary>Every species.</summary>
         public static IReadOnlyList<SpeciesDefinition> All => s_All;

@@ -36,6 +36,9 @@ namespace Alate
         /// <summary>Where the numbers come from.</summary>
         public IReadOnlyList<SpeciesSource> Sources { get; }
 
+        /// <summary>The variants there are, the standard one first; all wings have the same.</summary>
+        public IReadOnlyList<SpeciesVariant> Variants => Wings[0].Variants;
+
         /// <summary>Triangles of all wings of both sides: the number of the paper's Table 2.</summary>
         public int TriangleCount
         {

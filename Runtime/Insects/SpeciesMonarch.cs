@@ -23,11 +23,23 @@ namespace Alate
             var wing = new SpeciesWing("wing", outline, _ => { })
             {
                 TriangleCount = 2096,
+                IsFilled = false,
                 LastTipSpan = k_LastTipSpan / (1000 * outline.Length),
                 Hinge = new Vector3(1.9e-3f, 1.0e-3f, 1.2e-3f),
                 Pattern = new MonarchPattern(outline.Smoothed()),
-            };
-            return new SpeciesDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(), Sources());
+            }.With(SpeciesVariant.Expressive, Soften);
+            return new SpeciesDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(wing), Sources());
+        }
+
+        static void Soften(WingSpecies species)
+        {
+            species.Wave.chordDelay = 0.22f;
+            species.Wave.spanDelay = 0.25f;
+            species.Wave.rootShare = 0.65f;
+            species.Stiffness.elasticity = 0.35f;
+            species.Stiffness.decay = 0.5f;
+            species.Stiffness.springScale = 30f;
+            species.SubstepsPerBeat = 48;
         }
 
         static SpeciesSource[] Sources()
@@ -45,6 +57,7 @@ namespace Alate
                 new SpeciesSource("elasticity k_e", "1", "the paper, Table 2"),
                 new SpeciesSource("triangles", "4192 on two wings", "the paper, Table 2"),
                 new SpeciesSource("chord delay λ", "0.15", "chosen so that the trailing edge lags by some 27°, within the 10 to 40° measured on butterflies"),
+                new SpeciesSource("k_e, λ, μ, w_0, decay, κ", "0.35, 0.22, 0.25, 0.65, 0.5, 30", "chosen for the eye: wings that bow and roll", SpeciesVariant.Expressive),
                 new SpeciesSource("last chain's tip", "span 26.9 mm", "chosen: the rearmost point of the hind wing"),
                 new SpeciesSource("body, colours", "29 mm long, thorax 4.5 mm wide", "proportions chosen by us"),
             };

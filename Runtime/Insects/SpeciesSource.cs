@@ -4,11 +4,12 @@ namespace Alate
     public readonly struct SpeciesSource
     {
         /// <summary>Notes a number and its source.</summary>
-        public SpeciesSource(string quantity, string value, string source)
+        public SpeciesSource(string quantity, string value, string source, SpeciesVariant variant = SpeciesVariant.Standard)
         {
             Quantity = quantity;
             Value = value;
             Source = source;
+            Variant = variant;
         }
 
         /// <summary>What the number is, such as "wing length".</summary>
@@ -20,7 +21,14 @@ namespace Alate
         /// <summary>The table, the paper, the measurement, or "assumed" with the reason.</summary>
         public string Source { get; }
 
-        /// <summary>All three in one line.</summary>
-        public override string ToString() => $"{Quantity}: {Value} ({Source})";
+        /// <summary>The variant that has this number; what the standard one has goes for the others too, unless they have a number of their own.</summary>
+        public SpeciesVariant Variant { get; }
+
+        /// <summary>All in one line.</summary>
+        public override string ToString()
+        {
+            var variant = Variant == SpeciesVariant.Standard ? "" : $", {Variant.ToString().ToLowerInvariant()}";
+            return $"{Quantity}{variant}: {Value} ({Source})";
+        }
     }
 }

@@ -34,5 +34,16 @@ namespace Alate
 
         /// <summary>ω, the angular rate of the phase now, rad/s.</summary>
         public float4 rate;
+
+        /// <summary>Takes over when another wing beats, but not how widely.</summary>
+        public void TakeClock(int lane, in BeatState from, int fromLane)
+        {
+            phase[lane] = from.phase[fromLane];
+            cycles[lane] = from.cycles[fromLane];
+            frequency[lane] = from.frequency[fromLane];
+            previousFrequency[lane] = from.previousFrequency[fromLane];
+            pitchedUp[lane] = from.pitchedUp[fromLane];
+            rate[lane] = from.rate[fromLane];
+        }
     }
 }

@@ -35,6 +35,7 @@ namespace Alate
                 leverDamping = JointMasses.LeverDamping(rest),
                 springs = SpringNetwork.Make(rest),
                 patches = new PatchLayout(rest, cells, triangles, centres, settings.patchCount),
+                coarsePatches = new PatchLayout(rest, cells, triangles, centres, WingRigSettings.CoarsePatches),
                 influences = new VertexInfluences(rest, weights),
                 skin = new SkinLayout(rest.CellCount, weights, surface, SurfaceNormals.Make(surface, frame)),
             };

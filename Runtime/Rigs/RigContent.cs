@@ -12,6 +12,7 @@ namespace Alate
         public float[] leverDamping;
         public Spring[] springs;
         public PatchLayout patches;
+        public PatchLayout coarsePatches;
         public VertexInfluences influences;
         public SkinLayout skin;
     }

@@ -18,6 +18,9 @@ namespace Alate
         public readonly NativeArray<int> jointVertices;
         public readonly RigView view;
 
+        /// <summary>The same with few patches.</summary>
+        public readonly RigView coarseView;
+
         private readonly List<IDisposable> m_Owned = new List<IDisposable>();
 
         public RigMemory(RigContent content)
@@ -38,7 +41,6 @@ namespace Alate
                 boneCount = rest.BoneCount,
                 cellCount = rest.CellCount,
                 springCount = content.springs.Length,
-                patchCount = content.patches.Count,
                 vertexCount = content.influences.joints.Length,
                 quadCount = content.skin.quads.Length,
                 leadingEdge = rest.leadingEdge,
@@ -53,16 +55,13 @@ namespace Alate
                 jointInertias = (float*)Pointer(content.jointInertias),
                 leverDamping = (float*)Pointer(content.leverDamping),
                 springs = (Spring*)springs.GetUnsafeReadOnlyPtr(),
-                patchCells = (PatchCell*)Pointer(content.patches.cells),
-                patchU = (float*)Pointer(content.patches.u),
-                patchV = (float*)Pointer(content.patches.v),
-                patchSpan = (float*)Pointer(content.patches.span),
-                patchChord = (float*)Pointer(content.patches.chord),
-                patchAreas = (float*)Pointer(content.patches.areas),
                 skinCells = (SkinCell*)Pointer(content.skin.cells),
                 skinQuads = (SkinQuad*)Pointer(content.skin.quads),
                 skinTangents = content.skin.tangents == null ? null : (SkinTangentQuad*)Pointer(content.skin.tangents),
             };
+            coarseView = view;
+            SetPatches(ref view, content.patches);
+            SetPatches(ref coarseView, content.coarsePatches);
         }
 
         public void Dispose()
@@ -70,6 +69,17 @@ namespace Alate
             foreach (IDisposable array in m_Owned)
                 array.Dispose();
             m_Owned.Clear();
+        }
+
+        private void SetPatches(ref RigView rig, PatchLayout patches)
+        {
+            rig.patchCount = patches.Count;
+            rig.patchCells = (PatchCell*)Pointer(patches.cells);
+            rig.patchU = (float*)Pointer(patches.u);
+            rig.patchV = (float*)Pointer(patches.v);
+            rig.patchSpan = (float*)Pointer(patches.span);
+            rig.patchChord = (float*)Pointer(patches.chord);
+            rig.patchAreas = (float*)Pointer(patches.areas);
         }
 
         private void* Pointer<T>(T[] content) where T : struct => Own(content).GetUnsafeReadOnlyPtr();

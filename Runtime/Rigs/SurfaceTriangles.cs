@@ -11,7 +11,7 @@ namespace Alate
     internal sealed class SurfaceTriangles
     {
         /// <summary>Doubled area, L², below which a triangle has none.</summary>
-        private const float k_LeastDoubledArea = 1e-12f;
+        public const float k_LeastDoubledArea = 1e-12f;
 
         /// <summary>Vertex indices of the corners.</summary>
         public readonly List<int3> corners;

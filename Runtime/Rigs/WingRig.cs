@@ -84,6 +84,14 @@ namespace Alate
         /// <summary>The rig as the jobs see it; valid until disposal.</summary>
         internal ref readonly RigView View => ref Alive.view;
 
+        /// <summary>The rig at a level of detail: the same joints, fewer patches.</summary>
+        internal ref readonly RigView ViewAt(WingDetail detail)
+        {
+            if (detail < WingDetail.CoarsePatches)
+                return ref Alive.view;
+            return ref Alive.coarseView;
+        }
+
         private RigMemory Alive => IsDisposed ? throw new ObjectDisposedException(nameof(WingRig)) : m_Memory;
 
         /// <summary>A rig for a mesh, with one user: whoever bakes it releases it.</summary>

@@ -9,6 +9,9 @@ namespace Alate
         /// </summary>
         public int patchCount;
 
+        /// <summary>Patches at <see cref="WingDetail.CoarsePatches"/>: one or two a cell of a 5 × 5 skeleton.</summary>
+        public const int CoarsePatches = 24;
+
         /// <summary>256 patches, enough for a 5 × 5 skeleton to feel its air as with every triangle.</summary>
         public static WingRigSettings Default => new WingRigSettings { patchCount = 256 };
     }

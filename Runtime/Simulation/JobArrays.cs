@@ -24,24 +24,37 @@ namespace Alate
         private NativeArray<ChunkBounds> m_Bounds;
         private int m_PackCount;
         private int m_ChunkCount;
+        private bool m_Stale;
 
         private RigSize m_ScratchSize;
         private long m_ScratchStride;
         private byte* m_Scratch;
 
-        /// <summary>Takes over what the step job wrote into the packs, before they are rearranged.</summary>
-        public void KeepTiming(IReadOnlyList<PackMemory> packs)
+        /// <summary>Takes over what the jobs wrote, before packs or wings are rearranged.</summary>
+        public void Unsettle(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
         {
+            if (m_Stale)
+                return;
+            m_Stale = true;
             for (int k = 0; k < m_PackCount; k++)
             {
                 packs[k].view.substeps = m_Packs[k].substeps;
                 packs[k].view.slotStride = m_Packs[k].slotStride;
             }
+
+            foreach (WingEntry entry in entries)
+            {
+                if (entry != null)
+                    entry.bounds = Merged(entry);
+            }
         }
 
-        /// <summary>Lays the jobs' arrays out for the packs and wings there are now.</summary>
-        public void Rebuild(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
+        /// <summary>Lays the jobs' arrays out for the packs and wings there are now, if any were rearranged.</summary>
+        public void Settle(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
         {
+            if (!m_Stale)
+                return;
+            m_Stale = false;
             m_PackCount = packs.Count;
             Reserve(ref m_Packs, m_PackCount);
             RigSize size = default;
@@ -75,16 +88,16 @@ namespace Alate
             }
         }
 
-        public JobHandle ScheduleStep(float dt, JobHandle after) => new StepWingsJob
+        public JobHandle ScheduleStep(in StepPlan plan, JobHandle after) => new StepWingsJob
         {
-            dt = dt,
+            plan = plan,
             scratchSize = m_ScratchSize,
             scratchStride = m_ScratchStride,
             scratch = m_Scratch,
             packs = m_Packs,
         }.ScheduleParallel(m_PackCount, 1, after);
 
-        public JobHandle ScheduleSkin(float alpha, JobHandle after) => new SkinWingsJob
+        public JobHandle ScheduleSkin(float4 alpha, JobHandle after) => new SkinWingsJob
         {
             alpha = alpha,
             chunks = m_Chunks,
@@ -94,32 +107,58 @@ namespace Alate
         }.ScheduleParallel(m_ChunkCount, 1, after);
 
         /// <summary>The pack as the jobs left it.</summary>
-        public WingPack Pack(PackMemory pack) => m_Packs[pack.index];
+        public WingPack Pack(PackMemory pack) => m_Stale ? pack.view : m_Packs[pack.index];
 
         /// <summary>After a change of a wing's parameters: derives what depends on them; restarts the wing where asked.</summary>
         public void Refresh(PackMemory pack, int lane, bool restart)
         {
-            WingPack view = m_Packs[pack.index];
-            Bending.DeriveStiffness(view);
-            if (!restart)
+            Bending.DeriveStiffness(pack.view);
+            if (restart)
+                PackReset.Restart(pack.view, Scratch(pack), Lanes(pack, lane));
+        }
+
+        /// <summary>Lets the beat of a wing run on by some time, and puts the wing into the driven pose there.</summary>
+        public void Resume(PackMemory pack, int lane, float seconds) =>
+            PackReset.Resume(pack.view, Scratch(pack), Lanes(pack, lane), seconds);
+
+        /// <summary>Puts a wing where another one is in its beat, into the driven pose there.</summary>
+        public void Follow(PackMemory pack, int lane, PackMemory leader, int leaderLane)
+        {
+            // Resuming settles on the present frequency; the glide from the last one is taken over after it, so that the two stay together.
+            BeatState beat = *leader.view.beat;
+            TakeClock(pack, lane, beat, leaderLane);
+            Resume(pack, lane, 0f);
+            TakeClock(pack, lane, beat, leaderLane);
+        }
+
+        /// <summary>Steps the wings of one owner, here and now.</summary>
+        public void StepNow(IReadOnlyList<PackMemory> packs, int owner, float dt)
+        {
+            for (int k = 0; k < m_PackCount; k++)
+            {
+                if (packs[k].pacing.clock != WingClock.Own || packs[k].pacing.owner != owner)
+                    continue;
+                WingPack pack = m_Packs[k];
+                PackStep.Run(ref pack, Scratch(packs[k]), dt);
+                m_Packs[k] = pack;
+            }
+        }
+
+        /// <summary>Whether the skinning job deforms a wing.</summary>
+        public void SetSkinned(WingEntry entry, bool skinned)
+        {
+            entry.skinned = skinned;
+            if (m_Stale)
                 return;
-            StepScratch.Layout(m_ScratchSize, m_Scratch, out StepScratch scratch);
-            bool4 lanes = false;
-            for (int l = 0; l < WingPack.Lanes; l++)
-                lanes[l] = pack.Writes(lane, l);
-            PackReset.Restart(view, scratch, lanes);
+            SkinTarget target = m_Targets[entry.target];
+            target.skinned = skinned;
+            m_Targets[entry.target] = target;
         }
 
         /// <summary>Bounds of one wing's deformed vertices.</summary>
         public Bounds Bounds(WingEntry entry)
         {
-            ChunkBounds all = m_Bounds[entry.firstChunk];
-            for (int k = 1; k < entry.chunkCount; k++)
-            {
-                all.min = math.min(all.min, m_Bounds[entry.firstChunk + k].min);
-                all.max = math.max(all.max, m_Bounds[entry.firstChunk + k].max);
-            }
-
+            ChunkBounds all = m_Stale ? entry.bounds : Merged(entry);
             return new Bounds(0.5f * (all.min + all.max), all.max - all.min);
         }
 
@@ -134,14 +173,54 @@ namespace Alate
             m_Scratch = null;
         }
 
+        private ChunkBounds Merged(WingEntry entry)
+        {
+            if (entry.chunkCount == 0)
+                return entry.bounds;
+            ChunkBounds all = m_Bounds[entry.firstChunk];
+            for (int k = 1; k < entry.chunkCount; k++)
+            {
+                all.min = math.min(all.min, m_Bounds[entry.firstChunk + k].min);
+                all.max = math.max(all.max, m_Bounds[entry.firstChunk + k].max);
+            }
+
+            return all;
+        }
+
+        private StepScratch Scratch(PackMemory pack)
+        {
+            ReserveScratch(RigSize.Of(pack.view.rig));
+            StepScratch.Layout(m_ScratchSize, m_Scratch, out StepScratch scratch);
+            return scratch;
+        }
+
+        private static void TakeClock(PackMemory pack, int lane, in BeatState beat, int from)
+        {
+            for (int l = 0; l < WingPack.Lanes; l++)
+            {
+                if (pack.Writes(lane, l))
+                    pack.view.beat->TakeClock(l, beat, from);
+            }
+        }
+
+        private static bool4 Lanes(PackMemory pack, int lane)
+        {
+            bool4 lanes = false;
+            for (int l = 0; l < WingPack.Lanes; l++)
+                lanes[l] = pack.Writes(lane, l);
+            return lanes;
+        }
+
         private void Place(WingEntry entry, int index)
         {
+            entry.target = index;
             m_Targets[index] = new SkinTarget
             {
                 rig = entry.rig.View,
                 frame = entry.rig.Frame,
                 pack = entry.pack.index,
                 lane = entry.lane,
+                skinned = entry.skinned,
                 vertices = (SkinnedVertex*)entry.vertices.GetUnsafePtr(),
                 tangents = entry.tangents.IsCreated ? (float4*)entry.tangents.GetUnsafePtr() : null,
             };
@@ -149,6 +228,7 @@ namespace Alate
             int quads = entry.rig.View.quadCount;
             for (int k = 0; k < entry.chunkCount; k++)
             {
+                m_Bounds[m_ChunkCount] = entry.bounds;
                 m_Chunks[m_ChunkCount++] = new SkinChunk
                 {
                     target = index,

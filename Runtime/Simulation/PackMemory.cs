@@ -17,6 +17,9 @@ namespace Alate
         /// <summary>The view that the job takes.</summary>
         public WingPack view;
 
+        /// <summary>Which wings may share it.</summary>
+        public readonly WingPacing pacing;
+
         /// <summary>Position among the packs of the world.</summary>
         public int index;
 
@@ -24,13 +27,16 @@ namespace Alate
         public int Count { get; private set; }
 
         /// <summary>Allocates a pack for a rig, its lanes empty.</summary>
-        public PackMemory(in RigView rig, in ModelOptions options)
+        public PackMemory(in RigView rig, in ModelOptions options, in WingPacing pacing = default)
         {
             m_Bytes = Layout(rig, null, out _);
             m_Block = (byte*)UnsafeUtility.Malloc(m_Bytes, 64, Allocator.Persistent);
             UnsafeUtility.MemClear(m_Block, m_Bytes);
             Layout(rig, m_Block, out view);
             view.options = options;
+            view.clock = pacing.clock;
+            view.detail = pacing.detail;
+            this.pacing = pacing;
         }
 
         /// <summary>True until disposed.</summary>
@@ -55,6 +61,12 @@ namespace Alate
         /// <summary>Takes over a wing from another pack (or another lane), state and all, into a lane.</summary>
         public void Take(PackMemory from, int fromLane, int lane)
         {
+            if (Count == 1)
+            {
+                view.substeps = from.view.substeps;
+                view.slotStride = from.view.slotStride;
+            }
+
             for (int l = 0; l < WingPack.Lanes; l++)
             {
                 if (Writes(lane, l))
@@ -68,8 +80,6 @@ namespace Alate
         public PackMemory Snapshot(int lane)
         {
             var copy = new PackMemory(view.rig, view.options) { Count = 1 };
-            copy.view.substeps = view.substeps;
-            copy.view.slotStride = view.slotStride;
             copy.Take(this, lane, 0);
             return copy;
         }
@@ -120,20 +130,7 @@ namespace Alate
             for (long k = 0; k < count; k++)
                 target[4 * k + lane] = source[4 * k + fromLane];
             if (from.view.substeps != view.substeps || from.view.slotStride != view.slotStride)
-                FreezeSlots(lane);
-        }
-
-        // The wing's poses of the last step lie at other times than this pack's: show the newest until the next step.
-        private void FreezeSlots(int lane)
-        {
-            int joints = view.rig.jointCount, floats = sizeof(JointPose) / sizeof(float);
-            for (int k = 0; k < joints * WingPack.PoseSlots; k++)
-            {
-                var slot = (float*)(view.slots + k);
-                var pose = (float*)(view.pose + k % joints);
-                for (int c = lane; c < floats; c += WingPack.Lanes)
-                    slot[c] = pose[c];
-            }
+                PackSlots.Resample(from.view, fromLane, view, lane);
         }
 
         private static long Layout(in RigView rig, byte* block, out WingPack view)

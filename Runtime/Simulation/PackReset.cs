@@ -14,6 +14,27 @@ namespace Alate
             ToDrivenPose(pack, scratch, lanes);
         }
 
+        /// <summary>
+        /// Moves the chosen wings on in their beat by some time in which they were not computed, frequency and amplitude as they were, into
+        /// the driven pose, no bend, no velocity.
+        /// </summary>
+        public static void Resume(in WingPack pack, in StepScratch scratch, bool4 lanes, float seconds)
+        {
+            ref BeatState beat = ref *pack.beat;
+            float4 beats = beat.phase / (2f * math.PI) + beat.frequency * seconds;
+            float4 whole = math.floor(beats);
+            beat.phase = math.select(beat.phase, 2f * math.PI * (beats - whole), lanes);
+            beat.cycles += math.select(0f, whole, lanes);
+            beat.previousFrequency = math.select(beat.previousFrequency, beat.frequency, lanes);
+            beat.amplitude1 = SoaFloat3.Select(beat.amplitude1, beat.amplitude, lanes);
+            beat.amplitude2 = SoaFloat3.Select(beat.amplitude2, beat.amplitude, lanes);
+            beat.amplitude3 = SoaFloat3.Select(beat.amplitude3, beat.amplitude, lanes);
+            beat.rate = math.select(beat.rate, 2f * math.PI * beat.frequency, lanes);
+            DelayedWaves.Evaluate(pack, scratch);
+            DrivenPose.Evaluate(pack, scratch);
+            ToDrivenPose(pack, scratch, lanes);
+        }
+
         /// <summary>Brings wings whose state is not finite back to the driven pose of this substep, in phase, and counts it.</summary>
         public static void Recover(in WingPack pack, in StepScratch scratch, bool4 lanes)
         {

@@ -9,10 +9,16 @@ namespace Alate
         /// <summary>Steps that are a whole number of substeps must not round up to one more.</summary>
         private const float k_CountRounding = 1e-3f;
 
-        /// <summary>Advances the pack by <paramref name="dt"/> seconds; by nothing where dt is not positive.</summary>
+        /// <summary>A mosquito at 600 Hz beats twelve times in a fiftieth of a second; more in one step than this is a spike of the frame rate.</summary>
+        private const float k_MostBeats = 16f;
+
+        /// <summary>With waves alone, bends fade by e within a quarter of a beat: seen as a settling, not as a jump.</summary>
+        private const float k_Fading = 4f;
+
+        /// <summary>Advances the pack by <paramref name="dt"/> seconds; by nothing where dt is not positive or the pack is frozen.</summary>
         public static void Run(ref WingPack pack, in StepScratch scratch, float dt)
         {
-            if (!(dt > 0f))
+            if (!(dt > 0f) || pack.detail == WingDetail.Frozen)
                 return;
 
             int count = SubstepCount(pack, ref dt);
@@ -20,7 +26,10 @@ namespace Alate
             BeginStep(ref pack, count);
             for (int k = 1; k <= count; k++)
             {
-                Substep(pack, scratch, h);
+                if (pack.detail == WingDetail.WavesOnly)
+                    WavesSubstep(pack, scratch, h);
+                else
+                    Substep(pack, scratch, h);
                 if (k % pack.slotStride == 0 || k == count)
                     KeepPose(pack, (k + pack.slotStride - 1) / pack.slotStride);
             }
@@ -28,12 +37,13 @@ namespace Alate
             EndStep(pack, count);
         }
 
-        /// <summary>Enough substeps for the fastest wing of the pack; a step longer than its beat is cut to one beat.</summary>
+        /// <summary>Enough substeps for the fastest wing of the pack; a step of very many beats is cut.</summary>
         public static int SubstepCount(in WingPack pack, ref float dt)
         {
             float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
-            float rate = math.cmax(frequency * pack.parameters->substepsPerBeat);
-            int most = (int)math.ceil(math.cmax(pack.parameters->substepsPerBeat));
+            float4 perBeat = SubstepsPerBeat(pack);
+            float rate = math.cmax(frequency * perBeat);
+            int most = (int)math.ceil(k_MostBeats * math.cmax(perBeat));
             int wanted = (int)math.min(math.ceil(dt * rate - k_CountRounding), most + 1f);
             if (wanted > most)
                 dt = most / rate;
@@ -55,6 +65,33 @@ namespace Alate
             Keep(pack, scratch);
             pack.readings->airForce += air;
             pack.readings->newtonIterations += iterations;
+            RecoverBroken(pack, scratch);
+        }
+
+        /// <summary>The beat and its waves alone; what the wing was bent and stretched by fades.</summary>
+        public static void WavesSubstep(in WingPack pack, in StepScratch scratch, float h)
+        {
+            BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
+            DelayedWaves.Evaluate(pack, scratch);
+            DrivenPose.Evaluate(pack, scratch);
+            float4 kept = math.exp(-k_Fading * pack.beat->frequency * h);
+            Bending.Relax(pack, scratch, kept);
+            Bending.Pose(pack, scratch);
+            ElasticStep.Relax(pack, scratch, kept);
+            JointFrames.Evaluate(pack, scratch, scratch.pose);
+            JointFrames.Motions(pack, pack.pose, scratch.pose, h);
+            Keep(pack, scratch);
+            RecoverBroken(pack, scratch);
+        }
+
+        private static float4 SubstepsPerBeat(in WingPack pack)
+        {
+            float4 perBeat = pack.parameters->substepsPerBeat;
+            return pack.detail == WingDetail.Full ? perBeat : math.max(0.5f * perBeat, WingParameters.MinSubsteps);
+        }
+
+        private static void RecoverBroken(in WingPack pack, in StepScratch scratch)
+        {
             bool4 broken = PackReset.NotFinite(pack);
             if (math.any(broken))
                 PackReset.Recover(pack, scratch, broken);

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>
-    /// Which wings share a pack: those of one rig with the same model options. Packs are kept dense: a wing that leaves is replaced by
+    /// Which wings share a pack: those of one rig with the same model options and pacing. Packs are kept dense: a wing that leaves is replaced by
     /// the last one of its group, state and all, so only one pack of a group has empty lanes.
     /// </summary>
     internal sealed class PackTable : IDisposable
@@ -18,13 +18,13 @@ namespace Alate
         /// <summary>Finds a lane for a wing.</summary>
         public PackMemory Add(WingEntry entry, int wing)
         {
-            var key = new Key(entry.rig, entry.parameters.options);
+            var key = new Key(entry.rig, entry.parameters.options, entry.pacing);
             if (!m_Groups.TryGetValue(key, out List<PackMemory> group))
                 m_Groups.Add(key, group = new List<PackMemory>());
             PackMemory pack = group.Count > 0 ? group[group.Count - 1] : null;
             if (pack == null || pack.Count == WingPack.Lanes)
             {
-                pack = new PackMemory(entry.rig.View, entry.parameters.options);
+                pack = new PackMemory(entry.rig.ViewAt(entry.pacing.detail), entry.parameters.options, entry.pacing);
                 group.Add(pack);
                 m_Packs.Add(pack);
             }
@@ -38,7 +38,7 @@ namespace Alate
         /// <returns>The wing that moved, or −1.</returns>
         public int Remove(WingEntry entry)
         {
-            var key = new Key(entry.rig, entry.pack.view.options);
+            var key = new Key(entry.rig, entry.pack.view.options, entry.pack.pacing);
             List<PackMemory> group = m_Groups[key];
             PackMemory last = group[group.Count - 1];
             int lastLane = last.Count - 1;
@@ -74,18 +74,21 @@ namespace Alate
         {
             private readonly WingRig m_Rig;
             private readonly ModelOptions m_Options;
+            private readonly WingPacing m_Pacing;
 
-            public Key(WingRig rig, ModelOptions options)
+            public Key(WingRig rig, in ModelOptions options, in WingPacing pacing)
             {
                 m_Rig = rig;
                 m_Options = options;
+                m_Pacing = pacing;
             }
 
-            public bool Equals(Key other) => ReferenceEquals(m_Rig, other.m_Rig) && m_Options.Equals(other.m_Options);
+            public bool Equals(Key other) =>
+                ReferenceEquals(m_Rig, other.m_Rig) && m_Pacing.Equals(other.m_Pacing) && m_Options.Equals(other.m_Options);
 
             public override bool Equals(object other) => other is Key key && Equals(key);
 
-            public override int GetHashCode() => m_Rig.GetHashCode() * 397 ^ m_Options.GetHashCode();
+            public override int GetHashCode() => (m_Rig.GetHashCode() * 397 ^ m_Options.GetHashCode()) * 397 ^ m_Pacing.GetHashCode();
         }
     }
 }

@@ -5,12 +5,12 @@ using Unity.Jobs;
 
 namespace Alate
 {
-    /// <summary>First of the two jobs of a frame: all substeps of one fixed step; index = pack of four wings.</summary>
+    /// <summary>First of the two jobs of a frame: all substeps of the fixed steps that are due; index = pack of four wings.</summary>
     [BurstCompile]
     internal unsafe struct StepWingsJob : IJobFor
     {
         // Input
-        public float dt;
+        public StepPlan plan;
         public RigSize scratchSize;
         public long scratchStride;
 
@@ -25,7 +25,9 @@ namespace Alate
         {
             StepScratch.Layout(scratchSize, scratch + threadIndex * scratchStride, out StepScratch block);
             WingPack pack = packs[index];
-            PackStep.Run(ref pack, block, dt);
+            int clock = (int)pack.clock;
+            for (int step = plan.count[clock]; step > 0; step--)
+                PackStep.Run(ref pack, block, plan.length[clock]);
             packs[index] = pack;
         }
     }

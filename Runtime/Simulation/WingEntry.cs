@@ -12,6 +12,7 @@ namespace Alate
         public PackMemory pack;
         public int lane;
         public WingParameters parameters;
+        public WingPacing pacing;
         public WingSurroundings surroundings;
 
         /// <summary>Deformed vertices, mesh order.</summary>
@@ -23,6 +24,15 @@ namespace Alate
         /// <summary>First chunk of the wing in the skinning job, and how many.</summary>
         public int firstChunk;
         public int chunkCount;
+
+        /// <summary>Index in the skinning job's targets.</summary>
+        public int target;
+
+        /// <summary>Whether the skinning job deforms it.</summary>
+        public bool skinned = true;
+
+        /// <summary>Corners of its vertices, kept while the jobs' arrays are laid out anew.</summary>
+        public ChunkBounds bounds;
 
         public unsafe WingEntry(WingRig rig, int version, in WingParameters parameters)
         {

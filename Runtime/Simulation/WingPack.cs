@@ -16,6 +16,8 @@ namespace Alate
 
         public RigView rig;
         public ModelOptions options;
+        public WingClock clock;
+        public WingDetail detail;
 
         public LaneParameters* parameters;
         public LaneSurroundings* surroundings;

@@ -142,6 +142,21 @@ namespace Alate
             return clamped;
         }
 
+        /// <summary>Whether every value is the same.</summary>
+        internal bool SameAs(WingParameters other)
+        {
+            var copy = this;
+            foreach (var range in WingParameterRange.s_All)
+            {
+                if (range.Of(ref copy) != range.Of(ref other))
+                {
+                    return false;
+                }
+            }
+
+            return substepsPerBeat == other.substepsPerBeat && options.Equals(other.options);
+        }
+
         /// <summary>
         /// Says what is wrong with the first value that is not finite or out of its range, as "chordDelay is −1 half beats; it must be between 0 and
         /// 2."; null when all is well.

@@ -54,6 +54,17 @@ namespace Alate
         /// <summary>Position of a joint, wing lengths from the hinge.</summary>
         public float3 JointPosition(int chain, int joint) => m_Pack.pose[Joint(chain, joint)].position[m_Lane];
 
+        /// <summary>Position of a joint at a time within the last step, 0 its start, 1 its end: where it is drawn between two steps.</summary>
+        public float3 JointPosition(int chain, int joint, float alpha)
+        {
+            if (m_Pack.substeps == 0)
+                return JointPosition(chain, joint);
+            int at = Joint(chain, joint);
+            PackSlots.Span(m_Pack, math.saturate(alpha) * m_Pack.substeps, out int slot, out float blend);
+            JointPose* before = m_Pack.slots + slot * m_Pack.rig.jointCount;
+            return math.lerp(before[at].position[m_Lane], before[m_Pack.rig.jointCount + at].position[m_Lane], blend);
+        }
+
         /// <summary>Rotation of a joint's frame out of its rest pose.</summary>
         public quaternion JointRotation(int chain, int joint) => m_Pack.pose[Joint(chain, joint)].rotation[m_Lane];
 
@@ -68,6 +79,19 @@ namespace Alate
 
         /// <summary>Aerodynamic patches.</summary>
         public int PatchCount => m_Pack.rig.patchCount;
+
+        /// <summary>Middle of a patch, between the four joints around it, wing lengths from the hinge, at a time within the last step.</summary>
+        public float3 PatchPosition(int patch, float alpha = 1f)
+        {
+            Check(patch, PatchCount, nameof(patch));
+            int cell = 0;
+            while (patch >= m_Pack.rig.patchCells[cell].firstPatch + m_Pack.rig.patchCells[cell].patchCount)
+                cell++;
+            int chain = cell / (JointsPerChain - 1), joint = cell % (JointsPerChain - 1);
+            float u = m_Pack.rig.patchU[patch], v = m_Pack.rig.patchV[patch];
+            float3 ahead = math.lerp(JointPosition(chain, joint, alpha), JointPosition(chain, joint + 1, alpha), v);
+            return math.lerp(ahead, math.lerp(JointPosition(chain + 1, joint, alpha), JointPosition(chain + 1, joint + 1, alpha), v), u);
+        }
 
         /// <summary>Force on a patch in the last substep, wing masses · L/s².</summary>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>

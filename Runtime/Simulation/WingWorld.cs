@@ -44,7 +44,10 @@ namespace Alate
 
         /// <summary>Adds a wing that starts in the given surroundings.</summary>
         /// <inheritdoc cref="Add(WingRig, in WingParameters)"/>
-        public WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings)
+        public WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings) =>
+            Add(rig, parameters, surroundings, default);
+
+        internal WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in WingPacing pacing)
         {
             if (rig == null)
                 throw new ArgumentNullException(nameof(rig));
@@ -57,12 +60,11 @@ namespace Alate
             int index = m_Free.Count > 0 ? m_Free.Pop() : m_Entries.Count;
             if (index == m_Entries.Count)
                 m_Entries.Add(null);
-            var entry = new WingEntry(rig, m_NextVersion++, parameters) { surroundings = surroundings };
+            var entry = new WingEntry(rig, m_NextVersion++, parameters) { surroundings = surroundings, pacing = pacing };
             m_Entries[index] = entry;
             Count++;
-            m_Arrays.KeepTiming(m_Packs.Packs);
+            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
             m_Packs.Add(entry, index);
-            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
             DeriveAndRestart(entry, restart: true);
             return new WingHandle(index, entry.version);
         }
@@ -72,13 +74,12 @@ namespace Alate
         public void Remove(WingHandle wing)
         {
             WingEntry entry = Entry(wing);
-            m_Arrays.KeepTiming(m_Packs.Packs);
+            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
             Detach(entry);
             m_Entries[wing.index] = null;
             m_Free.Push(wing.index);
             Count--;
             entry.Dispose();
-            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
         }
 
         /// <summary>True while the wing is in this world.</summary>
@@ -93,18 +94,26 @@ namespace Alate
             WingEntry entry = Entry(wing);
             bool regroup = !entry.parameters.options.Equals(parameters.options);
             entry.parameters = parameters;
-            if (!regroup)
-            {
-                Write(entry);
-                return;
-            }
+            if (regroup)
+                Regroup(entry, wing.index);
+            Write(entry);
+        }
 
-            m_Arrays.KeepTiming(m_Packs.Packs);
-            PackMemory from = entry.pack.Snapshot(entry.lane);
-            Detach(entry);
-            m_Packs.Add(entry, wing.index).Take(from, 0, entry.lane);
-            from.Dispose();
-            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
+        /// <summary>Chooses with how much of the model a wing is computed from the next step on; its motion goes on without a jump.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public void SetDetail(WingHandle wing, WingDetail detail)
+        {
+            WingPacing pacing = Entry(wing).pacing;
+            SetPacing(wing, new WingPacing(pacing.clock, pacing.owner, detail));
+        }
+
+        internal void SetPacing(WingHandle wing, in WingPacing pacing)
+        {
+            WingEntry entry = Entry(wing);
+            if (entry.pacing.Equals(pacing))
+                return;
+            entry.pacing = pacing;
+            Regroup(entry, wing.index);
             Write(entry);
         }
 
@@ -126,6 +135,29 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void Reset(WingHandle wing) => DeriveAndRestart(Entry(wing), restart: true);
 
+        /// <summary>
+        /// Lets a wing's beat run on by some time in which it was not stepped, seconds: in phase with those that were, in the driven pose, without a kick.
+        /// </summary>
+        /// <exception cref="ArgumentException">No such wing, or a time that is negative or not finite.</exception>
+        public void Resume(WingHandle wing, float seconds)
+        {
+            if (!(seconds >= 0f) || float.IsInfinity(seconds))
+                throw new ArgumentException($"The time to make up for must be 0 or more and finite, not {seconds}.", nameof(seconds));
+            WingEntry entry = Entry(wing);
+            m_Arrays.Resume(entry.pack, entry.lane, seconds);
+        }
+
+        /// <summary>Lets a wing go on in the beat of another one, in its own driven pose, without a kick.</summary>
+        internal void Follow(WingHandle wing, WingHandle leader)
+        {
+            WingEntry follower = Entry(wing), led = Entry(leader);
+            m_Arrays.Follow(follower.pack, follower.lane, led.pack, led.lane);
+        }
+
+        /// <summary>Chooses whether <see cref="Skin"/> deforms a wing; otherwise its vertices stay as they are.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public void SetSkinned(WingHandle wing, bool skinned) => m_Arrays.SetSkinned(Entry(wing), skinned);
+
         /// <summary>Advances all wings by one fixed step, seconds; does nothing where dt is not positive. Returns when done.</summary>
         public void Step(float dt)
         {
@@ -140,9 +172,25 @@ namespace Alate
             CheckNotDisposed();
             if (!math.isfinite(dt))
                 throw new ArgumentException($"The time step must be finite, not {dt}.", nameof(dt));
-            if (dt > 0f && Count > 0)
-                m_Pending = m_Arrays.ScheduleStep(dt, JobHandle.CombineDependencies(m_Pending, after));
+            return ScheduleStep(StepPlan.All(dt), after);
+        }
+
+        /// <summary>Schedules the steps that are due on each clock, in one job.</summary>
+        internal JobHandle ScheduleStep(in StepPlan plan, JobHandle after = default)
+        {
+            if (plan.IsEmpty || Count == 0)
+                return m_Pending;
+            Settle();
+            m_Pending = m_Arrays.ScheduleStep(plan, JobHandle.CombineDependencies(m_Pending, after));
             return m_Pending;
+        }
+
+        /// <summary>Steps the wings of one owner on the calling thread.</summary>
+        internal void StepNow(int owner, float dt)
+        {
+            CompleteUse();
+            Settle();
+            m_Arrays.StepNow(m_Packs.Packs, owner, dt);
         }
 
         /// <summary>Deforms all meshes at a time within the last step: 0 its start, 1 its end. Returns when done.</summary>
@@ -153,11 +201,16 @@ namespace Alate
         }
 
         /// <summary>Schedules the skinning behind what is pending.</summary>
-        public JobHandle ScheduleSkin(float alpha)
+        public JobHandle ScheduleSkin(float alpha) => ScheduleSkin(new float4(math.isfinite(alpha) ? alpha : 1f));
+
+        /// <summary>Schedules the skinning at a time within the last step of each clock.</summary>
+        internal JobHandle ScheduleSkin(float4 alpha)
         {
             CheckNotDisposed();
-            if (Count > 0)
-                m_Pending = m_Arrays.ScheduleSkin(math.isfinite(alpha) ? alpha : 1f, m_Pending);
+            if (Count == 0)
+                return m_Pending;
+            Settle();
+            m_Pending = m_Arrays.ScheduleSkin(alpha, m_Pending);
             return m_Pending;
         }
 
@@ -193,9 +246,8 @@ namespace Alate
         public void RecordPatches(WingHandle wing, bool on)
         {
             WingEntry entry = Entry(wing);
-            m_Arrays.KeepTiming(m_Packs.Packs);
+            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
             entry.pack.Record(on);
-            m_Arrays.Rebuild(m_Packs.Packs, m_Entries);
         }
 
         /// <summary>Waits for pending work and frees everything; the rigs are released.</summary>
@@ -209,6 +261,18 @@ namespace Alate
                 entry?.Dispose();
             m_Packs.Dispose();
             m_Arrays.Dispose();
+        }
+
+        private void Settle() => m_Arrays.Settle(m_Packs.Packs, m_Entries);
+
+        // Moves a wing to a pack of its new kind, state and all.
+        private void Regroup(WingEntry entry, int index)
+        {
+            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
+            PackMemory from = entry.pack.Snapshot(entry.lane);
+            Detach(entry);
+            m_Packs.Add(entry, index).Take(from, 0, entry.lane);
+            from.Dispose();
         }
 
         private void Detach(WingEntry entry)

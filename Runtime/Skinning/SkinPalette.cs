@@ -17,11 +17,7 @@ namespace Alate
             float blend = 0f;
             if (pack.substeps > 0)
             {
-                float time = math.saturate(alpha) * pack.substeps;
-                int last = (pack.substeps + pack.slotStride - 1) / pack.slotStride;
-                int slot = math.min((int)(time / pack.slotStride), last - 1);
-                int start = slot * pack.slotStride;
-                blend = (time - start) / (math.min(start + pack.slotStride, pack.substeps) - start);
+                PackSlots.Span(pack, math.saturate(alpha) * pack.substeps, out int slot, out blend);
                 before = pack.slots + slot * pack.rig.jointCount;
                 after = before + pack.rig.jointCount;
             }

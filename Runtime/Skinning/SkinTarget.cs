@@ -13,6 +13,9 @@ namespace Alate
         public int pack;
         public int lane;
 
+        /// <summary>Whether to deform it; otherwise vertices and bounds stay.</summary>
+        public bool skinned;
+
         /// <summary>[vertexCount], in the mesh's order.</summary>
         public SkinnedVertex* vertices;
 

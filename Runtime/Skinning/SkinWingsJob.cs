@@ -11,7 +11,7 @@ namespace Alate
     internal unsafe struct SkinWingsJob : IJobFor
     {
         // Input
-        public float alpha;
+        public float4 alpha;
         [ReadOnly] public NativeArray<SkinChunk> chunks;
         [ReadOnly] public NativeArray<SkinTarget> targets;
         [ReadOnly] public NativeArray<WingPack> packs;
@@ -23,8 +23,11 @@ namespace Alate
         {
             SkinChunk chunk = chunks[index];
             SkinTarget target = targets[chunk.target];
+            if (!target.skinned)
+                return;
+            WingPack pack = packs[target.pack];
             DualQuaternion* palette = stackalloc DualQuaternion[target.rig.jointCount];
-            SkinPalette.Evaluate(packs[target.pack], target, alpha, palette);
+            SkinPalette.Evaluate(pack, target, alpha[(int)pack.clock], palette);
             bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad);
         }
 

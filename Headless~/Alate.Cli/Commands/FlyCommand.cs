@@ -43,10 +43,11 @@ internal static class FlyCommand
     private const string k_Examples =
         "Examples:\n"
         + "  fly monarch\n"
+        + "  fly firefly --variant biological\n"
         + "  fly monarch --speed 0.8 --climb 0.5 --pitch 30 --elasticity 0.5 --out climbing\n"
         + "  fly --mesh wing.obj --skeleton wing.json --species monarch --out mine\n\n"
         + "Writes into the output folder:\n"
-        + "  strip.svg     twelve phases of the last beat, seen from the front left\n"
+        + "  strip.svg     twelve phases of the last beat, seen from the side of --view\n"
         + "  wings.glb     that beat as a looped 3D animation (glTF 2.0), metres\n"
         + "  joints.csv    every joint of the skeleton over that beat, metres\n"
         + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift and cost\n\n"

@@ -1,13 +1,15 @@
 using System.CommandLine;
 using Alate.Cli.Flights;
+using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Commands;
 
 /// <summary>The options of <c>fly</c>.</summary>
 internal sealed class FlyOptions
 {
-    private readonly Option<double> m_Speed = Numbers.Option(
-        "--speed", "M/S", 1.3, 0, 100, "Speed of the body ahead, metres per second, 0 to 100.");
+    private readonly Option<double?> m_Speed = Numbers.Optional(
+        "--speed", "M/S", 0, 100,
+        "Speed of the body ahead, metres per second, 0 to 100. [default: 0.65 of the species' top speed, an insect's 1.3]");
 
     private readonly Option<double> m_Climb = Numbers.Option(
         "--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second; negative sinks.");
@@ -50,6 +52,12 @@ internal sealed class FlyOptions
             ["physical"] = ModelPreset.Physical, ["paper"] = ModelPreset.Paper,
         });
 
+    private readonly Option<SpeciesVariant?> m_Variant = Choice.Optional<SpeciesVariant>(
+        "--variant", "Which numbers of the species: the tables', measured ones where there are any, or softer ones. [default: standard]", new()
+        {
+            ["standard"] = SpeciesVariant.Standard, ["biological"] = SpeciesVariant.Biological, ["expressive"] = SpeciesVariant.Expressive,
+        });
+
     private readonly Option<bool> m_NoWave = new("--no-wave") { Description = "No deformation wave: the whole wing is driven at once." };
 
     private readonly Option<bool> m_Rigid = new("--rigid") { Description = "A stiff wing for comparison: no wave and no bending." };
@@ -72,6 +80,9 @@ internal sealed class FlyOptions
         Description = "The species whose size, beat and stiffness that wing takes.",
     };
 
+    private readonly Option<PictureView?> m_View = Choice.Optional(
+        "--view", "The side the picture shows. [default: front-left]", PictureView.ByName);
+
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
     public void AddTo(Command command)
@@ -79,7 +90,7 @@ internal sealed class FlyOptions
         Option[] all =
         [
             m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
-            m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Species, m_Out,
+            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Species, m_View, m_Out,
         ];
         foreach (Option option in all)
             command.Options.Add(option);
@@ -89,12 +100,14 @@ internal sealed class FlyOptions
     /// <exception cref="UserException">Options that exclude or need each other.</exception>
     public FlightPlan Plan(ParseResult parsed, string species)
     {
+        string name = species ?? parsed.GetValue(m_Species);
         var plan = new FlightPlan
         {
-            Species = species ?? parsed.GetValue(m_Species),
+            Species = name,
             MeshFile = parsed.GetValue(m_Mesh),
             SkeletonFile = parsed.GetValue(m_Skeleton),
-            Speed = parsed.GetValue(m_Speed),
+            Speed = parsed.GetValue(m_Speed) ?? (Species.TryFind(name, out SpeciesDefinition found) ? FlightPlan.CruiseOf(found) : 0),
+            Variant = parsed.GetValue(m_Variant) ?? SpeciesVariant.Standard,
             Climb = parsed.GetValue(m_Climb),
             PitchDegrees = parsed.GetValue(m_Pitch),
             Seconds = parsed.GetValue(m_Seconds),
@@ -107,6 +120,7 @@ internal sealed class FlyOptions
             Preset = parsed.GetValue(m_Preset) ?? ModelPreset.Physical,
             NoWave = parsed.GetValue(m_NoWave),
             Rigid = parsed.GetValue(m_Rigid),
+            View = parsed.GetValue(m_View) ?? PictureView.FrontLeft,
             Folder = parsed.GetValue(m_Out),
         };
         Check(plan, species, parsed.GetValue(m_Species));

@@ -32,6 +32,9 @@ internal static class HelpExamples
         }
     }
 
+    /// <summary>Whether the user asks for help; then nothing else need be right.</summary>
+    public static bool AreAskedFor(ParseResult parsed) => parsed.Action is HelpWithExamples;
+
     private sealed class HelpWithExamples(HelpAction standard) : SynchronousCommandLineAction
     {
         public override int Invoke(ParseResult parsed)

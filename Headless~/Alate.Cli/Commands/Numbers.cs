@@ -41,22 +41,31 @@ internal static class Numbers
         {
             Description = description,
             HelpName = unit,
-            CustomParser = result => Three(result, name, limit),
+            CustomParser = result => Several(result, name, 3, "three numbers with commas, such as 0,0,-1", -limit, limit),
         };
 
-    private static double[] Three(ArgumentResult result, string name, double limit)
+    /// <summary>Two numbers with a comma; an empty array when it is not given.</summary>
+    public static Option<double[]> Pair(string name, string unit, double min, double max, string description) =>
+        new(name)
+        {
+            Description = description,
+            HelpName = unit,
+            CustomParser = result => Several(result, name, 2, "two numbers with a comma, such as 120,85", min, max),
+        };
+
+    private static double[] Several(ArgumentResult result, string name, int count, string wanted, double min, double max)
     {
         string[] parts = Text(result).Split(',');
-        if (parts.Length != 3)
+        if (parts.Length != count)
         {
-            result.AddError($"{name} takes three numbers with commas, such as 0,0,-1, not '{Text(result)}'.");
+            result.AddError($"{name} takes {wanted}, not '{Text(result)}'.");
             return null;
         }
 
-        var vector = new double[3];
-        for (int k = 0; k < 3; k++)
-            vector[k] = Parse(result, name, parts[k], -limit, limit);
-        return vector;
+        var numbers = new double[count];
+        for (int k = 0; k < count; k++)
+            numbers[k] = Parse(result, name, parts[k], min, max);
+        return numbers;
     }
 
     private static double Parse(ArgumentResult result, string name, string text, double min, double max)

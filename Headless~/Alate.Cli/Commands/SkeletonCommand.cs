@@ -10,7 +10,8 @@ internal static class SkeletonCommand
     {
         var command = new Command("skeleton", "Makes a skeleton for a wing that has none.");
         command.Subcommands.Add(SkeletonFitCommand.Create(output));
-        HelpExamples.Set(command, "Examples:\n  skeleton fit wing.obj --hinge 0,0,0");
+        command.Subcommands.Add(SkeletonFromImageCommand.Create(output));
+        HelpExamples.Set(command, "Examples:\n  skeleton fit wing.obj --hinge 0,0,0\n  skeleton from-image wing.png");
         return command;
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Alate.Cli.Pictures;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
@@ -34,14 +35,28 @@ internal sealed class FlightPlan
     public int Patches { get; init; } = WingRigSettings.Default.patchCount;
     public CoefficientSet? Coefficients { get; init; }
     public ModelPreset Preset { get; init; }
+    public SpeciesVariant Variant { get; init; }
     public bool NoWave { get; init; }
     public bool Rigid { get; init; }
+
+    /// <summary>The side from which the pictures show the insect.</summary>
+    public PictureView View { get; init; } = PictureView.FrontLeft;
 
     /// <summary>Null is out/SPECIES.</summary>
     public string Folder { get; init; }
 
     /// <summary>|u| of Eq. 6–7, m/s.</summary>
     public double BodySpeed => Math.Sqrt(Speed * Speed + Climb * Climb);
+
+    /// <summary>The speed ahead of a species that is not told any, m/s: 0.65 of its top speed, 1.3 for every insect.</summary>
+    public static double CruiseOf(SpeciesDefinition definition)
+    {
+        const double k_Share = 0.65;
+        WingSpecies species = definition.Wings[0].CreateSpecies();
+        double cruise = Math.Round(k_Share * species.Beat.maxSpeed, 3);
+        UnityEngine.Object.DestroyImmediate(species);
+        return cruise;
+    }
 
     /// <summary>The species' parameters with this plan's changes.</summary>
     /// <exception cref="UserException">They leave the range that the model takes.</exception>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Alate.Cli.Input;
 using Unity.Mathematics;
 
@@ -33,8 +34,12 @@ internal sealed class Insect
     {
         if (!Species.TryFind(plan.Species, out SpeciesDefinition definition))
             throw new UserException($"Unknown species '{plan.Species}'. Known: {string.Join(", ", Species.Names)}.");
+        if (!definition.Variants.Contains(plan.Variant))
+            throw new UserException($"There is no {Word(plan.Variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
         return plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
     }
+
+    private static string Word(SpeciesVariant variant) => variant.ToString().ToLowerInvariant();
 
     private static Insect FromCatalogue(SpeciesDefinition definition, FlightPlan plan)
     {
@@ -45,7 +50,7 @@ internal sealed class Insect
             wings.Add(new InsectWing
             {
                 Name = wing.Name,
-                Species = wing.CreateSpecies(plan.Preset),
+                Species = wing.CreateSpecies(plan.Preset, plan.Variant),
                 Skeleton = wing.CreateSkeleton(WingSide.Right),
                 Surface = surface.ToWingSurface(wing.Name),
                 Colours = surface.colours,
@@ -70,7 +75,7 @@ internal sealed class Insect
         var wing = new InsectWing
         {
             Name = model.Name,
-            Species = model.CreateSpecies(plan.Preset),
+            Species = model.CreateSpecies(plan.Preset, plan.Variant),
             Skeleton = skeleton,
             Surface = mesh.ToWingSurface(plan.MeshFile),
             Colours = mesh.Colours,

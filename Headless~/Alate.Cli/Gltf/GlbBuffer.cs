@@ -47,6 +47,19 @@ internal sealed class GlbBuffer
         return Add(accessor);
     }
 
+    /// <summary>Texture coordinates, from the upper left.</summary>
+    public int AddPairs(IReadOnlyList<float2> values)
+    {
+        int view = BeginView(k_ArrayBuffer);
+        foreach (float2 value in values)
+        {
+            m_Writer.Write(value.x);
+            m_Writer.Write(value.y);
+        }
+
+        return Add(EndView(view, k_Float, "VEC2", values.Count));
+    }
+
     /// <summary>Vertex colours: linear, as glTF has them, in 16 bits so that dark ones keep their steps.</summary>
     public int AddColours(IReadOnlyList<Color32> colours)
     {

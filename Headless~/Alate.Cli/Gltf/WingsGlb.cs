@@ -21,7 +21,7 @@ internal sealed class WingsGlb
     private readonly JsonArray m_Nodes = [];
     private readonly JsonArray m_Meshes = [];
     private readonly JsonArray m_Materials = [];
-    private readonly Dictionary<bool, int> m_MaterialOfPainted = [];
+    private readonly Dictionary<(bool IsPainted, bool IsGlass), int> m_MaterialOfLook = [];
     private readonly List<int> m_WingNodes = [];
 
     public static void Write(FlightRecord flight, Stream stream)
@@ -33,12 +33,22 @@ internal sealed class WingsGlb
         GlbWriter.Write(glb.Finish(flight), glb.m_Buffer.ToArray(), stream);
     }
 
+    // What light passes is a part of its own: a viewer that sorts it against the rest would else spoil the solid part too.
     private void AddBody(SurfaceMesh body)
     {
         float3[] positions = Array.ConvertAll(body.positions, position => ToGltf(position));
         float3[] normals = Array.ConvertAll(body.normals, normal => Unit(ToGltf(normal)));
-        JsonObject primitive = Primitive(positions, normals, body.colours, Indices(body.triangles, flip: true));
-        AddNode("body", new JsonObject { ["name"] = "body", ["primitives"] = new JsonArray(primitive) });
+        JsonObject attributes = Attributes(positions, normals, body.colours);
+        if (body.uvs != null)
+            attributes["TEXCOORD_0"] = m_Buffer.AddPairs(Array.ConvertAll(body.uvs, uv => new float2(uv.x, 1f - uv.y)));
+        var primitives = new JsonArray();
+        foreach (IGrouping<bool, int[]> part in Indices(body.triangles, flip: true).Chunk(3).GroupBy(triangle => IsGlass(triangle, body.colours)))
+        {
+            int[] indices = part.SelectMany(triangle => triangle).ToArray();
+            primitives.Add(Primitive(attributes.DeepClone(), indices, positions.Length, MaterialOf(body.colours != null, part.Key)));
+        }
+
+        AddNode("body", new JsonObject { ["name"] = "body", ["primitives"] = primitives });
     }
 
     private void AddWing(RecordedWing wing)
@@ -46,7 +56,9 @@ internal sealed class WingsGlb
         string name = $"{wing.Wing.Name} {(wing.Placement.IsLeft ? "left" : "right")}";
         (float3[] rest, float3[] restNormals) = Shape(wing, 0);
         int[] indices = Indices(wing.Triangles, flip: wing.IsMeshMirrored == wing.Placement.IsLeft);
-        JsonObject primitive = Primitive(rest, restNormals, wing.Wing.Colours, indices);
+        JsonObject primitive = Primitive(
+            Attributes(rest, restNormals, wing.Wing.Colours), indices, rest.Length,
+            MaterialOf(wing.Wing.Colours != null, IsGlass(indices, wing.Wing.Colours)));
         var targets = new JsonArray();
         for (int key = 1; key < k_KeyFrames; key++)
         {
@@ -64,19 +76,18 @@ internal sealed class WingsGlb
         m_WingNodes.Add(AddNode(name, mesh));
     }
 
-    private JsonObject Primitive(float3[] positions, float3[] normals, UnityEngine.Color32[] colours, int[] indices)
+    private JsonObject Attributes(float3[] positions, float3[] normals, UnityEngine.Color32[] colours)
     {
         var attributes = new JsonObject { ["POSITION"] = m_Buffer.AddVectors(positions), ["NORMAL"] = m_Buffer.AddVectors(normals) };
         if (colours != null)
             attributes["COLOR_0"] = m_Buffer.AddColours(colours);
-        return new JsonObject
-        {
-            ["attributes"] = attributes,
-            ["indices"] = m_Buffer.AddIndices(indices, positions.Length),
-            ["material"] = MaterialOf(colours != null),
-            ["mode"] = 4,
-        };
+        return attributes;
     }
+
+    private JsonObject Primitive(JsonNode attributes, int[] indices, int vertexCount, int material) => new()
+    {
+        ["attributes"] = attributes, ["indices"] = m_Buffer.AddIndices(indices, vertexCount), ["material"] = material, ["mode"] = 4,
+    };
 
     private int AddNode(string name, JsonObject mesh)
     {
@@ -130,14 +141,15 @@ internal sealed class WingsGlb
     }
 
     // Vertex colours multiply the material's, so that it is white under them; a membrane without any is pale.
-    private int MaterialOf(bool isPainted)
+    private int MaterialOf(bool isPainted, bool isGlass)
     {
-        if (m_MaterialOfPainted.TryGetValue(isPainted, out int material))
+        if (m_MaterialOfLook.TryGetValue((isPainted, isGlass), out int material))
             return material;
         m_Materials.Add(new JsonObject
         {
-            ["name"] = isPainted ? "painted" : "membrane",
+            ["name"] = isGlass ? "glass" : isPainted ? "painted" : "membrane",
             ["doubleSided"] = true,
+            ["alphaMode"] = isGlass ? "BLEND" : "OPAQUE",
             ["pbrMetallicRoughness"] = new JsonObject
             {
                 ["baseColorFactor"] = isPainted ? new JsonArray(1.0, 1.0, 1.0, 1.0) : new JsonArray(0.62, 0.57, 0.41, 1.0),
@@ -145,9 +157,12 @@ internal sealed class WingsGlb
                 ["roughnessFactor"] = 0.75,
             },
         });
-        m_MaterialOfPainted.Add(isPainted, m_Materials.Count - 1);
+        m_MaterialOfLook.Add((isPainted, isGlass), m_Materials.Count - 1);
         return m_Materials.Count - 1;
     }
+
+    private static bool IsGlass(int[] vertices, UnityEngine.Color32[] colours) =>
+        colours != null && vertices.Any(vertex => colours[vertex].a < byte.MaxValue);
 
     private static (float3[] Positions, float3[] Normals) Shape(RecordedWing wing, int key)
     {

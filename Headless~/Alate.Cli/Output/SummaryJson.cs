@@ -78,6 +78,7 @@ internal static class SummaryJson
             json.WriteNumber("elements", plan.Patches);
         json.WriteString("coefficients", parameters.options.coefficients.ToString().ToLowerInvariant());
         json.WriteString("preset", plan.Preset.ToString().ToLowerInvariant());
+        json.WriteString("variant", plan.Variant.ToString().ToLowerInvariant());
         json.WriteBoolean("no_wave", plan.NoWave);
         json.WriteBoolean("rigid", plan.Rigid);
         if (plan.MeshFile != null)

@@ -8,14 +8,14 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Pictures;
 
-/// <summary>strip.svg: twelve phases of a beat, both wings and the body, from the front left.</summary>
+/// <summary>strip.svg: twelve phases of a beat, all wings and the body, from one side.</summary>
 internal sealed class BeatStrip
 {
     /// <summary>How the margins of wings are drawn.</summary>
     public static readonly PaintedShape MarginLine = new(0x2A211C, true, false);
 
     private const int k_Columns = 4, k_Rows = 3;
-    private const float k_Aside = 36f, k_Above = 28f, k_DistanceOverSpan = 5f;
+    private const float k_DistanceOverSpan = 5f;
     private const float k_TestFineness = 1.5f;
 
     private const string k_Style =
@@ -35,14 +35,14 @@ internal sealed class BeatStrip
         float reach = 0f;
         SurfaceMesh body = flight.Insect.Body;
         m_Surfaces.Add(new PictureSurface(
-            Array.ConvertAll(body.positions, p => (float3)p), body.triangles, fine => WingPaint.Of(body.colours, fine), isThin: false));
+            0, Array.ConvertAll(body.positions, p => (float3)p), body.triangles, fine => WingPaint.Of(body.colours, fine), isThin: false));
         foreach (RecordedWing wing in flight.Wings)
         {
-            m_Surfaces.Add(new PictureSurface(wing.Rest, wing.Triangles, fine => WingPaint.Of(wing.Wing, fine), isThin: true));
+            m_Surfaces.Add(new PictureSurface(m_Surfaces.Count, wing.Rest, wing.Triangles, fine => WingPaint.Of(wing.Wing, fine), isThin: true));
             reach = math.max(reach, math.length(wing.Placement.Hinge) + wing.Placement.Length);
         }
 
-        m_Camera = new PictureCamera(k_Aside, k_Above, k_DistanceOverSpan * reach);
+        m_Camera = new PictureCamera(flight.Plan.View, k_DistanceOverSpan * reach);
         m_Shading = new Shading(m_Camera);
     }
 
@@ -100,8 +100,8 @@ internal sealed class BeatStrip
             m_Surfaces[k].Paint(painter, Array.ConvertAll(pose.Places[k], panel.Place), pose.Normals[k], picture, m_Shading);
 
         Line($"<g transform=\"translate({panel.Left} {panel.Top})scale({1f / SvgPath.Fineness})\">");
-        foreach (PaintedLayer layer in painter.Layers())
-            DrawLayer(layer, picture);
+        foreach (PaintedSheet sheet in painter.Sheets())
+            DrawSheet(sheet, picture);
         Line($"</g>");
         DrawLabel(index / (double)(k_Columns * k_Rows), panel.Left + 0.5f * panel.Width, panel.Top + panel.Height + 10f);
     }
@@ -112,6 +112,16 @@ internal sealed class BeatStrip
         double milliseconds = 1000.0 * turns / m_Flight.Wings[0].Frequency;
         Line($"<text x=\"{middle - k_Gap}\" y=\"{bottom}\" font-size=\"17\" text-anchor=\"end\">{360.0 * turns:0}°</text>");
         Line($"<text class=\"t\" x=\"{middle + k_Gap}\" y=\"{bottom}\" font-size=\"13\">{milliseconds:0.0} ms</text>");
+    }
+
+    private void DrawSheet(PaintedSheet sheet, List<float3> picture)
+    {
+        if (!sheet.Glass.IsSolid)
+            Line($"<g opacity=\"{0.01 * (100 - sheet.Glass.Percent)}\">");
+        foreach (PaintedLayer layer in sheet.Layers)
+            DrawLayer(layer, picture);
+        if (!sheet.Glass.IsSolid)
+            Line($"</g>");
     }
 
     private void DrawLayer(PaintedLayer layer, List<float3> picture)
@@ -125,7 +135,7 @@ internal sealed class BeatStrip
         Line($"<path class=\"{(isLine ? 'l' : 'f')}\" color=\"#{layer.Shape.Colour:x6}\" d=\"{path}\"/>");
     }
 
-    private string Title() => $"{m_Flight.Insect.DisplayName}: twelve phases of a beat, seen from the front left";
+    private string Title() => $"{m_Flight.Insect.DisplayName}: twelve phases of a beat, seen from {m_Flight.Plan.View.Words}";
 
     private string Caption()
     {

@@ -4,4 +4,5 @@ namespace Alate.Cli.Pictures;
 /// <param name="Colour">Six hexadecimal digits in an integer.</param>
 /// <param name="IsLine">A line along a margin; else triangles.</param>
 /// <param name="IsTurned">Triangles seen from behind, whose edges run the other way on the picture.</param>
-internal readonly record struct PaintedShape(int Colour, bool IsLine, bool IsTurned);
+/// <param name="Glass">How far they are seen through; solid by default.</param>
+internal readonly record struct PaintedShape(int Colour, bool IsLine, bool IsTurned, Glass Glass = default);

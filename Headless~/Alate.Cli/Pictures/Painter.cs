@@ -5,13 +5,13 @@ using Unity.Mathematics;
 namespace Alate.Cli.Pictures;
 
 /// <summary>
-/// Orders what is seen from back to front, and gathers what has one look into layers that can be painted at once: a piece joins an earlier
-/// layer of its look
-/// as long as nothing that was painted after that layer lies beneath the piece.
+/// Leaves out what is hidden, orders what is seen from back to front, and gathers what has one look into layers that can be painted at once: a
+/// piece joins an earlier layer of its look as long as nothing that was painted after that layer lies beneath the piece. Sheets of one glass
+/// are gathered in the same way before.
 /// </summary>
 internal sealed class Painter
 {
-    private readonly List<Piece> m_Pieces = [];
+    private readonly List<PaintedPiece> m_Pieces = [];
     private readonly int m_Width, m_Height;
     private readonly float m_Fineness;
 
@@ -27,29 +27,70 @@ internal sealed class Painter
 
     /// <summary>Adds a triangle; corners are x, y on the picture and the depth.</summary>
     public void AddTriangle(PaintedShape shape, int3 vertices, float3 a, float3 b, float3 c) =>
-        m_Pieces.Add(new Piece(shape, vertices, a, b, c, (a.z + b.z + c.z) / 3f));
+        m_Pieces.Add(new PaintedPiece(shape, vertices, a, b, c, (a.z + b.z + c.z) / 3f));
 
     /// <summary>Adds a line along the edge of a triangle, to be painted right after it.</summary>
     public void AddLine(PaintedShape shape, int2 vertices, float3 a, float3 b, float depth) =>
-        m_Pieces.Add(new Piece(shape, new int3(vertices, -1), a, b, b, math.asfloat(math.asint(depth) - 1)));
+        m_Pieces.Add(new PaintedPiece(shape, new int3(vertices, -1), a, b, b, math.asfloat(math.asint(depth) - 1)));
 
-    /// <summary>The layers from back to front.</summary>
-    public List<PaintedLayer> Layers()
+    /// <summary>What is to be painted, from back to front.</summary>
+    public List<PaintedSheet> Sheets()
     {
-        m_Pieces.Sort((one, other) => other.Depth.CompareTo(one.Depth));
-        var layers = new List<PaintedLayer>();
-        var byShape = new Dictionary<PaintedShape, List<int>>();
+        List<PaintedPiece> seen = Seen();
+        seen.Sort((one, other) => other.Depth.CompareTo(one.Depth));
+        var sheets = new List<PaintedSheet>();
+        foreach ((Glass glass, List<PaintedPiece> pieces) in Gather(seen, piece => piece.Shape.Glass))
+        {
+            var layers = new List<PaintedLayer>();
+            foreach ((PaintedShape shape, List<PaintedPiece> alike) in Gather(pieces, piece => piece.Shape))
+                layers.Add(new PaintedLayer(shape, alike.ConvertAll(piece => piece.Vertices)));
+            sheets.Add(new PaintedSheet(glass, layers));
+        }
+
+        return sheets;
+    }
+
+    private List<PaintedPiece> Seen()
+    {
+        var map = new DepthMap(m_Width, m_Height);
+        var covered = new List<float3>();
+        foreach (PaintedPiece piece in m_Pieces)
+        {
+            if (piece.Shape.IsLine || !piece.Shape.Glass.IsSolid)
+                continue;
+            piece.Cover(m_Fineness, covered);
+            map.Add(covered);
+        }
+
+        var scale = new float3(m_Fineness, m_Fineness, 1f);
+        return m_Pieces.FindAll(piece => !map.Hides(
+            scale * math.min(piece.A, math.min(piece.B, piece.C)), scale * math.max(piece.A, math.max(piece.B, piece.C))));
+    }
+
+    private List<(TLook Look, List<PaintedPiece> Pieces)> Gather<TLook>(List<PaintedPiece> pieces, Func<PaintedPiece, TLook> lookOf)
+    {
+        var layers = new List<(TLook Look, List<PaintedPiece> Pieces)>();
+        var byLook = new Dictionary<TLook, List<int>>();
         var top = new int[m_Width * m_Height];
         Array.Fill(top, -1);
+        var points = new List<float3>();
         var covered = new List<int>();
-        foreach (Piece piece in m_Pieces)
+        foreach (PaintedPiece piece in pieces)
         {
-            Cover(piece, covered);
+            piece.Cover(m_Fineness, points);
             int beneath = -1;
-            foreach (int point in covered)
-                beneath = math.max(beneath, top[point]);
-            int layer = Layer(piece.Shape, beneath, layers, byShape);
-            layers[layer].Vertices.Add(piece.Vertices);
+            covered.Clear();
+            foreach (float3 point in points)
+            {
+                int x = (int)math.floor(point.x), y = (int)math.floor(point.y);
+                if (x < 0 || x >= m_Width || y < 0 || y >= m_Height)
+                    continue;
+                covered.Add(y * m_Width + x);
+                beneath = math.max(beneath, top[y * m_Width + x]);
+            }
+
+            int layer = LayerOf(lookOf(piece), beneath, layers, byLook);
+            layers[layer].Pieces.Add(piece);
             foreach (int point in covered)
                 top[point] = layer;
         }
@@ -57,61 +98,19 @@ internal sealed class Painter
         return layers;
     }
 
-    private static int Layer(PaintedShape shape, int beneath, List<PaintedLayer> layers, Dictionary<PaintedShape, List<int>> byShape)
+    private static int LayerOf<TLook>(
+        TLook look, int beneath, List<(TLook Look, List<PaintedPiece> Pieces)> layers, Dictionary<TLook, List<int>> byLook)
     {
-        if (!byShape.TryGetValue(shape, out List<int> candidates))
-            byShape.Add(shape, candidates = []);
+        if (!byLook.TryGetValue(look, out List<int> candidates))
+            byLook.Add(look, candidates = []);
         foreach (int candidate in candidates)
         {
             if (candidate >= beneath)
                 return candidate;
         }
 
-        layers.Add(new PaintedLayer(shape, []));
+        layers.Add((look, []));
         candidates.Add(layers.Count - 1);
         return layers.Count - 1;
     }
-
-    private void Cover(in Piece piece, List<int> covered)
-    {
-        covered.Clear();
-        if (piece.Shape.IsLine)
-            CoverLine(piece, covered);
-        else
-            CoverTriangle(piece, covered);
-    }
-
-    private void CoverLine(in Piece piece, List<int> covered)
-    {
-        int points = 1 + (int)(2f * m_Fineness * math.distance(piece.A.xy, piece.B.xy));
-        for (int k = 0; k <= points; k++)
-            Add(math.lerp(piece.A.xy, piece.B.xy, (float)k / points) * m_Fineness, covered);
-    }
-
-    private void CoverTriangle(in Piece piece, List<int> covered)
-    {
-        float2 a = piece.A.xy * m_Fineness, b = piece.B.xy * m_Fineness, c = piece.C.xy * m_Fineness;
-        float area = Cross(b - a, c - a);
-        float2 min = math.min(a, math.min(b, c)), max = math.max(a, math.max(b, c));
-        for (float y = math.floor(min.y) + 0.5f; y <= max.y; y++)
-        {
-            for (float x = math.floor(min.x) + 0.5f; x <= max.x; x++)
-            {
-                var point = new float2(x, y);
-                if (Cross(b - a, point - a) * area >= 0f && Cross(c - b, point - b) * area >= 0f && Cross(a - c, point - c) * area >= 0f)
-                    Add(point, covered);
-            }
-        }
-    }
-
-    private void Add(float2 point, List<int> covered)
-    {
-        var place = (int2)math.floor(point);
-        if (place.x >= 0 && place.x < m_Width && place.y >= 0 && place.y < m_Height)
-            covered.Add(place.y * m_Width + place.x);
-    }
-
-    private static float Cross(float2 a, float2 b) => a.x * b.y - a.y * b.x;
-
-    private readonly record struct Piece(PaintedShape Shape, int3 Vertices, float3 A, float3 B, float3 C, float Depth);
 }

@@ -9,18 +9,17 @@ internal sealed class PictureCamera
     private readonly float3 m_Eye, m_Right, m_Up, m_View;
     private readonly float m_Distance;
 
-    /// <param name="aside">Degrees from straight ahead of the insect towards its left.</param>
-    /// <param name="above">Degrees above its horizontal plane.</param>
+    /// <param name="view">From where it looks.</param>
     /// <param name="distance">Metres from the origin.</param>
-    public PictureCamera(float aside, float above, float distance)
+    public PictureCamera(PictureView view, float distance)
     {
-        math.sincos(math.radians(aside), out float sideSine, out float sideCosine);
-        math.sincos(math.radians(above), out float upSine, out float upCosine);
+        math.sincos(math.radians(view.Aside), out float sideSine, out float sideCosine);
+        math.sincos(math.radians(view.Above), out float upSine, out float upCosine);
         var towards = new float3(-upCosine * sideSine, upSine, upCosine * sideCosine);
         m_Distance = distance;
         m_Eye = distance * towards;
         m_View = -towards;
-        m_Right = math.normalize(math.cross(new float3(0f, 1f, 0f), m_View));
+        m_Right = new float3(-sideCosine, 0f, -sideSine);
         m_Up = math.cross(m_View, m_Right);
     }
 

@@ -15,16 +15,19 @@ internal sealed class PictureSurface
 
     private readonly int[] m_Triangles;
     private readonly FineTriangles m_Fine;
-    private readonly float3[] m_Colours;
+    private readonly float4[] m_Colours;
     private readonly List<Rim> m_Margin;
     private readonly bool m_IsThin;
+    private readonly int m_Index;
 
+    /// <param name="index">Its number among the surfaces of the picture.</param>
     /// <param name="rest">[vertex] Rest positions; vertices at one place count as one when the margin is sought.</param>
     /// <param name="triangles">Three vertex indices a triangle.</param>
-    /// <param name="paint">The colour of each fine triangle.</param>
+    /// <param name="paint">The colour of each fine triangle, with its opacity.</param>
     /// <param name="isThin">A wing; else a closed body without a margin.</param>
-    public PictureSurface(float3[] rest, int[] triangles, Func<FineTriangles, float3[]> paint, bool isThin)
+    public PictureSurface(int index, float3[] rest, int[] triangles, Func<FineTriangles, float4[]> paint, bool isThin)
     {
+        m_Index = index;
         m_Triangles = triangles;
         m_Fine = new FineTriangles(rest.Length, triangles, isThin ? k_LeastTriangles : 0);
         m_Colours = paint(m_Fine);
@@ -64,16 +67,16 @@ internal sealed class PictureSurface
         }
     }
 
-    private void Paint(Painter painter, int3 corners, float3 colour, float3 normal, float3[] places, int first, Shading shading)
+    private void Paint(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading)
     {
         float turn = Turn(corners, places);
         if (turn == 0f)
             return;
-        var shape = new PaintedShape(shading.Shade(colour, normal, m_IsThin), false, turn < 0f);
+        var shape = new PaintedShape(shading.Shade(colour.xyz, normal, m_IsThin), false, turn < 0f, Glass.Of(m_Index, colour.w));
         painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z]);
     }
 
-    private float3 Mean(int first) => 0.25f * (m_Colours[first] + m_Colours[first + 1] + m_Colours[first + 2] + m_Colours[first + 3]);
+    private float4 Mean(int first) => 0.25f * (m_Colours[first] + m_Colours[first + 1] + m_Colours[first + 2] + m_Colours[first + 3]);
 
     private static float Turn(int3 corners, float3[] places)
     {

@@ -3,26 +3,28 @@ using Unity.Mathematics;
 namespace Alate.Cli.Pictures;
 
 /// <summary>
-/// The light of the pictures: a key light from the viewer's upper left, a bright sky, wings that let light through, and a rim where a
-/// surface turns away.
+/// The light of the pictures: a key light from the viewer's upper left, a bright sky, wings that let light through, bodies that
+/// shine a little, and a rim where a surface turns away.
 /// All numbers are chosen by eye.
 /// </summary>
 internal sealed class Shading
 {
     private const float k_Ambient = 0.42f, k_Key = 0.68f, k_Through = 0.42f, k_Rim = 0.16f, k_RimPower = 3f, k_Sky = 0.16f;
+    private const float k_Gloss = 0.1f, k_GlossPower = 24f;
 
     /// <summary>Steps of light, rim and shown colour: small enough to look smooth, large enough that neighbouring triangles
     /// merge.</summary>
     private const float k_LightStep = 0.05f, k_RimStep = 0.03f;
-    private const int k_ColourStep = 6;
+    private const int k_ColourStep = 5;
 
     private static readonly float3 s_ThroughTint = new(1.1f, 0.98f, 0.82f);
-    private readonly float3 m_Towards, m_Key;
+    private readonly float3 m_Towards, m_Key, m_Half;
 
     public Shading(PictureCamera camera)
     {
         m_Towards = camera.Towards;
         m_Key = camera.Direction(-0.45f, 0.8f, 0.55f);
+        m_Half = math.normalize(m_Key + m_Towards);
     }
 
     /// <summary>The shade of a surface, sRGB in six hexadecimal digits.</summary>
@@ -36,8 +38,9 @@ internal sealed class Shading
         float key = math.dot(normal, m_Key);
         float through = isThin ? Stepped(k_Through * math.max(-key, 0f), k_LightStep) : 0f;
         float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), k_RimStep);
+        float gloss = isThin ? 0f : Stepped(k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower), k_RimStep);
         float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), k_LightStep);
-        float3 lit = colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f);
+        float3 lit = colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
         return Quantised(ToEncoded(lit));
     }
 

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Cli.Pictures;
 
-/// <summary>The colour of every fine triangle of a surface, linear light.</summary>
+/// <summary>The colour of every fine triangle of a surface, linear light, and its opacity.</summary>
 internal static class WingPaint
 {
     /// <summary>A wing without colours of its own: pale membrane, sRGB.</summary>
@@ -15,45 +15,51 @@ internal static class WingPaint
     private const float k_Softness = 0.5f;
 
     /// <summary>Steps of a colour, sRGB: neighbours that differ by less are painted in one go.</summary>
-    private const float k_Step = 0.08f;
+    private const float k_Step = 0.05f;
+
+    /// <summary>The same for vertex colours, which pass into one another: coarse steps would change their hue in bands.</summary>
+    private const float k_FineStep = 0.012f;
 
     /// <summary>By the wing's pattern where it has one, else by its vertex colours, else one pale colour.</summary>
-    public static float3[] Of(InsectWing wing, FineTriangles fine)
+    public static float4[] Of(InsectWing wing, FineTriangles fine)
     {
         if (wing.Pattern == null)
             return Of(wing.Colours, fine);
         float scale = wing.PatternScale;
         float3[] places = fine.Refine(Array.ConvertAll(wing.Surface.positions, position => (float3)position / scale));
-        var colours = new float3[fine.Triangles.Count];
+        var colours = new float4[fine.Triangles.Count];
         for (int k = 0; k < colours.Length; k++)
         {
             int3 triangle = fine.Triangles[k];
             float3 a = places[triangle.x], b = places[triangle.y], c = places[triangle.z], centre = (a + b + c) / 3f;
             float softness = k_Softness * math.sqrt(math.length(math.cross(b - a, c - a)));
             Color colour = wing.Pattern.ColourAt(centre.x, centre.z, softness);
-            colours[k] = Stepped(new float3(colour.r, colour.g, colour.b));
+            colours[k] = new float4(Stepped(new float3(colour.r, colour.g, colour.b), k_Step), colour.a);
         }
 
         return colours;
     }
 
     /// <summary>By vertex colours, or one pale colour without.</summary>
-    public static float3[] Of(Color32[] vertices, FineTriangles fine)
+    public static float4[] Of(Color32[] vertices, FineTriangles fine)
     {
-        var colours = new float3[fine.Triangles.Count];
-        Array.Fill(colours, Shading.ToLinear(s_Membrane));
+        var colours = new float4[fine.Triangles.Count];
+        Array.Fill(colours, new float4(Shading.ToLinear(s_Membrane), 1f));
         if (vertices == null)
             return colours;
         float3[] lights = fine.Refine(
             Array.ConvertAll(vertices, colour => Shading.ToLinear(new float3(colour.r, colour.g, colour.b) / 255f)));
+        float3[] opacities = fine.Refine(Array.ConvertAll(vertices, colour => new float3(colour.a / 255f)));
         for (int k = 0; k < colours.Length; k++)
         {
             int3 triangle = fine.Triangles[k];
-            colours[k] = Stepped(Shading.ToEncoded((lights[triangle.x] + lights[triangle.y] + lights[triangle.z]) / 3f));
+            float3 light = (lights[triangle.x] + lights[triangle.y] + lights[triangle.z]) / 3f;
+            float opacity = (opacities[triangle.x].x + opacities[triangle.y].x + opacities[triangle.z].x) / 3f;
+            colours[k] = new float4(Stepped(Shading.ToEncoded(light), k_FineStep), opacity);
         }
 
         return colours;
     }
 
-    private static float3 Stepped(float3 encoded) => Shading.ToLinear(k_Step * math.round(encoded / k_Step));
+    private static float3 Stepped(float3 encoded, float step) => Shading.ToLinear(step * math.round(encoded / step));
 }

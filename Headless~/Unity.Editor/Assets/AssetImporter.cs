@@ -1,12 +1,13 @@
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;
 
 public class AssetImporter : Object
 {
-    public string assetPath { get; }
+    public string assetPath { get; internal set; }
     public string userData { get; set; }
 
-    public static AssetImporter GetAtPath(string path) => throw Absent.Editor;
-    public void SaveAndReimport() => throw Absent.Editor;
+    public static AssetImporter GetAtPath(string path) => ProjectAssets.ImporterOf(path);
+    public void SaveAndReimport() => ProjectAssets.Reimport(this);
 }

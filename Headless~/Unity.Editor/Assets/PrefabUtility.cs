@@ -1,3 +1,4 @@
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;
@@ -5,10 +6,10 @@ namespace UnityEditor;
 public sealed class PrefabUtility
 {
     public static bool IsPartOfPrefabAsset(Object componentOrGameObject) => throw Absent.Editor;
-    public static bool IsPartOfPrefabInstance(Object componentOrGameObject) => throw Absent.Editor;
+    public static bool IsPartOfPrefabInstance(Object componentOrGameObject) => PrefabInstances.Contains(componentOrGameObject);
     public static bool IsPartOfAnyPrefab(Object componentOrGameObject) => throw Absent.Editor;
     public static bool IsPartOfNonAssetPrefabInstance(Object componentOrGameObject) => throw Absent.Editor;
-    public static void RecordPrefabInstancePropertyModifications(Object targetObject) => throw Absent.Editor;
+    public static void RecordPrefabInstancePropertyModifications(Object targetObject) => PrefabInstances.Record(targetObject);
     public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath) => throw Absent.Editor;
     public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath, out bool success) => throw Absent.Editor;
     public static GameObject SaveAsPrefabAssetAndConnect(

@@ -7,13 +7,9 @@ public partial class EditorGUI
 {
     public struct DisabledScope : IDisposable
     {
-        public DisabledScope(bool disabled)
-        {
-        }
+        public DisabledScope(bool disabled) => GuiPage.Needed.Begin(disabled ? "disabled" : "enabled");
 
-        public void Dispose()
-        {
-        }
+        public void Dispose() => GuiPage.Needed.End("abled");
     }
 
     public class ChangeCheckScope : GUI.Scope
@@ -27,30 +23,25 @@ public partial class EditorGUI
 
     public class IndentLevelScope : GUI.Scope
     {
-        public IndentLevelScope()
+        public IndentLevelScope() : this(1)
         {
         }
 
-        public IndentLevelScope(int increment)
-        {
-        }
+        public IndentLevelScope(int increment) => GuiPage.Needed.Begin("indent");
 
-        protected override void CloseScope()
-        {
-        }
+        protected override void CloseScope() => GuiPage.Needed.End("indent");
     }
 
     public class PropertyScope : GUI.Scope
     {
         public PropertyScope(Rect totalPosition, GUIContent label, SerializedProperty property)
         {
-            content = label;
+            content = label ?? new GUIContent(property.displayName, property.tooltip);
+            GuiPage.Needed.Begin("property");
         }
 
         public GUIContent content { get; protected set; }
 
-        protected override void CloseScope()
-        {
-        }
+        protected override void CloseScope() => GuiPage.Needed.End("property");
     }
 }

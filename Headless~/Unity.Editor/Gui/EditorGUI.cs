@@ -1,4 +1,5 @@
 using System;
+using StandIns;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -8,7 +9,7 @@ public sealed partial class EditorGUI
 {
     public static int indentLevel { get; set; }
     public static bool showMixedValue { get; set; }
-    public static bool actionKey { get; }
+    public static bool actionKey => Event.current.control;
 
     public static void BeginChangeCheck() => throw Absent.Editor;
     public static bool EndChangeCheck() => throw Absent.Editor;
@@ -16,18 +17,21 @@ public sealed partial class EditorGUI
     public static void EndProperty() => throw Absent.Editor;
     public static void BeginDisabledGroup(bool disabled) => throw Absent.Editor;
     public static void EndDisabledGroup() => throw Absent.Editor;
-    public static bool PropertyField(Rect position, SerializedProperty property) => throw Absent.Editor;
-    public static bool PropertyField(Rect position, SerializedProperty property, bool includeChildren) => throw Absent.Editor;
-    public static bool PropertyField(Rect position, SerializedProperty property, GUIContent label) => throw Absent.Editor;
+    public static bool PropertyField(Rect position, SerializedProperty property) => PropertyField(position, property, null, false);
+    public static bool PropertyField(Rect position, SerializedProperty property, bool includeChildren) =>
+        PropertyField(position, property, null, includeChildren);
+    public static bool PropertyField(Rect position, SerializedProperty property, GUIContent label) => PropertyField(position, property, label, false);
     public static bool PropertyField(
         Rect position,
         SerializedProperty property,
         GUIContent label,
-        bool includeChildren) => throw Absent.Editor;
-    public static float GetPropertyHeight(SerializedProperty property) => throw Absent.Editor;
-    public static float GetPropertyHeight(SerializedProperty property, bool includeChildren) => throw Absent.Editor;
-    public static float GetPropertyHeight(SerializedProperty property, GUIContent label) => throw Absent.Editor;
-    public static float GetPropertyHeight(SerializedProperty property, GUIContent label, bool includeChildren) => throw Absent.Editor;
+        bool includeChildren) => DrawnProperty.Draw(position, property, label, includeChildren);
+    public static float GetPropertyHeight(SerializedProperty property) => DrawnProperty.HeightOf(property, null, true);
+    public static float GetPropertyHeight(SerializedProperty property, bool includeChildren) =>
+        DrawnProperty.HeightOf(property, null, includeChildren);
+    public static float GetPropertyHeight(SerializedProperty property, GUIContent label) => DrawnProperty.HeightOf(property, label, true);
+    public static float GetPropertyHeight(SerializedProperty property, GUIContent label, bool includeChildren) =>
+        DrawnProperty.HeightOf(property, label, includeChildren);
     public static float GetPropertyHeight(SerializedPropertyType type, GUIContent label) => throw Absent.Editor;
     public static void LabelField(Rect position, string label) => throw Absent.Editor;
     public static void LabelField(Rect position, string label, GUIStyle style) => throw Absent.Editor;
@@ -35,7 +39,8 @@ public sealed partial class EditorGUI
     public static void LabelField(Rect position, GUIContent label, GUIStyle style) => throw Absent.Editor;
     public static void HelpBox(Rect position, string message, MessageType type) => throw Absent.Editor;
     public static bool Foldout(Rect position, bool foldout, string content, bool toggleOnLabelClick) => throw Absent.Editor;
-    public static bool Foldout(Rect position, bool foldout, GUIContent content, bool toggleOnLabelClick) => throw Absent.Editor;
+    public static bool Foldout(Rect position, bool foldout, GUIContent content, bool toggleOnLabelClick) =>
+        GuiPage.Needed.Add(ControlKind.Foldout, position, content) != foldout;
     public static bool Toggle(Rect position, string label, bool value) => throw Absent.Editor;
     public static bool Toggle(Rect position, GUIContent label, bool value) => throw Absent.Editor;
     public static float FloatField(Rect position, string label, float value) => throw Absent.Editor;
@@ -56,7 +61,7 @@ public sealed partial class EditorGUI
         SerializedProperty property,
         float leftValue,
         float rightValue,
-        GUIContent label) => throw Absent.Editor;
+        GUIContent label) => DrawnProperty.Slide(position, property, leftValue, rightValue, label);
     public static float Slider(Rect position, GUIContent label, float value, float leftValue, float rightValue) => throw Absent.Editor;
     public static int Popup(Rect position, string label, int selectedIndex, string[] displayedOptions) => throw Absent.Editor;
     public static int Popup(Rect position, GUIContent label, int selectedIndex, GUIContent[] displayedOptions) => throw Absent.Editor;
@@ -82,7 +87,7 @@ public sealed partial class EditorGUI
         Object obj,
         Type objType,
         Object targetBeingEdited) => throw Absent.Editor;
-    public static void DrawRect(Rect rect, Color color) => throw Absent.Editor;
+    public static void DrawRect(Rect rect, Color color) => GuiPage.Needed.Add(ControlKind.Area, rect, GUIContent.none);
     public static void ProgressBar(Rect position, float value, string text) => throw Absent.Editor;
     public static Rect PrefixLabel(Rect totalPosition, int id, GUIContent label) => throw Absent.Editor;
     public static Rect PrefixLabel(Rect totalPosition, int id, GUIContent label, GUIStyle style) => throw Absent.Editor;

@@ -6,9 +6,7 @@ public partial class EditorGUILayout
 {
     public class HorizontalScope : GUI.Scope
     {
-        public HorizontalScope(params GUILayoutOption[] options)
-        {
-        }
+        public HorizontalScope(params GUILayoutOption[] options) => GuiPage.Needed.Begin("horizontal");
 
         public HorizontalScope(GUIStyle style, params GUILayoutOption[] options)
         {
@@ -16,9 +14,7 @@ public partial class EditorGUILayout
 
         public Rect rect { get; protected set; }
 
-        protected override void CloseScope()
-        {
-        }
+        protected override void CloseScope() => GuiPage.Needed.End("horizontal");
     }
 
     public class VerticalScope : GUI.Scope

@@ -1,4 +1,5 @@
 using System;
+using StandIns;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -9,36 +10,39 @@ public sealed partial class EditorGUILayout
     public static bool PropertyField(
         SerializedProperty property,
         bool includeChildren,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options) => Field(property, null, includeChildren);
     public static bool PropertyField(
         SerializedProperty property,
         GUIContent label,
         bool includeChildren,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options) => Field(property, label, includeChildren);
     public static bool PropertyField(
         SerializedProperty property,
         GUIContent label,
-        params GUILayoutOption[] options) => throw Absent.Editor;
-    public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void HelpBox(string message, MessageType type) => throw Absent.Editor;
+        params GUILayoutOption[] options) => Field(property, label, true);
+    public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => Field(property, null, true);
+    public static void HelpBox(string message, MessageType type) => Add(ControlKind.HelpBox, new GUIContent(message), type.ToString());
     public static void HelpBox(string message, MessageType type, bool wide) => throw Absent.Editor;
     public static void HelpBox(GUIContent content, bool wide = true) => throw Absent.Editor;
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(string label, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) =>
+        Add(ControlKind.Label, new GUIContent(label), label2);
+    public static void LabelField(string label, params GUILayoutOption[] options) => Add(ControlKind.Label, new GUIContent(label));
+    public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => Add(ControlKind.Label, new GUIContent(label));
+    public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) =>
+        Add(ControlKind.Label, label, label2.text);
     public static void LabelField(
         GUIContent label,
         GUIContent label2,
         GUIStyle style,
         params GUILayoutOption[] options) => throw Absent.Editor;
     public static void LabelField(GUIContent label, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(GUIContent label, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(GUIContent label, GUIStyle style, params GUILayoutOption[] options) => Add(ControlKind.Label, label);
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => throw Absent.Editor;
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick, GUIStyle style) => throw Absent.Editor;
     public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick) => throw Absent.Editor;
-    public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick, GUIStyle style) => throw Absent.Editor;
+    public static bool Foldout(bool foldout, GUIContent content, bool toggleOnLabelClick, GUIStyle style) =>
+        Add(ControlKind.Foldout, content) != foldout;
     public static bool BeginFoldoutHeaderGroup(
         bool foldout,
         string content,
@@ -58,12 +62,13 @@ public sealed partial class EditorGUILayout
     public static Rect BeginVertical(params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect BeginVertical(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
     public static void EndVertical() => throw Absent.Editor;
-    public static void Space() => throw Absent.Editor;
+    public static void Space() => GuiPage.Needed.Next(6f);
     public static void Space(float width) => throw Absent.Editor;
     public static void Space(float width, bool expand) => throw Absent.Editor;
     public static void Separator() => throw Absent.Editor;
     public static bool Toggle(string label, bool value, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) =>
+        Add(ControlKind.Toggle, label, value ? "on" : "off") != value;
     public static float FloatField(string label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static float FloatField(GUIContent label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static int IntField(string label, int value, params GUILayoutOption[] options) => throw Absent.Editor;
@@ -96,7 +101,12 @@ public sealed partial class EditorGUILayout
         float value,
         float leftValue,
         float rightValue,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, FormattableString.Invariant($"{value}"));
+        return Mathf.Clamp(value, leftValue, rightValue);
+    }
+
     public static int IntSlider(
         string label,
         int value,
@@ -125,7 +135,12 @@ public sealed partial class EditorGUILayout
         int value,
         int leftValue,
         int rightValue,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, FormattableString.Invariant($"{value}"));
+        return Mathf.Clamp(value, leftValue, rightValue);
+    }
+
     public static void MinMaxSlider(
         string label,
         ref float minValue,
@@ -151,12 +166,22 @@ public sealed partial class EditorGUILayout
         Object obj,
         Type objType,
         bool allowSceneObjects,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, obj == null ? "None" : obj.name);
+        return obj;
+    }
+
     public static int Popup(
         string label,
         int selectedIndex,
         string[] displayedOptions,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, new GUIContent(label), displayedOptions[selectedIndex]);
+        return selectedIndex;
+    }
+
     public static int Popup(
         GUIContent label,
         int selectedIndex,
@@ -166,16 +191,23 @@ public sealed partial class EditorGUILayout
         GUIContent label,
         int selectedIndex,
         GUIContent[] displayedOptions,
-        params GUILayoutOption[] options) => throw Absent.Editor;
+        params GUILayoutOption[] options)
+    {
+        Add(ControlKind.Field, label, displayedOptions[selectedIndex].text);
+        return selectedIndex;
+    }
+
     public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector2 Vector2Field(string label, Vector2 value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector2 Vector2Field(GUIContent label, Vector2 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Vector3 Vector3Field(string label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Vector3 Vector3Field(GUIContent label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static string TextField(string label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
     public static string TextField(GUIContent label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
     public static void PrefixLabel(string label) => throw Absent.Editor;
     public static void PrefixLabel(GUIContent label) => throw Absent.Editor;
-    public static Rect GetControlRect(bool hasLabel, float height, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Rect GetControlRect(bool hasLabel, float height, params GUILayoutOption[] options) => GuiPage.Needed.Next(height);
     public static Rect GetControlRect(bool hasLabel, float height, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect GetControlRect(bool hasLabel, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect GetControlRect(params GUILayoutOption[] options) => throw Absent.Editor;
@@ -183,4 +215,13 @@ public sealed partial class EditorGUILayout
     public static void EndScrollView() => throw Absent.Editor;
     public static Color ColorField(string label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Color ColorField(GUIContent label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
+
+    private static bool Field(SerializedProperty property, GUIContent label, bool includeChildren)
+    {
+        Rect position = GuiPage.Needed.Next(DrawnProperty.HeightOf(property, label, includeChildren));
+        return DrawnProperty.Draw(position, property, label, includeChildren);
+    }
+
+    private static bool Add(ControlKind kind, GUIContent content, string value = "") =>
+        GuiPage.Needed.Add(kind, GuiPage.Needed.Next(EditorGUIUtility.singleLineHeight), content, value);
 }

@@ -31,7 +31,12 @@ public class EditorWindow : ScriptableObject
     public void ShowUtility() => throw Absent.Editor;
     public void Close() => throw Absent.Editor;
     public void Focus() => throw Absent.Editor;
-    public void Repaint() => throw Absent.Editor;
+
+    /// <summary>There is no window to draw anew.</summary>
+    public void Repaint()
+    {
+    }
+
     public static bool HasOpenInstances<T>() where T : EditorWindow => throw Absent.Editor;
     public void ShowNotification(GUIContent notification) => throw Absent.Editor;
 }

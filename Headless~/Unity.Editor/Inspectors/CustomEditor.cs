@@ -4,13 +4,13 @@ namespace UnityEditor;
 
 public class CustomEditor : Attribute
 {
-    public CustomEditor(Type inspectedType)
+    public CustomEditor(Type inspectedType) => Inspected = inspectedType;
+
+    public CustomEditor(Type inspectedType, bool editorForChildClasses) : this(inspectedType)
     {
     }
 
-    public CustomEditor(Type inspectedType, bool editorForChildClasses)
-    {
-    }
+    internal Type Inspected { get; }
 
     public bool isFallback { get; set; }
 }

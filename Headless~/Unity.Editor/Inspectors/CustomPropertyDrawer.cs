@@ -5,11 +5,11 @@ namespace UnityEditor;
 [System.AttributeUsage(System.AttributeTargets.Class, AllowMultiple = true)]
 public sealed class CustomPropertyDrawer : Attribute
 {
-    public CustomPropertyDrawer(Type type)
+    public CustomPropertyDrawer(Type type) => Drawn = type;
+
+    public CustomPropertyDrawer(Type type, bool useForChildren) : this(type)
     {
     }
 
-    public CustomPropertyDrawer(Type type, bool useForChildren)
-    {
-    }
+    internal Type Drawn { get; }
 }

@@ -6,22 +6,49 @@ namespace UnityEditor;
 
 public class Editor : ScriptableObject
 {
+    private SerializedObject _serialized;
+
     public Object target { get; set; }
-    public Object[] targets { get; }
-    public SerializedObject serializedObject { get; }
+    public Object[] targets { get; private set; }
+    public SerializedObject serializedObject => _serialized ??= new SerializedObject(targets);
     public bool hasUnsavedChanges { get; protected set; }
 
-    public virtual void OnInspectorGUI()
+    public virtual void OnInspectorGUI() => DrawDefaultInspector();
+
+    public bool DrawDefaultInspector()
+    {
+        serializedObject.UpdateIfRequiredOrScript();
+        foreach (SerializedProperty property in serializedObject.Visible())
+            EditorGUILayout.PropertyField(property);
+        return serializedObject.ApplyModifiedProperties();
+    }
+
+    public void DrawHeader() => throw Absent.Editor;
+    public void Repaint()
     {
     }
 
-    public bool DrawDefaultInspector() => throw Absent.Editor;
-    public void DrawHeader() => throw Absent.Editor;
-    public void Repaint() => throw Absent.Editor;
     public virtual bool RequiresConstantRepaint() => false;
-    public static Editor CreateEditor(Object targetObject) => throw Absent.Editor;
+    public static Editor CreateEditor(Object targetObject) => CreateEditor([targetObject]);
+    public static Editor CreateEditor(Object[] targetObjects)
+    {
+        var editor = Factory.Make<Editor>(Custom.EditorOf(targetObjects));
+        editor.target = targetObjects[0];
+        editor.targets = targetObjects;
+        editor.Begin();
+        return editor;
+    }
+
     public static Editor CreateEditor(Object targetObject, Type editorType) => throw Absent.Editor;
-    public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor) => throw Absent.Editor;
+    public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
+    {
+        if (previousEditor != null && previousEditor.target == targetObject)
+            return;
+        if (previousEditor != null)
+            DestroyImmediate(previousEditor);
+        previousEditor = targetObject == null ? null : CreateEditor([targetObject]);
+    }
+
     public virtual bool HasPreviewGUI() => false;
 
     public virtual void OnPreviewGUI(Rect r, GUIStyle background)

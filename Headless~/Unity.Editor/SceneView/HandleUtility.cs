@@ -1,3 +1,4 @@
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;
@@ -6,16 +7,16 @@ public sealed class HandleUtility
 {
     public static int nearestControl { get; set; }
 
-    public static float GetHandleSize(Vector3 position) => throw Absent.Editor;
+    public static float GetHandleSize(Vector3 position) => 1f;
     public static float DistanceToLine(Vector3 p1, Vector3 p2) => throw Absent.Editor;
     public static float DistanceToCircle(Vector3 position, float radius) => throw Absent.Editor;
     public static float DistanceToPolyLine(params Vector3[] points) => throw Absent.Editor;
     public static float DistancePointLine(Vector3 point, Vector3 lineStart, Vector3 lineEnd) => throw Absent.Editor;
     public static void AddControl(int controlId, float distance) => throw Absent.Editor;
-    public static void AddDefaultControl(int controlId) => throw Absent.Editor;
+    public static void AddDefaultControl(int controlId) => nearestControl = controlId;
     public static Vector2 WorldToGUIPoint(Vector3 world) => throw Absent.Editor;
-    public static Ray GUIPointToWorldRay(Vector2 position) => throw Absent.Editor;
-    public static Vector3 WorldToGUIPointWithDepth(Vector3 world) => throw Absent.Editor;
+    public static Ray GUIPointToWorldRay(Vector2 position) => SceneEye.Needed.Through(position);
+    public static Vector3 WorldToGUIPointWithDepth(Vector3 world) => SceneEye.Needed.Project(world);
     public static GameObject PickGameObject(Vector2 position, bool selectPrefabRoot) => throw Absent.Editor;
     public static bool PlaceObject(Vector2 guiPosition, out Vector3 position, out Vector3 normal) => throw Absent.Editor;
     public static object RaySnap(Ray ray) => throw Absent.Editor;

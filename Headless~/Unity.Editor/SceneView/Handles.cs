@@ -17,14 +17,16 @@ public sealed partial class Handles
     public static Color selectedColor { get; }
     public static Color preselectionColor { get; }
 
-    public static void DrawLine(Vector3 p1, Vector3 p2) => throw Absent.Editor;
+    public static void DrawLine(Vector3 p1, Vector3 p2) => DrawnLine.Check([p1, p2], 2);
     public static void DrawLine(Vector3 p1, Vector3 p2, float thickness) => throw Absent.Editor;
     public static void DrawLines(Vector3[] lineSegments) => throw Absent.Editor;
     public static void DrawLines(Vector3[] points, int[] segmentIndices) => throw Absent.Editor;
     public static void DrawDottedLine(Vector3 p1, Vector3 p2, float screenSpaceSize) => throw Absent.Editor;
-    public static void DrawAAPolyLine(float width, int actualNumberOfPoints, params Vector3[] points) => throw Absent.Editor;
+    public static void DrawAAPolyLine(float width, int actualNumberOfPoints, params Vector3[] points) =>
+        DrawnLine.Check(points, actualNumberOfPoints);
     public static void DrawAAPolyLine(float width, Color[] colors, Vector3[] points) => throw Absent.Editor;
-    public static void DrawAAPolyLine(float width, params Vector3[] points) => throw Absent.Editor;
+    public static void DrawAAPolyLine(float width, params Vector3[] points) =>
+        DrawnLine.Check(points, points.Length);
     public static void DrawAAPolyLine(Color[] colors, Vector3[] points) => throw Absent.Editor;
     public static void DrawAAPolyLine(Texture2D lineTex, float width, params Vector3[] points) => throw Absent.Editor;
     public static void DrawAAPolyLine(Texture2D lineTex, params Vector3[] points) => throw Absent.Editor;
@@ -32,7 +34,8 @@ public sealed partial class Handles
     public static void DrawAAConvexPolygon(params Vector3[] points) => throw Absent.Editor;
     public static void DrawPolyLine(params Vector3[] points) => throw Absent.Editor;
     public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius) => throw Absent.Editor;
-    public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius, float thickness) => throw Absent.Editor;
+    public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius, float thickness) =>
+        DrawnLine.Check([center, normal * radius], 2);
     public static void DrawSolidDisc(Vector3 center, Vector3 normal, float radius) => throw Absent.Editor;
     public static void DrawWireArc(Vector3 center, Vector3 normal, Vector3 from, float angle, float radius) => throw Absent.Editor;
     public static void DrawWireArc(
@@ -53,7 +56,7 @@ public sealed partial class Handles
         Texture2D texture,
         float width) => throw Absent.Editor;
     public static void Label(Vector3 position, string text) => throw Absent.Editor;
-    public static void Label(Vector3 position, string text, GUIStyle style) => throw Absent.Editor;
+    public static void Label(Vector3 position, string text, GUIStyle style) => DrawnLine.Check([position], 1);
     public static void Label(Vector3 position, GUIContent content) => throw Absent.Editor;
     public static void Label(Vector3 position, GUIContent content, GUIStyle style) => throw Absent.Editor;
     public static void SphereHandleCap(
@@ -67,7 +70,7 @@ public sealed partial class Handles
         Vector3 position,
         Quaternion rotation,
         float size,
-        EventType eventType) => throw Absent.Editor;
+        EventType eventType) => DrawnLine.Check([position, new Vector3(size, rotation.x, rotation.w)], 2);
     public static void CubeHandleCap(
         int controlID,
         Vector3 position,
@@ -85,7 +88,7 @@ public sealed partial class Handles
         Vector3 position,
         Quaternion rotation,
         float size,
-        EventType eventType) => throw Absent.Editor;
+        EventType eventType) => DrawnLine.Check([position, new Vector3(size, rotation.x, rotation.w)], 2);
     public static void CircleHandleCap(
         int controlID,
         Vector3 position,
@@ -133,8 +136,17 @@ public sealed partial class Handles
         float size,
         float pickSize,
         CapFunction capFunction) => throw Absent.Editor;
-    public static void BeginGUI() => throw Absent.Editor;
-    public static void EndGUI() => throw Absent.Editor;
+    public static void BeginGUI()
+    {
+    }
+
+    public static void EndGUI()
+    {
+    }
+
+    public static void DrawSolidRectangleWithOutline(Rect rectangle, Color faceColor, Color outlineColor) =>
+        DrawnLine.Check([rectangle.min, rectangle.max], 2);
+
     public static void SetCamera(Camera camera) => throw Absent.Editor;
     public static bool ShouldRenderGizmos() => throw Absent.Editor;
     public static float SnapValue(float value, float snap) => throw Absent.Editor;

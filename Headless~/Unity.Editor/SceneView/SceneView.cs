@@ -28,8 +28,19 @@ public class SceneView : SearchableEditorWindow
     public bool drawGizmos { get; set; }
     public static ArrayList sceneViews { get; }
 
-    public static void RepaintAll() => throw Absent.Editor;
-    public bool Frame(Bounds bounds, bool instant = true) => throw Absent.Editor;
+    /// <summary>There is no window to draw anew.</summary>
+    public static void RepaintAll()
+    {
+    }
+
+
+    public bool Frame(Bounds bounds, bool instant = true)
+    {
+        pivot = bounds.center;
+        size = bounds.extents.magnitude;
+        return true;
+    }
+
     public bool FrameSelected() => throw Absent.Editor;
     public void LookAt(Vector3 point) => throw Absent.Editor;
 }

@@ -9,5 +9,6 @@ public sealed class Tools : ScriptableObject
     public static PivotRotation pivotRotation { get; set; }
     public static Vector3 handlePosition { get; }
     public static Quaternion handleRotation { get; set; }
+    public static bool viewToolActive { get; }
     public static bool hidden { get; set; }
 }

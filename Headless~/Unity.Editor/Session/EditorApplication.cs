@@ -1,10 +1,13 @@
 using System;
+using System.Diagnostics;
 
 namespace UnityEditor;
 
 public sealed class EditorApplication
 {
     public delegate void CallbackFunction();
+
+    private static readonly Stopwatch s_Watch = Stopwatch.StartNew();
 
     public static CallbackFunction update;
     public static CallbackFunction delayCall;
@@ -32,7 +35,7 @@ public sealed class EditorApplication
     public static bool isPlayingOrWillChangePlaymode { get; }
     public static bool isCompiling { get; }
     public static bool isUpdating { get; }
-    public static double timeSinceStartup { get; }
+    public static double timeSinceStartup => s_Watch.Elapsed.TotalSeconds;
 
     public static void QueuePlayerLoopUpdate() => throw Absent.Editor;
     public static bool ExecuteMenuItem(string menuItemPath) => throw Absent.Editor;

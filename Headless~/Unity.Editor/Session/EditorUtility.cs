@@ -1,10 +1,21 @@
+using System;
+using System.Collections.Generic;
+using Unity.StandIns;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
 public class EditorUtility
 {
-    public static void SetDirty(Object target) => throw Absent.Editor;
+    private static readonly HashSet<Object> s_Dirty = [];
+
+    public static void SetDirty(Object target)
+    {
+        ArgumentNullException.ThrowIfNull(target);
+        s_Dirty.Add(target);
+    }
+
     public static bool DisplayDialog(string title, string message, string ok) => throw Absent.Editor;
     public static bool DisplayDialog(string title, string message, string ok, string cancel) => throw Absent.Editor;
     public static void DisplayProgressBar(string title, string info, float progress) => throw Absent.Editor;
@@ -21,9 +32,15 @@ public class EditorUtility
     public static string OpenFilePanel(string title, string directory, string extension) => throw Absent.Editor;
     public static string OpenFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static string SaveFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
-    public static bool IsPersistent(Object target) => throw Absent.Editor;
-    public static bool IsDirty(Object target) => throw Absent.Editor;
-    public static void CopySerialized(Object source, Object dest) => throw Absent.Editor;
+    public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);
+    public static bool IsDirty(Object target) => s_Dirty.Contains(target);
+    public static void CopySerialized(Object source, Object dest)
+    {
+        dest.name = source.name;
+        SerializedNode.Of(source).Write(dest, SerializedNode.Of(dest));
+        EditorMessages.Validate(dest);
+    }
+
     public static void CopySerializedIfDifferent(Object source, Object dest) => throw Absent.Editor;
     public static void FocusProjectWindow() => throw Absent.Editor;
     public static void RevealInFinder(string path) => throw Absent.Editor;

@@ -33,6 +33,6 @@ public sealed class GameObjectUtility
         return $"{name} ({number})";
     }
 
-    public static StaticEditorFlags GetStaticEditorFlags(GameObject go) => throw Absent.Editor;
-    public static void SetStaticEditorFlags(GameObject go, StaticEditorFlags flags) => throw Absent.Editor;
+    public static StaticEditorFlags GetStaticEditorFlags(GameObject go) => ObjectState.FlagsOf(go).Value;
+    public static void SetStaticEditorFlags(GameObject go, StaticEditorFlags flags) => ObjectState.FlagsOf(go).Value = flags;
 }

@@ -1,14 +1,20 @@
+using System.Collections.Generic;
+
 namespace UnityEditor;
 
 public class SessionState
 {
-    public static bool GetBool(string key, bool defaultValue) => throw Absent.Editor;
-    public static void SetBool(string key, bool value) => throw Absent.Editor;
-    public static float GetFloat(string key, float defaultValue) => throw Absent.Editor;
-    public static void SetFloat(string key, float value) => throw Absent.Editor;
-    public static int GetInt(string key, int defaultValue) => throw Absent.Editor;
-    public static void SetInt(string key, int value) => throw Absent.Editor;
-    public static string GetString(string key, string defaultValue) => throw Absent.Editor;
-    public static void SetString(string key, string value) => throw Absent.Editor;
-    public static void EraseBool(string key) => throw Absent.Editor;
+    private static readonly Dictionary<string, object> s_Values = [];
+
+    public static bool GetBool(string key, bool defaultValue) => Get(key, defaultValue);
+    public static void SetBool(string key, bool value) => s_Values[key] = value;
+    public static float GetFloat(string key, float defaultValue) => Get(key, defaultValue);
+    public static void SetFloat(string key, float value) => s_Values[key] = value;
+    public static int GetInt(string key, int defaultValue) => Get(key, defaultValue);
+    public static void SetInt(string key, int value) => s_Values[key] = value;
+    public static string GetString(string key, string defaultValue) => Get(key, defaultValue);
+    public static void SetString(string key, string value) => s_Values[key] = value;
+    public static void EraseBool(string key) => s_Values.Remove(key);
+
+    private static T Get<T>(string key, T defaultValue) => s_Values.TryGetValue(key, out object value) && value is T t ? t : defaultValue;
 }

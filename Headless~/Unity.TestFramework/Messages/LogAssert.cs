@@ -1,5 +1,6 @@
 using System;
 using System.Text.RegularExpressions;
+using StandIns;
 using Unity.StandIns;
 
 namespace UnityEngine.TestTools;

@@ -1,8 +1,9 @@
 using System;
 using NUnit.Framework;
 using NUnit.Framework.Interfaces;
+using Unity.StandIns;
 
-namespace Unity.StandIns;
+namespace StandIns;
 
 /// <summary>
 /// Runs the tests of an assembly as Unity's Test Runner does: those of one namespace in play mode, which lasts from one to the next,

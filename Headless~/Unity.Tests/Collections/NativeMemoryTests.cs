@@ -1,5 +1,6 @@
 using System;
 using NUnit.Framework;
+using StandIns;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.StandIns;

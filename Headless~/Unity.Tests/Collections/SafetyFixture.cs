@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using StandIns;
 using Unity.Jobs.LowLevel.Unsafe;
 using Unity.StandIns;
 

@@ -1,6 +1,10 @@
+using System;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace Unity.Tests.Engine;
 
@@ -89,6 +93,81 @@ public sealed class RenderingTests : FreshSceneFixture
         Assert.That(renderer.material, Is.SameAs(renderer.sharedMaterial));
         Object.DestroyImmediate(renderer.sharedMaterial);
         Object.DestroyImmediate(shared);
+    }
+
+    [Test]
+    public void ACopiedHierarchy_UsesItsOwnBones_AnchorsAndLevels()
+    {
+        Transform root = new GameObject("root").transform;
+        Transform bone = new GameObject("bone").transform;
+        Transform outside = new GameObject("outside").transform;
+        bone.SetParent(root);
+        var skin = root.gameObject.AddComponent<SkinnedMeshRenderer>();
+        skin.bones = new[] { bone, outside, null };
+        skin.rootBone = bone;
+        skin.probeAnchor = bone;
+        skin.sortingOrder = 7;
+        root.gameObject.AddComponent<LODGroup>().SetLODs(new[] { new LOD(0.5f, new Renderer[] { skin }) });
+
+        Transform copy = Object.Instantiate(root);
+
+        var twin = copy.GetComponent<SkinnedMeshRenderer>();
+        Assert.That(twin.bones, Is.EqualTo(new[] { copy.GetChild(0), outside, null }));
+        Assert.That(twin.rootBone, Is.SameAs(copy.GetChild(0)));
+        Assert.That(twin.probeAnchor, Is.SameAs(copy.GetChild(0)));
+        Assert.That(twin.sortingOrder, Is.EqualTo(7));
+        Assert.That(copy.GetComponent<LODGroup>().GetLODs()[0].renderers, Is.EqualTo(new[] { twin }));
+    }
+
+    [Test]
+    public void LevelsOfDetail_AreCopies_InFallingOrder()
+    {
+        Renderer renderer = Draw();
+        var group = renderer.gameObject.AddComponent<LODGroup>();
+        group.SetLODs(new[] { new LOD(0.5f, new[] { renderer }), new LOD(0.2f, null) });
+        group.GetLODs()[0].renderers[0] = null;
+
+        Assert.That(group.GetLODs()[0].renderers[0], Is.SameAs(renderer));
+        Assert.That(group.lodCount, Is.EqualTo(2));
+        LogAssert.Expect(LogType.Error, new Regex("SetLODs"));
+        group.SetLODs(new[] { new LOD(0.2f, null), new LOD(0.2f, null) });
+        Assert.That(group.GetLODs()[0].screenRelativeTransitionHeight, Is.EqualTo(0.5f));
+    }
+
+    [Test]
+    public void PropertiesOfAMaterial_AreItsOwn()
+    {
+        Renderer renderer = Draw();
+        renderer.sharedMaterials = new Material[2];
+        var block = new MaterialPropertyBlock();
+        block.SetFloat("_A", 2f);
+
+        renderer.SetPropertyBlock(block, 1);
+
+        renderer.GetPropertyBlock(block);
+        Assert.That(block.isEmpty && renderer.HasPropertyBlock());
+        renderer.GetPropertyBlock(block, 1);
+        Assert.That(block.GetFloat("_A"), Is.EqualTo(2f));
+        Assert.That(() => renderer.SetPropertyBlock(block, 2), Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
+
+    [Test]
+    public void BlendShapes_HaveFramesOfRisingWeight()
+    {
+        Vector3[] deltas = m_Mesh.vertices;
+        m_Mesh.AddBlendShapeFrame("smile", 50f, deltas, null, null);
+        m_Mesh.AddBlendShapeFrame("smile", 100f, deltas, deltas, null);
+        Assert.That(() => m_Mesh.AddBlendShapeFrame("smile", 80f, deltas, null, null), Throws.ArgumentException);
+        Assert.That(() => m_Mesh.AddBlendShapeFrame("frown", 80f, new Vector3[1], null, null), Throws.ArgumentException);
+
+        Mesh copy = Object.Instantiate(m_Mesh);
+        var (moves, turns) = (new Vector3[4], new Vector3[4]);
+        copy.GetBlendShapeFrameVertices(copy.GetBlendShapeIndex("smile"), 0, moves, turns, null);
+        Assert.That((copy.blendShapeCount, copy.GetBlendShapeFrameCount(0), copy.GetBlendShapeFrameWeight(0, 1)), Is.EqualTo((1, 2, 100f)));
+        Assert.That((moves[2], turns[2]), Is.EqualTo((deltas[2], Vector3.zero)));
+        copy.ClearBlendShapes();
+        Assert.That((copy.blendShapeCount, m_Mesh.blendShapeCount), Is.EqualTo((0, 1)));
+        Object.DestroyImmediate(copy);
     }
 
     private Renderer Draw()

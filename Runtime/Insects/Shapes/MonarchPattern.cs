@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate
@@ -13,7 +12,6 @@ namespace Alate
         const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.055, k_SpotRadius = 0.0115;
         const double k_MarginStart = 0.93, k_MarginEnd = 0.4;
         const double k_LeastFeature = 0.35;
-        const int k_EdgeSamples = 96;
 
         static readonly Color s_Ground = new Color(0.90f, 0.44f, 0.08f);
         static readonly Color s_Base = new Color(0.72f, 0.31f, 0.06f);
@@ -63,35 +61,35 @@ namespace Alate
                 m_Veins.Add(vein);
             }
 
-            m_ThinRim.Add(Edge(outline.LeadingAt, 0, k_MarginStart));
-            m_ThinRim.Add(Edge(outline.TrailingAt, k_MarginEnd, 0));
-            var margin = Edge(outline.LeadingAt, k_MarginStart, 1);
-            margin.AddRange(Edge(outline.TrailingAt, 1, k_MarginEnd));
+            m_ThinRim.Add(Ink.Edge(outline.LeadingAt, 0, k_MarginStart));
+            m_ThinRim.Add(Ink.Edge(outline.TrailingAt, k_MarginEnd, 0));
+            var margin = Ink.Edge(outline.LeadingAt, k_MarginStart, 1);
+            margin.AddRange(Ink.Edge(outline.TrailingAt, 1, k_MarginEnd));
             m_Margin.Add(margin);
         }
 
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
-            var colour = Color.Lerp(s_Ground, s_Base, Inside(Math.Sqrt(span * span + forward * forward), 0.1, 0.16));
+            var colour = Color.Lerp(s_Ground, s_Base, Ink.Within(Math.Sqrt(span * span + forward * forward), 0.1, 0.16));
             colour = Color.Lerp(colour, s_Dark, Apex(span, forward, softness));
             var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
-            colour = Color.Lerp(colour, s_Dark, Inside(m_Veins.Distance(span, forward, out _), vein, softness));
+            colour = Color.Lerp(colour, s_Dark, Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness));
             colour = Color.Lerp(colour, s_Window, Windows(span, forward, 0.5 * softness));
 
             var edge = m_Margin.Distance(span, forward, out var along);
             var rim = m_ThinRim.Distance(span, forward, out _);
             colour = Color.Lerp(
-                colour, s_Dark, Math.Max(Inside(edge, k_MarginWidth, softness), Inside(rim, k_ThinRimWidth, softness)));
+                colour, s_Dark, Math.Max(Ink.Within(edge, k_MarginWidth, softness), Ink.Within(rim, k_ThinRimWidth, softness)));
 
             var beside = along - k_SpotSpacing * (Math.Floor(along / k_SpotSpacing) + 0.5);
             var spot = Math.Sqrt(beside * beside + (edge - k_SpotDepth) * (edge - k_SpotDepth));
-            return Color.Lerp(colour, s_Spot, Inside(spot, k_SpotRadius, 0.5 * softness));
+            return Color.Lerp(colour, s_Spot, Ink.Within(spot, k_SpotRadius, 0.5 * softness));
         }
 
         static float Apex(double span, double forward, double softness)
         {
-            return Inside(0.63 + 0.8 * (0.13 - forward) - span, 0, 2 * softness);
+            return Ink.Within(0.63 + 0.8 * (0.13 - forward) - span, 0, 2 * softness);
         }
 
         static float Windows(double span, double forward, double softness)
@@ -101,29 +99,10 @@ namespace Alate
             {
                 var x = (span - s_Windows[i]) / s_Windows[i + 2];
                 var z = (forward - s_Windows[i + 1]) / s_Windows[i + 3];
-                inside = Math.Max(inside, Inside((Math.Sqrt(x * x + z * z) - 1) * s_Windows[i + 3], 0, softness));
+                inside = Math.Max(inside, Ink.Within((Math.Sqrt(x * x + z * z) - 1) * s_Windows[i + 3], 0, softness));
             }
 
             return inside;
-        }
-
-        /// <summary>1 within the limit, 0 beyond it, with a soft step of the given width.</summary>
-        static float Inside(double distance, double limit, double softness)
-        {
-            return (float)Math.Clamp(0.5 + (limit - distance) / Math.Max(softness, 1e-9), 0, 1);
-        }
-
-        static List<double> Edge(Func<double, double> edge, double from, double to)
-        {
-            var points = new List<double>();
-            for (var i = 0; i <= k_EdgeSamples; i++)
-            {
-                var span = from + (to - from) * i / k_EdgeSamples;
-                points.Add(span);
-                points.Add(edge(span));
-            }
-
-            return points;
         }
     }
 }

@@ -11,6 +11,34 @@ namespace Alate
 
         public double Length => m_Distances.Count == 0 ? 0 : m_Distances[m_Distances.Count - 1];
 
+        /// <summary>The straight path between two points.</summary>
+        public static PlanarPath Line((double X, double Z) from, (double X, double Z) to)
+        {
+            var path = new PlanarPath();
+            path.Add(from.X, from.Z);
+            path.Add(to.X, to.Z);
+            return path;
+        }
+
+        /// <summary>Paths one after the other; a point where two meet is one point.</summary>
+        public static PlanarPath Join(params PlanarPath[] parts)
+        {
+            var path = new PlanarPath();
+            foreach (var part in parts)
+            {
+                foreach (var (x, z) in part.m_Points)
+                {
+                    var count = path.m_Points.Count;
+                    if (count == 0 || path.m_Points[count - 1] != (x, z))
+                    {
+                        path.Add(x, z);
+                    }
+                }
+            }
+
+            return path;
+        }
+
         public void Add(double x, double z)
         {
             var distance = 0.0;
@@ -22,6 +50,20 @@ namespace Alate
 
             m_Points.Add((x, z));
             m_Distances.Add(distance);
+        }
+
+        /// <summary>The path up to a distance.</summary>
+        public PlanarPath Until(double distance)
+        {
+            var path = new PlanarPath();
+            for (var k = 0; k < m_Points.Count && m_Distances[k] < distance; k++)
+            {
+                path.Add(m_Points[k].X, m_Points[k].Z);
+            }
+
+            var (x, z) = At(distance);
+            path.Add(x, z);
+            return path;
         }
 
         public (double X, double Z) At(double distance)

@@ -24,17 +24,39 @@ namespace Alate
             WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale = 1f, WingSide side = WingSide.Right)
         {
             Check(outline, chains, jointsPerChain, lastTipSpan, scale);
-            var leadingEdge = LeadingEdge(outline);
             var rim = TipAndTrailingEdge(outline, lastTipSpan);
-            var sign = side == WingSide.Right ? 1f : -1f;
-            var made = new JointChain[chains];
+            var paths = new PlanarPath[chains];
             for (var i = 0; i < chains; i++)
             {
-                var across = (double)i / (chains - 1);
-                var path = i == 0 ? leadingEdge : Straight(Root(outline, across), rim.At(rim.Length * across));
-                made[i] = new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) };
+                paths[i] = i == 0 ? LeadingEdge(outline) : PlanarPath.Line(Root(outline, i, chains), rim.At(rim.Length * i / (chains - 1)));
             }
 
+            return Make(paths, jointsPerChain, scale, side);
+        }
+
+        /// <summary>Makes a skeleton whose chains run where they are told to; the first one follows the leading edge to its tip.</summary>
+        /// <param name="outline">The wing's contour.</param>
+        /// <param name="chains">The chains from leading to trailing edge, their tips in order along the margin.</param>
+        /// <param name="jointsPerChain">Joints of each chain.</param>
+        /// <param name="scale">Length of the wing in mesh units.</param>
+        /// <param name="side">Left gives the mirror image.</param>
+        internal static WingSkeleton Generate(WingOutline outline, ChainPath[] chains, int jointsPerChain, float scale, WingSide side)
+        {
+            var margin = WingRim.Margin(outline);
+            var paths = new PlanarPath[chains.Length];
+            for (var i = 0; i < chains.Length; i++)
+            {
+                var distance = margin.Length * chains[i].Tip;
+                paths[i] = i == 0 ? margin.Until(distance) : chains[i].From(Root(outline, i, chains.Length), margin.At(distance));
+            }
+
+            return Make(paths, jointsPerChain, scale, side);
+        }
+
+        static WingSkeleton Make(PlanarPath[] paths, int jointsPerChain, float scale, WingSide side)
+        {
+            var sign = side == WingSide.Right ? 1f : -1f;
+            var made = Array.ConvertAll(paths, path => new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) });
             var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Hinge = made[0].joints[0];
             skeleton.SpanAxis = new Vector3(sign, 0f, 0f);
@@ -55,17 +77,9 @@ namespace Alate
             return joints;
         }
 
-        static (double X, double Z) Root(WingOutline outline, double across)
+        static (double X, double Z) Root(WingOutline outline, int chain, int chains)
         {
-            return (0, outline.LeadingAt(0) - across * outline.ChordAt(0));
-        }
-
-        static PlanarPath Straight((double X, double Z) root, (double X, double Z) tip)
-        {
-            var path = new PlanarPath();
-            path.Add(root.X, root.Z);
-            path.Add(tip.X, tip.Z);
-            return path;
+            return (0, outline.LeadingAt(0) - outline.ChordAt(0) * chain / (chains - 1));
         }
 
         static PlanarPath LeadingEdge(WingOutline outline)

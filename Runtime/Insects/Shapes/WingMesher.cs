@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using UnityEngine;
 
 namespace Alate
@@ -10,10 +11,10 @@ namespace Alate
     /// </summary>
     public static class WingMesher
     {
-        /// <summary>Fewest triangles <see cref="Strips"/> makes.</summary>
+        /// <summary>Fewest triangles <see cref="Strips"/> and <see cref="Fill(WingOutline, int, float)"/> make.</summary>
         public const int MinTriangles = 50;
 
-        /// <summary>Most triangles <see cref="Strips"/> makes.</summary>
+        /// <summary>Most triangles they make.</summary>
         public const int MaxTriangles = 1000000;
 
         /// <summary>
@@ -53,24 +54,42 @@ namespace Alate
         /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and <see cref="MaxTriangles"/>.</exception>
         public static SurfaceMesh Strips(WingOutline outline, int triangleCount, float scale = 1f)
         {
-            if (outline == null)
-            {
-                throw new ArgumentNullException(nameof(outline));
-            }
-
-            if (triangleCount < MinTriangles || triangleCount > MaxTriangles)
-            {
-                throw new ArgumentOutOfRangeException(
-                    nameof(triangleCount), triangleCount, $"A wing is meshed with {MinTriangles} to {MaxTriangles} triangles.");
-            }
+            Check(outline, triangleCount);
 
             var segments = ChordSegments.For(outline, triangleCount, out var spans);
             return Mesh(outline, spans, segments, scale);
         }
 
+        /// <summary>
+        /// An even mesh of an exact number of triangles whose vertices follow the rim and lie on a lattice of equilateral triangles inside it: for outlines
+        /// that are too steep for stations, such as a tail or a fan.
+        /// </summary>
+        /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and <see cref="MaxTriangles"/>.</exception>
+        public static SurfaceMesh Fill(WingOutline outline, int triangleCount, float scale = 1f) => Fill(outline, null, triangleCount, scale);
+
+        /// <summary>The same with a scalloped margin; null for none.</summary>
+        internal static SurfaceMesh Fill(WingOutline outline, RimScallops scallops, int triangleCount, float scale)
+        {
+            Check(outline, triangleCount);
+            var triangulation = RimFill.Triangulate(WingRim.Of(outline, scallops), triangleCount);
+            var positions = new Vector3[triangulation.Points.Count];
+            for (var vertex = 0; vertex < positions.Length; vertex++)
+            {
+                var point = triangulation.Points[vertex];
+                positions[vertex] = new Vector3((float)(point.x * scale), 0f, (float)(point.z * scale));
+            }
+
+            return Surface(outline, positions, triangulation.Corners.ToArray(), scale);
+        }
+
         static SurfaceMesh Mesh(WingOutline outline, double[] spans, int[] segments, float scale)
         {
             var positions = StationVertices(outline, spans, segments, scale);
+            return Surface(outline, positions, StripStitcher.Stitch(positions, segments), scale);
+        }
+
+        static SurfaceMesh Surface(WingOutline outline, Vector3[] positions, int[] triangles, float scale)
+        {
             var normals = new Vector3[positions.Length];
             Array.Fill(normals, new Vector3(0f, 1f, 0f));
             return new SurfaceMesh
@@ -78,7 +97,7 @@ namespace Alate
                 positions = positions,
                 normals = normals,
                 uvs = TextureCoordinates(outline, positions, scale),
-                triangles = StripStitcher.Stitch(positions, segments),
+                triangles = triangles,
             };
         }
 
@@ -106,6 +125,20 @@ namespace Alate
             var rear = (float)outline.Rear;
             var depth = (float)(outline.Front - outline.Rear);
             return Array.ConvertAll(positions, p => new Vector2(p.x / scale, (p.z / scale - rear) / depth));
+        }
+
+        static void Check(WingOutline outline, int triangleCount)
+        {
+            if (outline == null)
+            {
+                throw new ArgumentNullException(nameof(outline));
+            }
+
+            if (triangleCount < MinTriangles || triangleCount > MaxTriangles)
+            {
+                throw new ArgumentOutOfRangeException(
+                    nameof(triangleCount), triangleCount, $"A wing is meshed with {MinTriangles} to {MaxTriangles} triangles.");
+            }
         }
     }
 }

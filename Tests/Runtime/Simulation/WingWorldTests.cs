@@ -56,14 +56,14 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void ALongHitch_IsCutToOneBeat_AndStaysFinite()
+        public void ALongHitch_IsCutToSixteenBeats_AndStaysFinite()
         {
             using (var flown = new FlownMonarch())
             {
                 flown.world.Step(5f);
                 WingReading reading = flown.Reading;
-                Assert.That(reading.Substeps, Is.LessThanOrEqualTo(24));
-                Assert.That(reading.Beats, Is.LessThanOrEqualTo(1));
+                Assert.That(reading.Substeps, Is.LessThanOrEqualTo(16 * 24));
+                Assert.That(reading.Beats, Is.LessThanOrEqualTo(16));
                 Assert.That(math.all(math.isfinite(reading.JointPosition(4, 4))));
                 Assert.That(reading.Resets, Is.Zero);
             }

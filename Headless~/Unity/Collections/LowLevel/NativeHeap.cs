@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.Runtime.InteropServices;
+using StandIns;
 using Unity.StandIns;
 
 namespace Unity.Collections;

@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
 using Unity.Collections;
+using Unity.StandIns;
 
-namespace Unity.StandIns;
+namespace StandIns;
 
 /// <summary>All native memory that is allocated and not yet freed, for tests that assert that nothing leaks.</summary>
 [StandInExtension]

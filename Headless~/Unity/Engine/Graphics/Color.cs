@@ -21,6 +21,22 @@ public struct Color : IEquatable<Color>
     {
     }
 
+    public float this[int index]
+    {
+        get => index switch { 0 => r, 1 => g, 2 => b, 3 => a, _ => throw new IndexOutOfRangeException("Invalid Color index(" + index + ")!") };
+        set
+        {
+            switch (index)
+            {
+                case 0: r = value; break;
+                case 1: g = value; break;
+                case 2: b = value; break;
+                case 3: a = value; break;
+                default: throw new IndexOutOfRangeException("Invalid Color index(" + index + ")!");
+            }
+        }
+    }
+
     public static Color white => new(1f, 1f, 1f);
     public static Color black => new(0f, 0f, 0f);
     public static Color clear => default;

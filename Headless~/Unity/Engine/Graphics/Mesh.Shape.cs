@@ -54,6 +54,7 @@ public sealed partial class Mesh
     {
         _bindposes = [];
         _boneWeights = [];
+        _shapes = [];
     }
 }
 

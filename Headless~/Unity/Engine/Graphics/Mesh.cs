@@ -46,8 +46,6 @@ public sealed partial class Mesh : Object, ICopyable
         }
     }
 
-    public int blendShapeCount => 0;
-
     public Vector3[] vertices
     {
         get => Get<Vector3>(VertexAttribute.Position);
@@ -168,6 +166,7 @@ public sealed partial class Mesh : Object, ICopyable
         _indexFormat = _indexFormat,
         _bindposes = (Matrix4x4[])_bindposes.Clone(),
         _boneWeights = (BoneWeight[])_boneWeights.Clone(),
+        _shapes = CopyShapes(),
     };
 
     private protected override void Released()

@@ -4,12 +4,13 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine;
 
-public class Renderer : Component, IStateful
+public class Renderer : Component, IStateful, IReferring
 {
     private Material[] _materials = [];
     private Bounds? _localBounds;
     private bool _enabled = true;
     private MaterialPropertyBlock _properties;
+    private readonly Dictionary<int, MaterialPropertyBlock> _propertiesOf = [];
 
     public Renderer() => Visibility.Add(this);
 
@@ -27,12 +28,25 @@ public class Renderer : Component, IStateful
         }
     }
 
+    public bool isPartOfStaticBatch => StaticallyBatched;
+
+    /// <summary>Whether a build merged this renderer with others.</summary>
+    [Unity.StandIns.StandInExtension]
+    public bool StaticallyBatched { get; set; }
+
     public bool forceRenderingOff { get; set; }
     public bool receiveShadows { get; set; } = true;
     public ShadowCastingMode shadowCastingMode { get; set; } = ShadowCastingMode.On;
     public uint renderingLayerMask { get; set; } = 1;
     public int sortingOrder { get; set; }
+    public int sortingLayerID { get; set; }
     public int rendererPriority { get; set; }
+    public bool allowOcclusionWhenDynamic { get; set; } = true;
+    public MotionVectorGenerationMode motionVectorGenerationMode { get; set; } = MotionVectorGenerationMode.Object;
+    public LightProbeUsage lightProbeUsage { get; set; } = LightProbeUsage.BlendProbes;
+    public ReflectionProbeUsage reflectionProbeUsage { get; set; } = ReflectionProbeUsage.BlendProbes;
+    public Transform probeAnchor { get; set; }
+    public GameObject lightProbeProxyVolumeOverride { get; set; }
 
     /// <summary>Whether a camera saw the bounds at the end of the last frame.</summary>
     public bool isVisible => VisibleFlag;
@@ -90,9 +104,24 @@ public class Renderer : Component, IStateful
 
     public void SetSharedMaterials(List<Material> materials) => sharedMaterials = materials.ToArray();
 
-    public bool HasPropertyBlock() => _properties is { isEmpty: false };
+    public bool HasPropertyBlock() => _properties is { isEmpty: false } || _propertiesOf.Count > 0;
     public void SetPropertyBlock(MaterialPropertyBlock properties) => Alive()._properties = properties?.Copy();
     public void GetPropertyBlock(MaterialPropertyBlock properties) => properties.TakeFrom(_properties);
+
+    public void SetPropertyBlock(MaterialPropertyBlock properties, int materialIndex)
+    {
+        CheckMaterial(materialIndex);
+        if (properties is { isEmpty: false })
+            _propertiesOf[materialIndex] = properties.Copy();
+        else
+            _propertiesOf.Remove(materialIndex);
+    }
+
+    public void GetPropertyBlock(MaterialPropertyBlock properties, int materialIndex)
+    {
+        CheckMaterial(materialIndex);
+        properties.TakeFrom(_propertiesOf.GetValueOrDefault(materialIndex));
+    }
 
     void IStateful.CopyStateTo(Component copy)
     {
@@ -101,10 +130,30 @@ public class Renderer : Component, IStateful
         to._localBounds = _localBounds;
         to._enabled = _enabled;
         to._properties = _properties?.Copy();
+        foreach (var (material, properties) in _propertiesOf)
+            to._propertiesOf[material] = properties.Copy();
         to.forceRenderingOff = forceRenderingOff;
         to.receiveShadows = receiveShadows;
         to.shadowCastingMode = shadowCastingMode;
+        to.renderingLayerMask = renderingLayerMask;
+        to.sortingOrder = sortingOrder;
+        to.sortingLayerID = sortingLayerID;
+        to.rendererPriority = rendererPriority;
+        to.allowOcclusionWhenDynamic = allowOcclusionWhenDynamic;
+        to.motionVectorGenerationMode = motionVectorGenerationMode;
+        to.lightProbeUsage = lightProbeUsage;
+        to.reflectionProbeUsage = reflectionProbeUsage;
+        to.probeAnchor = probeAnchor;
+        to.lightProbeProxyVolumeOverride = lightProbeProxyVolumeOverride;
         CopyShapeTo(to);
+    }
+
+    void IReferring.Redirect(IReadOnlyDictionary<Object, Object> copies) => RedirectAnchors(copies);
+
+    private protected void RedirectAnchors(IReadOnlyDictionary<Object, Object> copies)
+    {
+        probeAnchor = (Transform)Copying.Twin(probeAnchor, copies);
+        lightProbeProxyVolumeOverride = (GameObject)Copying.Twin(lightProbeProxyVolumeOverride, copies);
     }
 
     private protected virtual void CopyShapeTo(Renderer copy)
@@ -112,6 +161,12 @@ public class Renderer : Component, IStateful
     }
 
     private protected override void Released() => Visibility.Remove(this);
+
+    private void CheckMaterial(int index)
+    {
+        if ((uint)index >= (uint)Alive()._materials.Length)
+            throw new ArgumentOutOfRangeException(nameof(index), index, $"The renderer has {_materials.Length} materials.");
+    }
 
     private Renderer Alive()
     {

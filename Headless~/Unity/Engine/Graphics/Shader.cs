@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.StandIns;
 
 namespace UnityEngine;
 
@@ -16,13 +17,15 @@ public sealed class Shader : Object
     public bool isSupported => true;
     public int renderQueue => 2000;
 
-    /// <summary>One of the built-in render pipeline's, or null.</summary>
+    /// <summary>One of the built-in render pipeline's or of <see cref="ProjectShaders"/>, or null.</summary>
     public static Shader Find(string name)
     {
+        if (ProjectShaders.Named(name) is { } added)
+            return added;
         if (Array.IndexOf(s_BuiltIn, name) < 0)
             return null;
         if (!s_Found.TryGetValue(name, out Shader shader) || shader == null)
-            s_Found[name] = shader = new Shader { name = name };
+            s_Found[name] = shader = Create(name);
         return shader;
     }
 
@@ -32,4 +35,6 @@ public sealed class Shader : Object
             s_Ids.Add(name, id = s_Ids.Count + 1);
         return id;
     }
+
+    internal static Shader Create(string name) => new() { name = name };
 }

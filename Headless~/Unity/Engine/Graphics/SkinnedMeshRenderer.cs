@@ -1,11 +1,13 @@
 using System;
+using System.Collections.Generic;
 
 namespace UnityEngine;
 
-public class SkinnedMeshRenderer : Renderer
+public class SkinnedMeshRenderer : Renderer, IReferring
 {
     private Mesh _mesh;
     private Transform[] _bones = [];
+    private readonly Dictionary<int, float> _shapeWeights = [];
 
     public Mesh sharedMesh
     {
@@ -34,6 +36,19 @@ public class SkinnedMeshRenderer : Renderer
 
     private protected override Matrix4x4 BoundsToWorld => rootBone != null ? rootBone.localToWorldMatrix : localToWorldMatrix;
 
+    /// <summary>In percent.</summary>
+    public float GetBlendShapeWeight(int index)
+    {
+        CheckShape(index);
+        return _shapeWeights.GetValueOrDefault(index);
+    }
+
+    public void SetBlendShapeWeight(int index, float value)
+    {
+        CheckShape(index);
+        _shapeWeights[index] = value;
+    }
+
     public void BakeMesh(Mesh mesh) => BakeMesh(mesh, false);
 
     /// <summary>Writes the posed vertices into a mesh, relative to this transform, with its scale only if asked to use it.</summary>
@@ -47,6 +62,12 @@ public class SkinnedMeshRenderer : Renderer
         Vector3[] positions = _mesh.vertices, normals = _mesh.normals;
         BoneWeight[] weights = _mesh.boneWeights;
         Matrix4x4[] bind = _mesh.bindposes;
+        foreach (float weight in _shapeWeights.Values)
+        {
+            if (weight != 0f)
+                throw new NotSupportedException("The stand-in bakes no blend shapes.");
+        }
+
         for (int v = 0; v < positions.Length; v++)
         {
             Matrix4x4 pose = toLocal * (weights.Length > 0 ? Pose(weights[v], bind) : localToWorldMatrix);
@@ -72,7 +93,23 @@ public class SkinnedMeshRenderer : Renderer
         to._mesh = _mesh;
         to._bones = [.. _bones];
         to.rootBone = rootBone;
+        foreach (var (shape, weight) in _shapeWeights)
+            to._shapeWeights[shape] = weight;
         to.updateWhenOffscreen = updateWhenOffscreen;
+    }
+
+    void IReferring.Redirect(IReadOnlyDictionary<Object, Object> copies)
+    {
+        RedirectAnchors(copies);
+        _bones = Array.ConvertAll(_bones, b => (Transform)Copying.Twin(b, copies));
+        rootBone = (Transform)Copying.Twin(rootBone, copies);
+    }
+
+    private void CheckShape(int index)
+    {
+        CheckAlive();
+        if (_mesh == null || (uint)index >= (uint)_mesh.blendShapeCount)
+            throw new ArgumentOutOfRangeException(nameof(index), index, "The mesh has no such blend shape.");
     }
 
     private Matrix4x4 Pose(BoneWeight w, Matrix4x4[] bind)

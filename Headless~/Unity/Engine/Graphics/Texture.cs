@@ -1,5 +1,21 @@
 namespace UnityEngine;
 
+public enum TextureWrapMode
+{
+    Repeat = 0,
+    Clamp = 1,
+    Mirror = 2,
+    MirrorOnce = 3,
+}
+
+public enum TextureFormat
+{
+    Alpha8 = 1,
+    RGB24 = 3,
+    RGBA32 = 4,
+    ARGB32 = 5,
+}
+
 /// <summary>A size without pixels.</summary>
 public class Texture : Object
 {
@@ -9,4 +25,6 @@ public class Texture : Object
 
     public virtual int width { get; set; }
     public virtual int height { get; set; }
+    public virtual bool isReadable => true;
+    public TextureWrapMode wrapMode { get; set; }
 }

@@ -4,9 +4,15 @@ namespace UnityEngine;
 
 public sealed class Texture2D : Texture
 {
-    private readonly Color[] _pixels;
+    private Color[] _pixels;
+    private bool _isReadable = true;
 
     public Texture2D(int width, int height)
+        : this(width, height, TextureFormat.RGBA32, true)
+    {
+    }
+
+    public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain)
     {
         if (width <= 0 || height <= 0)
             throw new UnityException("Failed to create texture because of invalid parameters.");
@@ -14,29 +20,73 @@ public sealed class Texture2D : Texture
         this.height = height;
         _pixels = new Color[width * height];
         Array.Fill(_pixels, new Color(0.8f, 0.8f, 0.8f, 0.8f));
+        format = textureFormat;
     }
+
+    public TextureFormat format { get; }
+
+    public override bool isReadable => _isReadable;
 
     public Color GetPixel(int x, int y)
     {
-        CheckAlive();
+        CheckReadable();
         return _pixels[Place(x, y)];
+    }
+
+    public Color32[] GetPixels32()
+    {
+        CheckReadable();
+        return Array.ConvertAll(_pixels, pixel => (Color32)pixel);
     }
 
     public void SetPixel(int x, int y, Color color)
     {
-        CheckAlive();
+        CheckReadable();
         _pixels[Place(x, y)] = color;
     }
 
     public void SetPixels(Color[] colors)
     {
-        CheckAlive();
+        CheckReadable();
         if (colors.Length < _pixels.Length)
             throw new ArgumentException($"The texture has {_pixels.Length} pixels, the array {colors.Length}.");
         Array.Copy(colors, _pixels, _pixels.Length);
     }
 
-    public void Apply() => CheckAlive();
+    public void SetPixels32(Color32[] colors)
+    {
+        CheckReadable();
+        if (colors.Length < _pixels.Length)
+            throw new ArgumentException($"The texture has {_pixels.Length} pixels, the array {colors.Length}.");
+        for (int k = 0; k < _pixels.Length; k++)
+            _pixels[k] = colors[k];
+    }
+
+    public void Apply() => CheckReadable();
+
+    public void Apply(bool updateMipmaps) => CheckReadable();
+
+    public void Apply(bool updateMipmaps, bool makeNoLongerReadable)
+    {
+        CheckReadable();
+        _isReadable = !makeNoLongerReadable;
+    }
+
+    internal void Become(int newWidth, int newHeight, Color32[] pixels, bool readable)
+    {
+        CheckAlive();
+        width = newWidth;
+        height = newHeight;
+        _pixels = Array.ConvertAll(pixels, pixel => (Color)pixel);
+        _isReadable = readable;
+    }
+
+    private void CheckReadable()
+    {
+        CheckAlive();
+        if (!_isReadable)
+            throw new UnityException($"Texture '{name}' is not readable, the texture memory can not be accessed from scripts.");
+    }
 
     private int Place(int x, int y) => Math.Clamp(y, 0, height - 1) * width + Math.Clamp(x, 0, width - 1);
 }

@@ -1,3 +1,5 @@
+using StandIns;
+
 namespace UnityEngine;
 
 public partial class GUI
@@ -16,7 +18,8 @@ public partial class GUI
     public static bool Button(Rect position, Texture image) => throw Absent.Gui;
     public static bool Button(Rect position, Texture image, GUIStyle style) => throw Absent.Gui;
     public static void Label(Rect position, string text) => throw Absent.Gui;
-    public static void Label(Rect position, string text, GUIStyle style) => throw Absent.Gui;
+    public static void Label(Rect position, string text, GUIStyle style) =>
+        GuiPage.Needed.Add(ControlKind.Area, position, new GUIContent(text));
     public static void Label(Rect position, GUIContent content) => throw Absent.Gui;
     public static void Label(Rect position, GUIContent content, GUIStyle style) => throw Absent.Gui;
     public static void Label(Rect position, Texture image) => throw Absent.Gui;

@@ -2,33 +2,36 @@ namespace UnityEngine;
 
 public class GUIContent
 {
-    public static GUIContent none;
+    public static GUIContent none = new();
 
-    public GUIContent(string text)
+    public GUIContent(string text) : this(text, null, null)
     {
     }
 
-    public GUIContent(string text, string tooltip)
+    public GUIContent(string text, string tooltip) : this(text, null, tooltip)
     {
     }
 
-    public GUIContent(string text, Texture image)
+    public GUIContent(string text, Texture image) : this(text, image, null)
     {
     }
 
     public GUIContent(string text, Texture image, string tooltip)
     {
+        this.text = text;
+        this.image = image;
+        this.tooltip = tooltip;
     }
 
-    public GUIContent(Texture image)
+    public GUIContent(Texture image) : this("", image, null)
     {
     }
 
-    public GUIContent(Texture image, string tooltip)
+    public GUIContent(Texture image, string tooltip) : this("", image, tooltip)
     {
     }
 
-    public GUIContent(GUIContent src)
+    public GUIContent(GUIContent src) : this(src.text, src.image, src.tooltip)
     {
     }
 
@@ -36,7 +39,7 @@ public class GUIContent
     {
     }
 
-    public string text { get; set; }
+    public string text { get; set; } = "";
     public Texture image { get; set; }
-    public string tooltip { get; set; }
+    public string tooltip { get; set; } = "";
 }

@@ -1,11 +1,19 @@
+using StandIns;
+
 namespace UnityEngine;
 
 public class GUILayout
 {
-    public static bool Button(string text, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static bool Button(GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    private const float k_Line = 18f;
+
+    public static bool Button(string text, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), new GUIContent(text));
+    public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), new GUIContent(text));
+    public static bool Button(GUIContent content, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), content);
+    public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), content);
     public static bool Button(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static void Label(string text, params GUILayoutOption[] options) => throw Absent.Gui;
@@ -31,7 +39,7 @@ public class GUILayout
     public static void BeginArea(Rect screenRect) => throw Absent.Gui;
     public static void BeginArea(Rect screenRect, GUIStyle style) => throw Absent.Gui;
     public static void EndArea() => throw Absent.Gui;
-    public static GUILayoutOption Width(float width) => throw Absent.Gui;
+    public static GUILayoutOption Width(float width) => new();
     public static GUILayoutOption Height(float height) => throw Absent.Gui;
     public static GUILayoutOption MinWidth(float minWidth) => throw Absent.Gui;
     public static GUILayoutOption MaxWidth(float maxWidth) => throw Absent.Gui;
@@ -42,11 +50,22 @@ public class GUILayout
     public static bool Toggle(bool value, string text, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Toggle(bool value, string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Toggle(bool value, GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static bool Toggle(bool value, GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Toggle(bool value, GUIContent content, GUIStyle style, params GUILayoutOption[] options) =>
+        value ^ GuiPage.Needed.Add(ControlKind.Toggle, GuiPage.Needed.Next(k_Line), content, value.ToString());
     public static bool Toggle(bool value, Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Toggle(bool value, Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static int Toolbar(int selected, string[] texts, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static int Toolbar(int selected, GUIContent[] contents, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static int Toolbar(int selected, GUIContent[] contents, params GUILayoutOption[] options)
+    {
+        for (int k = 0; k < contents.Length; k++)
+        {
+            if (GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), contents[k], (k == selected).ToString()))
+                selected = k;
+        }
+
+        return selected;
+    }
+
     public static float HorizontalSlider(
         float value,
         float leftValue,

@@ -2,7 +2,7 @@ namespace UnityEngine;
 
 public class GUILayoutUtility
 {
-    public static Rect GetRect(float width, float height) => throw Absent.Gui;
+    public static Rect GetRect(float width, float height) => GuiPage.Needed.Next(height);
     public static Rect GetRect(float width, float height, params GUILayoutOption[] options) => throw Absent.Gui;
     public static Rect GetRect(float width, float height, GUIStyle style) => throw Absent.Gui;
     public static Rect GetRect(float width, float height, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;

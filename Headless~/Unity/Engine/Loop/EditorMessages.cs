@@ -7,7 +7,16 @@ namespace Unity.StandIns;
 public static class EditorMessages
 {
     /// <summary>A field was changed in the inspector.</summary>
-    public static void Validate(MonoBehaviour behaviour) => behaviour.Messages.Send("OnValidate");
+    public static void Validate(Object changed)
+    {
+        BehaviourMessages messages = changed switch
+        {
+            MonoBehaviour behaviour => behaviour.Messages,
+            ScriptableObject asset => new BehaviourMessages(asset),
+            _ => null,
+        };
+        messages?.Send("OnValidate");
+    }
 
     /// <summary>Reset was chosen in the component's menu.</summary>
     public static void Reset(MonoBehaviour behaviour)

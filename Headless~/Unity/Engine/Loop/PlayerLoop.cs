@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using StandIns;
 using UnityEngine;
 using UnityEngine.SceneManagement;
 

@@ -1,4 +1,5 @@
 using System;
+using Unity.StandIns;
 
 namespace UnityEngine;
 
@@ -8,8 +9,8 @@ public sealed class Resources
 
     public static T[] FindObjectsOfTypeAll<T>() where T : Object => [.. ObjectRegistry.Find<T>(typeof(T))];
 
-    /// <summary>There are no asset folders here: always null.</summary>
-    public static T Load<T>(string path) where T : Object => null;
+    /// <summary>There are no asset folders here: null but for <see cref="ProjectShaders"/>.</summary>
+    public static T Load<T>(string path) where T : Object => ProjectShaders.InResources(path) as T;
 
     public static void UnloadAsset(Object assetToUnload) => Object.DestroyImmediate(assetToUnload, true);
 

@@ -35,6 +35,10 @@ internal static class Copying
         (to as ISerializationCallbackReceiver)?.OnAfterDeserialize();
     }
 
+    /// <summary>The copy of an object if it was copied too, else the object.</summary>
+    public static Object Twin(Object original, IReadOnlyDictionary<Object, Object> copies) =>
+        original is not null && copies.TryGetValue(original, out Object copy) ? copy : original;
+
     private static ScriptableObject Asset(ScriptableObject original)
     {
         var copy = Factory.Make<ScriptableObject>(original.GetType());
@@ -110,6 +114,7 @@ internal static class Copying
         (from as IStateful)?.CopyStateTo(to);
         if (from is Behaviour behaviour)
             ((Behaviour)to).SetEnabledQuietly(behaviour.enabled);
+        (to as IReferring)?.Redirect(copies);
         Fields(from, to, copies);
     }
 
@@ -118,7 +123,7 @@ internal static class Copying
         if (value is null)
             return Missing(type);
         if (value is Object o)
-            return copies.TryGetValue(o, out Object copy) ? copy : o;
+            return Twin(o, copies);
         if (type.IsPrimitive || type.IsEnum || value is string)
             return value;
         if (SerializedFields.IsList(type, out Type element))
@@ -160,6 +165,13 @@ internal static class Copying
 internal interface ICopyable
 {
     Object Copy();
+}
+
+/// <summary>A component of the engine that refers to objects by other means than a serialised field.</summary>
+internal interface IReferring
+{
+    /// <summary>Told to a copy: what it refers to may have been copied with it.</summary>
+    void Redirect(IReadOnlyDictionary<Object, Object> copies);
 }
 
 /// <summary>A component of the engine with state that is no serialised field.</summary>

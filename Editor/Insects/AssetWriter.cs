@@ -1,0 +1,34 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>Saves objects as assets. One that lies at the path already is written over, so that all who refer to it see the new content.</summary>
+    internal static class AssetWriter
+    {
+        /// <summary>Saves an object that lies nowhere yet.</summary>
+        /// <param name="made">Becomes the asset, or is destroyed when its content has gone into the one that was there.</param>
+        /// <param name="path">Has been checked by <see cref="AssetPath"/>.</param>
+        /// <param name="act">What the undo menu calls writing over.</param>
+        /// <returns>The asset.</returns>
+        public static T Save<T>(T made, string path, string act) where T : ScriptableObject
+        {
+            var existing = AssetDatabase.LoadAssetAtPath<T>(path);
+            if (existing == null)
+            {
+                AssetDatabase.CreateAsset(made, path);
+                AssetDatabase.SaveAssetIfDirty(made);
+                return made;
+            }
+
+            made.name = existing.name;
+            made.hideFlags = existing.hideFlags;
+            Undo.RecordObject(existing, act);
+            EditorUtility.CopySerialized(made, existing);
+            EditorUtility.SetDirty(existing);
+            AssetDatabase.SaveAssetIfDirty(existing);
+            Object.DestroyImmediate(made);
+            return existing;
+        }
+    }
+}

@@ -1,0 +1,18 @@
+using UnityEditor;
+
+namespace Alate.Editor
+{
+    /// <summary>Which gizmos the user wants, on this machine.</summary>
+    internal static class GizmoSettings
+    {
+        private const string k_Key = "Alate.InsectWings.Gizmos";
+        private const GizmoLayers k_Default = GizmoLayers.Chains | GizmoLayers.Axes | GizmoLayers.Force;
+
+        /// <summary>What is drawn.</summary>
+        public static GizmoLayers Layers
+        {
+            get => (GizmoLayers)EditorPrefs.GetInt(k_Key, (int)k_Default);
+            set => EditorPrefs.SetInt(k_Key, (int)value);
+        }
+    }
+}

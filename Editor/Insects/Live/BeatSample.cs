@@ -1,0 +1,25 @@
+namespace Alate.Editor
+{
+    /// <summary>What an insect did at one time.</summary>
+    internal readonly struct BeatSample
+    {
+        /// <summary>Beats of the first wing since it started, with the share of the one under way.</summary>
+        public readonly double beat;
+
+        /// <summary>Flap angle of the first wing's tip, degrees above its wing plane at rest; see <see cref="BeatReader"/>.</summary>
+        public readonly float flap;
+
+        /// <summary>Lift of all wings over the insect's weight.</summary>
+        public readonly float lift;
+
+        public BeatSample(double beat, float flap, float lift)
+        {
+            this.beat = beat;
+            this.flap = flap;
+            this.lift = lift;
+        }
+
+        /// <summary>How far the beat had come, [0, 1).</summary>
+        public float Phase => (float)(beat - System.Math.Floor(beat));
+    }
+}

@@ -1,0 +1,63 @@
+using System;
+
+namespace Alate.Editor
+{
+    /// <summary>The numbers of a living insect as the inspector shows them.</summary>
+    internal static class LiveNumbers
+    {
+        private const string k_None = "—";
+
+        /// <summary>"8.8 Hz".</summary>
+        public static string Frequency(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.Frequency:0.0#} Hz");
+
+        /// <summary>"96°".</summary>
+        public static string FlapRange(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.FlapRange:0.#}°");
+
+        /// <summary>The mean over the last beats: "0.67 of the weight".</summary>
+        public static string Lift(ReadOnlySpan<BeatSample> folded) => folded.Length == 0 ? k_None : Text($"{MeanLift(folded):0.00} of the weight");
+
+        /// <summary>"Coarse Patches".</summary>
+        public static string Detail(InsectWings insect)
+        {
+            switch (insect.Live == null ? default(WingDetail?) : insect.Detail)
+            {
+                case WingDetail.Full: return "Full";
+                case WingDetail.FewerSubsteps: return "Fewer substeps";
+                case WingDetail.CoarsePatches: return "Coarse patches";
+                case WingDetail.WavesOnly: return "Waves only";
+                case WingDetail.Frozen: return "Frozen";
+                default: return k_None;
+            }
+        }
+
+        /// <summary>Substeps of the last step of the first wing.</summary>
+        public static string Substeps(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.Read(0).Substeps} in the last step");
+
+        /// <summary>How often any wing of the insect had to be put back into its driven pose.</summary>
+        public static int Resets(InsectWings insect)
+        {
+            int resets = 0;
+            for (int wing = 0; insect.Live != null && wing < insect.Live.wings.Length; wing++)
+                resets += insect.Read(wing).Resets;
+            return resets;
+        }
+
+        /// <summary>Mean of the lift over the whole beat, each sample for as long as it was nearest.</summary>
+        public static float MeanLift(ReadOnlySpan<BeatSample> folded)
+        {
+            if (folded.Length == 1)
+                return folded[0].lift;
+            double sum = 0.0;
+            for (int k = 0; k < folded.Length; k++)
+            {
+                BeatSample next = folded[(k + 1) % folded.Length];
+                double gap = next.Phase - folded[k].Phase + (k + 1 == folded.Length ? 1.0 : 0.0);
+                sum += 0.5 * gap * (folded[k].lift + next.lift);
+            }
+
+            return (float)sum;
+        }
+
+        private static string Text(FormattableString text) => FormattableString.Invariant(text);
+    }
+}

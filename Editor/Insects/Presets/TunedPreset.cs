@@ -1,0 +1,138 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>
+    /// A preset as some wings of an insect beat by it: its own values and what they add to it. Amplitude, phase lead and substeps go into the copy where all these wings have
+    /// the same, so that they beat by it as they did before.
+    /// </summary>
+    internal sealed class TunedPreset
+    {
+        private const float k_LargestRange = 180f, k_LargestLead = 180f;
+
+        private readonly InsectWings m_Insect;
+        private readonly List<int> m_Wings = new List<int>();
+
+        private TunedPreset(InsectWings insect, WingSpecies source)
+        {
+            m_Insect = insect;
+            Source = source;
+        }
+
+        /// <summary>The preset; null stands for the monarch's that wings without one have.</summary>
+        public WingSpecies Source { get; }
+
+        /// <summary>Places in the insect's list of the wings that beat by it.</summary>
+        public IReadOnlyList<int> Wings => m_Wings;
+
+        /// <summary>What to call it.</summary>
+        public string Name => Source == null ? "Monarch" : Source.name;
+
+        /// <summary>The presets by which an insect's wings beat, its own first; one at least.</summary>
+        public static List<TunedPreset> Of(InsectWings insect)
+        {
+            var presets = new List<TunedPreset> { new TunedPreset(insect, insect.Species) };
+            for (int w = 0; w < insect.Wings.Count; w++)
+            {
+                if (insect.Wings[w] == null)
+                    continue;
+                WingSpecies source = SourceOf(insect, insect.Wings[w]);
+                TunedPreset preset = presets.Find(known => known.Source == source);
+                if (preset == null)
+                    presets.Add(preset = new TunedPreset(insect, source));
+                preset.m_Wings.Add(w);
+            }
+
+            return presets;
+        }
+
+        /// <summary>A copy with the values as they are now; the caller saves or destroys it.</summary>
+        public WingSpecies Copy()
+        {
+            WingSpecies copy = Source == null ? ScriptableObject.CreateInstance<WingSpecies>() : Object.Instantiate(Source);
+            copy.name = Name;
+            Scale(copy, Share);
+            copy.Beat.phaseLead = Wrap(copy.Beat.phaseLead + Lead);
+            int substeps = m_Insect.SubstepsPerBeat;
+            if (substeps > 0)
+                copy.SubstepsPerBeat = substeps;
+            return copy;
+        }
+
+        /// <summary>Lets the wings beat by a copy: what has gone into it is taken off the wings, and off the insect when no other wings need it.</summary>
+        public void Use(WingSpecies copy)
+        {
+            float share = Share, lead = Lead;
+            if (Source == m_Insect.Species)
+                m_Insect.Species = copy;
+            foreach (int w in m_Wings)
+            {
+                Wing wing = m_Insect.Wings[w];
+                if (wing.Species != null)
+                    wing.Species = copy;
+                wing.AmplitudeScale = share > 0f ? wing.AmplitudeScale / share : 1f;
+                wing.PhaseLead -= lead;
+            }
+
+            if (m_Wings.Count == m_Insect.Wings.Count)
+                m_Insect.Quality.substepsPerBeat = 0;
+        }
+
+        // How much of the wings' amplitude goes into the preset: ranges end at half a turn.
+        private float Share
+        {
+            get
+            {
+                float scale = Common(wing => wing.AmplitudeScale, 1f);
+                SpeciesBeat beat = Source == null ? WingSpeciesPresets.MonarchBeat : Source.Beat;
+                float widest = math.max(beat.flapRange, math.max(beat.featherRange, beat.sweepRange));
+                return widest > 0f ? math.min(scale, k_LargestRange / widest) : 1f;
+            }
+        }
+
+        private float Lead => Common(wing => wing.PhaseLead, 0f);
+
+        private float Common(System.Func<Wing, float> value, float otherwise)
+        {
+            if (m_Wings.Count == 0)
+                return otherwise;
+            float first = value(m_Insect.Wings[m_Wings[0]]);
+            foreach (int w in m_Wings)
+            {
+                if (value(m_Insect.Wings[w]) != first)
+                    return otherwise;
+            }
+
+            return first;
+        }
+
+        // Stiffness is measured against the reference frequency, which knows the range: it is kept as it was.
+        private static void Scale(WingSpecies species, float share)
+        {
+            float before = species.ReferenceFrequency;
+            species.Beat.flapRange *= share;
+            species.Beat.featherRange *= share;
+            species.Beat.sweepRange *= share;
+            float ratio = before / species.ReferenceFrequency;
+            if (species.Options.springUnits == SpringUnits.BeatRate)
+            {
+                species.Stiffness.elasticity *= ratio * ratio;
+                return;
+            }
+
+            species.Stiffness.leadingEdge *= ratio;
+            species.Stiffness.trailingEdge *= ratio;
+            species.Stiffness.anchor *= ratio;
+        }
+
+        private static float Wrap(float degrees)
+        {
+            float whole = 2f * k_LargestLead;
+            return degrees > k_LargestLead ? degrees - whole : degrees < -k_LargestLead ? degrees + whole : degrees;
+        }
+
+        private static WingSpecies SourceOf(InsectWings insect, Wing wing) => wing.Species == null ? insect.Species : wing.Species;
+    }
+}

@@ -1,0 +1,96 @@
+using System.Collections.Generic;
+using UnityEditor;
+
+namespace Alate.Editor
+{
+    /// <summary>What the one help box of the inspector says about the selected insects.</summary>
+    internal readonly struct InsectStatus
+    {
+        private InsectStatus(InsectWings insect, in InsectProblem problem, MessageType kind, string message)
+        {
+            Insect = insect;
+            Problem = problem;
+            Kind = kind;
+            Message = message;
+        }
+
+        /// <summary>The insect it is about; null when there is nothing to say.</summary>
+        public InsectWings Insect { get; }
+
+        /// <summary>Its problem, for which there may be fixes.</summary>
+        public InsectProblem Problem { get; }
+
+        /// <summary>Error: wings do not live. Warning: they rest for now. Info: nothing is wrong.</summary>
+        public MessageType Kind { get; }
+
+        /// <summary>What to show; empty for no box.</summary>
+        public string Message { get; }
+
+        /// <summary>Whether there is a box to show.</summary>
+        public bool IsShown => !string.IsNullOrEmpty(Message);
+
+        /// <summary>Looks at all insects: the first problem counts, others are counted.</summary>
+        public static InsectStatus Of(IReadOnlyList<InsectWings> insects)
+        {
+            var first = default(InsectStatus);
+            int others = 0;
+            foreach (InsectWings insect in insects)
+            {
+                if (insect == null)
+                    continue;
+                InsectStatus status = Of(insect);
+                if (!status.IsShown)
+                    continue;
+                if (first.IsShown && first.Kind >= status.Kind)
+                {
+                    others += status.Problem.IsProblem ? 1 : 0;
+                    continue;
+                }
+
+                others += first.Problem.IsProblem ? 1 : 0;
+                first = status;
+            }
+
+            return others == 0 ? first : first.With($"{first.Message} {Others(others)}");
+        }
+
+        /// <summary>Looks at one insect.</summary>
+        public static InsectStatus Of(InsectWings insect)
+        {
+            InsectProblem problem = FindProblem(insect);
+            if (problem.IsProblem)
+                return new InsectStatus(insect, problem, problem.State == InsectState.ZeroScale ? MessageType.Warning : MessageType.Error, problem.Message);
+            string rest = Rest(insect);
+            return rest == null ? default : new InsectStatus(insect, problem, MessageType.Info, rest);
+        }
+
+        /// <summary>The problem an insect has, or would have if it were to live.</summary>
+        public static InsectProblem FindProblem(InsectWings insect)
+        {
+            if (insect.State != InsectState.Inactive)
+                return insect.Problem;
+            InsectProblem problem = insect.FindProblem();
+            int wing = problem.IsProblem ? -1 : StaticBatchingFix.FindFlagged(insect);
+            return wing < 0
+                ? problem
+                : new InsectProblem(InsectState.StaticBatch, wing,
+                    $"Wing {wing}: static batching will merge '{insect.Wings[wing].Renderer.name}' with other meshes when play begins. Turn off Batching Static on it.");
+        }
+
+        // Why healthy wings do not move.
+        private static string Rest(InsectWings insect)
+        {
+            if (insect.State == InsectState.Waiting)
+                return "The wings start in one of the next frames.";
+            if (insect.Live == null || insect.Detail != WingDetail.Frozen)
+                return null;
+            return insect.Live.visible
+                ? "The wings have come to rest because the insect is so small on the screen; see Quality."
+                : "The wings stand still while no camera sees them, and make up for it when one does; see Quality.";
+        }
+
+        private static string Others(int count) => count == 1 ? "One more of the selected insects has a problem." : $"{count} more of the selected insects have problems.";
+
+        private InsectStatus With(string message) => new InsectStatus(Insect, Problem, Kind, message);
+    }
+}

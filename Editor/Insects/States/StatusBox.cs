@@ -1,0 +1,106 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>The one help box of the inspector, with a button for each fix, and what the last fix answered.</summary>
+    internal sealed class StatusBox
+    {
+        /// <summary>Seconds after which insects are looked at again even if nothing in them was changed: looking for wings in large meshes takes its time.</summary>
+        private const double k_Patience = 0.5;
+
+        private readonly List<(InsectFix fix, string obstacle)> m_Fixes = new List<(InsectFix, string)>();
+        private IReadOnlyList<InsectWings> m_Insects = System.Array.Empty<InsectWings>();
+        private InsectStatus m_Status;
+        private string m_Answer = "";
+        private double m_Looked = double.NegativeInfinity;
+
+        /// <summary>Looks at the selected insects; a status that has changed takes back the last answer.</summary>
+        /// <param name="insects">All that are selected.</param>
+        /// <param name="changed">Whether they have been changed since the last look.</param>
+        public void Look(IReadOnlyList<InsectWings> insects, bool changed)
+        {
+            double now = EditorApplication.timeSinceStartup;
+            if (!changed && now - m_Looked < k_Patience)
+                return;
+            m_Looked = now;
+            m_Insects = insects;
+            InsectStatus status = InsectStatus.Of(insects);
+            if (status.Message != m_Status.Message && status.IsShown)
+                m_Answer = "";
+            m_Status = status;
+            m_Fixes.Clear();
+            if (!status.IsShown)
+                return;
+            foreach (InsectFix fix in InsectFixes.For(status.Insect, status.Problem))
+                m_Fixes.Add((fix, fix.FindObstacle(status.Insect, status.Problem)));
+        }
+
+        /// <summary>Shows what a fix has done.</summary>
+        public void Show(FixOutcome outcome) => m_Answer = outcome.Message;
+
+        /// <summary>Takes the next lines of the inspector.</summary>
+        /// <returns>Whether something was mended.</returns>
+        public bool Draw()
+        {
+            bool mended = false;
+            if (m_Status.IsShown)
+            {
+                EditorGUILayout.HelpBox(m_Status.Message, m_Status.Kind);
+                mended = DrawFixes();
+            }
+
+            if (!string.IsNullOrEmpty(m_Answer))
+                EditorGUILayout.LabelField(m_Answer, EditorStyles.wordWrappedMiniLabel);
+            return mended;
+        }
+
+        private bool DrawFixes()
+        {
+            if (m_Fixes.Count == 0)
+                return false;
+            InsectFix pressed = null;
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                foreach ((InsectFix fix, string obstacle) in m_Fixes)
+                {
+                    using (new EditorGUI.DisabledScope(obstacle != null))
+                    {
+                        if (GUILayout.Button(new GUIContent(fix.Label, obstacle ?? fix.Tooltip)))
+                            pressed = fix;
+                    }
+                }
+            }
+
+            foreach ((InsectFix _, string obstacle) in m_Fixes)
+            {
+                if (obstacle != null)
+                    EditorGUILayout.LabelField(obstacle, EditorStyles.wordWrappedMiniLabel);
+            }
+
+            return pressed != null && Apply(pressed);
+        }
+
+        // All selected insects with the same problem are mended at once.
+        private bool Apply(InsectFix fix)
+        {
+            InsectState state = m_Status.Problem.State;
+            FixOutcome last = default;
+            bool mended = false;
+            Edits.InOneStep(fix.Label, () =>
+            {
+                foreach (InsectWings insect in m_Insects)
+                {
+                    InsectProblem problem = insect == null ? InsectProblem.None : InsectStatus.FindProblem(insect);
+                    if (problem.State != state || fix.FindObstacle(insect, problem) != null)
+                        continue;
+                    last = fix.Apply(insect, problem);
+                    mended |= last.IsDone;
+                }
+            });
+            m_Answer = last.Message;
+            return mended;
+        }
+    }
+}

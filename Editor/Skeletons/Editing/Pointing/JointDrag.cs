@@ -1,0 +1,114 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>
+    /// One drag of the selected joints, of one skeleton or of several at once, from press to release: one step of undo. Always starts
+    /// over from where the joints were, so that going back with the pointer goes back with the joints.
+    /// </summary>
+    internal sealed class JointDrag
+    {
+        private const string k_Act = "Move Joints";
+
+        private readonly IUndoRecorder m_Undo;
+        private readonly SkeletonEditing m_Grabbed;
+        private readonly JointIndex m_Joint;
+        private readonly List<(SkeletonEditing editing, EditStart start, JointIndex[] joints)> m_Parts =
+            new List<(SkeletonEditing, EditStart, JointIndex[])>();
+
+        private readonly Vector3 m_Anchor;
+        private readonly SkeletonDraft m_Start;
+
+        /// <summary>Begins a drag of all selected joints; the grabbed one follows the pointer.</summary>
+        public JointDrag(IReadOnlyList<SkeletonEditing> all, SkeletonEditing grabbed, JointIndex joint, IUndoRecorder undo)
+        {
+            m_Undo = undo;
+            m_Grabbed = grabbed;
+            m_Joint = joint;
+            m_Anchor = grabbed.LocalToWorld.MultiplyPoint3x4(grabbed.Skeleton.GetJoint(joint.chain, joint.joint));
+            foreach (SkeletonEditing editing in all)
+            {
+                JointIndex[] joints = editing.Selection.Living();
+                if (joints.Length == 0 || editing.Start(out EditStart start) != null)
+                    continue;
+                m_Parts.Add((editing, start, joints));
+                if (editing == grabbed)
+                    m_Start = start.Own;
+            }
+
+            m_Undo.Begin(k_Act);
+        }
+
+        /// <summary>Moves the joints so that the grabbed one is under the ray.</summary>
+        /// <returns>Why they stay where they were, where they do.</returns>
+        public EditOutcome Update(Ray ray, DragMode mode)
+        {
+            if (m_Start == null)
+                return EditOutcome.Refused("The chains are not complete: mend the skeleton first.");
+            Matrix4x4 toMesh = m_Grabbed.LocalToWorld.inverse;
+            if (mode == DragMode.Chain)
+                return Slide(toMesh.MultiplyPoint3x4(ray.origin), toMesh.MultiplyVector(ray.direction));
+            if (!TryTarget(ray, mode, toMesh, out Vector3 target))
+                return EditOutcome.Refused("The pointer is off the plane of the wing.");
+            return Move(target - m_Anchor, mode);
+        }
+
+        /// <summary>Ends the drag; it can be undone.</summary>
+        public void End() => m_Undo.End();
+
+        /// <summary>Ends the drag and puts everything back.</summary>
+        public void Cancel() => m_Undo.Cancel();
+
+        private bool TryTarget(Ray ray, DragMode mode, Matrix4x4 toMesh, out Vector3 target)
+        {
+            if (mode == DragMode.Free)
+                return DragPlane.TryPoint(ray, m_Anchor, ray.direction, out target);
+            Vector3 origin = toMesh.MultiplyPoint3x4(ray.origin), direction = toMesh.MultiplyVector(ray.direction);
+            if (mode == DragMode.Surface && m_Grabbed.Surface != null && m_Grabbed.Surface.TryHit(origin, direction, out Vector3 hit))
+            {
+                target = m_Grabbed.LocalToWorld.MultiplyPoint3x4(hit);
+                return true;
+            }
+
+            return DragPlane.TryPoint(ray, m_Anchor, WorldNormal(), out target);
+        }
+
+        // A plane's normal goes to the world by the inverse transpose: two vectors in the plane go by the matrix itself.
+        private Vector3 WorldNormal()
+        {
+            if (!WingAxes.TryMake(m_Start.SpanAxis, m_Start.UpAxis, out float3x3 axes))
+                axes = float3x3.identity;
+            Vector3 span = m_Grabbed.LocalToWorld.MultiplyVector(axes.c0), forward = m_Grabbed.LocalToWorld.MultiplyVector(axes.c2);
+            return Vector3.Cross(span, forward);
+        }
+
+        private EditOutcome Move(Vector3 worldDelta, DragMode mode)
+        {
+            EditOutcome outcome = EditOutcome.Success;
+            foreach (var (editing, start, joints) in m_Parts)
+            {
+                Vector3 delta = editing.LocalToWorld.inverse.MultiplyVector(worldDelta);
+                Proposal moved = mode == DragMode.Surface && editing.Surface != null
+                    ? MoveActs.OnSurface(start.Own, joints, delta, editing.Surface)
+                    : MoveActs.By(start.Own, joints, delta);
+                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, moved));
+            }
+
+            return outcome;
+        }
+
+        private EditOutcome Slide(Vector3 origin, Vector3 direction)
+        {
+            var path = new JointPath(m_Start.Chain(m_Joint.chain));
+            float distance = path.ClosestTo(origin, direction) - path.DistanceOf(m_Joint.joint);
+            EditOutcome outcome = EditOutcome.Success;
+            foreach (var (editing, start, joints) in m_Parts)
+                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, SlideActs.By(start.Own, joints, distance)));
+            return outcome;
+        }
+
+        private static EditOutcome FirstRefusal(EditOutcome first, EditOutcome next) => first.Done ? next : first;
+    }
+}

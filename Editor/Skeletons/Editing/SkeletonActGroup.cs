@@ -1,0 +1,18 @@
+using System.Collections.Generic;
+
+namespace Alate.Editor
+{
+    /// <summary>Acts that belong together in menus and panels.</summary>
+    internal sealed class SkeletonActGroup
+    {
+        public SkeletonActGroup(string name, params SkeletonAct[] acts)
+        {
+            Name = name;
+            Acts = acts;
+        }
+
+        public string Name { get; }
+
+        public IReadOnlyList<SkeletonAct> Acts { get; }
+    }
+}

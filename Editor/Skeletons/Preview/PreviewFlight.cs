@@ -1,0 +1,34 @@
+using Unity.Mathematics;
+
+namespace Alate.Editor
+{
+    /// <summary>The wing and the level flight that a preview shows.</summary>
+    internal readonly struct PreviewFlight
+    {
+        /// <summary>Speed as a share of the preset's u_max: a monarch's 1.3 m/s.</summary>
+        private const float k_CruiseShare = 0.65f;
+
+        private const float k_Gravity = 9.81f;
+
+        public readonly WingParameters parameters;
+        public readonly WingSurroundings surroundings;
+
+        private PreviewFlight(in WingParameters parameters, in WingSurroundings surroundings)
+        {
+            this.parameters = parameters;
+            this.surroundings = surroundings;
+        }
+
+        /// <summary>A preset's wing in level flight.</summary>
+        public static PreviewFlight Of(SpeciesValues species)
+        {
+            float speed = k_CruiseShare * species.parameters.maxSpeed;
+            return new PreviewFlight(species.parameters, new WingSurroundings
+            {
+                wind = new float3(0f, 0f, -speed / species.wingLength),
+                gravity = new float3(0f, -k_Gravity * species.gravityShare / species.wingLength, 0f),
+                speed = speed,
+            });
+        }
+    }
+}

@@ -1,0 +1,92 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>Finds the skeletons of insects, to edit them where the wings are.</summary>
+    internal static class InsectTargets
+    {
+        /// <summary>The skeletons of all wings of some insects, each once, wherever several wings share one.</summary>
+        public static List<SkeletonTarget> Find(IEnumerable<InsectWings> insects)
+        {
+            var targets = new List<SkeletonTarget>();
+            foreach (InsectWings insect in insects)
+                Add(insect, targets);
+            return targets;
+        }
+
+        /// <summary>A number that changes with what <see cref="Find"/> would find, but for the content of skeletons and meshes.</summary>
+        public static int StampOf(IEnumerable<InsectWings> insects)
+        {
+            int stamp = 17;
+            foreach (InsectWings insect in insects)
+            {
+                foreach (Wing wing in insect.Wings)
+                {
+                    Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
+                    if (mesh == null)
+                        continue;
+                    int skeleton = wing.Skeleton == null ? 0 : wing.Skeleton.GetHashCode();
+                    int part = ((int)wing.Part * 31 + wing.Submesh) * 31 + wing.Point.GetHashCode();
+                    stamp = ((stamp * 31 + mesh.GetHashCode()) * 31 + skeleton) * 31 + part + (int)wing.Side * 7 + (int)wing.Pair;
+                }
+            }
+
+            return stamp;
+        }
+
+        /// <summary>The wings of an insect that have no skeleton yet but a mesh to make one for.</summary>
+        public static List<Wing> WithoutSkeleton(InsectWings insect)
+        {
+            var bare = new List<Wing>();
+            foreach (Wing wing in insect.Wings)
+            {
+                if (wing != null && wing.Skeleton == null && SurfaceOf(wing, out _).positions != null)
+                    bare.Add(wing);
+            }
+
+            return bare;
+        }
+
+        /// <summary>The triangles of a wing, in the space of its mesh; without positions where there are none to be had.</summary>
+        /// <param name="wing">The wing.</param>
+        /// <param name="refusal">Why there are none, one sentence; null where there are.</param>
+        public static WingSurface SurfaceOf(Wing wing, out string refusal)
+        {
+            Mesh mesh = InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
+            refusal = mesh == null ? "The wing has no mesh." : null;
+            if (refusal != null)
+                return default;
+            try
+            {
+                return MeshParts.Surface(mesh, MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point));
+            }
+            catch (ArgumentException refused)
+            {
+                refusal = refused.Message;
+                return default;
+            }
+        }
+
+        private static void Add(InsectWings insect, List<SkeletonTarget> targets)
+        {
+            var own = new List<(Wing wing, SkeletonTarget target)>();
+            foreach (Wing wing in insect.Wings)
+            {
+                if (wing == null || wing.Renderer == null || wing.Skeleton == null || targets.Exists(t => t.Skeleton == wing.Skeleton))
+                    continue;
+                var target = new SkeletonTarget(wing.Skeleton, SurfaceOf(wing, out _), wing.Renderer.transform)
+                {
+                    Insect = insect.transform,
+                    Species = wing.Species != null ? wing.Species : insect.Species,
+                };
+                targets.Add(target);
+                own.Add((wing, target));
+            }
+
+            foreach (var (wing, target) in own)
+                target.OtherSide = own.Find(other => other.wing.Side != wing.Side && other.wing.Pair == wing.Pair).target;
+        }
+    }
+}

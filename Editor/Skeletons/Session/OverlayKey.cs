@@ -1,0 +1,46 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate.Editor
+{
+    /// <summary>What a picture over a wing was made of, to tell whether it has to be made anew.</summary>
+    internal readonly struct OverlayKey : IEquatable<OverlayKey>
+    {
+        private readonly SkeletonTarget m_Target;
+        private readonly uint m_Skeleton;
+        private readonly RigColourMode? m_Colours;
+        private readonly int m_Selection;
+        private readonly int m_Preset;
+
+        public OverlayKey(SkeletonTarget target, uint skeletonHash)
+            : this(target, skeletonHash, null, 0, 0)
+        {
+        }
+
+        private OverlayKey(SkeletonTarget target, uint skeletonHash, RigColourMode? colours, int selection, int preset)
+        {
+            m_Target = target;
+            m_Skeleton = skeletonHash;
+            m_Colours = colours;
+            m_Selection = selection;
+            m_Preset = preset;
+        }
+
+        /// <summary>The same with what colours depend on too.</summary>
+        public OverlayKey With(RigColourMode? colours, IReadOnlyList<JointIndex> selected, int preset)
+        {
+            int selection = selected.Count;
+            foreach (JointIndex joint in selected)
+                selection = selection * 31 + joint.GetHashCode();
+            return new OverlayKey(m_Target, m_Skeleton, colours, selection, preset);
+        }
+
+        public bool Equals(OverlayKey other) =>
+            m_Target == other.m_Target && m_Skeleton == other.m_Skeleton && m_Colours == other.m_Colours
+            && m_Selection == other.m_Selection && m_Preset == other.m_Preset;
+
+        public override bool Equals(object obj) => obj is OverlayKey other && Equals(other);
+
+        public override int GetHashCode() => (int)m_Skeleton ^ m_Selection;
+    }
+}

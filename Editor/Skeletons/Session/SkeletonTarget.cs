@@ -1,0 +1,64 @@
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>A skeleton that can be edited, with the wing that it is shown on: a wing of an insect, or a mesh beside an asset.</summary>
+    internal sealed class SkeletonTarget
+    {
+        /// <param name="skeleton">The skeleton.</param>
+        /// <param name="surface">The wing's triangles in the skeleton's space; no positions where there is no mesh.</param>
+        /// <param name="place">Where the wing is drawn; null for the origin of the world.</param>
+        public SkeletonTarget(WingSkeleton skeleton, in WingSurface surface, Transform place)
+        {
+            Skeleton = skeleton;
+            Surface = surface;
+            Place = place;
+        }
+
+        public WingSkeleton Skeleton { get; }
+
+        public WingSurface Surface { get; }
+
+        public bool HasSurface => Surface.positions != null && Surface.positions.Length > 0;
+
+        public Transform Place { get; }
+
+        /// <summary>From the skeleton's space to the world, now.</summary>
+        public Matrix4x4 LocalToWorld => Place == null ? Matrix4x4.identity : Place.localToWorldMatrix;
+
+        /// <summary>The root of the insect, across whose x = 0 plane the other side lies; null where there is none.</summary>
+        public Transform Insect { get; set; }
+
+        /// <summary>The wing on the other side, where it has a skeleton of its own; else null.</summary>
+        public SkeletonTarget OtherSide { get; set; }
+
+        /// <summary>Why the skeleton may not be changed, one sentence; null where it may.</summary>
+        public string Lock { get; set; }
+
+        /// <summary>The preset by which it beats; null for a monarch.</summary>
+        public WingSpecies Species { get; set; }
+
+        /// <summary>What is known for laying the skeleton out anew: where the insect is and how it lies, in the wing's space.</summary>
+        public SkeletonFitSettings Known()
+        {
+            SkeletonFitSettings known = SkeletonFitSettings.Default;
+            if (Insect == null || Place == null)
+                return known;
+            Matrix4x4 toMesh = Place.worldToLocalMatrix * Insect.localToWorldMatrix;
+            known.bodyPoint = toMesh.MultiplyPoint3x4(Vector3.zero);
+            known.forward = toMesh.MultiplyVector(Vector3.forward);
+            known.up = toMesh.MultiplyVector(Vector3.up);
+            return known;
+        }
+
+        /// <summary>The twin for symmetric editing, as the wings stand now; null where there is none.</summary>
+        public SkeletonTwin MakeTwin()
+        {
+            if (OtherSide == null)
+                return null;
+            Matrix4x4 insect = Insect == null ? Matrix4x4.identity : Insect.localToWorldMatrix;
+            Matrix4x4 mirror = insect * SkeletonMirror.AcrossX * insect.inverse;
+            return new SkeletonTwin(OtherSide.Skeleton, OtherSide.LocalToWorld.inverse * mirror * LocalToWorld) { Lock = OtherSide.Lock };
+        }
+    }
+}

@@ -1,0 +1,51 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>Records acts in the editor's own undo history, one group a step.</summary>
+    internal sealed class EditorUndo : IUndoRecorder
+    {
+        private readonly HashSet<Object> m_Recorded = new HashSet<Object>();
+        private string m_Act;
+        private int m_Group;
+        private int m_Depth;
+
+        public void Begin(string act)
+        {
+            if (m_Depth++ > 0)
+                return;
+            m_Act = act;
+            m_Recorded.Clear();
+            Undo.IncrementCurrentGroup();
+            m_Group = Undo.GetCurrentGroup();
+        }
+
+        // Complete, not by differences: acts replace whole arrays within arrays.
+        public void Record(Object target)
+        {
+            if (m_Recorded.Add(target))
+                Undo.RegisterCompleteObjectUndo(target, m_Act);
+        }
+
+        public void Changed(Object target) => EditorUtility.SetDirty(target);
+
+        public void End()
+        {
+            if (m_Depth == 0 || --m_Depth > 0 || m_Recorded.Count == 0)
+                return;
+            Undo.SetCurrentGroupName(m_Act);
+            Undo.CollapseUndoOperations(m_Group);
+        }
+
+        public void Cancel()
+        {
+            if (m_Depth == 0)
+                return;
+            m_Depth = 0;
+            if (m_Recorded.Count > 0)
+                Undo.RevertAllDownToGroup(m_Group);
+        }
+    }
+}

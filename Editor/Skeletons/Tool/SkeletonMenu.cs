@@ -1,0 +1,23 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>The menu of a right click on a joint.</summary>
+    internal static class SkeletonMenu
+    {
+        public static void Show(SkeletonSession session)
+        {
+            var menu = new GenericMenu();
+            foreach (SkeletonActGroup group in SkeletonActs.Groups)
+            {
+                if (group != SkeletonActs.Groups[0])
+                    menu.AddSeparator("");
+                foreach (SkeletonAct act in group.Acts)
+                    menu.AddItem(new GUIContent(act.Title), false, () => session.Do(act));
+            }
+
+            menu.ShowAsContext();
+        }
+    }
+}

@@ -1,0 +1,31 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>Remembers, for this user, on which mesh the inspector shows a skeleton. The skeleton itself knows of no mesh.</summary>
+    internal static class SkeletonMeshMemory
+    {
+        private const string k_Prefix = "Alate.SkeletonMesh.";
+
+        /// <summary>The mesh; null where none was chosen or it is gone.</summary>
+        public static Mesh Get(WingSkeleton skeleton)
+        {
+            string known = EditorPrefs.GetString(KeyOf(skeleton), "");
+            return GlobalObjectId.TryParse(known, out GlobalObjectId id)
+                ? GlobalObjectId.GlobalObjectIdentifierToObjectSlow(id) as Mesh
+                : null;
+        }
+
+        /// <summary>Remembers a mesh, or forgets it where it is null.</summary>
+        public static void Set(WingSkeleton skeleton, Mesh mesh)
+        {
+            if (mesh == null)
+                EditorPrefs.DeleteKey(KeyOf(skeleton));
+            else
+                EditorPrefs.SetString(KeyOf(skeleton), GlobalObjectId.GetGlobalObjectIdSlow(mesh).ToString());
+        }
+
+        private static string KeyOf(WingSkeleton skeleton) => k_Prefix + GlobalObjectId.GetGlobalObjectIdSlow(skeleton);
+    }
+}

@@ -1,0 +1,20 @@
+using UnityEditor;
+using UnityEditor.Overlays;
+
+namespace Alate.Editor
+{
+    /// <summary>The panel in the scene view; there while a skeleton is edited.</summary>
+    [Overlay(typeof(SceneView), "alate-wing-skeleton", "Wing Skeleton", true)]
+    internal sealed class SkeletonOverlay : IMGUIOverlay, ITransientOverlay
+    {
+        /// <inheritdoc/>
+        public bool visible => SkeletonSessions.Current != null;
+
+        /// <inheritdoc/>
+        public override void OnGUI()
+        {
+            if (SkeletonSessions.Current != null && !SkeletonSessions.Current.IsStale())
+                SkeletonPanel.Draw(SkeletonSessions.Current);
+        }
+    }
+}

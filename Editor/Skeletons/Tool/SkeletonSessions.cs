@@ -1,0 +1,48 @@
+using System;
+using System.Collections.Generic;
+using UnityEditor;
+
+namespace Alate.Editor
+{
+    /// <summary>The session that the scene view shows now: the tool's or an inspector's. There is one at a time.</summary>
+    internal static class SkeletonSessions
+    {
+        /// <summary>The session; null where no skeleton is edited.</summary>
+        public static SkeletonSession Current { get; private set; }
+
+        /// <summary>Raised when another session is shown, or none.</summary>
+        public static event Action Changed;
+
+        /// <summary>Begins a session; the one before it ends.</summary>
+        public static SkeletonSession Open(IEnumerable<SkeletonTarget> targets)
+        {
+            Close(Current);
+            var listed = new List<SkeletonTarget>(targets);
+            foreach (SkeletonTarget target in listed)
+                target.Lock = LockOf(target.Skeleton);
+            Current = new SkeletonSession(listed, new EditorUndo());
+            Undo.undoRedoPerformed += SceneView.RepaintAll;
+            Changed?.Invoke();
+            SceneView.RepaintAll();
+            return Current;
+        }
+
+        /// <summary>Ends a session if it is the one that is shown.</summary>
+        public static void Close(SkeletonSession session)
+        {
+            if (session == null || session != Current)
+                return;
+            Undo.undoRedoPerformed -= SceneView.RepaintAll;
+            Current = null;
+            session.Dispose();
+            Changed?.Invoke();
+            SceneView.RepaintAll();
+        }
+
+        /// <summary>Why a skeleton may not be changed; null where it may. Packages from git are overwritten at will, and edits in them are lost.</summary>
+        public static string LockOf(WingSkeleton skeleton) =>
+            AssetDatabase.Contains(skeleton) && !AssetDatabase.IsOpenForEdit(skeleton)
+                ? $"'{skeleton.name}' cannot be changed where it lies: copy it into your project's Assets first."
+                : null;
+    }
+}

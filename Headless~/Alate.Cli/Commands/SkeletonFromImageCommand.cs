@@ -1,0 +1,112 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Alate.Cli.Input;
+using Alate.Cli.Output;
+using Alate.Cli.Pictures;
+using UnityEngine;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>skeleton from-image IMAGE</c>: makes a mesh and a skeleton from a picture of a wing.</summary>
+internal static class SkeletonFromImageCommand
+{
+    private const string k_Skeleton = "skeleton.json", k_Mesh = "wing.obj", k_Overlay = "overlay.svg";
+
+    public static Command Create(TextWriter output)
+    {
+        WingTracingSettings standard = WingTracingSettings.Default;
+        var image = new Argument<string>("IMAGE")
+        {
+            Description = "A PNG of one wing on plain or transparent ground: silhouette, line drawing or photo.",
+        };
+        Option<int?> chains = Numbers.OptionalCount(
+            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains, "Chains of joints, 3 to 16. [default: 5]");
+        Option<int?> joints = Numbers.OptionalCount(
+            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints, "Joints of each chain, 3 to 16. [default: 5]");
+        Option<int?> triangles = Numbers.OptionalCount(
+            "--triangles", "N", WingTracingSettings.MinTriangles, WingTracingSettings.MaxTriangles,
+            "Triangles of the mesh, 50 to 200000; it gets exactly so many. [default: 1000]");
+        Option<double[]> hinge = Numbers.Pair(
+            "--hinge", "X,Y", 0, WingPicture.MaxSide,
+            "Where the wing turns, pixels from the picture's top left corner. [default: where veins meet, else guessed]");
+        Option<Vector2?> leading = Choice.Optional<Vector2>("--leading", "The leading edge's side of the picture. [default: up]", new()
+        {
+            ["up"] = new Vector2(0f, -1f), ["down"] = new Vector2(0f, 1f), ["left"] = new Vector2(-1f, 0f), ["right"] = new Vector2(1f, 0f),
+        });
+        Option<double> length = Numbers.Option(
+            "--length", "METRES", standard.length, 1e-6, 1e6, "Length of the wing from hinge to tip in the mesh.");
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/IMAGE]" };
+        var command = new Command("from-image", "Makes a mesh and a skeleton from a picture of a wing; chains follow its veins where it shows any.")
+        {
+            image, chains, joints, triangles, hinge, leading, length, folder,
+        };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            var settings = new WingTracingSettings
+            {
+                chains = parsed.GetValue(chains) ?? standard.chains,
+                jointsPerChain = parsed.GetValue(joints) ?? standard.jointsPerChain,
+                triangles = parsed.GetValue(triangles) ?? standard.triangles,
+                hinge = parsed.GetValue(hinge) is { Length: 2 } at ? new Vector2((float)at[0], (float)at[1]) : null,
+                forward = parsed.GetValue(leading),
+                length = (float)parsed.GetValue(length),
+            };
+            string file = parsed.GetValue(image);
+            Run(file, settings, parsed.GetValue(folder) ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(string file, in WingTracingSettings settings, string path, TextWriter output)
+    {
+        PictureFile picture = PictureFile.Read(file);
+        WingTrace trace = Trace(picture, settings);
+        using OutputFolder folder = OutputFolder.Prepare(path, k_Skeleton, k_Mesh, k_Overlay);
+        folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(trace.Skeleton))));
+        folder.Write(k_Mesh, stream => ObjWriter.Write(trace.Surface, stream));
+        folder.Write(k_Overlay, stream => stream.Write(Encoding.UTF8.GetBytes(TracePicture.Draw(picture, trace))));
+        folder.Commit();
+        output.WriteLine(Summary(trace));
+        output.WriteLine($"Wrote {k_Skeleton}, {k_Mesh} and {k_Overlay} into {path}.");
+    }
+
+    private static WingTrace Trace(PictureFile picture, in WingTracingSettings settings)
+    {
+        try
+        {
+            return WingTracer.Trace(picture.Picture, settings);
+        }
+        catch (Exception problem) when (problem is FormatException or ArgumentException)
+        {
+            throw new UserException($"{picture.Path}: {problem.Message}");
+        }
+    }
+
+    private static string Summary(WingTrace trace)
+    {
+        var text = new StringBuilder();
+        text.Append(CultureInfo.InvariantCulture, $"{trace.Surface.TriangleCount} triangles, ");
+        text.Append(CultureInfo.InvariantCulture, $"{trace.Skeleton.ChainCount} chains of {trace.Skeleton.JointsPerChain} joints, ");
+        text.Append(CultureInfo.InvariantCulture, $"{trace.FollowsVein.Count(follows => follows)} of them along veins, ");
+        text.Append(CultureInfo.InvariantCulture, $"confidence {trace.Confidence:0.00}.");
+        foreach (string warning in trace.Warnings)
+            text.Append(' ').Append(warning);
+        return text.ToString();
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  skeleton from-image wing.png\n"
+        + "  skeleton from-image wing.png --chains 6 --joints 5 --triangles 2000 --hinge 42,310 --length 0.061 --out mine\n\n"
+        + "Writes into the output folder:\n"
+        + "  skeleton.json  the skeleton, for 'fly --mesh wing.obj --skeleton skeleton.json --species NAME'\n"
+        + "  wing.obj       the wing's mesh with the picture's texture coordinates; hinge at the origin, leading edge towards +Z\n"
+        + "  overlay.svg    the picture with what was found in it: outline, mesh, veins, chains\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

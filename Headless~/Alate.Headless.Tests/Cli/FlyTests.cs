@@ -1,0 +1,183 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Xml.Linq;
+using NUnit.Framework;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>What a flight of the monarch leaves behind.</summary>
+    public sealed class FlyTests
+    {
+        private CommandRun m_Run;
+        private JsonElement m_Summary;
+
+        [OneTimeSetUp]
+        public void FlyAMonarch()
+        {
+            m_Run = new CommandRun();
+            int code = m_Run.Run("fly", "monarch", "--out", m_Run.Out);
+            Assert.That(code, Is.Zero, m_Run.Errors);
+            m_Summary = Summary(m_Run.Out);
+        }
+
+        [OneTimeTearDown]
+        public void RemoveFolder() => m_Run.Dispose();
+
+        [Test]
+        public void Folder_HoldsTheFourFiles_AndNothingElse() => Assert.That(
+            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "strip.svg", "wings.glb", "joints.csv", "summary.json" }));
+
+        [TestCase("frequency_hz", 10.085, 10.086)]
+        [TestCase("twist_pp_deg", 19, 29)]
+        [TestCase("camber_min_pct", -9, -3)]
+        [TestCase("camber_max_pct", 2.5, 3.9)]
+        [TestCase("tip_bend_pp_deg", 12, 18)]
+        [TestCase("tip_bend_max_deg", 6.4, 9.6)]
+        [TestCase("lag_deg", 21, 33)]
+        [TestCase("edge_stretch_max_pct", 0, 6)]
+        [TestCase("edge_stretch_p99_pct", 0, 2.5)]
+        [TestCase("lift_over_weight", -0.2, 0.2)]
+        [TestCase("newton_iterations_mean", 1, 4)]
+        [TestCase("resets", 0, 0)]
+        [TestCase("us_per_substep", 0, 100000)]
+        public void Summary_HasTheNumbersOfAMonarch(string key, double least, double most) =>
+            Assert.That(m_Summary.GetProperty(key).GetDouble(), Is.InRange(least, most));
+
+        [Test]
+        public void Table_ShowsTheNumbersWithoutColours()
+        {
+            Assert.That(m_Run.Output, Does.Contain("twist").And.Contain("strip.svg"));
+            Assert.That(m_Run.Output, Does.Not.Contain("\u001b"));
+            Assert.That(m_Run.Errors, Is.Empty);
+        }
+
+        [Test]
+        public void Strip_IsAPictureOfTwelvePhases_SmallEnoughForAReadme()
+        {
+            string file = Path.Combine(m_Run.Out, "strip.svg");
+            XDocument svg = XDocument.Load(file);
+            XNamespace space = "http://www.w3.org/2000/svg";
+
+            string[] labels = svg.Descendants(space + "text").Select(text => text.Value).Where(text => text.EndsWith("°")).ToArray();
+
+            Assert.That(labels, Is.EqualTo(Enumerable.Range(0, 12).Select(k => $"{30 * k}°")));
+            Assert.That(svg.Descendants(space + "g").Select(panel => panel.Elements(space + "path").Count()), Is.All.GreaterThan(20));
+            Assert.That(new FileInfo(file).Length, Is.LessThan(2_000_000));
+        }
+
+        [Test]
+        public void Strip_PaintsWithinItsFrame()
+        {
+            XDocument svg = XDocument.Load(Path.Combine(m_Run.Out, "strip.svg"));
+            double[] view = svg.Root.Attribute("viewBox").Value.Split(' ').Select(Number).ToArray();
+
+            foreach (XElement path in svg.Descendants(XName.Get("path", "http://www.w3.org/2000/svg")))
+            {
+                string shift = path.Parent.Attribute("transform").Value;
+                double[] numbers = shift.Split('(', ')', ' ').Where(part => double.TryParse(part, out _)).Select(Number).ToArray();
+                string[] first = path.Attribute("d").Value.Substring(1).Replace("-", " -")
+                    .Split(new[] { ' ', 'm', 'z' }, StringSplitOptions.RemoveEmptyEntries);
+                Assert.That(numbers[0] + numbers[2] * int.Parse(first[0]), Is.InRange(0, view[2]));
+                Assert.That(numbers[1] + numbers[2] * int.Parse(first[1]), Is.InRange(0, view[3]));
+            }
+        }
+
+        [Test]
+        public void Joints_AreThoseOfEveryChainOverOneBeat()
+        {
+            string[][] rows = File.ReadAllLines(Path.Combine(m_Run.Out, "joints.csv")).Select(line => line.Split(',')).ToArray();
+
+            Assert.That(rows[0].Take(9), Is.EqualTo("time_s,phase_deg,wing,side,chain,joint,x_m,y_m,z_m".Split(',')));
+            Assert.That(rows, Has.Length.EqualTo(1 + 24 * 2 * 25), "24 substeps, two wings, 25 joints");
+            Assert.That(rows.Select(row => row.Length), Is.All.EqualTo(rows[0].Length));
+            double reach = rows.Skip(1).Max(row => double.Parse(row[6], CultureInfo.InvariantCulture));
+            Assert.That(reach, Is.InRange(0.05, 0.07), "metres");
+        }
+
+        [Test]
+        public void LeftWing_MirrorsTheRightOne_InStillAir()
+        {
+            string[][] rows = File.ReadAllLines(Path.Combine(m_Run.Out, "joints.csv")).Skip(1).Select(line => line.Split(',')).ToArray();
+            string[][] right = rows.Where(row => row[3] == "right").ToArray(), left = rows.Where(row => row[3] == "left").ToArray();
+
+            for (int k = 0; k < right.Length; k++)
+            {
+                double x = double.Parse(right[k][6], CultureInfo.InvariantCulture);
+                Assert.That(double.Parse(left[k][6], CultureInfo.InvariantCulture), Is.EqualTo(-x).Within(1e-6));
+                Assert.That(left[k][7], Is.EqualTo(right[k][7]));
+                Assert.That(left[k][8], Is.EqualTo(right[k][8]));
+            }
+        }
+
+        [Test]
+        public void RigidWing_DoesNotDeform()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("fly", "monarch", "--rigid", "--seconds", "0.2", "--out", run.Out), Is.Zero, run.Errors);
+
+            JsonElement summary = Summary(run.Out);
+
+            foreach (string key in new[] { "twist_pp_deg", "camber_max_pct", "tip_bend_max_deg", "lag_deg", "edge_stretch_max_pct" })
+                Assert.That(summary.GetProperty(key).GetDouble(), Is.EqualTo(0).Within(0.01), key);
+        }
+
+        [Test]
+        public void LongerDelay_TwistsMore_AndASofterWingBendsMore()
+        {
+            double none = Fly("twist_pp_deg", "--no-wave"), some = Fly("twist_pp_deg", "--lag", "0.1");
+            double much = Fly("twist_pp_deg", "--lag", "0.5");
+            double soft = Fly("tip_bend_max_deg", "--elasticity", "0.1"), stiff = Fly("tip_bend_max_deg", "--elasticity", "4");
+
+            Assert.That(some, Is.GreaterThan(1.3 * none));
+            Assert.That(much, Is.GreaterThan(1.5 * some));
+            Assert.That(soft, Is.GreaterThan(2 * stiff));
+        }
+
+        [Test]
+        public void PitchedBody_IsLifted()
+        {
+            Assert.That(Fly("lift_over_weight", "--pitch", "30"), Is.InRange(0.8, 1.25));
+        }
+
+        [Test]
+        public void WindFromTheSide_IsFeltByTheTwoWingsDifferently()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("fly", "monarch", "--wind", "-3,0,0", "--seconds", "0.3", "--out", run.Out), Is.Zero, run.Errors);
+
+            string[][] rows = File.ReadAllLines(Path.Combine(run.Out, "joints.csv")).Skip(1).Select(line => line.Split(',')).ToArray();
+            string[] right = rows.First(row => row[3] == "right" && row[4] == "4" && row[5] == "4");
+            string[] left = rows.First(row => row[3] == "left" && row[4] == "4" && row[5] == "4");
+
+            Assert.That(left[7], Is.Not.EqualTo(right[7]));
+        }
+
+        [Test]
+        public void SecondFlight_ReplacesTheFilesOfTheFirst()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("fly", "monarch", "--seconds", "0.2", "--out", run.Out), Is.Zero);
+            Assert.That(run.Run("fly", "monarch", "--seconds", "0.2", "--speed", "0", "--out", run.Out), Is.Zero);
+
+            Assert.That(Summary(run.Out).GetProperty("frequency_hz").GetDouble(), Is.EqualTo(8.8).Within(1e-3));
+            Assert.That(Directory.GetFileSystemEntries(run.Out), Has.Length.EqualTo(4));
+        }
+
+        private static double Fly(string key, params string[] options)
+        {
+            using var run = new CommandRun();
+            int code = run.Run(new[] { "fly", "monarch", "--seconds", "0.4", "--out", run.Out }.Concat(options).ToArray());
+            Assert.That(code, Is.Zero, run.Errors);
+            return Summary(run.Out).GetProperty(key).GetDouble();
+        }
+
+        private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+
+        private static JsonElement Summary(string folder) =>
+            JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "summary.json"))).RootElement;
+    }
+}

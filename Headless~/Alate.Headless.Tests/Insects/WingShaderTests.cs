@@ -1,0 +1,135 @@
+using System.IO;
+using System.Linq;
+using System.Runtime.CompilerServices;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.StandIns;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Alate.Tests.Insects
+{
+    /// <summary>What is written into materials of shaders that only a project with their pipeline has, and the text of the package's own shader.</summary>
+    public sealed class WingShaderTests
+    {
+        [TearDown]
+        public void ForgetShaders() => ProjectShaders.Clear();
+
+        [Test]
+        public void ThePackagesShader_IsFoundInItsResourcesFolder_BeforeAnyOther()
+        {
+            Shader own = ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+
+            Assert.That(WingMaterial.FindShader(), Is.SameAs(own));
+            Assert.That(WingMaterial.ShowsVertexColours(own), Is.True);
+            Assert.That(WingMaterial.ShowsVertexColours(Shader.Find("Standard")), Is.False);
+        }
+
+        [Test]
+        public void WithoutIt_StandardIsTaken_WithATexturePainted()
+        {
+            Material body = WingMaterial.ForBody(Species.Find("firefly"), 64);
+
+            Assert.That(body.shader.name, Is.EqualTo("Standard"));
+            Assert.That(body.mainTexture.width, Is.EqualTo(64));
+            WingMaterial.Destroy(body);
+        }
+
+        [TestCase("Alate/Wing", "_MainTex", BlendMode.One)]
+        [TestCase("Universal Render Pipeline/Lit", "_BaseMap", BlendMode.SrcAlpha)]
+        [TestCase("HDRP/Lit", "_BaseColorMap", BlendMode.One)]
+        [TestCase("Standard", "_MainTex", BlendMode.SrcAlpha)]
+        public void TranslucentWings_AreBlended_AndHideNothing(string shader, string textureName, BlendMode source)
+        {
+            var texture = new Texture2D(4, 4);
+            Material wing = WingMaterial.Create(ProjectShaders.Add(shader), "wing", new SurfaceLook(texture, true, true));
+
+            Assert.That(wing.GetTexture(textureName), Is.SameAs(texture));
+            Assert.That((BlendMode)wing.GetFloat("_SrcBlend"), Is.EqualTo(source));
+            Assert.That((BlendMode)wing.GetFloat("_DstBlend"), Is.EqualTo(BlendMode.OneMinusSrcAlpha));
+            Assert.That(wing.GetFloat("_ZWrite"), Is.Zero);
+            Assert.That(wing.renderQueue, Is.EqualTo(3000));
+            Assert.That(wing.GetTag("RenderType", false), Is.EqualTo("Transparent"));
+            Object.DestroyImmediate(wing);
+            Object.DestroyImmediate(texture);
+        }
+
+        [TestCase("Alate/Wing")]
+        [TestCase("Universal Render Pipeline/Lit")]
+        [TestCase("HDRP/Lit")]
+        [TestCase("Standard")]
+        public void SolidBodies_AreDrawnAsSolid(string shader)
+        {
+            Material body = WingMaterial.Create(ProjectShaders.Add(shader), "body", new SurfaceLook(null, false, false));
+
+            Assert.That((BlendMode)body.GetFloat("_SrcBlend"), Is.EqualTo(BlendMode.One));
+            Assert.That((BlendMode)body.GetFloat("_DstBlend"), Is.EqualTo(BlendMode.Zero));
+            Assert.That(body.GetFloat("_ZWrite"), Is.EqualTo(1f));
+            Assert.That(body.renderQueue, Is.EqualTo(-1), "the shader's own");
+            Assert.That(body.IsKeywordEnabled("_SURFACE_TYPE_TRANSPARENT"), Is.False);
+            Object.DestroyImmediate(body);
+        }
+
+        [TestCase("Alate/Wing", "_Cull")]
+        [TestCase("Universal Render Pipeline/Lit", "_Cull")]
+        [TestCase("HDRP/Lit", "_CullMode")]
+        public void Wings_AreSeenFromBothSides_BodiesFromOutside(string shader, string cull)
+        {
+            Material wing = WingMaterial.Create(ProjectShaders.Add(shader), "wing", new SurfaceLook(null, true, false));
+            Material body = WingMaterial.Create(ProjectShaders.Add(shader), "body", new SurfaceLook(null, false, false));
+
+            Assert.That((CullMode)wing.GetFloat(cull), Is.EqualTo(CullMode.Off));
+            Assert.That((CullMode)body.GetFloat(cull), Is.EqualTo(CullMode.Back));
+            Object.DestroyImmediate(wing);
+            Object.DestroyImmediate(body);
+        }
+
+        [Test]
+        public void AFishWithClearFins_IsDrawnBeforeItsPectoralFins_AndStillHidesItsFarSide()
+        {
+            ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+            Material fish = WingMaterial.ForBody(Species.Find("snailfish"));
+            Material monarch = WingMaterial.ForBody(Species.Find("monarch"));
+
+            Assert.That(fish.renderQueue, Is.EqualTo(2999));
+            Assert.That(fish.GetFloat("_ZWrite"), Is.EqualTo(1f));
+            Assert.That(fish.GetFloat("_VertexColours"), Is.EqualTo(1f));
+            Assert.That(monarch.renderQueue, Is.EqualTo(-1));
+            WingMaterial.Destroy(fish);
+            WingMaterial.Destroy(monarch);
+        }
+
+        [Test]
+        public void TheShadersText_HasTheNameAndEveryProperty_ThatTheCodeUses()
+        {
+            string materials = Path.Combine(PackageRoot(), "Runtime", "Insects", "Materials");
+            string shader = File.ReadAllText(Path.Combine(materials, "Resources", "Alate", "Wing.shader"));
+            string code = File.ReadAllText(Path.Combine(materials, "LookProperties.cs"));
+            string own = Regex.Match(code, @"void WriteOwn\(.*?\n        }", RegexOptions.Singleline).Value
+                + Regex.Match(code, @"void WriteBlend\(.*?\n        }", RegexOptions.Singleline).Value;
+            string[] written = Regex.Matches(own, "\"(_\\w+)\"").Select(match => match.Groups[1].Value).ToArray();
+            string properties = Regex.Match(shader, @"\n    Properties\b.*?\n    }", RegexOptions.Singleline).Value;
+
+            Assert.That(shader, Does.Contain($"Shader \"{WingMaterial.ShaderName}\""));
+            Assert.That(written, Has.Length.GreaterThan(8));
+            foreach (string name in written)
+                Assert.That(properties, Does.Match($@"\b{name} \("), name);
+        }
+
+        [Test]
+        public void TheShader_TellsUrpAndTheBuiltInPipelineApart()
+        {
+            string text = File.ReadAllText(Path.Combine(PackageRoot(), "Runtime", "Insects", "Materials", "Resources", "Alate", "Wing.shader"));
+            string[] subshaders = Regex.Split(text, @"\n    SubShader\b").Skip(1).ToArray();
+
+            Assert.That(subshaders, Has.Length.EqualTo(2));
+            Assert.That(subshaders[0], Does.Contain("\"RenderPipeline\" = \"UniversalPipeline\"").And.Contain("PackageRequirements"));
+            Assert.That(subshaders[1], Does.Not.Contain("render-pipelines"), "compiles without any pipeline's package");
+            foreach (string subshader in subshaders)
+                Assert.That(subshader, Does.Contain("\"LightMode\" = \"ShadowCaster\"").And.Contain("Cull [_Cull]"));
+        }
+
+        private static string PackageRoot([CallerFilePath] string here = null) =>
+            Path.GetFullPath(Path.Combine(Path.GetDirectoryName(here), "..", "..", ".."));
+    }
+}

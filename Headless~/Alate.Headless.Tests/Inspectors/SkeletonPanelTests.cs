@@ -1,0 +1,156 @@
+using System.Linq;
+using Alate.Editor;
+using Alate.Editor.Tests;
+using NUnit.Framework;
+using StandIns;
+using Unity.StandIns;
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Tests.Inspectors
+{
+    /// <summary>The panel in the scene view as it is drawn: the same controls in layout and repaint, and what they do.</summary>
+    public sealed class SkeletonPanelTests : SkeletonSessionFixture
+    {
+        private SkeletonSession m_Session;
+
+        [SetUp]
+        public void Open()
+        {
+            m_Session = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+            m_Session.Place();
+        }
+
+        [TearDown]
+        public void Close()
+        {
+            SkeletonSessions.Close(m_Session);
+            Selection.objects = null;
+            Undo.ClearAll();
+        }
+
+        [Test]
+        public void EveryAct_HasAButton_WithATooltipThatNamesItsKey()
+        {
+            DrawnInspector page = Draw();
+
+            foreach (SkeletonAct act in SkeletonActs.All)
+                Assert.That(page.Control(act.Name).Tooltip, Does.StartWith(act.Tooltip).And.EndsWith(act.Shortcut == "" ? "." : $"({act.Shortcut})"));
+        }
+
+        [Test]
+        public void ButtonsDoTheirActs_AndRefusalsAreShown_UntilTheNextAct()
+        {
+            DrawnInspector page = Press("Remove Chain");
+            Assert.That(page.HelpBoxes, Has.Member("Select a joint of the chain to remove."));
+
+            m_Session.Select(m_Session.Group.Active, new[] { new JointIndex(1, 1) });
+            page = Press("Remove Chain");
+            Assert.That(page.HelpBoxes, Is.Empty);
+            Assert.That(Right.Skeleton.ChainCount, Is.EqualTo(4));
+        }
+
+        [Test]
+        public void Problems_HaveButtons_ThatSelectTheirJoints()
+        {
+            Assert.That(Draw().Buttons, Has.No.Member("Select"));
+            Right.Skeleton.Chains[2].joints[3] = Right.Skeleton.GetJoint(2, 2);
+            m_Session.Place();
+
+            DrawnInspector page = Press("Select");
+
+            Assert.That(page.HelpBoxes.First(), Does.StartWith("Joint 3 of chain 2 lies at the same place"));
+            Assert.That(m_Session.Group.Active.Selection.Living(), Is.EqualTo(new[] { new JointIndex(2, 3) }));
+        }
+
+        [Test]
+        public void Weaknesses_AreListedToo()
+        {
+            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideActs.By(draft, new[] { new JointIndex(0, 3), new JointIndex(0, 4) }, -0.15f));
+            m_Session.Place();
+
+            Assert.That(Draw().HelpBoxes, Has.Some.Contains("beside the joints"));
+        }
+
+        [Test]
+        public void Counts_AreNotTouchedByDrawing_WhateverTheyAre()
+        {
+            Right.Skeleton.Chains = Right.Skeleton.Chains.Take(2).ToArray();
+            string before = SkeletonText.Of(Right.Skeleton);
+
+            DrawnInspector page = Draw();
+
+            Assert.That(SkeletonText.Of(Right.Skeleton), Is.EqualTo(before));
+            Assert.That(page.Controls.Any(control => control.Text == "Chains"), Is.False);
+            Assert.That(Press("Mend").HelpBoxes, Is.Empty);
+            Assert.That(Draw().Control("Chains").Value, Is.EqualTo("3"));
+        }
+
+        [Test]
+        public void Switches_SwitchTheSession()
+        {
+            Press("Symmetric (Shift+M)");
+            Assert.That(m_Session.IsSymmetric);
+            Press("Free");
+            Assert.That(m_Session.Mode, Is.EqualTo(DragMode.Free));
+            DrawnInspector page = Press("Show beat (K)");
+            Assert.That(m_Session.Overlay.ShowsBeat);
+            Assert.That(page.Controls.Any(control => control.Text == "Phase"));
+        }
+
+        [Test]
+        public void Symmetry_NeedsAnotherSide()
+        {
+            Left.Skeleton = Right.Skeleton;
+            Open();
+
+            Assert.That(Draw().Control("Symmetric (Shift+M)").Enabled, Is.False);
+        }
+
+        [Test]
+        public void Colours_ComeWithALegend()
+        {
+            m_Session.Overlay.Colours = RigColourMode.JointMass;
+            m_Session.Place();
+
+            DrawnInspector page = Draw();
+
+            Assert.That(page.Controls.Any(control => control.Kind == ControlKind.Label && control.Value.EndsWith("% of the mass")));
+        }
+
+        [Test]
+        public void InsectWithoutSkeletons_IsOfferedThem()
+        {
+            Right.Skeleton = null;
+            Left.Skeleton = null;
+            Open();
+            Selection.activeGameObject = Insect.gameObject;
+
+            DrawnInspector page = Draw();
+
+            Assert.That(page.HelpBoxes, Is.EqualTo(new[] { "None of the selected insects has a wing with a skeleton." }));
+            Assert.That(page.Buttons, Is.EqualTo(new[] { "Lay Out 'Monarch'…" }));
+        }
+
+        [Test]
+        public void AssetOfTheProject_CanBeChanged()
+        {
+            string path = "Assets/Alate Test Locked.asset";
+            AssetDatabase.CreateAsset(Right.Skeleton, path);
+            try
+            {
+                Open();
+                m_Session.Select(m_Session.Group.Active, new[] { new JointIndex(1, 1) });
+                Assert.That(Press("Add Joint Row").HelpBoxes, Is.Empty);
+            }
+            finally
+            {
+                AssetDatabase.DeleteAsset(path);
+            }
+        }
+
+        private DrawnInspector Draw() => DrawnInspector.Of(() => SkeletonPanel.Draw(m_Session));
+
+        private DrawnInspector Press(string text) => DrawnInspector.Press(() => SkeletonPanel.Draw(m_Session), text);
+    }
+}

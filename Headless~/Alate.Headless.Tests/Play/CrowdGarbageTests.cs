@@ -1,0 +1,59 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play
+{
+    public sealed class CrowdGarbageTests : PlayFixture
+    {
+        [UnityTest]
+        public IEnumerator AFrame_AllocatesNothing_AndSchedulesTheSameJobs([Values(1, 100, 400)] int insects)
+        {
+            Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
+            WingSkeleton skeleton = Keep(TestWings.Fan());
+            WingSpecies species = Keep(Alate.Species.Monarch());
+            for (int k = 0; k < insects; k++)
+                Hatch(mesh, skeleton, species);
+            yield return Frames(60);
+            Assert.That(WingSystem.InsectCount, Is.EqualTo(insects));
+
+            WingCrowd crowd = WingSystem.Crowd;
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int round = 0; round < 10; round++)
+            {
+                crowd.FixedStep(0.02f);
+                crowd.Frame(0.02f, 0.02f);
+            }
+
+            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+            Assert.That(crowd.World.JobsPerFrame, Is.EqualTo(2));
+            long steps = crowd.StepCount;
+            crowd.FixedStep(0.02f);
+            crowd.Frame(0f, 0f);
+            Assert.That(crowd.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
+        }
+
+        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingSpecies species)
+        {
+            var root = Keep(new GameObject("insect"));
+            root.SetActive(false);
+            var insect = root.AddComponent<InsectWings>();
+            insect.Wings.Clear();
+            insect.Species = species;
+            foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
+            {
+                var wing = new GameObject("wing");
+                wing.transform.SetParent(root.transform, false);
+                wing.transform.localScale = new Vector3(side == WingSide.Right ? 1f : -1f, 1f, 1f);
+                wing.AddComponent<MeshFilter>().sharedMesh = mesh;
+                insect.Wings.Add(new Wing { Renderer = wing.AddComponent<MeshRenderer>(), Side = side, Skeleton = skeleton });
+            }
+
+            insect.Quality.culling = WingCulling.Nothing;
+            root.SetActive(true);
+        }
+    }
+}

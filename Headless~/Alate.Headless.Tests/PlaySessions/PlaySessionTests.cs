@@ -1,0 +1,106 @@
+using System.Collections;
+using System.Linq;
+using NUnit.Framework;
+using StandIns;
+using Unity.StandIns;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.PlaySessions
+{
+    /// <summary>Playing, leaving and playing again without a reload of the domain: what is static survives, nothing else may.</summary>
+    public sealed class PlaySessionTests
+    {
+        private Mesh m_Mesh;
+        private WingSkeleton m_Skeleton;
+
+        [SetUp]
+        public void MakeTheWing()
+        {
+            m_Mesh = TestWings.ToMesh(TestWings.Ellipse());
+            m_Skeleton = TestWings.Fan();
+        }
+
+        [TearDown]
+        public void DestroyTheWing()
+        {
+            if (PlayerLoop.IsPlaying)
+                PlayerLoop.ExitPlayMode();
+            Object.DestroyImmediate(m_Mesh);
+            Object.DestroyImmediate(m_Skeleton);
+        }
+
+        [UnityTest]
+        public IEnumerator LeavingPlayWithLivingInsects_LeavesNothing_AndPlayCanBeginAgain()
+        {
+            int memory = NativeMemoryLedger.LiveCount;
+            for (int session = 0; session < 3; session++)
+            {
+                InsectWings insect = Make(), disabled = Make();
+                disabled.enabled = false;
+                yield return new EnterPlayMode(false);
+                for (int frame = 0; frame < 10; frame++)
+                    yield return null;
+                Assert.That(insect.State, Is.EqualTo(InsectState.Ready));
+                Assert.That(WingSystem.InsectCount, Is.EqualTo(1));
+                insect.WingBeat += _ => { };
+
+                yield return new ExitPlayMode();
+                Assert.That(WingSystem.Crowd, Is.Null);
+                Assert.That(WingSystem.InsectCount, Is.Zero);
+                Assert.That(LivingMeshes.Count, Is.Zero);
+                Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(memory), NativeMemoryLedger.Describe());
+                Assert.That(Resources.FindObjectsOfTypeAll<Mesh>().Where(m => m.name.Contains("(living)")), Is.Empty);
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator LeavingPlayInTheMiddleOfBirthsAndEnds_LeavesNothing()
+        {
+            int memory = NativeMemoryLedger.LiveCount;
+            Make();
+            yield return new EnterPlayMode(false);
+            yield return null;
+            InsectWings going = Make();
+            yield return null;
+            Object.Destroy(going.gameObject);
+            Object.Instantiate(Make());
+            InsectWings broken = Make();
+            broken.Wings[0].Renderer = null;
+
+            yield return new ExitPlayMode();
+            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(memory), NativeMemoryLedger.Describe());
+            Assert.That(Resources.FindObjectsOfTypeAll<Mesh>().Where(m => m.name.Contains("(living)")), Is.Empty);
+        }
+
+        [UnityTest]
+        public IEnumerator InTheEditor_AnInsectDoesNotLive()
+        {
+            InsectWings insect = Make();
+            yield return null;
+
+            Assert.That(insect.State, Is.EqualTo(InsectState.Inactive));
+            Assert.That(insect.Wings[0].Renderer.GetComponent<MeshFilter>().sharedMesh, Is.SameAs(m_Mesh));
+            insect.ResetState();
+            insect.Teleport();
+            Assert.That(insect.Frequency, Is.Zero);
+            Object.DestroyImmediate(insect.gameObject);
+        }
+
+        private InsectWings Make()
+        {
+            var root = new GameObject("insect");
+            root.SetActive(false);
+            var insect = root.AddComponent<InsectWings>();
+            insect.Wings.Clear();
+            var drawn = new GameObject("wing");
+            drawn.transform.SetParent(root.transform, false);
+            drawn.AddComponent<MeshFilter>().sharedMesh = m_Mesh;
+            insect.Wings.Add(new Wing { Renderer = drawn.AddComponent<MeshRenderer>(), Skeleton = m_Skeleton });
+            insect.Quality.culling = WingCulling.Nothing;
+            root.SetActive(true);
+            return insect;
+        }
+    }
+}

@@ -1,0 +1,1 @@
+[assembly: StandIns.PlayerTests("Alate.Tests.Play")]

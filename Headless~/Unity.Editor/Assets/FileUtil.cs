@@ -1,0 +1,6 @@
+namespace UnityEditor;
+
+public class FileUtil
+{
+    public static string GetPhysicalPath(string path) => throw Absent.Editor;
+}

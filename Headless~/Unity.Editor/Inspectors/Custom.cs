@@ -1,0 +1,33 @@
+using System;
+using System.Linq;
+using System.Reflection;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+/// <summary>Finds the editors and drawers that the loaded assemblies declare.</summary>
+internal static class Custom
+{
+    private static readonly Lazy<Type[]> s_Types = new(() => [.. AppDomain.CurrentDomain.GetAssemblies()
+        .Where(assembly => assembly.GetReferencedAssemblies().Any(name => name.Name == typeof(Custom).Assembly.GetName().Name))
+        .SelectMany(assembly => assembly.GetTypes())]);
+
+    /// <summary>The editor of some objects of one type; the plain one where none is declared.</summary>
+    public static Type EditorOf(Object[] targets)
+    {
+        Type inspected = targets[0].GetType();
+        Type editor = s_Types.Value.FirstOrDefault(type => type.GetCustomAttribute<CustomEditor>()?.Inspected == inspected);
+        if (editor == null)
+            return typeof(Editor);
+        if (targets.Length > 1 && !editor.IsDefined(typeof(CanEditMultipleObjects)))
+            throw new NotSupportedException($"{editor.Name} cannot edit several objects.");
+        return editor;
+    }
+
+    /// <summary>A new drawer of a field's type; null for none.</summary>
+    public static PropertyDrawer DrawerOf(Type drawn)
+    {
+        Type drawer = s_Types.Value.FirstOrDefault(type => type.GetCustomAttributes<CustomPropertyDrawer>().Any(a => a.Drawn == drawn));
+        return drawer == null ? null : (PropertyDrawer)Activator.CreateInstance(drawer, nonPublic: true);
+    }
+}

@@ -1,0 +1,6 @@
+namespace UnityEditor.Overlays;
+
+public interface ITransientOverlay
+{
+    bool visible { get; }
+}

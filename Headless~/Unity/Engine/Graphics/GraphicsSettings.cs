@@ -1,0 +1,7 @@
+namespace UnityEngine.Rendering;
+
+/// <summary>The built-in render pipeline, always.</summary>
+public sealed class GraphicsSettings : Object
+{
+    public static RenderPipelineAsset currentRenderPipeline => null;
+}

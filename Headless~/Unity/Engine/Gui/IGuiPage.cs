@@ -1,0 +1,27 @@
+using StandIns;
+
+namespace UnityEngine;
+
+/// <summary>What takes the place of a window while a test draws an inspector.</summary>
+internal interface IGuiPage
+{
+    /// <summary>The next free lines.</summary>
+    Rect Next(float height);
+
+    /// <summary>Notes a control; says whether the test presses it now.</summary>
+    bool Add(ControlKind kind, Rect at, GUIContent content, string value = "");
+
+    /// <summary>Opens a group.</summary>
+    void Begin(string group);
+
+    /// <summary>Closes the group that was opened last; it must be of that kind.</summary>
+    void End(string group);
+}
+
+/// <summary>The page that is being drawn.</summary>
+internal static class GuiPage
+{
+    public static IGuiPage Current { get; set; }
+
+    public static IGuiPage Needed => Current ?? throw Absent.Gui;
+}

@@ -1,0 +1,45 @@
+namespace Alate
+{
+    /// <summary>Why an insect does not live, and what to do.</summary>
+    public readonly struct InsectProblem
+    {
+        internal InsectProblem(InsectState state, int wing, string message)
+        {
+            State = state;
+            Wing = wing;
+            Message = message;
+        }
+
+        /// <summary>The kind of problem; <see cref="InsectState.Ready"/> for none.</summary>
+        public InsectState State { get; }
+
+        /// <summary>The wing in the list, or −1 when it is not about one wing.</summary>
+        public int Wing { get; }
+
+        /// <summary>One sentence that names the object and one that names the remedy; empty for none.</summary>
+        public string Message { get; }
+
+        /// <summary>Whether something has to be mended.</summary>
+        public bool IsProblem => State > InsectState.Ready;
+
+        /// <summary>Not in play, or switched off.</summary>
+        internal static InsectProblem Inactive => new InsectProblem(InsectState.Inactive, -1, "");
+
+        /// <summary>In the queue.</summary>
+        internal static InsectProblem Waiting => new InsectProblem(InsectState.Waiting, -1, "");
+
+        /// <summary>A scale of zero.</summary>
+        internal static InsectProblem NoSize => new InsectProblem(InsectState.ZeroScale, -1,
+            "a wing has a scale of zero. Give it, and all that it hangs on, some other scale; its wings feel nothing until then.");
+
+        /// <summary>No problem.</summary>
+        internal static InsectProblem None => new InsectProblem(InsectState.Ready, -1, "");
+
+        /// <summary>The same, said of an insect.</summary>
+        internal InsectProblem Of(string insect)
+        {
+            string where = Wing < 0 ? $"'{insect}'" : $"'{insect}', wing {Wing}";
+            return new InsectProblem(State, Wing, $"{where}: {Message}");
+        }
+    }
+}

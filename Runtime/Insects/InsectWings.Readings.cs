@@ -1,0 +1,129 @@
+using System;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace Alate
+{
+    /// <summary>What the wings do: events and numbers. While they do not live, all numbers are 0.</summary>
+    public sealed partial class InsectWings
+    {
+        [SerializeField]
+        [Tooltip("Called at the start of each beat of the first wing, at the end of the frame; for sound and the like.")]
+        UnityEvent m_OnWingBeat = new UnityEvent();
+
+        /// <summary>Raised at the start of each beat of the first wing, once a frame at most, after the meshes were deformed.</summary>
+        public event Action<InsectWings> WingBeat;
+
+        /// <summary>The same for the inspector.</summary>
+        public UnityEvent OnWingBeat => m_OnWingBeat;
+
+        /// <summary>Hertz, of this beat of the first wing.</summary>
+        public float Frequency => Live == null ? 0f : Read(0).Frequency;
+
+        /// <summary>Degrees of flapping from lowest to highest, of this beat of the first wing.</summary>
+        public float FlapRange => Live == null ? 0f : 2f * Mathf.Rad2Deg * Read(0).Amplitude.x;
+
+        /// <summary>Degrees of the beat of the first wing, 0 at the top.</summary>
+        public float Phase => Live == null ? 0f : Mathf.Rad2Deg * Read(0).Phase;
+
+        /// <summary>Pitch of the body against the horizon, degrees, nose up positive (AoA of Eq. 6–7).</summary>
+        public float AngleOfAttack => Live == null ? 0f : Mathf.Rad2Deg * Live.Pitch;
+
+        /// <summary>How much of the model is computed now.</summary>
+        public WingDetail Detail => Live == null ? WingDetail.Frozen : Live.Detail;
+
+        /// <summary>Air force on all wings of the real insect, newtons, world axes; mean over the last step.</summary>
+        public Vector3 AirForce
+        {
+            get
+            {
+                Vector3 sum = default;
+                for (int wing = 0; Live != null && wing < Live.wings.Length; wing++)
+                    sum += AirForceOf(wing);
+                return sum;
+            }
+        }
+
+        /// <summary>Part of <see cref="AirForce"/> against gravity, newtons.</summary>
+        public float Lift => Live == null ? 0f : Vector3.Dot(AirForce, -Physics.gravity.normalized);
+
+        /// <summary>Part of <see cref="AirForce"/> against the flight through the air, newtons; 0 while the insect stands in still air.</summary>
+        public float Drag
+        {
+            get
+            {
+                if (Live == null)
+                    return 0f;
+                Vector3 through = Live.flight.velocity - Live.flight.wind;
+                return -Vector3.Dot(AirForce, through.normalized);
+            }
+        }
+
+        /// <summary>Lift over the weight of the real insect: times mass and gravity of a Rigidbody it is the force that carries it.</summary>
+        public float LiftOverWeight
+        {
+            get
+            {
+                float weight = Live == null ? 0f : Live.wings[0].values.insectMass * Physics.gravity.magnitude;
+                return weight > 0f ? Lift / weight : 0f;
+            }
+        }
+
+        /// <summary>Air force on one wing of the real insect, newtons, world axes; mean over the last step.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
+        public Vector3 AirForceOf(int wing)
+        {
+            CheckWing(wing);
+            if (Live == null)
+                return default;
+            LiveWing live = Live.wings[wing];
+            return live.placed.ToWorld(Read(wing).AirForce) * (live.values.wingMass * live.values.wingLength);
+        }
+
+        /// <summary>The whole state of a wing, in its own frame; see <see cref="WingReading"/>. Waits for jobs that are under way.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
+        /// <exception cref="InvalidOperationException">The wings do not live; see <see cref="State"/>.</exception>
+        public WingReading Read(int wing)
+        {
+            CheckWing(wing);
+            if (Live == null)
+                throw new InvalidOperationException($"The wings of '{name}' do not live: {State}.");
+            return WingSystem.Crowd.World.Read(Live.wings[wing].handle);
+        }
+
+        /// <summary>Where a joint is in the world; where the wing does not live, the origin.</summary>
+        /// <param name="wing">In the list.</param>
+        /// <param name="chain">0 is the leading edge.</param>
+        /// <param name="joint">0 is the root.</param>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing, chain or joint.</exception>
+        public Vector3 JointPosition(int wing, int chain, int joint)
+        {
+            CheckWing(wing);
+            if (Live == null || Live.wings[wing].transform == null)
+                return default;
+            LiveWing live = Live.wings[wing];
+            return live.transform.TransformPoint(live.rig.Frame.ToMesh(Read(wing).JointPosition(chain, joint)));
+        }
+
+        /// <summary>Bounds of a wing's mesh part as last deformed, in the space of its renderer.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
+        public Bounds BoundsOf(int wing)
+        {
+            CheckWing(wing);
+            return Live == null ? default : WingSystem.Crowd.World.Bounds(Live.wings[wing].handle);
+        }
+
+        internal void TellBeat()
+        {
+            WingBeat?.Invoke(this);
+            m_OnWingBeat.Invoke();
+        }
+
+        private void CheckWing(int wing)
+        {
+            int count = Live == null ? m_Wings.Count : Live.wings.Length;
+            if (wing < 0 || wing >= count)
+                throw new ArgumentOutOfRangeException(nameof(wing), wing, $"'{name}' has {count} wings.");
+        }
+    }
+}

@@ -1,0 +1,188 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>
+    /// Makes the wings of an insect flex as they beat. Put it on the root of an insect: it finds the wings below and gives each a living copy of its mesh while
+    /// the game plays; the authored meshes come back when it is disabled.
+    /// </summary>
+    [AddComponentMenu("Alate/Insect Wings")]
+    [HelpURL("https://example.invalid/alate/documentation/insect-wings.html")]
+    [Icon("Packages/com.alate.insect-wings/Editor/Icons/InsectWings.png")]
+    [DisallowMultipleComponent]
+    [DefaultExecutionOrder(ExecutionOrders.InsectWings)]
+    public sealed partial class InsectWings : MonoBehaviour
+    {
+        [SerializeField]
+        [Tooltip("The preset: how the wings are driven and how stiff they are. None: a monarch's.")]
+        WingSpecies m_Species;
+
+        [SerializeField]
+        [Tooltip("The wings, one entry each. Find Wings fills the list.")]
+        List<Wing> m_Wings = new List<Wing>();
+
+        [SerializeField]
+        [Tooltip("When the wings are stepped. Fixed Update: with the physics. Update: each frame. Unscaled Time: also while the game is paused. Manual: by InsectWings.Step.")]
+        WingUpdateMode m_UpdateMode;
+
+        [SerializeField]
+        [Range(0f, 360f)]
+        [Tooltip("Degrees of the beat at which the wings start, 0 to 360; 0 is the top of the stroke. Give the insects of a swarm different ones.")]
+        float m_StartPhase;
+
+        [SerializeField]
+        InsectMotion m_Motion = InsectMotion.Default;
+
+        [SerializeField]
+        InsectAir m_Air = InsectAir.Default;
+
+        [SerializeField]
+        InsectQuality m_Quality = InsectQuality.Default;
+
+        // Found, not chosen: it must not follow into a clone, nor stay when the insect changes its carrier.
+        private Rigidbody m_Carrier;
+
+        /// <summary>The preset; null stands for a monarch. A preset that changes is followed from the next step on.</summary>
+        public WingSpecies Species
+        {
+            get => m_Species;
+            set => m_Species = value;
+        }
+
+        /// <summary>The wings. The list may be changed at any time; what changed is built anew in the next frame.</summary>
+        public List<Wing> Wings => m_Wings;
+
+        /// <summary>When the wings are stepped.</summary>
+        public WingUpdateMode UpdateMode
+        {
+            get => m_UpdateMode;
+            set => m_UpdateMode = value;
+        }
+
+        /// <summary>Degrees of the beat at which the wings start, 0 to 360 (clamped); taken over by <see cref="ResetState"/>.</summary>
+        public float StartPhase
+        {
+            get => m_StartPhase;
+            set => m_StartPhase = Mathf.Clamp(value, 0f, 360f);
+        }
+
+        /// <summary>How the insect learns of its own motion.</summary>
+        public ref InsectMotion Motion => ref m_Motion;
+
+        /// <summary>The wind around it.</summary>
+        public ref InsectAir Air => ref m_Air;
+
+        /// <summary>How finely it is computed.</summary>
+        public ref InsectQuality Quality => ref m_Quality;
+
+        /// <summary>Velocity of the body, world units per second, with <see cref="VelocitySource.Script"/>.</summary>
+        public Vector3 Velocity { get; set; }
+
+        /// <summary>Whether the wings live, and if not, why.</summary>
+        public InsectState State => Problem.State;
+
+        /// <summary>The state with what to do about it.</summary>
+        public InsectProblem Problem { get; private set; }
+
+        internal LiveInsect Live { get; set; }
+
+        internal InsectMotion MotionSettings => m_Motion.Clamped();
+
+        internal int SubstepsPerBeat => m_Quality.Clamped().substepsPerBeat;
+
+        internal int Patches => m_Quality.Clamped().patches;
+
+        /// <summary>The body for <see cref="VelocitySource.Rigidbody"/>; null where there is none.</summary>
+        internal Rigidbody Body
+        {
+            get
+            {
+                if (m_Motion.body != null)
+                    return m_Motion.body;
+                if (m_Carrier == null)
+                    m_Carrier = GetComponentInParent<Rigidbody>();
+                return m_Carrier;
+            }
+        }
+
+        /// <summary>
+        /// Advances the wings by some time, seconds, in <see cref="WingUpdateMode.Manual"/>; they are drawn at the end of the frame. Steps longer than a quarter of a second are cut.
+        /// </summary>
+        /// <exception cref="ArgumentOutOfRangeException">The time is negative or not finite.</exception>
+        /// <exception cref="InvalidOperationException">The update mode is not Manual.</exception>
+        public void Step(float dt)
+        {
+            if (!(dt >= 0f) || float.IsInfinity(dt))
+                throw new ArgumentOutOfRangeException(nameof(dt), dt, "Must be 0 or more and finite, seconds.");
+            if (m_UpdateMode != WingUpdateMode.Manual)
+                throw new InvalidOperationException($"'{name}' is stepped by {m_UpdateMode}; set UpdateMode to Manual to step it by hand.");
+            if (dt > 0f && isActiveAndEnabled)
+                WingSystem.Crowd?.StepByHand(this, dt);
+        }
+
+        /// <summary>Puts the wings back to the start of their beat, unbent, at <see cref="StartPhase"/>.</summary>
+        public void ResetState()
+        {
+            if (Live != null)
+                WingSystem.Crowd.Restart(Live);
+        }
+
+        /// <summary>Tells the wings that the insect is moved to another place in this frame: the move is not felt as motion.</summary>
+        /// <param name="keepMotion">Whether the wings beat on; otherwise they start anew.</param>
+        public void Teleport(bool keepMotion = true)
+        {
+            if (Live == null)
+                return;
+            Live.motion.Interrupt();
+            if (!keepMotion)
+                ResetState();
+        }
+
+        /// <summary>Fills the list of wings with those found below this object by names and symmetry.</summary>
+        public void FindWings()
+        {
+            m_Wings.Clear();
+            m_Wings.AddRange(WingFinder.Find(transform));
+        }
+
+        /// <summary>The first thing that keeps the wings from living, as far as can be seen without playing.</summary>
+        internal InsectProblem FindProblem() => InsectCheck.Find(this);
+
+        /// <summary>Takes over a state; says so in the log when it is a new problem.</summary>
+        internal void Report(in InsectProblem problem)
+        {
+            bool isNew = problem.State != Problem.State || problem.Wing != Problem.Wing;
+            Problem = problem.IsProblem ? problem.Of(name) : problem;
+            if (isNew && Problem.IsProblem)
+                Debug.LogWarning(Problem.Message, this);
+        }
+
+        private void Reset() => FindWings();
+
+        private void OnEnable()
+        {
+            if (m_Wings.Count == 0)
+                FindWings();
+            foreach (Wing wing in m_Wings)
+                InsectCheck.Heal(wing);
+            WingSystem.Enter(this);
+        }
+
+        private void OnDisable()
+        {
+            WingSystem.Leave(this);
+            Report(InsectProblem.Inactive);
+        }
+
+        private void OnTransformParentChanged() => m_Carrier = null;
+
+        private void OnValidate()
+        {
+            m_StartPhase = Mathf.Clamp(m_StartPhase, 0f, 360f);
+            m_Motion = m_Motion.Clamped();
+            m_Quality = m_Quality.Clamped();
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>The skeleton of a wing that was given none, and what is known for it: where the insect is and how it lies, in mesh space.</summary>
+    internal readonly struct AutomaticSkeleton
+    {
+        private readonly Vector3 m_Body, m_Forward, m_Up;
+
+        /// <param name="insect">The insect's root: Z ahead, Y up.</param>
+        /// <param name="mesh">What draws the wing.</param>
+        public AutomaticSkeleton(Transform insect, Transform mesh)
+        {
+            Matrix4x4 toMesh = mesh.worldToLocalMatrix * insect.localToWorldMatrix;
+            m_Body = toMesh.MultiplyPoint3x4(Vector3.zero);
+            m_Forward = toMesh.MultiplyVector(Vector3.forward).normalized;
+            m_Up = toMesh.MultiplyVector(Vector3.up).normalized;
+        }
+
+        /// <summary>Whether two would come out the same.</summary>
+        public bool Matches(in AutomaticSkeleton other) => m_Body == other.m_Body && m_Forward == other.m_Forward && m_Up == other.m_Up;
+
+        /// <summary>Lays out chains on a wing; the caller destroys the skeleton.</summary>
+        /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
+        public WingSkeleton Fit(in WingSurface surface) => FitWithNotes(surface).Skeleton;
+
+        /// <summary>The same, with how sure it is.</summary>
+        /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
+        public SkeletonFit FitWithNotes(in WingSurface surface)
+        {
+            SkeletonFitSettings settings = SkeletonFitSettings.Default;
+            settings.bodyPoint = m_Body;
+            settings.forward = m_Forward;
+            settings.up = m_Up;
+            return SkeletonFitter.Fit(surface, settings);
+        }
+    }
+}

@@ -1,0 +1,49 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Tells insects that a beat began. Whoever listens may destroy or make insects; one who throws is logged and keeps nobody else from hearing.</summary>
+    internal sealed class BeatCalls
+    {
+        private readonly List<InsectWings> m_Beating = new List<InsectWings>();
+
+        /// <summary>Tells all whose first wing has begun a new cycle since the last call; once, however many it began.</summary>
+        public void Tell(List<LiveInsect> insects, WingWorld world)
+        {
+            foreach (LiveInsect live in insects)
+            {
+                int beats = world.Read(live.wings[0].handle).Beats;
+                if (beats > live.beats)
+                    m_Beating.Add(live.insect);
+                live.beats = beats;
+            }
+
+            if (m_Beating.Count == 0)
+                return;
+            using (SystemMarkers.events.Auto())
+            {
+                foreach (InsectWings insect in m_Beating)
+                {
+                    if (insect != null && insect.Live != null)
+                        Tell(insect);
+                }
+            }
+
+            m_Beating.Clear();
+        }
+
+        private static void Tell(InsectWings insect)
+        {
+            try
+            {
+                insect.TellBeat();
+            }
+            catch (Exception exception)
+            {
+                Debug.LogException(exception, insect);
+            }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Alate
+{
+    /// <summary>
+    /// Copies a mesh so that wings can be written into it in one piece each: vertices in a wanted order; stream 0 position and normal, stream 1 tangents, stream 2
+    /// colours and texture coordinates. Looks the same as the source; bone weights and blend shapes are left out.
+    /// </summary>
+    internal static class DeformableMesh
+    {
+        /// <summary>The stream of <see cref="SkinnedVertex"/>.</summary>
+        public const int VertexStream = 0;
+
+        /// <summary>The stream of tangents.</summary>
+        public const int TangentStream = 1;
+
+        private const int k_OtherStream = 2, k_TexCoords = 8;
+
+        /// <summary>What an upload need not do: bounds are set by hand, indices stay.</summary>
+        public const MeshUpdateFlags UploadFlags = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices
+            | MeshUpdateFlags.DontNotifyMeshUsers | MeshUpdateFlags.DontResetBoneBounds;
+
+        /// <summary>A copy that is never saved.</summary>
+        /// <param name="source">A readable mesh.</param>
+        /// <param name="order">[new vertex] The source's vertex; each one once.</param>
+        public static Mesh Build(Mesh source, int[] order)
+        {
+            var mesh = new Mesh { name = source.name + " (living)", hideFlags = HideFlags.HideAndDontSave, indexFormat = source.indexFormat };
+            var others = new OtherAttributes(source);
+            Vector3[] positions = source.vertices;
+            Vector3[] normals = source.normals;
+            Vector4[] tangents = source.tangents;
+            mesh.SetVertexBufferParams(order.Length, Layout(tangents.Length > 0, others.Descriptors));
+            mesh.SetVertexBufferData(Vertices(order, positions, normals), 0, 0, order.Length, VertexStream, UploadFlags);
+            if (tangents.Length > 0)
+                mesh.SetVertexBufferData(Array.ConvertAll(order, v => tangents[v]), 0, 0, order.Length, TangentStream, UploadFlags);
+            if (others.Words > 0)
+                mesh.SetVertexBufferData(others.Pick(order), 0, 0, order.Length * others.Words, k_OtherStream, UploadFlags);
+            CopyTriangles(source, order, mesh);
+            mesh.bounds = source.bounds;
+            mesh.MarkDynamic();
+            return mesh;
+        }
+
+        private static VertexAttributeDescriptor[] Layout(bool tangents, IReadOnlyList<VertexAttributeDescriptor> others)
+        {
+            var layout = new List<VertexAttributeDescriptor>
+            {
+                new VertexAttributeDescriptor(VertexAttribute.Position, VertexAttributeFormat.Float32, 3, VertexStream),
+                new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.Float32, 3, VertexStream),
+            };
+            if (tangents)
+                layout.Add(new VertexAttributeDescriptor(VertexAttribute.Tangent, VertexAttributeFormat.Float32, 4, TangentStream));
+            layout.AddRange(others);
+            return layout.ToArray();
+        }
+
+        private static SkinnedVertex[] Vertices(int[] order, Vector3[] positions, Vector3[] normals)
+        {
+            var vertices = new SkinnedVertex[order.Length];
+            for (int v = 0; v < order.Length; v++)
+            {
+                vertices[v].position = positions[order[v]];
+                if (normals.Length > 0)
+                    vertices[v].normal = normals[order[v]];
+            }
+
+            return vertices;
+        }
+
+        private static void CopyTriangles(Mesh source, int[] order, Mesh mesh)
+        {
+            var place = new int[order.Length];
+            for (int v = 0; v < order.Length; v++)
+                place[order[v]] = v;
+            mesh.subMeshCount = source.subMeshCount;
+            for (int s = 0; s < source.subMeshCount; s++)
+            {
+                int[] indices = source.GetIndices(s, true);
+                for (int k = 0; k < indices.Length; k++)
+                    indices[k] = place[indices[k]];
+                mesh.SetIndices(indices, source.GetTopology(s), s, false);
+            }
+        }
+
+        /// <summary>Colours and texture coordinates of a mesh, as 32-bit words side by side.</summary>
+        private sealed class OtherAttributes
+        {
+            private readonly List<Func<int, int, uint>> m_Read = new List<Func<int, int, uint>>();
+            private readonly List<int> m_Counts = new List<int>();
+            private readonly List<VertexAttributeDescriptor> m_Descriptors = new List<VertexAttributeDescriptor>();
+
+            public OtherAttributes(Mesh source)
+            {
+                AddColours(source);
+                for (int channel = 0; channel < k_TexCoords; channel++)
+                    AddTexCoords(source, channel);
+            }
+
+            public int Words { get; private set; }
+
+            public IReadOnlyList<VertexAttributeDescriptor> Descriptors => m_Descriptors;
+
+            public uint[] Pick(int[] order)
+            {
+                var words = new uint[order.Length * Words];
+                int next = 0;
+                foreach (int vertex in order)
+                {
+                    for (int a = 0; a < m_Read.Count; a++)
+                    {
+                        for (int c = 0; c < m_Counts[a]; c++)
+                            words[next++] = m_Read[a](vertex, c);
+                    }
+                }
+
+                return words;
+            }
+
+            private void AddColours(Mesh source)
+            {
+                if (!source.HasVertexAttribute(VertexAttribute.Color))
+                    return;
+                if (source.GetVertexAttributeFormat(VertexAttribute.Color) == VertexAttributeFormat.UNorm8)
+                {
+                    Color32[] bytes = source.colors32;
+                    Add(VertexAttribute.Color, VertexAttributeFormat.UNorm8, 4, 1,
+                        (v, _) => (uint)(bytes[v].r | bytes[v].g << 8 | bytes[v].b << 16) | (uint)bytes[v].a << 24);
+                    return;
+                }
+
+                Color[] colours = source.colors;
+                Add(VertexAttribute.Color, VertexAttributeFormat.Float32, 4, 4, (v, c) => math.asuint(colours[v][c]));
+            }
+
+            private void AddTexCoords(Mesh source, int channel)
+            {
+                VertexAttribute attribute = VertexAttribute.TexCoord0 + channel;
+                if (!source.HasVertexAttribute(attribute))
+                    return;
+                var coordinates = new List<Vector4>();
+                source.GetUVs(channel, coordinates);
+                int dimension = source.GetVertexAttributeDimension(attribute);
+                Add(attribute, VertexAttributeFormat.Float32, dimension, dimension, (v, c) => math.asuint(coordinates[v][c]));
+            }
+
+            private void Add(
+                VertexAttribute attribute, VertexAttributeFormat format, int dimension, int words, Func<int, int, uint> read)
+            {
+                m_Descriptors.Add(new VertexAttributeDescriptor(attribute, format, dimension, k_OtherStream));
+                m_Read.Add(read);
+                m_Counts.Add(words);
+                Words += words;
+            }
+        }
+    }
+}

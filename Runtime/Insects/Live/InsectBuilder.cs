@@ -1,0 +1,144 @@
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Builds insects: checks them, finds or bakes what their meshes need, and swaps them. What did not change since an insect was built is kept.</summary>
+    internal sealed class InsectBuilder
+    {
+        private readonly TemplateCache m_Templates;
+        private readonly SkeletonWatch m_Skeletons;
+        private int m_NextOwner = 1;
+
+        public InsectBuilder(TemplateCache templates, SkeletonWatch skeletons)
+        {
+            m_Templates = templates;
+            m_Skeletons = skeletons;
+        }
+
+        /// <summary>An insect without meshes and wings.</summary>
+        public LiveInsect Conceive(InsectWings insect) => new LiveInsect(insect, m_NextOwner++);
+
+        /// <summary>Whether an insect's meshes, wings or skeletons are no longer those it was built of.</summary>
+        public bool IsStale(LiveInsect live)
+        {
+            List<Wing> wings = live.insect.Wings;
+            if (wings.Count != live.wings.Length)
+                return true;
+            for (int w = 0; w < wings.Count; w++)
+            {
+                if (live.wings[w].IsStale(wings[w]))
+                    return true;
+            }
+
+            int patches = live.insect.Patches;
+            foreach (LiveMesh mesh in live.meshes)
+            {
+                if (!mesh.IsShown || mesh.patches != patches)
+                    return true;
+            }
+
+            return false;
+        }
+
+        /// <summary>Gives back the meshes of an insect that are no longer what they were built of, and moves them to the end of a list.</summary>
+        public void Discard(LiveInsect live, List<LiveMesh> discarded)
+        {
+            int patches = live.insect.Patches;
+            foreach (LiveMesh mesh in live.meshes)
+            {
+                if (mesh.IsShown && mesh.patches == patches && HasSameWings(mesh, live.insect.Wings))
+                    continue;
+                mesh.Restore();
+                discarded.Add(mesh);
+            }
+
+            live.meshes.RemoveAll(discarded.Contains);
+        }
+
+        /// <summary>Builds the meshes that an insect lacks.</summary>
+        /// <returns>What keeps it from living; then some may be built and others not.</returns>
+        public InsectProblem Complete(LiveInsect live)
+        {
+            InsectWings insect = live.insect;
+            InsectProblem problem = insect.FindProblem();
+            if (problem.IsProblem)
+                return problem;
+            var wings = new LiveWing[insect.Wings.Count];
+            foreach (List<int> group in Groups(insect.Wings))
+            {
+                MeshRenderer renderer = insect.Wings[group[0]].Renderer;
+                LiveMesh mesh = live.meshes.Find(m => ReferenceEquals(m.renderer, renderer));
+                if (mesh == null)
+                {
+                    mesh = Build(insect, group, out problem);
+                    if (mesh == null)
+                        return problem;
+                    live.meshes.Add(mesh);
+                }
+
+                for (int k = 0; k < group.Count; k++)
+                    wings[group[k]] = mesh.wings[k];
+            }
+
+            live.wings = wings;
+            return InsectProblem.None;
+        }
+
+        /// <summary>Lets go of what a mesh shared with others.</summary>
+        public void Free(LiveMesh mesh) => m_Templates.Return(mesh.template);
+
+        private LiveMesh Build(InsectWings insect, List<int> group, out InsectProblem problem)
+        {
+            Wing[] wings = group.ConvertAll(w => insect.Wings[w]).ToArray();
+            MeshFilter filter = InsectCheck.FilterOf(wings[0]);
+            if (LivingMeshes.LivesOn(filter))
+            {
+                problem = new InsectProblem(InsectState.WingsOverlap, group[0],
+                    $"'{filter.name}' is moved by another Insect Wings already. Take it out of the list of one of the two.");
+                return null;
+            }
+
+            int patches = insect.Patches;
+            Mesh mesh = InsectCheck.MeshOf(wings[0], filter);
+            SkeletonValue[] skeletons = System.Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
+            TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();
+            var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
+            var parts = new RiggedParts(mesh, automatic, patches);
+            MeshTemplate template = m_Templates.Take(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
+            return template == null ? null : new LiveMesh(filter, template, wings, skeletons, patches);
+        }
+
+        // Whether the wings that the list has on a mesh's renderer are those that the mesh was built with, unchanged.
+        private static bool HasSameWings(LiveMesh mesh, List<Wing> listed)
+        {
+            int found = 0;
+            foreach (Wing wing in listed)
+            {
+                if (wing == null || !ReferenceEquals(wing.Renderer, mesh.renderer))
+                    continue;
+                if (found == mesh.wings.Length || mesh.wings[found].IsStale(wing))
+                    return false;
+                found++;
+            }
+
+            return found == mesh.wings.Length;
+        }
+
+        // Wings by the renderer that draws them, in the order of the list.
+        private static List<List<int>> Groups(List<Wing> wings)
+        {
+            var groups = new List<List<int>>();
+            for (int w = 0; w < wings.Count; w++)
+            {
+                List<int> group = groups.Find(g => wings[g[0]].Renderer == wings[w].Renderer);
+                if (group == null)
+                    groups.Add(group = new List<int>());
+                group.Add(w);
+            }
+
+            return groups;
+        }
+    }
+}

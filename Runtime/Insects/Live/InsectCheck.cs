@@ -1,0 +1,111 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>What can be said of an insect without baking anything; for the inspector and before baking.</summary>
+    internal static class InsectCheck
+    {
+        /// <summary>The first problem; none when all wings look right.</summary>
+        public static InsectProblem Find(InsectWings insect)
+        {
+            List<Wing> wings = insect.Wings;
+            if (wings.Count == 0)
+                return NoWings(insect);
+
+            for (int w = 0; w < wings.Count; w++)
+            {
+                InsectProblem problem = Find(wings[w], w);
+                if (problem.IsProblem)
+                    return problem;
+            }
+
+            return InsectProblem.None;
+        }
+
+        /// <summary>What keeps one wing from being baked.</summary>
+        public static InsectProblem Find(Wing wing, int index)
+        {
+            if (wing == null || wing.Renderer == null)
+            {
+                return new InsectProblem(InsectState.NoRenderer, index,
+                    "it has no renderer. Assign the MeshRenderer that draws it, or remove the wing from the list.");
+            }
+
+            string name = wing.Renderer.name;
+            MeshFilter filter = FilterOf(wing);
+            Mesh mesh = MeshOf(wing, filter);
+            if (mesh == null)
+            {
+                return new InsectProblem(InsectState.NoMesh, index,
+                    $"'{name}' has no MeshFilter with a mesh. Add one, or assign the renderer that has it.");
+            }
+
+            if (wing.Renderer.isPartOfStaticBatch)
+            {
+                return new InsectProblem(InsectState.StaticBatch, index,
+                    $"'{name}' was merged by static batching. Turn off Batching Static on it.");
+            }
+
+            if (!mesh.isReadable)
+            {
+                return new InsectProblem(InsectState.MeshNotReadable, index,
+                    $"mesh '{mesh.name}' of '{name}' is not readable. Turn on Read/Write in its import settings.");
+            }
+
+            if (wing.Part == WingPart.Submesh && (wing.Submesh < 0 || wing.Submesh >= mesh.subMeshCount))
+            {
+                return new InsectProblem(InsectState.NoSuchPart, index,
+                    $"mesh '{mesh.name}' has no submesh {wing.Submesh}. Choose one from 0 to {mesh.subMeshCount - 1}.");
+            }
+
+            return Skeleton(wing, index);
+        }
+
+        /// <summary>The authored mesh of a wing, also where its filter shows a living one or lost it; null where there is none.</summary>
+        public static Mesh MeshOf(Wing wing, MeshFilter filter)
+        {
+            if (filter == null)
+                return null;
+            Mesh shown = LivingMeshes.SourceOf(filter.sharedMesh);
+            return shown != null ? shown : wing.Authored;
+        }
+
+        /// <summary>Lets a wing show its authored mesh again where it came as a clone of a living one.</summary>
+        public static void Heal(Wing wing)
+        {
+            MeshFilter filter = wing == null ? null : FilterOf(wing);
+            Mesh mesh = wing == null ? null : MeshOf(wing, filter);
+            if (mesh == null || LivingMeshes.LivesOn(filter))
+                return;
+            if (!ReferenceEquals(filter.sharedMesh, mesh))
+                filter.sharedMesh = mesh;
+            wing.Authored = null;
+        }
+
+        /// <summary>The filter beside a wing's renderer; null where there is none.</summary>
+        public static MeshFilter FilterOf(Wing wing) =>
+            wing.Renderer != null && wing.Renderer.TryGetComponent(out MeshFilter filter) ? filter : null;
+
+        private static InsectProblem NoWings(InsectWings insect)
+        {
+            List<SkinnedMeshRenderer> likely = WingFinder.FindSkinned(insect.transform);
+            SkinnedMeshRenderer skinned = likely.Count > 0 ? likely[0] : insect.GetComponentInChildren<SkinnedMeshRenderer>(true);
+            return skinned == null
+                ? new InsectProblem(InsectState.NoWings, -1, "the list of wings is empty. Add them, or use Find Wings in the inspector.")
+                : new InsectProblem(InsectState.SkinnedWings, -1,
+                    $"the list of wings is empty, and '{skinned.name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain renderer in the inspector, then find the wings.");
+        }
+
+        private static InsectProblem Skeleton(Wing wing, int index)
+        {
+            if (wing.Skeleton == null)
+                return InsectProblem.None;
+            List<SkeletonProblem> problems = wing.Skeleton.Validate();
+            return problems.Count == 0
+                ? InsectProblem.None
+                : new InsectProblem(InsectState.SkeletonInvalid, index,
+                    $"skeleton '{wing.Skeleton.name}' cannot be used: {problems[0].Message} Mend it in its inspector.");
+        }
+    }
+}

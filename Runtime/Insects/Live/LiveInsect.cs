@@ -1,0 +1,266 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>An insect while it lives: its meshes and wings, how its body moves, and with how much detail it is computed.</summary>
+    internal sealed class LiveInsect
+    {
+        /// <summary>Beats after which amplitudes that were set to zero have died away (Eq. 7 remembers three).</summary>
+        private const float k_BeatsToRest = 4f;
+
+        public readonly InsectWings insect;
+        public readonly Transform root;
+        public readonly List<LiveMesh> meshes = new List<LiveMesh>();
+
+        /// <summary>In the order of the insect's list.</summary>
+        public LiveWing[] wings = System.Array.Empty<LiveWing>();
+
+        /// <summary>Names the insect's own clock.</summary>
+        public readonly int owner;
+
+        public BodyFlight flight;
+        public MotionSampler motion;
+        public bool visible = true;
+
+        /// <summary>Beats completed when they were last looked at.</summary>
+        public int beats;
+
+        private WingPacing m_Pacing;
+        private bool m_Resting, m_Seen, m_Skinned = true;
+        private double m_RestingSince, m_AsleepSince;
+
+        public LiveInsect(InsectWings insect, int owner)
+        {
+            this.insect = insect;
+            this.owner = owner;
+            root = insect.transform;
+        }
+
+        /// <summary>The level of detail now.</summary>
+        public WingDetail Detail => m_Pacing.detail;
+
+        /// <summary>Pitch of the body, radians, nose up positive.</summary>
+        public float Pitch => flight.Pitch;
+
+        /// <summary>The clock the wings keep.</summary>
+        public WingClock Clock => ClockOf(insect.UpdateMode);
+
+        /// <summary>Factor on the amplitudes: 0 while the wings are to come to rest.</summary>
+        private float Fade => m_Resting ? 0f : 1f;
+
+        /// <summary>Vertices of the meshes that are drawn.</summary>
+        public int VertexCount
+        {
+            get
+            {
+                int count = 0;
+                foreach (LiveMesh mesh in meshes)
+                    count += mesh.template.VertexCount;
+                return count;
+            }
+        }
+
+        /// <summary>Puts those of the wings into the world that are not in it.</summary>
+        /// <param name="world">Where all wings are.</param>
+        /// <param name="species">The presets in use.</param>
+        /// <param name="leader">A wing of the insect whose beat goes on; none starts a new one.</param>
+        public void Enter(WingWorld world, SpeciesWatch species, WingHandle leader = default)
+        {
+            if (leader.IsNone)
+            {
+                m_Pacing = new WingPacing(Clock, owner, WingDetail.Full);
+                Sense(default);
+            }
+
+            foreach (LiveWing wing in wings)
+            {
+                if (!wing.handle.IsNone)
+                    continue;
+                wing.Tune(species, insect.Species, insect.SubstepsPerBeat, Fade, out WingParameters parameters);
+                wing.Place();
+                WingSurroundings around = wing.Surroundings(flight);
+                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing);
+                world.SetSkinned(wing.handle, m_Skinned);
+                if (!leader.IsNone)
+                    world.Follow(wing.handle, leader);
+            }
+
+            if (leader.IsNone)
+                Start(world);
+        }
+
+        /// <summary>Starts all wings anew, at the insect's phase.</summary>
+        public void Restart(WingWorld world)
+        {
+            foreach (LiveWing wing in wings)
+                world.Reset(wing.handle);
+            Start(world);
+        }
+
+        /// <summary>Takes over sliders and presets.</summary>
+        public void Tune(WingWorld world, SpeciesWatch species)
+        {
+            int substeps = insect.SubstepsPerBeat;
+            foreach (LiveWing wing in wings)
+            {
+                if (wing.Tune(species, insect.Species, substeps, Fade, out WingParameters parameters))
+                    world.SetParameters(wing.handle, parameters);
+            }
+        }
+
+        /// <summary>Looks how the body moved in the frame.</summary>
+        /// <returns>Whether it jumped.</returns>
+        public bool Watch(float dt)
+        {
+            InsectMotion settings = insect.MotionSettings;
+            float length = wings[0].placed.isValid ? wings[0].placed.length : 1f;
+            bool heeded = settings.onTeleport != TeleportResponse.Ignore;
+            float distance = heeded ? settings.teleportDistance * length : float.PositiveInfinity;
+            float angle = heeded && settings.teleportAngle < 180f ? settings.teleportAngle : float.PositiveInfinity;
+            return motion.Sample(root.position, root.rotation, dt, length, distance, angle);
+        }
+
+        /// <summary>Notes what the body does and feels now.</summary>
+        public void Sense(float3 zoneWind)
+        {
+            InsectMotion settings = insect.MotionSettings;
+            flight.position = root.position;
+            flight.forward = root.forward;
+            flight.wind = (float3)insect.Air.wind + zoneWind;
+            flight.gravity = Physics.gravity;
+            flight.metresPerUnit = settings.metresPerUnit;
+            flight.velocity = motion.Velocity;
+            flight.angularVelocity = motion.AngularVelocity;
+            if (settings.source == VelocitySource.Script)
+            {
+                flight.velocity = insect.Velocity;
+                flight.angularVelocity = default;
+            }
+            else if (settings.source == VelocitySource.Rigidbody && insect.Body is { } body && body != null)
+            {
+                flight.velocity = body.GetPointVelocity(flight.position);
+                flight.angularVelocity = body.angularVelocity;
+            }
+        }
+
+        /// <summary>Tells the wings what they feel.</summary>
+        /// <returns>False when a wing has no size.</returns>
+        public bool Feel(WingWorld world)
+        {
+            bool valid = true;
+            foreach (LiveWing wing in wings)
+            {
+                wing.Place();
+                valid &= wing.placed.isValid;
+                WingSurroundings around = wing.Surroundings(flight);
+                if (wing.placed.isValid && around.IsFinite)
+                    world.SetSurroundings(wing.handle, around);
+            }
+
+            return valid;
+        }
+
+        /// <summary>Chooses the level of detail by what cameras see of the insect, and whether to deform its meshes.</summary>
+        /// <returns>Whether its meshes have to be drawn anew though nothing may have moved.</returns>
+        public bool ChooseDetail(WingWorld world, Camera camera, float bias, Pacer pacer)
+        {
+            // No camera has had a look at a new one.
+            visible = !m_Seen;
+            m_Seen = true;
+            foreach (LiveMesh mesh in meshes)
+                visible |= mesh.renderer != null && mesh.renderer.isVisible;
+            bool outOfSight = !visible && insect.Quality.culling == WingCulling.Everything;
+            if (Clock == WingClock.Own)
+                Pace(world, WingDetail.Full, false, pacer);
+            else
+                Pace(world, Wanted(camera, bias), outOfSight, pacer);
+            return SetSkinned(world);
+        }
+
+        /// <summary>Puts what was deformed into the meshes.</summary>
+        public void Upload(WingWorld world)
+        {
+            if (!m_Skinned)
+                return;
+            foreach (LiveMesh mesh in meshes)
+                mesh.Upload(world);
+        }
+
+        private WingDetail Wanted(Camera camera, float bias)
+        {
+            // Where nothing is computed nobody else looks where the wings are.
+            if (Detail == WingDetail.Frozen)
+                wings[0].Place();
+            if (!insect.Quality.levelOfDetail || camera == null || !wings[0].placed.isValid)
+                return WingDetail.Full;
+            float height = bias * DetailChoice.ScreenHeight(camera, wings[0].placed.hinge, wings[0].placed.length);
+            return DetailChoice.Choose(height, insect.Quality.screenHeights, m_Resting ? WingDetail.Frozen : Detail);
+        }
+
+        /// <summary>Changes clock and level of detail to what is wanted, without a jump.</summary>
+        public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Pacer pacer)
+        {
+            WingClock clock = Clock;
+            double now = pacer.TimeOf(clock), shift = now - pacer.TimeOf(m_Pacing.clock);
+            m_RestingSince += shift;
+            m_AsleepSince += shift;
+            bool resting = wanted == WingDetail.Frozen && !outOfSight;
+            if (resting && !m_Resting)
+                m_RestingSince = now;
+            m_Resting = resting;
+            if (resting && m_Pacing.detail != WingDetail.Frozen)
+            {
+                // Amplitudes die away first; then standing still cannot be told from beating.
+                float frequency = world.Read(wings[0].handle).Frequency;
+                wanted = (now - m_RestingSince) * frequency > k_BeatsToRest ? WingDetail.Frozen : WingDetail.WavesOnly;
+            }
+
+            var pacing = new WingPacing(clock, owner, outOfSight ? WingDetail.Frozen : wanted);
+            if (pacing.Equals(m_Pacing))
+                return;
+            bool wakes = m_Pacing.detail == WingDetail.Frozen && pacing.detail != WingDetail.Frozen;
+            bool sleeps = m_Pacing.detail != WingDetail.Frozen && pacing.detail == WingDetail.Frozen;
+            float slept = (float)math.max(now - m_AsleepSince, 0.0);
+            foreach (LiveWing wing in wings)
+            {
+                world.SetPacing(wing.handle, pacing);
+                if (wakes)
+                    world.Resume(wing.handle, slept);
+            }
+
+            m_Pacing = pacing;
+            if (sleeps)
+                m_AsleepSince = now;
+        }
+
+        private bool SetSkinned(WingWorld world)
+        {
+            bool skinned = m_Pacing.detail != WingDetail.Frozen && (visible || insect.Quality.culling == WingCulling.Nothing);
+            if (skinned != m_Skinned)
+            {
+                foreach (LiveWing wing in wings)
+                    world.SetSkinned(wing.handle, skinned);
+            }
+
+            bool again = skinned && !m_Skinned;
+            m_Skinned = skinned;
+            return again;
+        }
+
+        /// <summary>The clock of an update mode.</summary>
+        public static WingClock ClockOf(WingUpdateMode mode) => (WingClock)(int)mode;
+
+        private void Start(WingWorld world)
+        {
+            foreach (LiveWing wing in wings)
+            {
+                float frequency = world.Read(wing.handle).Frequency;
+                world.Resume(wing.handle, insect.StartPhase / (360f * frequency));
+            }
+
+            beats = world.Read(wings[0].handle).Beats;
+        }
+    }
+}

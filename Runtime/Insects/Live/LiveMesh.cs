@@ -1,0 +1,65 @@
+using System;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>One drawn mesh of a living insect, with the wings on it: swaps the authored mesh for a deformable copy, and back.</summary>
+    internal sealed class LiveMesh
+    {
+        public readonly MeshFilter filter;
+        public readonly MeshRenderer renderer;
+        public readonly MeshTemplate template;
+        public readonly LiveWing[] wings;
+        public readonly int patches;
+        private readonly Mesh m_Copy;
+
+        public LiveMesh(MeshFilter filter, MeshTemplate template, Wing[] wings, SkeletonValue[] skeletons, int patches)
+        {
+            this.filter = filter;
+            this.patches = patches;
+            this.template = template;
+            renderer = wings[0].Renderer;
+            this.wings = new LiveWing[wings.Length];
+            for (int w = 0; w < wings.Length; w++)
+            {
+                wings[w].Authored = template.Source;
+                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w);
+            }
+
+            m_Copy = template.CreateCopy();
+            LivingMeshes.Add(m_Copy, template.Source, filter);
+            filter.sharedMesh = m_Copy;
+        }
+
+        /// <summary>Whether the filter still shows the copy; a script may have given it another mesh.</summary>
+        public bool IsShown => filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Copy);
+
+        /// <summary>Puts the deformed vertices of all wings into the mesh.</summary>
+        public void Upload(WingWorld world)
+        {
+            foreach (LiveWing wing in wings)
+            {
+                var vertices = world.Vertices(wing.handle);
+                m_Copy.SetVertexBufferData(vertices, 0, wing.start, vertices.Length, DeformableMesh.VertexStream, DeformableMesh.UploadFlags);
+                var tangents = world.Tangents(wing.handle);
+                if (tangents.IsCreated)
+                    m_Copy.SetVertexBufferData(tangents, 0, wing.start, tangents.Length, DeformableMesh.TangentStream, DeformableMesh.UploadFlags);
+            }
+        }
+
+        /// <summary>Gives the filter its authored mesh back, unless a script gave it another, and destroys the copy.</summary>
+        public void Restore()
+        {
+            if (filter != null && IsOfThisWing(filter.sharedMesh))
+                filter.sharedMesh = template.Source;
+            foreach (LiveWing wing in wings)
+                wing.ForgetAuthored();
+            LivingMeshes.Remove(m_Copy);
+            ObjectEnd.Destroy(m_Copy);
+        }
+
+        // MeshFilter.mesh makes a duplicate and shows that instead: a frozen, bent wing that must not be taken for an authored one.
+        private bool IsOfThisWing(Mesh shown) =>
+            ReferenceEquals(shown, m_Copy) || (shown != null && shown.name.StartsWith(m_Copy.name, StringComparison.Ordinal));
+    }
+}

@@ -1,0 +1,106 @@
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>One wing while it lives: its place in the world of the simulation, and what it was last told.</summary>
+    internal sealed class LiveWing
+    {
+        public readonly WingRig rig;
+
+        public readonly MeshRenderer renderer;
+        public readonly Transform transform;
+
+        /// <summary>First vertex in the deformed mesh.</summary>
+        public readonly int start;
+
+        public WingHandle handle;
+        public PlacedWing placed;
+
+        /// <summary>Current values of its preset.</summary>
+        public SpeciesValues values;
+
+        private Wing m_Wing;
+        private WingSpecies m_OwnSpecies, m_Preset;
+        private int m_Stamp;
+        private float m_Amplitude, m_Lead;
+        private int m_Substeps;
+        private readonly TemplateKey.WingKey m_Key;
+        private readonly SkeletonValue m_Skeleton;
+
+        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape)
+        {
+            m_Wing = wing;
+            m_Skeleton = skeleton;
+            m_Key = new TemplateKey.WingKey(wing, skeleton.Hash);
+            renderer = wing.Renderer;
+            rig = template.Shapes[shape].Rig;
+            start = template.Starts[shape];
+            transform = renderer.transform;
+        }
+
+        /// <summary>
+        /// Whether the wing in the list is no longer what this one was built of. Another object that says the same is taken over: the editor makes new ones when a slider is moved.
+        /// </summary>
+        public bool IsStale(Wing listed)
+        {
+            if (listed == null || !ReferenceEquals(listed.Renderer, renderer) || !m_Key.Describes(listed, m_Skeleton.Hash))
+                return true;
+            if (!ReferenceEquals(listed, m_Wing))
+                listed.Authored = m_Wing.Authored;
+            m_Wing = listed;
+            return false;
+        }
+
+        /// <summary>The wing shows its authored mesh again.</summary>
+        public void ForgetAuthored() => m_Wing.Authored = null;
+
+        /// <summary>Looks where the wing is in the world.</summary>
+        public void Place()
+        {
+            if (transform != null)
+                placed = new PlacedWing(transform.localToWorldMatrix, rig.Frame);
+        }
+
+        /// <summary>What the wing feels of the body's flight, where it was last placed.</summary>
+        public WingSurroundings Surroundings(in BodyFlight flight) =>
+            placed.isValid ? flight.Around(placed, values.wingLength, values.gravityShare) : default;
+
+        /// <summary>Takes over preset and sliders.</summary>
+        /// <param name="species">The presets in use.</param>
+        /// <param name="preset">The insect's own.</param>
+        /// <param name="substeps">Substeps of a beat, 0 for the preset's.</param>
+        /// <param name="fade">Factor on the amplitude, for coming to rest.</param>
+        /// <param name="parameters">What the wing is to be stepped with.</param>
+        /// <returns>Whether anything changed since the last call.</returns>
+        public bool Tune(SpeciesWatch species, WingSpecies preset, int substeps, float fade, out WingParameters parameters)
+        {
+            if (values == null || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Preset, preset))
+            {
+                m_OwnSpecies = m_Wing.Species;
+                m_Preset = preset;
+                values = species.Of(m_OwnSpecies == null ? preset : m_OwnSpecies);
+                m_Stamp = -1;
+            }
+
+            float amplitude = m_Wing.AmplitudeScale * fade, lead = Mathf.Deg2Rad * m_Wing.PhaseLead;
+            bool same = values.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && substeps == m_Substeps;
+            m_Stamp = values.Stamp;
+            m_Amplitude = amplitude;
+            m_Lead = lead;
+            m_Substeps = substeps;
+            if (same)
+            {
+                parameters = default;
+                return false;
+            }
+
+            parameters = values.parameters;
+            parameters.amplitudeScale *= amplitude;
+            parameters.phaseLead += lead;
+            if (substeps > 0)
+                parameters.substepsPerBeat = substeps;
+            parameters = parameters.Clamped();
+            return true;
+        }
+    }
+}

@@ -1,0 +1,52 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>
+    /// A wing's frame in the world. Of a transform with unequal scales or shear the span's direction is kept, up is made perpendicular to it, and forward to both: the
+    /// wing is computed as the rigid wing that looks most like it, and drawn with the transform's scale.
+    /// </summary>
+    internal readonly struct PlacedWing
+    {
+        /// <summary>Shorter wings than this, world units, have no direction any more.</summary>
+        private const float k_LeastLength = 1e-6f;
+
+        /// <summary>Unit vectors at right angles, world; a mirror image for wings of the left side.</summary>
+        public readonly float3 span, up, forward;
+
+        /// <summary>Wing length, world units.</summary>
+        public readonly float length;
+
+        /// <summary>The hinge, world.</summary>
+        public readonly float3 hinge;
+
+        /// <summary>False where the scale leaves no span, no width or no direction.</summary>
+        public readonly bool isValid;
+
+        /// <summary>The axes of a wing whose mesh is drawn by a matrix.</summary>
+        public PlacedWing(in Matrix4x4 meshToWorld, in WingFrame frame)
+        {
+            float3 drawnSpan = meshToWorld.MultiplyVector(frame.axes.c0);
+            float3 drawnUp = meshToWorld.MultiplyVector(frame.axes.c1);
+            float3 drawnForward = meshToWorld.MultiplyVector(frame.axes.c2);
+            hinge = meshToWorld.MultiplyPoint3x4(frame.origin);
+            length = math.length(drawnSpan) * frame.length;
+
+            span = math.normalizesafe(drawnSpan);
+            // A flat mesh that is scaled to nothing across its surface is still a wing: its normal is that of what is left.
+            float3 across = math.cross(drawnForward, drawnSpan);
+            float side = math.sign(math.dot(across, drawnUp));
+            up = math.normalizesafe(side == 0f ? across : side * across);
+            float3 third = math.cross(span, up);
+            forward = math.dot(third, drawnForward) < 0f ? -third : third;
+            isValid = length > k_LeastLength && math.lengthsq(up) > 0.5f && math.all(math.isfinite(hinge)) && math.isfinite(length);
+        }
+
+        /// <summary>A vector of the world in wing axes, world units.</summary>
+        public float3 ToWing(float3 world) => new float3(math.dot(span, world), math.dot(up, world), math.dot(forward, world));
+
+        /// <summary>A vector in wing axes in the world.</summary>
+        public float3 ToWorld(float3 wing) => span * wing.x + up * wing.y + forward * wing.z;
+    }
+}

@@ -1,0 +1,178 @@
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>Who of the insects lives, who waits to, who cannot, and who has gone but must still be taken out of the world.</summary>
+    internal sealed class Population
+    {
+        /// <summary>
+        /// Vertices of meshes that may be built in one frame: a swarm that appears at once comes to life over several frames instead of stopping the game. The first insect of a
+        /// frame is always built.
+        /// </summary>
+        private const int k_VerticesPerFrame = 1 << 17;
+
+        private readonly List<InsectWings> m_Arriving = new List<InsectWings>();
+        private readonly List<LiveMesh> m_Leaving = new List<LiveMesh>();
+        private readonly SkeletonWatch m_Skeletons = new SkeletonWatch();
+        private readonly BrokenInsects m_Broken;
+        private readonly InsectBuilder m_Builder;
+        private readonly WingWorld m_World;
+        private readonly SpeciesWatch m_Species;
+
+        public Population(WingWorld world, SpeciesWatch species)
+        {
+            m_World = world;
+            m_Species = species;
+            m_Builder = new InsectBuilder(new TemplateCache(), m_Skeletons);
+            m_Broken = new BrokenInsects(m_Skeletons);
+        }
+
+        /// <summary>Insects whose wings beat.</summary>
+        public List<LiveInsect> Living { get; } = new List<LiveInsect>();
+
+        /// <summary>Whether nobody lives, waits or is broken.</summary>
+        public bool IsEmpty => Living.Count == 0 && m_Arriving.Count == 0 && m_Broken.Count == 0;
+
+        /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
+        public void Enter(InsectWings insect)
+        {
+            insect.Report(InsectProblem.Waiting);
+            m_Arriving.Add(insect);
+        }
+
+        /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
+        public void Leave(InsectWings insect)
+        {
+            m_Arriving.Remove(insect);
+            m_Broken.Remove(insect);
+            if (insect.Live != null)
+                Retire(insect.Live);
+        }
+
+        /// <summary>Lets an insect that waits start at once.</summary>
+        /// <returns>Whether it waited.</returns>
+        public bool Hurry(InsectWings insect)
+        {
+            bool waited = m_Arriving.Remove(insect);
+            if (waited)
+                Admit(insect);
+            return waited;
+        }
+
+        /// <summary>Once a frame, with no jobs under way: who has gone goes, who was changed is changed, who waits starts.</summary>
+        /// <returns>Whether meshes were built.</returns>
+        public bool Turn()
+        {
+            int vertices = k_VerticesPerFrame;
+            using (SystemMarkers.renew.Auto())
+            {
+                LetGo();
+                m_Skeletons.Refresh();
+                for (int k = Living.Count - 1; k >= 0 && vertices > 0; k--)
+                {
+                    if (m_Builder.IsStale(Living[k]))
+                        vertices -= Renew(Living[k]);
+                }
+
+                m_Broken.TakeMended(m_Arriving);
+                LetGo();
+            }
+
+            using (SystemMarkers.admit.Auto())
+                vertices -= Admit(vertices);
+            return vertices < k_VerticesPerFrame;
+        }
+
+        /// <summary>All end.</summary>
+        public void End()
+        {
+            while (Living.Count > 0)
+            {
+                LiveInsect live = Living[Living.Count - 1];
+                Retire(live);
+                m_Arriving.Add(live.insect);
+            }
+
+            m_Broken.TakeAll(m_Arriving);
+            foreach (InsectWings insect in m_Arriving)
+                insect.Report(InsectProblem.Inactive);
+            m_Arriving.Clear();
+            LetGo();
+        }
+
+        private void Retire(LiveInsect live)
+        {
+            foreach (LiveMesh mesh in live.meshes)
+                mesh.Restore();
+            m_Leaving.AddRange(live.meshes);
+            live.insect.Live = null;
+            Living.Remove(live);
+        }
+
+        private void LetGo()
+        {
+            while (m_Leaving.Count > 0)
+            {
+                LiveMesh mesh = m_Leaving[m_Leaving.Count - 1];
+                m_Leaving.RemoveAt(m_Leaving.Count - 1);
+                foreach (LiveWing wing in mesh.wings)
+                {
+                    if (m_World.Contains(wing.handle))
+                        m_World.Remove(wing.handle);
+                }
+
+                m_Builder.Free(mesh);
+            }
+        }
+
+        // Who waits and fails to start must not be tried again and again, nor keep others waiting.
+        private int Admit(int most)
+        {
+            int admitted = 0, vertices = 0;
+            try
+            {
+                while (admitted < m_Arriving.Count && vertices < most)
+                    vertices += Admit(m_Arriving[admitted++]);
+            }
+            finally
+            {
+                m_Arriving.RemoveRange(0, admitted);
+            }
+
+            return vertices;
+        }
+
+        private int Admit(InsectWings insect)
+        {
+            LiveInsect live = m_Builder.Conceive(insect);
+            if (!Build(live))
+                return 0;
+            insect.Live = live;
+            Living.Add(live);
+            live.Enter(m_World, m_Species);
+            return live.VertexCount;
+        }
+
+        // What did not change lives on; what is new takes up the beat.
+        private int Renew(LiveInsect live)
+        {
+            WingHandle leader = live.wings[0].handle;
+            m_Builder.Discard(live, m_Leaving);
+            if (!Build(live))
+                return 0;
+            live.Enter(m_World, m_Species, leader);
+            return live.VertexCount;
+        }
+
+        private bool Build(LiveInsect live)
+        {
+            InsectProblem problem = m_Builder.Complete(live);
+            live.insect.Report(problem);
+            if (!problem.IsProblem)
+                return true;
+            Retire(live);
+            m_Broken.Add(live.insect);
+            return false;
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>A number that changes with a skeleton's content, computed once a frame however many wings share it.</summary>
+    internal sealed class SkeletonValue
+    {
+        private readonly WingSkeleton m_Skeleton;
+
+        /// <param name="skeleton">May be null.</param>
+        public SkeletonValue(WingSkeleton skeleton)
+        {
+            m_Skeleton = skeleton;
+            Refresh();
+        }
+
+        /// <summary>0 for no skeleton.</summary>
+        public uint Hash { get; private set; }
+
+        /// <summary>Reads the skeleton again. One that was destroyed keeps its last value.</summary>
+        public void Refresh()
+        {
+            if (m_Skeleton == null)
+                return;
+            uint hash = Mix(Mix(Mix(1u, m_Skeleton.Hinge), m_Skeleton.SpanAxis), m_Skeleton.UpAxis);
+            foreach (JointChain chain in m_Skeleton.Chains)
+            {
+                hash = hash * 31u + (uint)chain.Length;
+                for (int joint = 0; joint < chain.Length; joint++)
+                    hash = Mix(hash, chain.joints[joint]);
+            }
+
+            Hash = hash == 0 ? 1u : hash;
+        }
+
+        private static uint Mix(uint hash, Vector3 point)
+        {
+            uint3 bits = math.asuint((float3)point);
+            return ((hash * 0x9E3779B1u + bits.x) * 0x85EBCA77u + bits.y) * 0xC2B2AE3Du + bits.z;
+        }
+    }
+}

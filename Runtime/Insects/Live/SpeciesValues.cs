@@ -1,0 +1,55 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>What a preset says now, in the units of the model; compared once a step, however many insects share it.</summary>
+    internal sealed class SpeciesValues
+    {
+        private readonly WingSpecies m_Species;
+
+        /// <param name="species">Null stands for a monarch.</param>
+        public SpeciesValues(WingSpecies species)
+        {
+            m_Species = species;
+            parameters = WingParameters.Default;
+            Take(WingSpeciesPresets.MonarchSize);
+            Refresh();
+        }
+
+        /// <summary>The preset in the units of the model.</summary>
+        public WingParameters parameters;
+
+        /// <summary>Metres.</summary>
+        public float wingLength;
+
+        /// <summary>Kilograms.</summary>
+        public float wingMass, insectMass;
+
+        /// <summary>Share of gravity that the wing feels.</summary>
+        public float gravityShare;
+
+        /// <summary>Counts changes of <see cref="parameters"/>.</summary>
+        public int Stamp { get; private set; }
+
+        /// <summary>Reads the preset again. One that was destroyed keeps its last values.</summary>
+        public void Refresh()
+        {
+            if (m_Species == null)
+                return;
+            Take(m_Species.Size);
+            WingParameters now = m_Species.ToParameters();
+            if (now.SameAs(parameters))
+                return;
+            parameters = now;
+            Stamp++;
+        }
+
+        private void Take(in SpeciesSize size)
+        {
+            wingLength = math.clamp(size.wingLength, 5e-4f, 1f);
+            wingMass = math.clamp(size.wingMass, 1e-9f, 1f);
+            insectMass = math.clamp(size.insectMass, 1e-8f, 10f);
+            gravityShare = math.saturate(size.gravityShare);
+        }
+    }
+}

@@ -1,0 +1,249 @@
+using System;
+using System.Collections.Generic;
+using Unity.Jobs;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>All insects that live, and what is done with them in each fixed step and frame, in order.</summary>
+    internal sealed class WingCrowd : IDisposable
+    {
+        private readonly Population m_Population;
+        private readonly BeatCalls m_Calls = new BeatCalls();
+        private readonly SpeciesWatch m_Species = new SpeciesWatch();
+        private readonly WindZones m_WindZones = new WindZones();
+        private readonly Pacer m_Pacer = new Pacer();
+        private bool m_Moved;
+        private float4 m_DrawnAlpha;
+
+        public WingCrowd()
+        {
+            World = new WingWorld();
+            m_Population = new Population(World, m_Species);
+        }
+
+        /// <summary>The simulation.</summary>
+        public WingWorld World { get; }
+
+        /// <summary>Insects whose wings beat.</summary>
+        public int Count => Insects.Count;
+
+        private List<LiveInsect> Insects => m_Population.Living;
+
+        /// <summary>Whether nobody lives, waits or is broken.</summary>
+        public bool IsEmpty => m_Population.IsEmpty;
+
+        /// <summary>[clock] The time within its last step that was drawn last, 0 its start, 1 its end.</summary>
+        public float4 DrawnAlpha => m_DrawnAlpha;
+
+        /// <summary>Step jobs scheduled so far.</summary>
+        public long StepCount { get; private set; }
+
+        /// <summary>Recoveries from states that were not finite, of all wings that live.</summary>
+        public int CountResets()
+        {
+            int count = 0;
+            foreach (LiveInsect live in Insects)
+            {
+                foreach (LiveWing wing in live.wings)
+                    count += World.Read(wing.handle).Resets;
+            }
+
+            return count;
+        }
+
+        public void FindWindZones() => m_WindZones.Find();
+
+        /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
+        public void Enter(InsectWings insect) => m_Population.Enter(insect);
+
+        /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
+        public void Leave(InsectWings insect) => m_Population.Leave(insect);
+
+        /// <summary>One fixed step of the physics.</summary>
+        public void FixedStep(float dt)
+        {
+            using (SystemMarkers.fixedStep.Auto())
+            {
+                Wait();
+                Tune();
+                Sense(WingClock.Fixed, WingClock.Fixed);
+                Schedule(m_Pacer.FixedStep(dt));
+                JobHandle.ScheduleBatchedJobs();
+            }
+        }
+
+        /// <summary>The end of a frame: who comes and goes, the steps of the frame's clocks, and the picture.</summary>
+        public void Frame(float dt, float unscaledDt)
+        {
+            using (SystemMarkers.frame.Auto())
+            {
+                Wait();
+                if (m_Population.Turn())
+                    WelcomeNew();
+                Tune();
+                Watch(dt, unscaledDt);
+                ChooseDetail();
+                Sense(WingClock.Frame, WingClock.Unscaled);
+                Schedule(m_Pacer.Frame(dt, unscaledDt));
+                Draw();
+                m_Calls.Tell(Insects, World);
+            }
+        }
+
+        /// <summary>Steps one insect by hand; it starts now if it has not yet.</summary>
+        public void StepByHand(InsectWings insect, float dt)
+        {
+            World.Complete();
+            if (m_Population.Hurry(insect))
+                WelcomeNew();
+
+            LiveInsect live = insect.Live;
+            if (live == null)
+                return;
+            m_Species.Refresh();
+            live.Tune(World, m_Species);
+            live.Pace(World, WingDetail.Full, false, m_Pacer);
+            Watch(live, dt);
+            Sense(live);
+            int steps = math.clamp((int)math.ceil(dt / Pacer.FrameStep - 1e-3f), 1, Pacer.MostSteps);
+            float length = math.min(dt / steps, Pacer.FrameStep);
+            for (int step = 0; step < steps; step++)
+                World.StepNow(live.owner, length);
+            m_Moved = true;
+        }
+
+        /// <summary>Starts an insect's wings anew.</summary>
+        public void Restart(LiveInsect live)
+        {
+            World.Complete();
+            live.Restart(World);
+            m_Moved = true;
+        }
+
+        public void Dispose()
+        {
+            World.Complete();
+            m_Population.End();
+            World.Dispose();
+        }
+
+        private void WelcomeNew()
+        {
+            m_WindZones.Find();
+            m_Moved = true;
+        }
+
+        private void Tune()
+        {
+            using (SystemMarkers.tune.Auto())
+            {
+                m_Species.Refresh();
+                foreach (LiveInsect live in Insects)
+                    live.Tune(World, m_Species);
+            }
+        }
+
+        private void Watch(float dt, float unscaledDt)
+        {
+            using (SystemMarkers.watch.Auto())
+            {
+                foreach (LiveInsect live in Insects)
+                {
+                    if (live.Clock != WingClock.Own)
+                        Watch(live, live.Clock == WingClock.Unscaled ? unscaledDt : dt);
+                }
+            }
+        }
+
+        private void Watch(LiveInsect live, float dt)
+        {
+            if (live.Watch(dt) && live.insect.MotionSettings.onTeleport == TeleportResponse.Reset)
+                Restart(live);
+        }
+
+        private void ChooseDetail()
+        {
+            using (SystemMarkers.detail.Auto())
+            {
+                Camera camera = WingSystem.DetailCamera;
+                if (camera == null)
+                    camera = Camera.main;
+                float bias = QualitySettings.lodBias;
+                foreach (LiveInsect live in Insects)
+                    m_Moved |= live.ChooseDetail(World, camera, bias, m_Pacer);
+            }
+        }
+
+        private void Sense(WingClock first, WingClock second)
+        {
+            using (SystemMarkers.sense.Auto())
+            {
+                foreach (LiveInsect live in Insects)
+                {
+                    WingClock clock = live.Clock;
+                    if ((clock == first || clock == second) && live.Detail != WingDetail.Frozen)
+                        Sense(live);
+                }
+            }
+        }
+
+        private void Sense(LiveInsect live)
+        {
+            float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position, Time.time) : default;
+            live.Sense(wind);
+            bool hasSize = live.Feel(World);
+            if (hasSize)
+                live.insect.Report(InsectProblem.None);
+            else if (live.insect.State != InsectState.ZeroScale)
+                live.insect.Report(InsectProblem.NoSize);
+        }
+
+        private void Schedule(StepPlan plan)
+        {
+            plan.count = math.select(0, plan.count, ClocksInUse());
+            if (plan.IsEmpty)
+                return;
+            using (SystemMarkers.schedule.Auto())
+                World.ScheduleStep(plan);
+            StepCount++;
+            m_Moved = true;
+        }
+
+        private void Wait()
+        {
+            using (SystemMarkers.wait.Auto())
+                World.Complete();
+        }
+
+        private bool4 ClocksInUse()
+        {
+            bool4 used = default;
+            foreach (LiveInsect live in Insects)
+            {
+                if (live.Detail != WingDetail.Frozen)
+                    used[(int)live.Clock] = true;
+            }
+
+            return used;
+        }
+
+        private void Draw()
+        {
+            float4 alpha = m_Pacer.Alpha();
+            if (!m_Moved && math.all(alpha == m_DrawnAlpha))
+                return;
+            m_Moved = false;
+            m_DrawnAlpha = alpha;
+            using (SystemMarkers.schedule.Auto())
+                World.ScheduleSkin(alpha);
+            Wait();
+            using (SystemMarkers.upload.Auto())
+            {
+                foreach (LiveInsect live in Insects)
+                    live.Upload(World);
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Alate
+{
+    /// <summary>Writes a look into the properties of each shader that is used: their names and keywords are those the shaders' own inspectors set.</summary>
+    static class LookProperties
+    {
+        const float k_Through = 0.5f, k_WingGloss = 0.06f, k_BodyGloss = 0.14f, k_Smoothness = 0.35f;
+
+        /// <summary>Bodies that are partly clear are drawn before the wings, which are blended over them.</summary>
+        const int k_ClearBodyQueue = (int)RenderQueue.Transparent - 1;
+
+        public static void Write(Material material, in SurfaceLook look)
+        {
+            switch (material.shader.name)
+            {
+                case WingShaders.Own:
+                    WriteOwn(material, look);
+                    break;
+                case WingShaders.HighDefinitionLit:
+                    WriteHighDefinition(material, look);
+                    break;
+                case WingShaders.Standard:
+                    WriteStandard(material, look);
+                    break;
+                default:
+                    WriteUniversal(material, look);
+                    break;
+            }
+
+            if (look.IsTranslucent)
+            {
+                material.SetOverrideTag("RenderType", "Transparent");
+                material.renderQueue = look.IsThin ? (int)RenderQueue.Transparent : k_ClearBodyQueue;
+            }
+        }
+
+        static void WriteOwn(Material material, in SurfaceLook look)
+        {
+            material.SetTexture("_MainTex", look.Texture);
+            material.SetFloat("_VertexColours", look.Texture == null ? 1f : 0f);
+            material.SetFloat("_Through", look.IsThin ? k_Through : 0f);
+            material.SetFloat("_Gloss", look.IsThin ? k_WingGloss : k_BodyGloss);
+            material.SetFloat("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+            material.SetFloat("_Translucent", look.IsTranslucent ? 1f : 0f);
+            WriteBlend(material, look, BlendMode.One);
+        }
+
+        static void WriteUniversal(Material material, in SurfaceLook look)
+        {
+            material.SetTexture("_BaseMap", look.Texture);
+            material.SetColor("_BaseColor", Color.white);
+            material.SetFloat("_Smoothness", k_Smoothness);
+            material.SetFloat("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+            material.doubleSidedGI = look.IsThin;
+            material.SetFloat("_Surface", look.IsTranslucent ? 1f : 0f);
+            WriteBlend(material, look, BlendMode.SrcAlpha);
+            EnableIf(look.IsTranslucent, material, "_SURFACE_TYPE_TRANSPARENT");
+        }
+
+        static void WriteHighDefinition(Material material, in SurfaceLook look)
+        {
+            material.SetTexture("_BaseColorMap", look.Texture);
+            material.SetColor("_BaseColor", Color.white);
+            material.SetFloat("_Smoothness", k_Smoothness);
+            material.SetFloat("_DoubleSidedEnable", look.IsThin ? 1f : 0f);
+            material.SetFloat("_CullMode", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+            material.SetFloat("_CullModeForward", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+
+            // The normal of the far side is turned round.
+            material.SetVector("_DoubleSidedConstants", new Vector4(-1f, -1f, -1f, 0f));
+            material.doubleSidedGI = look.IsThin;
+            EnableIf(look.IsThin, material, "_DOUBLESIDED_ON");
+            material.SetFloat("_SurfaceType", look.IsTranslucent ? 1f : 0f);
+            material.SetFloat("_ZTestDepthEqualForOpaque", (float)(look.IsTranslucent ? CompareFunction.LessEqual : CompareFunction.Equal));
+            material.SetFloat("_TransparentZWrite", look.WritesDepth ? 1f : 0f);
+            material.SetFloat("_AlphaSrcBlend", (float)BlendMode.One);
+            material.SetFloat("_AlphaDstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
+            WriteBlend(material, look, BlendMode.One);
+            EnableIf(look.IsTranslucent, material, "_SURFACE_TYPE_TRANSPARENT");
+        }
+
+        static void WriteStandard(Material material, in SurfaceLook look)
+        {
+            const float fade = 2f;
+            material.SetTexture("_MainTex", look.Texture);
+            material.SetFloat("_Glossiness", k_Smoothness);
+            material.SetFloat("_Mode", look.IsTranslucent ? fade : 0f);
+            WriteBlend(material, look, BlendMode.SrcAlpha);
+            EnableIf(look.IsTranslucent, material, "_ALPHABLEND_ON");
+        }
+
+        static void WriteBlend(Material material, in SurfaceLook look, BlendMode source)
+        {
+            material.SetFloat("_SrcBlend", (float)(look.IsTranslucent ? source : BlendMode.One));
+            material.SetFloat("_DstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
+            material.SetFloat("_ZWrite", look.WritesDepth ? 1f : 0f);
+        }
+
+        static void EnableIf(bool isOn, Material material, string keyword)
+        {
+            if (isOn)
+            {
+                material.EnableKeyword(keyword);
+            }
+        }
+    }
+}

@@ -1,0 +1,110 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>The shapes of a mesh and of its parts, in the insect's space. Of a mesh that cannot be read, what its boxes tell.</summary>
+    internal sealed class MeasuredMesh
+    {
+        // Area over that of the largest sheet from which a piece can be a wing of its own, not a vein or a speck.
+        const float k_SmallestPiece = 0.1f;
+
+        const int k_Several = -1;
+
+        readonly Mesh m_Mesh;
+        readonly Matrix4x4 m_ToInsect;
+        readonly Vector3[] m_Positions;
+        int[] m_Owners;
+
+        public MeasuredMesh(Mesh mesh, Matrix4x4 toInsect)
+        {
+            m_Mesh = mesh;
+            m_ToInsect = toInsect;
+            m_Positions = mesh.isReadable ? mesh.vertices : null;
+        }
+
+        /// <summary>Its triangles can be read.</summary>
+        public bool IsReadable => m_Positions != null;
+
+        /// <summary>Number of submeshes.</summary>
+        public int SubmeshCount => m_Mesh.subMeshCount;
+
+        /// <summary>A submesh has triangles.</summary>
+        public bool IsDrawn(int submesh) =>
+            m_Mesh.GetTopology(submesh) == MeshTopology.Triangles && m_Mesh.GetSubMesh(submesh).indexCount > 0;
+
+        /// <summary>All of it; it must have triangles.</summary>
+        public WingShape Whole() => IsReadable ? Shape(WingPart.WholeMesh, 0) : WingShape.Of(m_Mesh.bounds, m_ToInsect);
+
+        /// <summary>One submesh; it must have triangles.</summary>
+        public WingShape Submesh(int submesh) =>
+            IsReadable ? Shape(WingPart.Submesh, submesh) : WingShape.Of(m_Mesh.GetSubMesh(submesh).bounds, m_ToInsect);
+
+        /// <summary>The larger connected parts of a readable mesh that are sheets on one side.</summary>
+        public List<MeasuredPiece> Sheets()
+        {
+            var sheets = new List<MeasuredPiece>();
+            var largest = 0f;
+            foreach (var piece in MeshParts.Parts(m_Mesh))
+            {
+                var shape = WingShape.Of(m_Positions, piece.selection, m_ToInsect);
+                if (!shape.isSheet || shape.Side == null)
+                    continue;
+                sheets.Add(new MeasuredPiece(shape, piece.point, SubmeshOf(piece.selection)));
+                largest = Mathf.Max(largest, shape.area);
+            }
+
+            sheets.RemoveAll(piece => piece.shape.area < k_SmallestPiece * largest);
+            return sheets;
+        }
+
+        /// <summary>The two halves of a box, for meshes that cannot be read: what is nearest to its right and left face.</summary>
+        /// <param name="submesh">−1 for the box around all.</param>
+        public List<MeasuredPiece> Halves(int submesh)
+        {
+            var box = submesh == k_Several ? m_Mesh.bounds : m_Mesh.GetSubMesh(submesh).bounds;
+            var across = (Vector3)m_ToInsect.GetRow(0);
+            var axis = 0;
+            for (var other = 1; other < 3; other++)
+                axis = Mathf.Abs(across[other] * box.extents[other]) > Mathf.Abs(across[axis] * box.extents[axis]) ? other : axis;
+
+            var step = Vector3.zero;
+            step[axis] = box.extents[axis];
+            var size = box.size - step;
+            return new List<MeasuredPiece>
+            {
+                new MeasuredPiece(WingShape.Of(new Bounds(box.center + 0.5f * step, size), m_ToInsect), box.center + step, submesh),
+                new MeasuredPiece(WingShape.Of(new Bounds(box.center - 0.5f * step, size), m_ToInsect), box.center - step, submesh),
+            };
+        }
+
+        WingShape Shape(WingPart part, int submesh) =>
+            WingShape.Of(m_Positions, MeshParts.Select(m_Mesh, part, submesh, Vector3.zero), m_ToInsect);
+
+        int SubmeshOf(MeshSelection piece)
+        {
+            if (SubmeshCount == 1)
+                return 0;
+            m_Owners ??= Owners();
+            var first = m_Owners[piece.vertices[0]];
+            return System.Array.TrueForAll(piece.vertices, vertex => m_Owners[vertex] == first) ? first : k_Several;
+        }
+
+        // The submesh that each vertex belongs to.
+        int[] Owners()
+        {
+            const int k_None = -2;
+            var owners = new int[m_Positions.Length];
+            System.Array.Fill(owners, k_None);
+            for (var submesh = 0; submesh < SubmeshCount; submesh++)
+            {
+                if (!IsDrawn(submesh))
+                    continue;
+                foreach (var vertex in m_Mesh.GetTriangles(submesh))
+                    owners[vertex] = owners[vertex] == k_None || owners[vertex] == submesh ? submesh : k_Several;
+            }
+
+            return owners;
+        }
+    }
+}

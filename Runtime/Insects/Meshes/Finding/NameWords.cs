@@ -1,0 +1,36 @@
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>Takes an object's name apart: at signs, digits and capitals, so that "ForeWing_L.001" gives fore, wing, l.</summary>
+    internal static class NameWords
+    {
+        /// <summary>The words in lower case; digits are no words.</summary>
+        public static List<string> Of(string name)
+        {
+            var words = new List<string>();
+            var start = 0;
+            for (var end = 1; end <= name.Length; end++)
+            {
+                if (end < name.Length && !IsBreak(name, end))
+                    continue;
+                if (char.IsLetter(name[start]))
+                    words.Add(name.Substring(start, end - start).ToLowerInvariant());
+                start = end;
+            }
+
+            return words;
+        }
+
+        static bool IsBreak(string name, int at)
+        {
+            char before = name[at - 1], here = name[at];
+            if (char.IsLetter(before) != char.IsLetter(here))
+                return true;
+            if (!char.IsUpper(here))
+                return false;
+            var isLastOfCapitals = at + 1 < name.Length && char.IsLower(name[at + 1]);
+            return char.IsLower(before) || isLastOfCapitals;
+        }
+    }
+}

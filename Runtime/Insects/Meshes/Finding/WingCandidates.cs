@@ -1,0 +1,115 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Goes through the parts of a renderer's mesh that may each be one wing.</summary>
+    internal sealed class WingCandidates
+    {
+        readonly Renderer m_Renderer;
+        readonly RendererNames m_Names;
+        readonly MeasuredMesh m_Mesh;
+        readonly List<WingCandidate> m_Found = new List<WingCandidate>();
+
+        WingCandidates(Renderer renderer, Mesh mesh, Transform root)
+        {
+            m_Renderer = renderer;
+            m_Names = new RendererNames(renderer, mesh, root);
+            var toWorld = renderer is SkinnedMeshRenderer skinned ? SkinnedPose.ToWorld(skinned) : renderer.transform.localToWorldMatrix;
+            m_Mesh = new MeasuredMesh(mesh, root.worldToLocalMatrix * toWorld);
+        }
+
+        /// <summary>The parts of a renderer that may be wings, marked where names call them so; none of a wing case.</summary>
+        public static List<WingCandidate> Of(Renderer renderer, Mesh mesh, Transform root)
+        {
+            var candidates = new WingCandidates(renderer, mesh, root);
+            if (!candidates.m_Names.IsCase)
+                candidates.Collect();
+            return candidates.m_Found;
+        }
+
+        void Collect()
+        {
+            var drawn = new List<int>();
+            for (var submesh = 0; submesh < m_Mesh.SubmeshCount; submesh++)
+            {
+                if (m_Mesh.IsDrawn(submesh))
+                    drawn.Add(submesh);
+            }
+
+            if (drawn.Count == 0)
+                return;
+            var wings = m_Names.IsWing ? drawn : drawn.FindAll(submesh => m_Names.Material(submesh).IsWing);
+            if (wings.Count < drawn.Count && wings.Count > 0)
+                CollectSubmeshes(wings);
+            else
+                CollectAll(drawn, wings.Count > 0);
+        }
+
+        /// <summary>The mesh is all wing, or nothing is known of it.</summary>
+        void CollectAll(List<int> drawn, bool isNamed)
+        {
+            var whole = m_Mesh.Whole();
+            var pieces = Pieces(-1, isNamed && whole.Side == null);
+            if (whole.Side == null || WingGroup.Count(pieces) > 1)
+            {
+                if (drawn.Count > 1 && whole.Side == null && IsOnBothSides(drawn, isNamed))
+                    drawn.ForEach(submesh => Add(WingPart.Submesh, submesh, default, m_Mesh.Submesh(submesh), isNamed));
+                else
+                    AddPieces(pieces, isNamed);
+            }
+
+            if (m_Found.Count == 0 && whole.Side != null && (isNamed || whole.isSheet))
+                Add(WingPart.WholeMesh, 0, default, whole, isNamed);
+        }
+
+        /// <summary>Some materials are called wings.</summary>
+        void CollectSubmeshes(List<int> wings)
+        {
+            foreach (var submesh in wings)
+            {
+                var shape = m_Mesh.Submesh(submesh);
+                var pieces = Pieces(submesh, shape.Side == null);
+                if (shape.Side != null && WingGroup.Count(pieces) < 2)
+                    Add(WingPart.Submesh, submesh, default, shape, true);
+                else
+                    AddPieces(pieces, true);
+            }
+        }
+
+        List<MeasuredPiece> Pieces(int submesh, bool guess)
+        {
+            if (!m_Mesh.IsReadable)
+                return guess ? m_Mesh.Halves(submesh) : new List<MeasuredPiece>();
+            return submesh < 0 ? m_Mesh.Sheets() : m_Mesh.Sheets().FindAll(piece => piece.submesh == submesh);
+        }
+
+        // Each submesh is a wing of one side, and there is one on either.
+        bool IsOnBothSides(List<int> submeshes, bool isNamed)
+        {
+            var shapes = submeshes.ConvertAll(m_Mesh.Submesh);
+            return shapes.TrueForAll(shape => shape.Side != null && (isNamed || shape.isSheet))
+                && shapes.Exists(shape => shape.Side == WingSide.Left)
+                && shapes.Exists(shape => shape.Side == WingSide.Right);
+        }
+
+        void AddPieces(List<MeasuredPiece> pieces, bool isNamed) =>
+            pieces.ForEach(piece => Add(WingPart.ConnectedPart, piece.submesh, piece.point, piece.shape, isNamed));
+
+        void Add(WingPart part, int submesh, Vector3 point, WingShape shape, bool isNamed)
+        {
+            var material = submesh < 0 ? default : m_Names.Material(submesh);
+            m_Found.Add(new WingCandidate
+            {
+                renderer = m_Renderer,
+                part = part,
+                submesh = part == WingPart.Submesh ? submesh : 0,
+                point = point,
+                shape = shape,
+                isNamed = isNamed,
+                namedSide = m_Names.Side ?? material.Side,
+                pair = m_Names.Pair ?? material.Pair,
+            });
+        }
+    }
+}

@@ -1,0 +1,58 @@
+namespace Alate
+{
+    /// <summary>What a name says about a wing: that it is one, its side, its pair.</summary>
+    internal readonly struct WingName
+    {
+        readonly WingWord m_Meaning;
+        readonly bool m_IsKnown;
+
+        WingName(WingWord meaning, bool isKnown)
+        {
+            m_Meaning = meaning;
+            m_IsKnown = isKnown;
+        }
+
+        /// <summary>It names a wing or a fin, though perhaps with the body.</summary>
+        public bool NamesWing => Has(WingWord.Wing) && !Has(WingWord.Case);
+
+        /// <summary>It names a wing and nothing beside it.</summary>
+        public bool IsWing => NamesWing && !Has(WingWord.Body | WingWord.Mount);
+
+        /// <summary>It names a wing in words that are all known, so that it speaks for what lies below it.</summary>
+        public bool IsPlainWing => IsWing && m_IsKnown;
+
+        /// <summary>It names the cover of a wing, or a haltere.</summary>
+        public bool IsCase => Has(WingWord.Case);
+
+        /// <summary>The side, if it says one.</summary>
+        public WingSide? Side
+        {
+            get
+            {
+                if (Has(WingWord.Left) == Has(WingWord.Right))
+                    return null;
+                return Has(WingWord.Left) ? WingSide.Left : WingSide.Right;
+            }
+        }
+
+        /// <summary>The pair, if it says one; the upper body is not a pair.</summary>
+        public WingPair? Pair
+        {
+            get
+            {
+                if (Has(WingWord.Body) || Has(WingWord.Fore) == Has(WingWord.Hind))
+                    return null;
+                return Has(WingWord.Fore) ? WingPair.Fore : WingPair.Hind;
+            }
+        }
+
+        /// <summary>Reads a name; null and empty say nothing.</summary>
+        public static WingName Read(string name)
+        {
+            var isKnown = WingWords.Read(name ?? "", out var meaning);
+            return new WingName(meaning, isKnown);
+        }
+
+        bool Has(WingWord any) => (m_Meaning & any) != 0;
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>The words that tell wings in the names of objects, bones, meshes and materials.</summary>
+    internal static class WingWords
+    {
+        const int k_LongestAbbreviation = 2;
+
+        static readonly Dictionary<string, WingWord> s_Meanings = Meanings(
+            (WingWord.Wing, "wing wings fin fins"),
+            (WingWord.Left, "left l"),
+            (WingWord.Right, "right r"),
+            (WingWord.Fore, "fore front upper top anterior"),
+            (WingWord.Hind, "hind rear back lower bottom posterior"),
+            (WingWord.Fore | WingWord.Left, "fl lf"),
+            (WingWord.Fore | WingWord.Right, "fr rf"),
+            (WingWord.Hind | WingWord.Left, "hl lh bl lb rl"),
+            (WingWord.Hind | WingWord.Right, "hr rh br rb rr"),
+            (WingWord.Body, "body torso thorax abdomen head leg legs eye eyes antenna antennae tail dorsal caudal anal"),
+            (WingWord.Mount, "hinge joint socket muscle collider collision shadow"),
+            (WingWord.Case, "elytra elytron elytrum case cases cover covers shell shells carapace haltere halteres"),
+            (WingWord.Plain, "mesh msh geo geometry model obj object node group grp part skin material mat"),
+            (WingWord.Plain, "bone root rig pivot holder parent lod"));
+
+        /// <summary>
+        /// The meanings of a name's words, together; "forewingL" is three of them. False if a word is unknown; the others still count.
+        /// </summary>
+        public static bool Read(string name, out WingWord meaning)
+        {
+            meaning = WingWord.Plain;
+            var known = true;
+            foreach (var word in NameWords.Of(name))
+            {
+                if (s_Meanings.TryGetValue(word, out var own) || Divide(word, 0, WingWord.Plain, false, out own))
+                    meaning |= own;
+                else
+                    known = false;
+            }
+
+            return known;
+        }
+
+        // A compound of known words. Abbreviations are trusted only before or behind a compound that names a wing.
+        static bool Divide(string word, int start, WingWord before, bool isAbbreviated, out WingWord meaning)
+        {
+            meaning = before;
+            if (start == word.Length)
+                return !isAbbreviated || (before & WingWord.Wing) != 0;
+            for (var length = word.Length - start; length > 0; length--)
+            {
+                var isShort = length <= k_LongestAbbreviation;
+                if (isShort && start > 0 && start + length < word.Length)
+                    continue;
+                if (s_Meanings.TryGetValue(word.Substring(start, length), out var own)
+                    && Divide(word, start + length, before | own, isAbbreviated || isShort, out meaning))
+                    return true;
+            }
+
+            return false;
+        }
+
+        static Dictionary<string, WingWord> Meanings(params (WingWord Meaning, string Words)[] groups)
+        {
+            var meanings = new Dictionary<string, WingWord>(StringComparer.Ordinal);
+            foreach (var (meaning, words) in groups)
+            {
+                foreach (var word in words.Split(' '))
+                    meanings.Add(word, meaning);
+            }
+
+            return meanings;
+        }
+    }
+}

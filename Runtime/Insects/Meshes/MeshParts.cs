@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Takes a wing out of a mesh: all of it, a submesh, or what hangs together.</summary>
+    internal static class MeshParts
+    {
+        /// <summary>The part of a mesh that is a wing.</summary>
+        /// <param name="mesh">A readable mesh.</param>
+        /// <param name="part">What of it is the wing.</param>
+        /// <param name="submesh">From 0; only for <see cref="WingPart.Submesh"/>.</param>
+        /// <param name="point">Mesh space; only for <see cref="WingPart.ConnectedPart"/>.</param>
+        /// <exception cref="ArgumentNullException">There is no mesh.</exception>
+        /// <exception cref="ArgumentException">
+        /// It is not readable, has no such submesh, or the part has no triangles; or the point is not finite.
+        /// </exception>
+        public static MeshSelection Select(Mesh mesh, WingPart part, int submesh, Vector3 point)
+        {
+            CheckReadable(mesh);
+            switch (part)
+            {
+                case WingPart.WholeMesh:
+                    return MeshSelection.Of(AllCorners(mesh));
+                case WingPart.Submesh:
+                    return MeshSelection.Of(Corners(mesh, submesh));
+                case WingPart.ConnectedPart:
+                    return Connected(mesh, point);
+                default:
+                    throw new ArgumentException($"{part} is not a part of a mesh.");
+            }
+        }
+
+        /// <summary>What is baked of a part: its own vertices, numbered as the selection numbers them.</summary>
+        /// <exception cref="ArgumentException">The mesh is not readable.</exception>
+        public static WingSurface Surface(Mesh mesh, MeshSelection selection)
+        {
+            CheckReadable(mesh);
+            return new WingSurface
+            {
+                name = mesh.name,
+                positions = Pick(mesh.vertices, selection.vertices),
+                normals = Pick(mesh.normals, selection.vertices),
+                tangents = Pick(mesh.tangents, selection.vertices),
+                triangles = selection.triangles,
+            };
+        }
+
+        /// <summary>All pieces of a mesh that hang together, in the order of their first vertices.</summary>
+        /// <exception cref="ArgumentException">The mesh is not readable or has no triangles.</exception>
+        public static List<MeshPiece> Parts(Mesh mesh)
+        {
+            CheckReadable(mesh);
+            var corners = AllCorners(mesh);
+            var positions = mesh.vertices;
+            var sets = Connect(corners, positions);
+            var ofSet = new SortedDictionary<int, List<int>>();
+            for (var corner = 0; corner < corners.Length; corner++)
+            {
+                var set = sets.Find(corners[corner]);
+                if (!ofSet.TryGetValue(set, out var own))
+                    ofSet.Add(set, own = new List<int>());
+                own.Add(corners[corner]);
+            }
+
+            var pieces = new List<MeshPiece>(ofSet.Count);
+            foreach (var own in ofSet.Values)
+                pieces.Add(new MeshPiece(MeshSelection.Of(own.ToArray()), positions));
+            return pieces;
+        }
+
+        static MeshSelection Connected(Mesh mesh, Vector3 point)
+        {
+            if (float.IsNaN(point.x + point.y + point.z) || float.IsInfinity(point.x + point.y + point.z))
+                throw new ArgumentException($"The point {point} on mesh '{mesh.name}' is not finite.");
+            var corners = AllCorners(mesh);
+            var positions = mesh.vertices;
+            var sets = Connect(corners, positions);
+            var wanted = sets.Find(corners[Nearest(corners, positions, point)]);
+            return MeshSelection.Of(Array.FindAll(corners, vertex => sets.Find(vertex) == wanted));
+        }
+
+        /// <summary>The vertices of the triangles, joined where triangles share one or touch.</summary>
+        public static DisjointSets Connect(int[] corners, Vector3[] positions)
+        {
+            var sets = new DisjointSets(positions.Length);
+            for (var corner = 0; corner < corners.Length; corner += 3)
+            {
+                sets.Join(corners[corner], corners[corner + 1]);
+                sets.Join(corners[corner], corners[corner + 2]);
+            }
+
+            PositionWeld.Join(positions, MeshSelection.Of(corners).vertices, sets);
+            return sets;
+        }
+
+        /// <summary>The first corner of the triangle nearest to the point.</summary>
+        static int Nearest(int[] corners, Vector3[] positions, Vector3 point)
+        {
+            var nearest = 0;
+            var least = float.PositiveInfinity;
+            for (var corner = 0; corner < corners.Length; corner += 3)
+            {
+                var square = TriangleDistance.Square(
+                    point, positions[corners[corner]], positions[corners[corner + 1]], positions[corners[corner + 2]]);
+                if (square < least)
+                {
+                    least = square;
+                    nearest = corner;
+                }
+            }
+
+            return nearest;
+        }
+
+        static int[] AllCorners(Mesh mesh)
+        {
+            var corners = new List<int>();
+            for (var submesh = 0; submesh < mesh.subMeshCount; submesh++)
+            {
+                if (mesh.GetTopology(submesh) == MeshTopology.Triangles)
+                    corners.AddRange(mesh.GetTriangles(submesh));
+            }
+
+            if (corners.Count == 0)
+                throw new ArgumentException($"Mesh '{mesh.name}' has no triangles.");
+            return corners.ToArray();
+        }
+
+        static int[] Corners(Mesh mesh, int submesh)
+        {
+            if (submesh < 0 || submesh >= mesh.subMeshCount)
+                throw new ArgumentException($"Mesh '{mesh.name}' has no submesh {submesh}: it has {mesh.subMeshCount}, numbered from 0.");
+            if (mesh.GetTopology(submesh) != MeshTopology.Triangles)
+            {
+                throw new ArgumentException(
+                    $"Submesh {submesh} of mesh '{mesh.name}' consists of {mesh.GetTopology(submesh)}; a wing needs Triangles.");
+            }
+
+            var corners = mesh.GetTriangles(submesh);
+            if (corners.Length == 0)
+                throw new ArgumentException($"Submesh {submesh} of mesh '{mesh.name}' has no triangles.");
+            return corners;
+        }
+
+        /// <summary>Refuses a mesh whose triangles cannot be read.</summary>
+        public static void CheckReadable(Mesh mesh)
+        {
+            if (mesh == null)
+                throw new ArgumentNullException(nameof(mesh));
+            if (!mesh.isReadable)
+                throw new ArgumentException($"Mesh '{mesh.name}' is not readable: turn on Read/Write in its import settings.");
+        }
+
+        static T[] Pick<T>(T[] all, int[] places) => all.Length == 0 ? Array.Empty<T>() : Array.ConvertAll(places, place => all[place]);
+    }
+}

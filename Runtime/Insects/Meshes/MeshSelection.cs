@@ -1,0 +1,37 @@
+using System;
+
+namespace Alate
+{
+    /// <summary>Some triangles of a mesh and the vertices they use.</summary>
+    internal sealed class MeshSelection
+    {
+        /// <summary>Vertices of the mesh, ascending; each is a corner of one of the triangles.</summary>
+        public readonly int[] vertices;
+
+        /// <summary>Three entries a triangle: places in <see cref="vertices"/>, in the mesh's order and winding.</summary>
+        public readonly int[] triangles;
+
+        public MeshSelection(int[] vertices, int[] triangles)
+        {
+            this.vertices = vertices;
+            this.triangles = triangles;
+        }
+
+        /// <summary>The vertices that the corners use, and the corners renumbered to them.</summary>
+        /// <param name="corners">Three vertices of the mesh a triangle.</param>
+        public static MeshSelection Of(int[] corners)
+        {
+            var vertices = (int[])corners.Clone();
+            Array.Sort(vertices);
+            var count = 0;
+            foreach (var vertex in vertices)
+            {
+                if (count == 0 || vertices[count - 1] != vertex)
+                    vertices[count++] = vertex;
+            }
+
+            Array.Resize(ref vertices, count);
+            return new MeshSelection(vertices, Array.ConvertAll(corners, vertex => Array.BinarySearch(vertices, vertex)));
+        }
+    }
+}

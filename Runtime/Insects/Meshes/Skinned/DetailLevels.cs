@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Adds renderers to the levels of detail of another, and takes them out again.</summary>
+    internal static class DetailLevels
+    {
+        /// <summary>Shows renderers in the same levels of a group as another one.</summary>
+        public static void Add(LODGroup group, Renderer beside, IReadOnlyList<Renderer> added)
+        {
+            Change(group, renderers =>
+            {
+                if (renderers.Contains(beside))
+                    renderers.AddRange(added);
+            });
+        }
+
+        /// <summary>Takes renderers out of all levels of a group.</summary>
+        public static void Remove(LODGroup group, IReadOnlyList<Renderer> removed)
+        {
+            Change(group, renderers =>
+            {
+                foreach (var renderer in removed)
+                    renderers.Remove(renderer);
+            });
+        }
+
+        static void Change(LODGroup group, Action<List<Renderer>> change)
+        {
+            var levels = group.GetLODs();
+            for (var level = 0; level < levels.Length; level++)
+            {
+                var renderers = new List<Renderer>(levels[level].renderers ?? Array.Empty<Renderer>());
+                change(renderers);
+                levels[level].renderers = renderers.ToArray();
+            }
+
+            group.SetLODs(levels);
+        }
+    }
+}

@@ -1,0 +1,151 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Divides the wing triangles of a skinned mesh into wings, each with the bone that carries it.</summary>
+    internal sealed class SkinnedWingDivision
+    {
+        const int k_NoBone = -1;
+
+        // Share of the weight in a connected part from which the bones of either pair make it a fore and a hind wing.
+        const float k_Pair = 0.2f;
+
+        readonly TriangleSet m_Wings;
+        readonly WingBones m_Bones;
+        readonly Vector3[] m_Positions;
+        readonly Matrix4x4 m_ToInsect;
+        readonly DisjointSets m_Sets;
+        readonly Dictionary<int, Part> m_Parts = new Dictionary<int, Part>();
+
+        SkinnedWingDivision(TriangleSet wings, WingBones bones, Vector3[] positions, Matrix4x4 toInsect)
+        {
+            m_Wings = wings;
+            m_Bones = bones;
+            m_Positions = positions;
+            m_ToInsect = toInsect;
+            m_Sets = MeshParts.Connect(wings.Corners(), positions);
+        }
+
+        /// <summary>The wings, ordered fore right, fore left, hind right, hind left.</summary>
+        /// <param name="wings">The triangles of all; not empty.</param>
+        /// <param name="bones">The bones and weights of the mesh.</param>
+        /// <param name="positions">The vertices of the mesh.</param>
+        /// <param name="toInsect">From mesh space to the insect's.</param>
+        public static List<SkinnedWing> Run(TriangleSet wings, WingBones bones, Vector3[] positions, Matrix4x4 toInsect)
+        {
+            var division = new SkinnedWingDivision(wings, bones, positions, toInsect);
+            division.MeasureParts();
+            return division.Merge();
+        }
+
+        void MeasureParts()
+        {
+            foreach (var part in m_Wings.Divide((a, b, c) => m_Sets.Find(a)))
+            {
+                var corners = Flat(part.Value);
+                var shape = WingShape.Of(m_Positions, MeshSelection.Of(corners), m_ToInsect);
+                m_Parts.Add(part.Key, new Part { side = shape.Side, hasBothPairs = HasBothPairs(corners) });
+            }
+        }
+
+        // Parts of one side that one bone carries move as one: membrane and veins, or a thin wing's two faces.
+        List<SkinnedWing> Merge()
+        {
+            var merged = new Dictionary<(int Bone, WingSide Side), List<int>[]>();
+            foreach (var piece in m_Wings.Divide(PieceOf))
+            {
+                var key = (Carrier(Flat(piece.Value)), piece.Key.Side);
+                if (!merged.TryGetValue(key, out var own))
+                    merged.Add(key, own = Array.ConvertAll(piece.Value, _ => new List<int>()));
+                for (var submesh = 0; submesh < own.Length; submesh++)
+                    own[submesh].AddRange(piece.Value[submesh]);
+            }
+
+            var wings = new List<SkinnedWing>();
+            foreach (var one in merged)
+                wings.Add(Made(one.Key.Bone, Array.ConvertAll(one.Value, own => own.ToArray())));
+            WingPairing.Assign(wings.ConvertAll(wing => wing.place));
+            wings.Sort((a, b) => WingPairing.Compare(a.place, b.place));
+            return wings;
+        }
+
+        (int Set, WingSide Side, WingPair Pair) PieceOf(int a, int b, int c)
+        {
+            var set = m_Sets.Find(a);
+            var part = m_Parts[set];
+            var middle = m_ToInsect.MultiplyPoint3x4((m_Positions[a] + m_Positions[b] + m_Positions[c]) / 3f);
+            var side = part.side ?? (middle.x < 0f ? WingSide.Left : WingSide.Right);
+            return (set, side, part.hasBothPairs ? PairOf(new[] { a, b, c }) : WingPair.Fore);
+        }
+
+        SkinnedWing Made(int bone, int[][] submeshes)
+        {
+            var name = bone == k_NoBone ? default : m_Bones.Name(bone);
+            var shape = WingShape.Of(m_Positions, MeshSelection.Of(Flat(submeshes)), m_ToInsect);
+            var place = new WingCandidate { shape = shape, namedSide = name.Side, pair = name.Pair };
+            return new SkinnedWing { bone = bone, submeshes = submeshes, place = place };
+        }
+
+        int Carrier(int[] corners)
+        {
+            if (!m_Bones.IsSkinned)
+                return k_NoBone;
+            var heaviest = Heaviest(Weights(corners));
+            return m_Bones[heaviest] == null ? heaviest : m_Bones.RootOf(heaviest);
+        }
+
+        WingPair PairOf(int[] corners) => m_Bones.Name(Heaviest(Weights(corners))).Pair ?? WingPair.Fore;
+
+        bool HasBothPairs(int[] corners)
+        {
+            float fore = 0f, hind = 0f;
+            var weights = Weights(corners);
+            for (var bone = 0; bone < weights.Length; bone++)
+            {
+                fore += m_Bones.Name(bone).Pair == WingPair.Fore ? weights[bone] : 0f;
+                hind += m_Bones.Name(bone).Pair == WingPair.Hind ? weights[bone] : 0f;
+            }
+
+            return Mathf.Min(fore, hind) > k_Pair * corners.Length;
+        }
+
+        float[] Weights(int[] corners)
+        {
+            var sums = new float[m_Bones.Count];
+            if (m_Bones.IsSkinned)
+            {
+                foreach (var corner in corners)
+                    m_Bones.AddWeights(corner, sums);
+            }
+
+            return sums;
+        }
+
+        static int Heaviest(float[] weights)
+        {
+            var heaviest = 0;
+            for (var bone = 1; bone < weights.Length; bone++)
+                heaviest = weights[bone] > weights[heaviest] ? bone : heaviest;
+            return heaviest;
+        }
+
+        static int[] Flat(int[][] submeshes)
+        {
+            var all = new List<int>();
+            foreach (var own in submeshes)
+                all.AddRange(own);
+            return all.ToArray();
+        }
+
+        struct Part
+        {
+            /// <summary>None if it reaches over both sides.</summary>
+            public WingSide? side;
+
+            /// <summary>Bones of a fore and of a hind wing move it.</summary>
+            public bool hasBothPairs;
+        }
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Some of the triangles of a mesh, by submesh.</summary>
+    internal sealed class TriangleSet
+    {
+        readonly Mesh m_Mesh;
+        readonly int[][] m_Corners;
+        readonly bool[][] m_Has;
+
+        /// <summary>None of the triangles of a readable mesh.</summary>
+        public TriangleSet(Mesh mesh)
+        {
+            m_Mesh = mesh;
+            m_Corners = new int[mesh.subMeshCount][];
+            m_Has = new bool[mesh.subMeshCount][];
+            for (var submesh = 0; submesh < m_Corners.Length; submesh++)
+            {
+                m_Corners[submesh] = mesh.GetTopology(submesh) == MeshTopology.Triangles ? mesh.GetTriangles(submesh) : Array.Empty<int>();
+                m_Has[submesh] = new bool[m_Corners[submesh].Length / 3];
+            }
+        }
+
+        /// <summary>It has no triangle.</summary>
+        public bool IsEmpty => Array.TrueForAll(m_Has, has => Array.IndexOf(has, true) < 0);
+
+        /// <summary>It has all triangles of the mesh.</summary>
+        public bool IsAll => Array.TrueForAll(m_Has, has => Array.IndexOf(has, false) < 0);
+
+        /// <summary>Number of submeshes.</summary>
+        public int SubmeshCount => m_Corners.Length;
+
+        /// <summary>The corners of its triangles, three each.</summary>
+        public int[] Corners()
+        {
+            var corners = new List<int>();
+            foreach (var group in Divide((a, b, c) => 0).Values)
+            {
+                foreach (var own in group)
+                    corners.AddRange(own);
+            }
+
+            return corners.ToArray();
+        }
+
+        /// <summary>A triangle of a submesh is one of them.</summary>
+        public bool Has(int submesh, int triangle) => m_Has[submesh][triangle];
+
+        /// <summary>Adds the triangles that fit, by submesh and corners.</summary>
+        public void Add(Func<int, int, int, int, bool> fits)
+        {
+            for (var submesh = 0; submesh < m_Corners.Length; submesh++)
+            {
+                var corners = m_Corners[submesh];
+                for (var triangle = 0; triangle < m_Has[submesh].Length; triangle++)
+                {
+                    var first = 3 * triangle;
+                    m_Has[submesh][triangle] |= fits(submesh, corners[first], corners[first + 1], corners[first + 2]);
+                }
+            }
+        }
+
+        /// <summary>Adds a part of the mesh.</summary>
+        /// <exception cref="ArgumentException">As <see cref="MeshParts.Select"/>.</exception>
+        public void Add(WingPart part, int submesh, Vector3 point)
+        {
+            var vertices = MeshParts.Select(m_Mesh, part, submesh, point).vertices;
+            Add((own, a, b, c) => part == WingPart.Submesh ? own == submesh : Array.BinarySearch(vertices, a) >= 0);
+        }
+
+        /// <summary>The corners of its triangles, by the group that each falls in; by submesh within a group.</summary>
+        public Dictionary<TKey, int[][]> Divide<TKey>(Func<int, int, int, TKey> groupOf)
+        {
+            var lists = new Dictionary<TKey, List<int>[]>();
+            for (var submesh = 0; submesh < m_Corners.Length; submesh++)
+            {
+                var corners = m_Corners[submesh];
+                for (var first = 0; first < corners.Length; first += 3)
+                {
+                    if (!m_Has[submesh][first / 3])
+                        continue;
+                    var group = groupOf(corners[first], corners[first + 1], corners[first + 2]);
+                    if (!lists.TryGetValue(group, out var own))
+                        lists.Add(group, own = Array.ConvertAll(m_Corners, _ => new List<int>()));
+                    own[submesh].AddRange(new[] { corners[first], corners[first + 1], corners[first + 2] });
+                }
+            }
+
+            var groups = new Dictionary<TKey, int[][]>();
+            foreach (var pair in lists)
+                groups.Add(pair.Key, Array.ConvertAll(pair.Value, own => own.ToArray()));
+            return groups;
+        }
+    }
+}

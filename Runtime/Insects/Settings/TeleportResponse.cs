@@ -1,0 +1,15 @@
+namespace Alate
+{
+    /// <summary>What happens when an insect jumps to another place.</summary>
+    public enum TeleportResponse
+    {
+        /// <summary>The wings beat on as if nothing had happened.</summary>
+        Keep,
+
+        /// <summary>The wings start anew, at the top of their stroke, unbent.</summary>
+        Reset,
+
+        /// <summary>No move counts as a jump: the wings feel it as motion.</summary>
+        Ignore,
+    }
+}

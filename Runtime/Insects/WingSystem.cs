@@ -1,0 +1,104 @@
+using UnityEngine;
+using UnityEngine.SceneManagement;
+
+namespace Alate
+{
+    /// <summary>
+    /// Runs all insects of the game together: steps them in one job and deforms their meshes in another. Comes by itself with the first insect, hidden, and goes with
+    /// the last.
+    /// </summary>
+    [AddComponentMenu("")]
+    [DefaultExecutionOrder(ExecutionOrders.WingSystem)]
+    public sealed class WingSystem : MonoBehaviour
+    {
+        private static WingSystem s_Instance;
+        private WingCrowd m_Crowd;
+
+        /// <summary>Insects whose wings beat.</summary>
+        public static int InsectCount => Crowd?.Count ?? 0;
+
+        /// <summary>Steps since the first insect came: fixed steps, and frames in which the clocks of the frame had steps due.</summary>
+        public static long StepCount => Crowd?.StepCount ?? 0;
+
+        /// <summary>How often a wing of those that live now was put back into its driven pose because its state was not finite. Reads all wings.</summary>
+        public static int ResetCount => Crowd?.CountResets() ?? 0;
+
+        /// <summary>The camera by which levels of detail are chosen; null takes the main camera. Without one, everything has full detail.</summary>
+        public static Camera DetailCamera { get; set; }
+
+        /// <summary>Looks for wind zones again; done by itself when a scene is loaded or an insect starts.</summary>
+        public static void FindWindZones() => Crowd?.FindWindZones();
+
+        /// <summary>From the end of the game on, in the editor from that of play, nothing starts any more, and what is destroyed must be so at once.</summary>
+        internal static bool IsQuitting { get; private set; }
+
+        internal static WingCrowd Crowd => s_Instance is null ? null : s_Instance.m_Crowd;
+
+        /// <summary>An insect wants to live.</summary>
+        internal static void Enter(InsectWings insect)
+        {
+            if (IsQuitting)
+                return;
+            if (Crowd == null)
+            {
+                var holder = new GameObject("Wing System") { hideFlags = HideFlags.HideInHierarchy };
+                DontDestroyOnLoad(holder);
+                s_Instance = holder.AddComponent<WingSystem>();
+            }
+
+            Crowd.Enter(insect);
+        }
+
+        /// <summary>An insect ends: its meshes are given back now, its wings leave the world at the next turn.</summary>
+        internal static void Leave(InsectWings insect)
+        {
+            if (Crowd == null)
+                return;
+            Crowd.Leave(insect);
+            if (Crowd.IsEmpty)
+                s_Instance.End();
+        }
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void Forget()
+        {
+            s_Instance = null;
+            DetailCamera = null;
+            IsQuitting = false;
+        }
+
+        private void OnEnable()
+        {
+            s_Instance = this;
+            m_Crowd = new WingCrowd();
+            SceneManager.sceneLoaded += OnSceneLoaded;
+        }
+
+        private void FixedUpdate() => m_Crowd?.FixedStep(Time.fixedDeltaTime);
+
+        private void LateUpdate() => m_Crowd?.Frame(Time.deltaTime, Time.unscaledDeltaTime);
+
+        private void OnDisable() => End();
+
+        private void OnApplicationQuit()
+        {
+            IsQuitting = true;
+            End();
+        }
+
+        private void OnSceneLoaded(Scene scene, LoadSceneMode mode) => m_Crowd?.FindWindZones();
+
+        private void End()
+        {
+            if (m_Crowd == null)
+                return;
+            SceneManager.sceneLoaded -= OnSceneLoaded;
+            m_Crowd.Dispose();
+            m_Crowd = null;
+            if (ReferenceEquals(s_Instance, this))
+                s_Instance = null;
+            if (!IsQuitting)
+                ObjectEnd.Destroy(gameObject);
+        }
+    }
+}

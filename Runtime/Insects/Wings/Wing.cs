@@ -1,0 +1,133 @@
+using System;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>One wing of an insect as it is authored: what is drawn, which part of it is the wing, its skeleton, and how it differs from the others.</summary>
+    [Serializable]
+    public sealed class Wing
+    {
+        [SerializeField]
+        [Tooltip("The mesh renderer that draws this wing. Several wings may share one.")]
+        MeshRenderer m_Renderer;
+
+        [SerializeField]
+        [Tooltip("Which part of the mesh is the wing. Whole Mesh: all of it. Submesh: the triangles of one material. Connected Part: what hangs together with the triangle nearest to the point.")]
+        WingPart m_Part;
+
+        [SerializeField]
+        [Tooltip("Number of the submesh that is the wing, from 0. Only with Submesh.")]
+        int m_Submesh;
+
+        [SerializeField]
+        [Tooltip("A point on the wing, in the mesh's own units. Only with Connected Part.")]
+        Vector3 m_Point;
+
+        [SerializeField]
+        [Tooltip("The wing's radial joint chains, in the space of the mesh. None: they are laid out by themselves when play begins.")]
+        WingSkeleton m_Skeleton;
+
+        [SerializeField]
+        [Tooltip("The side of the body that the wing is on.")]
+        WingSide m_Side;
+
+        [SerializeField]
+        [Tooltip("Fore wing (or the only pair) or hind wing.")]
+        WingPair m_Pair;
+
+        [SerializeField]
+        [Tooltip("A preset of this wing's own; none takes the insect's. For hind wings that are built or driven differently.")]
+        WingSpecies m_Species;
+
+        [SerializeField]
+        [Range(0f, 2f)]
+        [Tooltip("Factor on the amplitudes, 0 to 2; 1 is the preset's. 0 holds the wing still in the middle of its stroke; beat one side harder to roll.")]
+        float m_AmplitudeScale = 1f;
+
+        [SerializeField]
+        [Range(-180f, 180f)]
+        [Tooltip("Degrees of the beat by which this wing is ahead of the insect, -180 to 180; 0 beats with it. Added to the preset's own lead.")]
+        float m_PhaseLead;
+
+        // The authored mesh while the wing lives: a clone made meanwhile finds it here even when the original is gone.
+        [SerializeField, HideInInspector]
+        Mesh m_Authored;
+
+        /// <summary>The mesh to give back; null while the wing does not live.</summary>
+        internal Mesh Authored
+        {
+            get => m_Authored;
+            set => m_Authored = value;
+        }
+
+        /// <summary>Draws the wing; needs a <see cref="MeshFilter"/> beside it. Several wings may share one renderer, each with a part of its mesh.</summary>
+        public MeshRenderer Renderer
+        {
+            get => m_Renderer;
+            set => m_Renderer = value;
+        }
+
+        /// <summary>Which part of the mesh is the wing.</summary>
+        public WingPart Part
+        {
+            get => m_Part;
+            set => m_Part = value;
+        }
+
+        /// <summary>The submesh that is the wing, from 0, where <see cref="Part"/> says so.</summary>
+        public int Submesh
+        {
+            get => m_Submesh;
+            set => m_Submesh = value;
+        }
+
+        /// <summary>A point on the wing, mesh space, where <see cref="Part"/> is a connected part.</summary>
+        public Vector3 Point
+        {
+            get => m_Point;
+            set => m_Point = value;
+        }
+
+        /// <summary>Joint chains in the space of the mesh; null lays them out automatically.</summary>
+        public WingSkeleton Skeleton
+        {
+            get => m_Skeleton;
+            set => m_Skeleton = value;
+        }
+
+        /// <summary>The side of the body.</summary>
+        public WingSide Side
+        {
+            get => m_Side;
+            set => m_Side = value;
+        }
+
+        /// <summary>Fore or hind wing.</summary>
+        public WingPair Pair
+        {
+            get => m_Pair;
+            set => m_Pair = value;
+        }
+
+        /// <summary>A preset of its own; null takes the insect's.</summary>
+        public WingSpecies Species
+        {
+            get => m_Species;
+            set => m_Species = value;
+        }
+
+        /// <summary>Factor on the amplitudes, 0 to 2 (clamped).</summary>
+        public float AmplitudeScale
+        {
+            get => m_AmplitudeScale;
+            set => m_AmplitudeScale = Mathf.Clamp(value, 0f, 2f);
+        }
+
+        /// <summary>Degrees of the beat by which the wing is ahead of the insect, −180 to 180 (clamped).</summary>
+        public float PhaseLead
+        {
+            get => m_PhaseLead;
+            set => m_PhaseLead = Mathf.Clamp(value, -180f, 180f);
+        }
+    }
+}

@@ -1,0 +1,21 @@
+namespace Alate
+{
+    /// <summary>How much of the model a wing is computed with; each level is cheaper than the one before. A wing may change level at any time without a jump.</summary>
+    public enum WingDetail
+    {
+        /// <summary>All of it, as the parameters say.</summary>
+        Full,
+
+        /// <summary>Half the substeps, but not fewer than <see cref="WingParameters.MinSubsteps"/> a beat.</summary>
+        FewerSubsteps,
+
+        /// <summary>Fewer substeps, and the air meets <see cref="WingRigSettings.CoarsePatches"/> patches.</summary>
+        CoarsePatches,
+
+        /// <summary>Driven waves alone (Eq. 1–3, 6–7); bends and stretches fade within a quarter of a beat. Air force reads 0.</summary>
+        WavesOnly,
+
+        /// <summary>Nothing is computed; the wing keeps its pose until its level changes.</summary>
+        Frozen,
+    }
+}

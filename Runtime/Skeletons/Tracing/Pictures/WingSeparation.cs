@@ -1,0 +1,197 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>Tells the one wing of a picture from the ground behind it.</summary>
+    internal sealed class WingSeparation
+    {
+        /// <summary>Width of the bell by which noise is smoothed, pixels, and as a share of the longer side where that is more.</summary>
+        private const double k_LeastBlur = 0.8, k_BlurShare = 0.0012;
+
+        /// <summary>The rim lies where the contrast to the ground is this share of the highest one nearby: halfway through a blurred edge.</summary>
+        private const float k_EdgeShare = 0.5f;
+
+        /// <summary>Contrast of a half transparent pixel must be above this for it to be looked at, shades.</summary>
+        private const double k_AlphaNoise = 32.0;
+
+        /// <summary>
+        /// Half widths of gaps in a drawn outline, shares of the longer side, and how many times as large the enclosed area must become for them to be closed.
+        /// </summary>
+        private static readonly (double Share, double Gain)[] s_Gaps = { (0.004, 1.02), (0.012, 1.08), (0.03, 1.3) };
+
+        /// <summary>What covers more than this share of the area that it encloses is no line drawing.</summary>
+        private const double k_Solid = 0.6;
+
+        /// <summary>Half width of whiskers that are cut off, pixels.</summary>
+        private const double k_Whisker = 1.0;
+
+        /// <summary>Parts above this share of the largest one count as wings of their own.</summary>
+        private const double k_OtherWing = 0.25;
+
+        /// <summary>Shortest wing, pixels.</summary>
+        private const int k_ShortestWing = 40;
+
+        /// <summary>A wing is somewhere thicker than this share of its length; lines are not.</summary>
+        private const double k_LeastThickness = 0.02;
+
+        /// <summary>Largest share of the picture that a wing covers; more is a frame or ground that is not plain.</summary>
+        private const double k_MostCover = 0.92;
+
+        /// <summary>Width of a line around the picture that is passed over, as a share of the longer side.</summary>
+        private const double k_Frame = 0.01;
+
+        private readonly PixelPlane m_Excess;
+
+        private WingSeparation(PixelPlane excess, PixelMask mask)
+        {
+            m_Excess = excess;
+            Mask = mask;
+        }
+
+        /// <summary>The pixels of the wing, without holes.</summary>
+        public PixelMask Mask { get; }
+
+        /// <summary>The middle of where the wing runs out of the picture, pixels, z minus the row; null where it does not.</summary>
+        public PlanPoint? MiddleOfCut
+        {
+            get
+            {
+                PlanPoint sum = default;
+                int count = 0;
+                for (int row = 0; row < Mask.height; row++)
+                {
+                    int step = row == 0 || row == Mask.height - 1 ? 1 : Mask.width - 1;
+                    for (int column = 0; column < Mask.width; column += step)
+                    {
+                        if (!Mask[column, row])
+                            continue;
+                        sum += new PlanPoint(column + 0.5, -(row + 0.5));
+                        count++;
+                    }
+                }
+
+                return count > 0 ? sum * (1.0 / count) : (PlanPoint?)null;
+            }
+        }
+
+        /// <summary>Finds the wing.</summary>
+        /// <exception cref="FormatException">There is none, more than one, or it cannot be told from the ground.</exception>
+        public static WingSeparation Of(WorkingPicture picture)
+        {
+            double blur = Math.Max(k_LeastBlur, k_BlurShare * Math.Max(picture.Width, picture.Height));
+            if (picture.HasTransparentGround)
+                return Of(picture, Excess(picture.Alpha.Blurred(blur), k_AlphaNoise, blur));
+            PixelPlane[] channels = { picture.Red.Blurred(blur), picture.Green.Blurred(blur), picture.Blue.Blurred(blur) };
+            PlainGround ground = PlainGround.FromBorder(channels);
+            PixelMask spared = Above(Excess(ground.Distance, ground.Noise, blur)).Filled().Grown(4.0 * blur);
+            // The border alone says little of the middle, where most of the ground may lie.
+            if (spared.Count < 0.7 * picture.Width * picture.Height)
+                ground = PlainGround.Outside(spared, channels);
+            return Of(picture, Excess(ground.Distance, ground.Noise, blur));
+        }
+
+        /// <summary>Above 0 within the wing and below 0 outside, passing through 0 on its rim between the centres of two pixels.</summary>
+        public PixelPlane SignedField()
+        {
+            const float least = 0.5f;
+            var field = new PixelPlane(Mask.width, Mask.height);
+            for (int row = 0; row < Mask.height; row++)
+            {
+                for (int column = 0; column < Mask.width; column++)
+                {
+                    float excess = m_Excess[column, row];
+                    field[column, row] = Mask[column, row] ? Math.Max(excess, least) : Math.Min(excess, -least);
+                }
+            }
+
+            return field;
+        }
+
+        private static WingSeparation Of(WorkingPicture picture, PixelPlane excess)
+        {
+            List<PixelPart> parts = Solid(excess).Parts();
+            if (parts.Count == 0)
+                throw new FormatException("No wing was found: nothing in the picture stands out from its ground.");
+            int length = parts[0].Extent;
+            if (length < k_ShortestWing)
+            {
+                throw new FormatException(
+                    $"No wing was found: the largest thing in the picture is {length * picture.Factor} pixels long; a wing needs at least {k_ShortestWing * picture.Factor}.");
+            }
+
+            if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
+                return WithoutFrame(picture, excess);
+            PixelMask mask = parts[0].ToMask(picture.Height);
+            if (!IsThick(mask))
+                throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
+            int wings = parts.FindAll(part => part.Count > k_OtherWing * parts[0].Count && part.Extent >= k_ShortestWing).Count;
+            if (wings > 1)
+                throw new FormatException($"The picture shows {wings} wings or other things of similar size; it must show one wing alone.");
+            return new WingSeparation(excess, mask);
+        }
+
+        // A line around the picture encloses everything.
+        private static WingSeparation WithoutFrame(WorkingPicture picture, PixelPlane excess)
+        {
+            int band = 1 + (int)(k_Frame * Math.Max(picture.Width, picture.Height));
+            bool hadFrame = false;
+            for (int row = 0; row < picture.Height; row++)
+            {
+                for (int column = 0; column < picture.Width; column++)
+                {
+                    bool isInside = column >= band && row >= band && column < picture.Width - band && row < picture.Height - band;
+                    hadFrame |= !isInside && excess[column, row] > 0f;
+                    excess[column, row] = isInside ? excess[column, row] : Math.Min(-1f, excess[column, row]);
+                }
+            }
+
+            return hadFrame ? Of(picture, excess) : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
+        }
+
+        // How much the contrast of a pixel is above what makes it one of the wing.
+        private static PixelPlane Excess(PixelPlane contrast, double noise, double blur)
+        {
+            PixelPlane highest = contrast.Highest((int)Math.Ceiling(2.5 * blur));
+            var excess = new PixelPlane(contrast.width, contrast.height);
+            for (int k = 0; k < excess.values.Length; k++)
+                excess.values[k] = contrast.values[k] - Math.Max((float)noise, k_EdgeShare * highest.values[k]);
+            return excess;
+        }
+
+        private static PixelMask Solid(PixelPlane excess)
+        {
+            PixelMask mask = Above(excess), filled = mask.Filled();
+            if (mask.Count < k_Solid * filled.Count || !IsThick(filled))
+            {
+                foreach ((double share, double gain) in s_Gaps)
+                {
+                    double radius = 1.0 + share * Math.Max(mask.width, mask.height);
+                    PixelMask closed = mask.Grown(radius).Filled().Shrunk(radius);
+                    filled = closed.Count > gain * filled.Count ? closed : filled;
+                }
+            }
+
+            return IsThick(filled) ? filled.Shrunk(k_Whisker).Grown(k_Whisker) : filled;
+        }
+
+        // Whether it is more than lines.
+        private static bool IsThick(PixelMask mask)
+        {
+            List<PixelPart> parts = mask.Parts();
+            return parts.Count > 0 && parts[0].ToMask(mask.height).Shrunk(Math.Max(1.0, 0.5 * k_LeastThickness * parts[0].Extent)).Count > 0;
+        }
+
+        private static PixelMask Above(PixelPlane excess)
+        {
+            var mask = new PixelMask(excess.width, excess.height);
+            for (int row = 0; row < excess.height; row++)
+            {
+                for (int column = 0; column < excess.width; column++)
+                    mask[column, row] = excess[column, row] > 0f;
+            }
+
+            return mask;
+        }
+    }
+}

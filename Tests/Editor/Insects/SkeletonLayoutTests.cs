@@ -1,0 +1,130 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor.Tests
+{
+    /// <summary>The button that lays out skeletons, saves and assigns them.</summary>
+    public sealed class SkeletonLayoutTests : InsectFixture
+    {
+        private static readonly InsectProblem s_All = InsectProblem.None;
+
+        [Test]
+        public void WingsWithoutSkeleton_GetSavedOnes_AndUndoTakesThemOff()
+        {
+            InsectWings insect = Bones(out string path);
+
+            FixOutcome outcome = LayOut(insect, path, s_All);
+
+            Assert.That(outcome.IsDone, Is.True, outcome.Message);
+            foreach (Wing wing in insect.Wings)
+            {
+                Assert.That(wing.Skeleton.IsValid, Is.True);
+                Assert.That(AssetDatabase.Contains(wing.Skeleton), Is.True);
+            }
+
+            Assert.That(insect.Wings[0].Skeleton, Is.Not.SameAs(insect.Wings[1].Skeleton));
+            Assert.That(insect.Wings[1].Skeleton.name, Does.EndWith("Left"));
+            Undo.PerformUndo();
+            Assert.That(insect.Wings.All(wing => wing.Skeleton == null), Is.True);
+        }
+
+        [Test]
+        public void WingsOfOneMesh_ShareASkeleton()
+        {
+            InsectWings insect = Bones(out string path);
+            insect.Wings[1].Renderer.GetComponent<MeshFilter>().sharedMesh = MeshOf(insect.Wings[0]);
+            insect.Wings[1].Renderer.transform.localScale = new Vector3(-1f, 1f, 1f);
+
+            LayOut(insect, path, s_All);
+
+            Assert.That(insect.Wings[0].Skeleton, Is.Not.Null);
+            Assert.That(insect.Wings[1].Skeleton, Is.SameAs(insect.Wings[0].Skeleton));
+            Assert.That(AssetDatabase.GetAssetPath(insect.Wings[0].Skeleton), Is.EqualTo(path));
+        }
+
+        [Test]
+        public void OtherWings_KeepTheirSkeletons()
+        {
+            InsectWings insect = Insect();
+            WingSkeleton kept = insect.Wings[0].Skeleton;
+            insect.Wings[1].Skeleton = null;
+            string path = PathFor("One Skeleton");
+
+            LayOut(insect, path, s_All);
+
+            Assert.That(insect.Wings[0].Skeleton, Is.SameAs(kept));
+            Assert.That(AssetDatabase.GetAssetPath(insect.Wings[1].Skeleton), Is.EqualTo(path));
+        }
+
+        [Test]
+        public void WingWithTheProblem_GetsANewOne_ThoughItHasOne()
+        {
+            InsectWings insect = Insect();
+            WingSkeleton old = insect.Wings[1].Skeleton, other = insect.Wings[0].Skeleton;
+
+            LayOut(insect, PathFor("New Skeleton"), new InsectProblem(InsectState.SkeletonDoesNotFit, 1, ""));
+
+            Assert.That(insect.Wings[1].Skeleton, Is.Not.SameAs(old));
+            Assert.That(insect.Wings[0].Skeleton, Is.SameAs(other));
+        }
+
+        [Test]
+        public void WhatCannotBeLaidOut_IsSaid_AndNobodyIsAskedForAPlace()
+        {
+            InsectWings insect = Bones(out _);
+            FitSkeleton never = (in WingSurface surface, Transform root, Transform mesh) => throw new ArgumentException("It is a ball.", nameof(mesh));
+            var fix = new LayOutSkeletonFix(never, (_, __, ___) => throw new InvalidOperationException("asked"));
+
+            FixOutcome outcome = fix.Apply(insect, s_All);
+
+            Assert.That(outcome.IsDone, Is.False);
+            Assert.That(outcome.Message, Is.EqualTo("Wing 0: It is a ball. Wing 1: It is a ball."));
+        }
+
+        [TestCase(null)]
+        [TestCase("Packages/x/y.asset")]
+        public void WithoutAPlace_NothingIsAssignedOrLeftBehind(string path)
+        {
+            InsectWings insect = Bones(out _);
+            WingSkeleton made = null;
+            FitSkeleton noted = (in WingSurface surface, Transform root, Transform mesh) =>
+            {
+                SkeletonFit fit = LayOutSkeletonFix.Fit(surface, root, mesh);
+                made = fit.Skeleton;
+                return fit;
+            };
+
+            new LayOutSkeletonFix(noted, (_, __, ___) => path).Apply(insect, s_All);
+
+            Assert.That(made == null, Is.True, "the skeleton was left behind");
+            Assert.That(ReferenceEquals(made, null), Is.False, "no skeleton was laid out");
+            Assert.That(insect.Wings.All(wing => wing.Skeleton == null), Is.True);
+        }
+
+        [Test]
+        public void WhereAllHaveSkeletons_NothingIsDone()
+        {
+            FixOutcome outcome = LayOut(Insect(), "Assets/x.asset", s_All);
+
+            Assert.That(outcome.IsDone, Is.False);
+            Assert.That(outcome.Message, Does.Contain("All wings"));
+        }
+
+        private static FixOutcome LayOut(InsectWings insect, string path, in InsectProblem problem) =>
+            new LayOutSkeletonFix(LayOutSkeletonFix.Fit, (_, __, ___) => path).Apply(insect, problem);
+
+        private InsectWings Bones(out string path)
+        {
+            InsectWings insect = Insect();
+            foreach (Wing wing in insect.Wings)
+                wing.Skeleton = null;
+            PathFor("Skeleton Right");
+            PathFor("Skeleton Left");
+            path = PathFor("Skeleton");
+            return insect;
+        }
+    }
+}

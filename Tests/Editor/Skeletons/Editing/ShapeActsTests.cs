@@ -1,0 +1,121 @@
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Editor.Tests
+{
+    public sealed class ShapeActsTests : EditingFixture
+    {
+        [Test]
+        public void EvenlySpacedChain_HasBonesOfOneLength_ItsOldEnds_AndItsOldLine()
+        {
+            Bend((1, 1), new Vector3(0.01f, 0f, 0.01f));
+            var old = new JointPath((Vector3[])Skeleton.Chains[1].joints.Clone());
+            Select((1, 3));
+
+            Assert.That(Do("Space Evenly").Done);
+
+            Vector3[] joints = Skeleton.Chains[1].joints;
+            for (int j = 0; j < 5; j++)
+                Assert.That(Vector3.Distance(joints[j], old.At(old.Length * j / 4f)), Is.LessThan(1e-6f));
+            Assert.That(joints[0], Is.EqualTo(old.At(0f)));
+        }
+
+        [Test]
+        public void EvenSpacing_DoesTheSelectedChains_OrAll()
+        {
+            Editing.Do("Disturb", (draft, selected) => SlideActs.By(draft, new[] { new JointIndex(0, 1), new JointIndex(3, 2) }, 0.01f));
+            Select((3, 0));
+            Do("Space Evenly");
+
+            Assert.That(Unevenness(3), Is.LessThan(1e-5f));
+            Assert.That(Unevenness(0), Is.GreaterThan(0.05f));
+
+            Select();
+            Do("Space Evenly");
+            Assert.That(Enumerable.Range(1, 4).Max(Unevenness), Is.LessThan(1e-5f));
+            Assert.That(Unevenness(0), Is.LessThan(0.002f), "bent at its joints, so spaced along its old line");
+        }
+
+        [Test]
+        public void OtherCounts_KeepTheFan([Values(3, 5, 7, 16)] int chains, [Values(3, 5, 9, 16)] int joints)
+        {
+            Vector3 hinge = Skeleton.Hinge, tip = Skeleton.GetJoint(0, 4), last = Skeleton.GetJoint(4, 4), root = Skeleton.GetJoint(4, 0);
+
+            Assert.That(Editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, chains, joints)).Done);
+
+            Assert.That(Skeleton.ChainCount, Is.EqualTo(chains));
+            Assert.That(Skeleton.JointsPerChain, Is.EqualTo(joints));
+            Assert.That(Skeleton.Hinge, Is.EqualTo(hinge));
+            Assert.That(Skeleton.GetJoint(0, joints - 1), Is.EqualTo(tip));
+            Assert.That(Skeleton.GetJoint(chains - 1, joints - 1), Is.EqualTo(last));
+            Assert.That(Skeleton.GetJoint(chains - 1, 0), Is.EqualTo(root));
+            Assert.That(Skeleton.Validate(), Is.Empty);
+        }
+
+        [TestCase(2, 5, "A wing has 3 to 16 chains, not 2.")]
+        [TestCase(17, 5, "A wing has 3 to 16 chains, not 17.")]
+        [TestCase(5, 2, "A chain has 3 to 16 joints, not 2.")]
+        [TestCase(5, 17, "A chain has 3 to 16 joints, not 17.")]
+        public void CountsOutOfRange_AreRefused(int chains, int joints, string why)
+        {
+            EditOutcome outcome = Editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, chains, joints));
+
+            Assert.That(outcome.Message, Is.EqualTo(why));
+            Assert.That(Skeleton.ChainCount, Is.EqualTo(5));
+        }
+
+        [Test]
+        public void StraightenedChain_IsALine_BetweenItsOldEnds()
+        {
+            Bend((1, 2), new Vector3(0f, 0.03f, 0.02f));
+            Vector3 root = Skeleton.GetJoint(1, 0), tip = Skeleton.GetJoint(1, 4);
+            Select((1, 2));
+
+            Assert.That(Do("Straighten").Done);
+
+            var path = new JointPath(Skeleton.Chains[1].joints);
+            Assert.That(path.Length, Is.EqualTo(Vector3.Distance(root, tip)).Within(1e-6f));
+            Assert.That(Skeleton.GetJoint(1, 0), Is.EqualTo(root));
+            Assert.That(Skeleton.GetJoint(1, 4), Is.EqualTo(tip));
+        }
+
+        [Test]
+        public void ThreeSelectedJoints_StraightenTheRunBetweenThemOnly()
+        {
+            Bend((0, 2), new Vector3(0f, 0.03f, 0f));
+            Bend((0, 3), new Vector3(0f, 0.01f, 0f));
+            Vector3 beyond = Skeleton.GetJoint(0, 3);
+            Select((0, 1), (0, 2), (0, 3));
+
+            Do("Straighten");
+
+            Vector3 a = Skeleton.GetJoint(0, 1), b = Skeleton.GetJoint(0, 2), c = Skeleton.GetJoint(0, 3);
+            Assert.That(Vector3.Distance(a, b) + Vector3.Distance(b, c), Is.EqualTo(Vector3.Distance(a, c)).Within(1e-6f));
+            Assert.That(c, Is.EqualTo(beyond));
+        }
+
+        [Test]
+        public void Smoothing_HalvesASpike_AndLeavesRootsAndTips()
+        {
+            var spike = new Vector3(0f, 0.04f, 0f);
+            Bend((2, 2), spike);
+            Select((2, 2));
+
+            Assert.That(Do("Smooth").Done);
+            Assert.That(Skeleton.GetJoint(2, 2).y, Is.EqualTo(0.02f).Within(1e-6f));
+
+            Select((2, 0), (2, 4));
+            Assert.That(Do("Smooth").Message, Is.EqualTo("Roots and tips are not smoothed; select joints between them."));
+        }
+
+        private float Unevenness(int chain)
+        {
+            Vector3[] joints = Skeleton.Chains[chain].joints;
+            float[] bones = Enumerable.Range(0, 4).Select(j => Vector3.Distance(joints[j], joints[j + 1])).ToArray();
+            return bones.Max() / bones.Min() - 1f;
+        }
+
+        private void Bend((int chain, int joint) at, Vector3 by) => Skeleton.Chains[at.chain].joints[at.joint] += by;
+    }
+}

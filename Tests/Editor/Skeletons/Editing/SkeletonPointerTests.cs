@@ -1,0 +1,156 @@
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Editor.Tests
+{
+    public sealed class SkeletonPointerTests : EditingFixture
+    {
+        private readonly View m_View = View.FromAbove;
+        private EditingGroup m_Group;
+        private SkeletonPointer m_Pointer;
+
+        [SetUp]
+        public void Point()
+        {
+            m_Group = new EditingGroup(new[] { Editing }, Undo);
+            m_Pointer = new SkeletonPointer(m_Group, Undo);
+        }
+
+        [Test]
+        public void Click_SelectsTheJoint_AndNothingElse()
+        {
+            Click((1, 2));
+            Click((3, 4));
+
+            Assert.That(Selected(), Is.EqualTo(new[] { (3, 4) }));
+        }
+
+        [Test]
+        public void AddingClick_Adds_AndTakesAwayWhatIsSelected()
+        {
+            Click((1, 2));
+            Click((3, 4), adds: true);
+            Assert.That(Selected(), Is.EqualTo(new[] { (1, 2), (3, 4) }));
+
+            Click((1, 2), adds: true);
+            Assert.That(Selected(), Is.EqualTo(new[] { (3, 4) }));
+        }
+
+        [Test]
+        public void DoubleClick_SelectsTheChain()
+        {
+            Press(Pixel((2, 1)), clicks: 2);
+            m_Pointer.Release();
+
+            Assert.That(Selected(), Is.EqualTo(Enumerable.Range(0, 5).Select(j => (2, j))));
+        }
+
+        [Test]
+        public void ClickOnNothing_SelectsNothing_UnlessAdding()
+        {
+            Click((1, 2));
+            Press(new Vector2(-900f, 900f), adds: true);
+            m_Pointer.Release();
+            Assert.That(Selected(), Is.Not.Empty);
+
+            Press(new Vector2(-900f, 900f));
+            m_Pointer.Release();
+            Assert.That(Selected(), Is.Empty);
+        }
+
+        [Test]
+        public void DragFromNothing_SelectsTheJointsInTheBox()
+        {
+            Press(new Vector2(-900f, -900f));
+            Move(new Vector2(900f, 900f));
+            Assert.That(m_Pointer.Box, Is.EqualTo(new Rect(-900f, -900f, 1800f, 1800f)));
+            m_Pointer.Release();
+
+            Assert.That(Selected().Length, Is.EqualTo(25));
+            Assert.That(m_Pointer.Box, Is.Null);
+        }
+
+        [Test]
+        public void SmallMovement_IsStillAClick()
+        {
+            string before = SkeletonText.Of(Skeleton);
+            Press(Pixel((2, 2)));
+            Move(Pixel((2, 2)) + new Vector2(2f, 2f));
+            m_Pointer.Release();
+
+            Assert.That(SkeletonText.Of(Skeleton), Is.EqualTo(before));
+        }
+
+        [Test]
+        public void DragFromASelectedJoint_MovesAllSelectedOnes_AndKeepsThemSelected()
+        {
+            Click((2, 2));
+            Click((2, 3), adds: true);
+            Vector3 first = Skeleton.GetJoint(2, 2), second = Skeleton.GetJoint(2, 3);
+
+            Press(Pixel((2, 2)));
+            Move(Pixel((2, 2)) + new Vector2(30f, -20f));
+            Assert.That(m_Pointer.IsMoving);
+            m_Pointer.Release();
+
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(2, 2) - first, new Vector3(0.03f, 0f, -0.02f)), Is.LessThan(1e-5f));
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(2, 3) - second, new Vector3(0.03f, 0f, -0.02f)), Is.LessThan(1e-5f));
+            Assert.That(Selected(), Is.EqualTo(new[] { (2, 2), (2, 3) }));
+        }
+
+        [Test]
+        public void DragFromAnotherJoint_SelectsAndMovesThatOneOnly()
+        {
+            Click((0, 4));
+            Vector3 tip = Skeleton.GetJoint(0, 4);
+
+            Press(Pixel((2, 2)));
+            Move(Pixel((2, 2)) + new Vector2(10f, 0f));
+            m_Pointer.Release();
+
+            Assert.That(Selected(), Is.EqualTo(new[] { (2, 2) }));
+            Assert.That(Skeleton.GetJoint(0, 4), Is.EqualTo(tip));
+        }
+
+        [Test]
+        public void Escape_TakesTheDragBack()
+        {
+            string before = SkeletonText.Of(Skeleton);
+            Press(Pixel((2, 2)));
+            Move(Pixel((2, 2)) + new Vector2(50f, 0f));
+            Assert.That(SkeletonText.Of(Skeleton), Is.Not.EqualTo(before));
+
+            m_Pointer.Cancel();
+            m_Pointer.Release();
+
+            Assert.That(SkeletonText.Of(Skeleton), Is.EqualTo(before));
+            Assert.That(m_Pointer.IsDown, Is.False);
+        }
+
+        [Test]
+        public void ClickOnOneOfSeveral_SelectsItAlone_WhenItWasNotDragged()
+        {
+            Click((2, 2));
+            Click((2, 3), adds: true);
+
+            Click((2, 3));
+
+            Assert.That(Selected(), Is.EqualTo(new[] { (2, 3) }));
+        }
+
+        private void Click((int chain, int joint) at, bool adds = false)
+        {
+            Press(Pixel(at), adds);
+            m_Pointer.Release();
+        }
+
+        private void Press(Vector2 pixel, bool adds = false, int clicks = 1) => m_Pointer.Press(m_View.Project, pixel, adds, clicks);
+
+        private void Move(Vector2 pixel) => m_Pointer.Move(pixel, m_View.Through(pixel), DragMode.WingPlane);
+
+        private Vector2 Pixel((int chain, int joint) at) => m_View.Project(Skeleton.GetJoint(at.chain, at.joint));
+
+        private (int, int)[] Selected() => Editing.Selection.Living().Select(s => (s.chain, s.joint)).ToArray();
+    }
+}

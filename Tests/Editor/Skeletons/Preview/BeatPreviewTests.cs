@@ -1,0 +1,116 @@
+using System.Diagnostics;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Editor.Tests
+{
+    public sealed class BeatPreviewTests : EditingFixture
+    {
+        /// <summary>Most time that a picture may take after an edit, so that dragging stays fluent, milliseconds.</summary>
+        private const double k_Fluent = 30.0;
+
+        private BeatPreview m_Preview;
+
+        [SetUp]
+        public void Make() => m_Preview = new BeatPreview();
+
+        [TearDown]
+        public void Dispose() => m_Preview.Dispose();
+
+        [Test]
+        public void Picture_ShowsTheWantedPhase([Values(0f, 0.13f, 0.5f, 0.99f)] float phase)
+        {
+            Bake();
+            m_Preview.Show(phase);
+
+            float off = Mathf.Repeat(m_Preview.Phase - phase + 0.5f, 1f) - 0.5f;
+            Assert.That(off, Is.EqualTo(0f).Within(2e-3f));
+        }
+
+        [Test]
+        public void WingIsUp_AtTheStartOfTheBeat_AndDown_HalfABeatLater()
+        {
+            Bake();
+            m_Preview.Show(0f);
+            float up = TipHeight();
+            m_Preview.Show(0.5f);
+
+            Assert.That(up, Is.GreaterThan(0.2f));
+            Assert.That(TipHeight(), Is.LessThan(-0.1f));
+        }
+
+        [Test]
+        public void SamePhaseABeatLater_IsTheSamePicture()
+        {
+            Bake();
+            m_Preview.Show(0.3f);
+            Vector3[] first = m_Preview.Mesh.vertices;
+            m_Preview.Show(0.7f);
+            m_Preview.Show(0.3f);
+
+            float most = first.Zip(m_Preview.Mesh.vertices, (a, b) => Vector3.Distance(a, b)).Max();
+            Assert.That(most, Is.LessThan(0.03f * 0.61f), "settled to three per cent of the span");
+        }
+
+        [Test]
+        public void EditedSkeleton_ChangesThePicture()
+        {
+            Bake();
+            m_Preview.Show(0.25f);
+            Vector3[] before = m_Preview.Mesh.vertices;
+
+            Select((2, 4), (3, 4));
+            Editing.Do("Move", (draft, selected) => MoveActs.By(draft, selected, new Vector3(-0.05f, 0f, 0f)));
+            Bake();
+            m_Preview.Show(0.25f);
+
+            Assert.That(before.Zip(m_Preview.Mesh.vertices, (a, b) => Vector3.Distance(a, b)).Max(), Is.GreaterThan(1e-3f));
+        }
+
+        [Test]
+        public void InvalidSkeleton_LeavesNoPicture_AndSaysWhy_UntilItIsMended()
+        {
+            Do("Reverse Chains");
+            Bake();
+
+            Assert.That(m_Preview.IsReady, Is.False);
+            Assert.That(m_Preview.Mesh, Is.Null);
+            Assert.That(m_Preview.Problem, Does.StartWith("Skeleton 'Right Wing' cannot be used: Chain 0"));
+            Assert.That(() => m_Preview.Show(0.5f), Throws.Nothing);
+
+            Undo.Undo();
+            Bake();
+            Assert.That(m_Preview.Problem, Is.Null);
+            Assert.That(m_Preview.IsReady);
+        }
+
+        [Test]
+        public void EditedMonarch_IsShownInTimeToDragFluently()
+        {
+            WingSurface surface = Surface();
+            double best = double.PositiveInfinity;
+            var watch = new Stopwatch();
+            for (int k = 0; k < 12; k++)
+            {
+                Skeleton.Chains[2].joints[2] += new Vector3(1e-4f, 0f, 0f);
+                watch.Restart();
+                m_Preview.Bake(Skeleton, surface, PreviewFlight.Of(new SpeciesValues(null)));
+                m_Preview.Show(0.4f);
+                best = System.Math.Min(best, watch.Elapsed.TotalMilliseconds);
+            }
+
+            TestContext.WriteLine($"{best:F1} ms from an edit to its picture");
+            Assert.That(best, Is.LessThan(k_Fluent));
+        }
+
+        private void Bake() => m_Preview.Bake(Skeleton, Surface(), PreviewFlight.Of(new SpeciesValues(null)));
+
+        private float TipHeight()
+        {
+            Vector3[] vertices = m_Preview.Mesh.vertices, rest = Surface().positions;
+            int tip = System.Array.FindIndex(rest, p => p.x >= rest.Max(q => q.x));
+            return vertices[tip].y;
+        }
+    }
+}

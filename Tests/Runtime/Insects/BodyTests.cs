@@ -1,0 +1,174 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    public sealed class BodyTests
+    {
+        const float k_Millimetres = 1000f;
+
+        static IEnumerable<SpeciesDefinition> All => Species.All;
+
+        static SurfaceMesh BodyOf(SpeciesDefinition species) => species.Body.CreateSurface(k_Millimetres);
+
+        [TestCaseSource(nameof(All))]
+        public void EveryEdge_IsSharedByTwoTriangles_ThatRunItBothWays(SpeciesDefinition species)
+        {
+            var body = BodyOf(species);
+            var edges = new HashSet<(int From, int To)>();
+            for (var corner = 0; corner < body.triangles.Length; corner += 3)
+            {
+                for (var k = 0; k < 3; k++)
+                {
+                    var edge = (body.triangles[corner + k], body.triangles[corner + (k + 1) % 3]);
+                    Assert.That(edge.Item1, Is.Not.EqualTo(edge.Item2));
+                    Assert.That(edges.Add(edge), Is.True, "each edge is run once each way");
+                }
+            }
+
+            foreach (var (from, to) in edges)
+            {
+                Assert.That(edges.Contains((to, from)), Is.True);
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void EveryPart_FacesOutwards(SpeciesDefinition species)
+        {
+            var body = BodyOf(species);
+            foreach (var part in BodyPieces.Of(body))
+            {
+                Assert.That(BodyPieces.Volume(body, part), Is.GreaterThan(0), $"a part at {body.positions[body.triangles[part[0]]]}");
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void Normals_AreUnitVectors_AndPointOutOfTheTrianglesAround(SpeciesDefinition species)
+        {
+            var body = BodyOf(species);
+            var around = new Vector3[body.VertexCount];
+            for (var corner = 0; corner < body.triangles.Length; corner += 3)
+            {
+                var face = BodyPieces.AreaVector(body, corner);
+                for (var k = 0; k < 3; k++)
+                {
+                    around[body.triangles[corner + k]] += face;
+                }
+            }
+
+            Assert.That(body.normals, Has.Length.EqualTo(body.VertexCount));
+            for (var vertex = 0; vertex < around.Length; vertex++)
+            {
+                Assert.That(body.normals[vertex].magnitude, Is.EqualTo(1f).Within(1e-4f));
+                Assert.That(Vector3.Dot(body.normals[vertex], around[vertex]), Is.GreaterThan(0f), $"at {body.positions[vertex]}");
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void EveryVertex_HasAFinitePlace_AColour_AndAPlaceInTheTexture(SpeciesDefinition species)
+        {
+            var body = BodyOf(species);
+
+            Assert.That(body.colours, Has.Length.EqualTo(body.VertexCount));
+            Assert.That(body.uvs, Has.Length.EqualTo(body.VertexCount));
+            for (var vertex = 0; vertex < body.VertexCount; vertex++)
+            {
+                Assert.That(body.positions[vertex].magnitude, Is.LessThan(200f));
+                Assert.That(body.uvs[vertex].x, Is.InRange(0f, 1f));
+                Assert.That(body.uvs[vertex].y, Is.InRange(0f, 1f));
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void TheLeftSide_IsTheMirrorImageOfTheRight(SpeciesDefinition species)
+        {
+            var body = BodyOf(species);
+            var vertices = new Dictionary<(int X, int Y, int Z), List<int>>();
+            for (var vertex = 0; vertex < body.VertexCount; vertex++)
+            {
+                var cell = Cell(body.positions[vertex]);
+                if (!vertices.TryGetValue(cell, out var here))
+                {
+                    vertices.Add(cell, here = new List<int>());
+                }
+
+                here.Add(vertex);
+            }
+
+            for (var vertex = 0; vertex < body.VertexCount; vertex++)
+            {
+                var twins = vertices.TryGetValue(Cell(Mirrored(body.positions[vertex])), out var found) ? found : new List<int>();
+                Assert.That(twins.Exists(twin => AreTwins(body, vertex, twin)), Is.True, $"{body.positions[vertex]} has no twin");
+            }
+        }
+
+        [TestCase("monarch", 25f, 32f)]
+        [TestCase("swallowtail", 22f, 30f)]
+        [TestCase("firefly", 9f, 15f)]
+        [TestCase("fishfly", 25f, 40f)]
+        [TestCase("painted-lichen-moth", 8f, 12f)]
+        [TestCase("snailfish", 60f, 150f)]
+        public void ABody_IsAsLongAsTheAnimal_FromHeadToTail(string name, float shortest, float longest)
+        {
+            float front = float.MinValue, rear = float.MaxValue;
+            foreach (var place in BodyOf(Species.Find(name)).positions)
+            {
+                if (Math.Abs(place.x) < 1e-4f)
+                {
+                    front = Math.Max(front, place.z);
+                    rear = Math.Min(rear, place.z);
+                }
+            }
+
+            Assert.That(front - rear, Is.InRange(shortest, longest), "millimetres along the middle line");
+            Assert.That(-rear, Is.GreaterThan(front), "the abdomen, or the tail, trails behind the thorax");
+        }
+
+        [TestCaseSource(nameof(All))]
+        public void ABody_HasAFewThousandTriangles_AndGrowsWithItsUnit(SpeciesDefinition species)
+        {
+            var body = BodyOf(species);
+            var large = species.Body.CreateSurface(10f * k_Millimetres);
+
+            Assert.That(body.TriangleCount, Is.InRange(2000, 6000));
+            Assert.That(large.triangles, Is.EqualTo(body.triangles));
+            for (var vertex = 0; vertex < body.VertexCount; vertex += 97)
+            {
+                Assert.That((large.positions[vertex] - 10f * body.positions[vertex]).magnitude, Is.LessThan(1e-3f));
+            }
+        }
+
+        [Test]
+        public void TheMeshes_OfTwoCalls_ShareNoArray()
+        {
+            var first = BodyOf(Species.Find("monarch"));
+            first.colours[0] = new Color32(1, 2, 3, 4);
+            first.uvs[0] = new Vector2(-1f, -1f);
+            first.triangles[0] = -1;
+            first.normals[0] = default;
+            var second = BodyOf(Species.Find("monarch"));
+
+            Assert.That(second.colours[0].a, Is.EqualTo(255));
+            Assert.That(second.uvs[0].x, Is.Not.Negative);
+            Assert.That(second.triangles[0], Is.Not.Negative);
+            Assert.That(second.normals[0].magnitude, Is.EqualTo(1f).Within(1e-4f));
+        }
+
+        static bool AreTwins(SurfaceMesh body, int vertex, int twin)
+        {
+            return (Mirrored(body.positions[vertex]) - body.positions[twin]).magnitude < 1e-4f
+                && (Mirrored(body.normals[vertex]) - body.normals[twin]).magnitude < 1e-2f
+                && (body.uvs[vertex] - body.uvs[twin]).magnitude < 1e-4f
+                && body.colours[vertex].Equals(body.colours[twin]);
+        }
+
+        static Vector3 Mirrored(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
+
+        static (int X, int Y, int Z) Cell(Vector3 place)
+        {
+            return ((int)Math.Round(1e4 * place.x), (int)Math.Round(1e4 * place.y), (int)Math.Round(1e4 * place.z));
+        }
+    }
+}

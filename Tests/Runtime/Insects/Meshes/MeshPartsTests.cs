@@ -1,0 +1,289 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+using Object = UnityEngine.Object;
+
+namespace Alate.Tests
+{
+    public sealed class MeshPartsTests
+    {
+        readonly List<Mesh> m_Meshes = new List<Mesh>();
+
+        [TearDown]
+        public void DestroyMeshes()
+        {
+            m_Meshes.ForEach(Object.DestroyImmediate);
+            m_Meshes.Clear();
+        }
+
+        [Test]
+        public void TheWholeMesh_IsAllSubmeshes_WithoutVerticesThatNoneUses()
+        {
+            var sketch = new MeshSketch().Stray(Vector3.one).Wing(Vector3.zero, 1f, 0.5f).Stray(Vector3.up);
+            var mesh = Made(sketch.NextSubmesh().Wing(Vector3.zero, -1f, 0.5f));
+
+            var all = MeshParts.Select(mesh, WingPart.WholeMesh, 7, Vector3.zero);
+
+            Assert.That(all.vertices, Has.Length.EqualTo(mesh.vertexCount - 2).And.Ordered.And.Unique);
+            Assert.That(all.vertices, Has.None.EqualTo(0).And.None.EqualTo(36));
+            Assert.That(Corners(all), Is.EqualTo(mesh.triangles));
+        }
+
+        [Test]
+        public void ASubmesh_KeepsItsTrianglesAndTheirWinding()
+        {
+            var mesh = Made(new MeshSketch().Box(Vector3.zero, Vector3.one).NextSubmesh().Wing(Vector3.right, 1f, 0.5f));
+
+            var wing = MeshParts.Select(mesh, WingPart.Submesh, 1, Vector3.zero);
+
+            Assert.That(Corners(wing), Is.EqualTo(mesh.GetTriangles(1)));
+            Assert.That(wing.vertices, Has.Length.EqualTo(35).And.All.GreaterThanOrEqualTo(8));
+        }
+
+        [Test]
+        public void LinesInTheMesh_AreNoPartOfTheWhole()
+        {
+            var mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, -1f, 0.5f));
+            mesh.SetIndices(new[] { 40, 41 }, MeshTopology.Lines, 1);
+
+            Assert.That(Corners(MeshParts.Select(mesh, WingPart.WholeMesh, 0, Vector3.zero)), Is.EqualTo(mesh.GetTriangles(0)));
+        }
+
+        [TestCase(false)]
+        [TestCase(true)]
+        public void AConnectedPart_IsTheWingAtThePoint_WeldedOrNot(bool split)
+        {
+            var sketch = new MeshSketch().Wing(new Vector3(0.1f, 0f, 0f), 1f, 0.5f).Wing(new Vector3(-0.1f, 0f, 0f), -1f, 0.5f);
+            var mesh = Made(split ? sketch.Split() : sketch);
+
+            foreach (var side in new[] { 1f, -1f })
+            {
+                var wing = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(0.6f * side, 0.2f, -0.1f));
+
+                Assert.That(wing.triangles, Has.Length.EqualTo(mesh.triangles.Length / 2));
+                foreach (var p in MeshParts.Surface(mesh, wing).positions)
+                    Assert.That(p.x * side, Is.InRange(0.1f - 1e-6f, 1.1f + 1e-6f));
+            }
+        }
+
+        [Test]
+        public void AConnectedPart_GoesThroughSeamsOfMaterials()
+        {
+            var sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward).NextSubmesh();
+            var mesh = Made(sketch.Sheet(Vector3.right, Vector3.right, Vector3.forward).Box(new Vector3(5f, 0f, 0f), Vector3.one));
+
+            var wing = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, Vector3.zero);
+
+            Assert.That(wing.triangles, Has.Length.EqualTo(2 * mesh.GetTriangles(0).Length));
+        }
+
+        [Test]
+        public void ZerosOfEitherSign_AreTheSamePlace()
+        {
+            var sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward);
+            var half = sketch.positions.Count;
+            sketch.Sheet(Vector3.zero, Vector3.left, Vector3.forward);
+            for (var vertex = half; vertex < sketch.positions.Count; vertex++)
+                sketch.positions[vertex] = Vector3.Scale(sketch.positions[vertex], new Vector3(1f, -1f, 1f));
+            Assert.That(1f / sketch.positions[half].y, Is.EqualTo(float.NegativeInfinity), "minus zero");
+
+            Assert.That(MeshParts.Parts(Made(sketch)), Has.Count.EqualTo(1));
+        }
+
+        [TestCase(1f, 0f)]
+        [TestCase(1e-3f, 0f)]
+        [TestCase(1e4f, 0f)]
+        [TestCase(1f, 50f)]
+        public void Seams_AreWeldedAcrossRoundings_ButNotAcrossGaps(float size, float offset)
+        {
+            // A sheet in eight strips whose common edges differ by the rounding of a float; then with gaps of a hundred-thousandth.
+            foreach (var gap in new[] { 0f, 1e-5f * (1f + offset) })
+            {
+                var sketch = new MeshSketch();
+                for (var strip = 0; strip < 8; strip++)
+                {
+                    var corner = new Vector3(strip * (1f / 7f) + gap * strip, 0f, 0f);
+                    sketch.Sheet(corner, new Vector3(1f / 7f, 0f, 0f), new Vector3(0.1f, 0.1f, 0.7f), 3, 4);
+                }
+
+                for (var vertex = 0; vertex < sketch.positions.Count; vertex++)
+                    sketch.positions[vertex] = size * (sketch.positions[vertex] + offset * Vector3.one) / 3f;
+
+                Assert.That(MeshParts.Parts(Made(sketch)), Has.Count.EqualTo(gap == 0f ? 1 : 8), $"gap {gap}");
+            }
+        }
+
+        [Test]
+        public void EverySeam_IsWelded_WhereverItLies()
+        {
+            // Squares of two triangles whose common corners differ in the last bits of their coordinates.
+            const int k_Squares = 3000;
+            var random = new System.Random(8);
+            float Any() => 2f * (float)random.NextDouble() - 1f;
+            float Nearly(float value) => value * (1f + 1.2e-7f * random.Next(-2, 3));
+            var sketch = new MeshSketch();
+            for (var square = 0; square < k_Squares; square++)
+                sketch.Sheet(new Vector3(Any(), Any(), Any()), 1e-3f * Vector3.right, 1e-3f * Vector3.forward, 1, 1);
+            sketch.Split();
+            for (var vertex = 0; vertex < sketch.positions.Count; vertex++)
+            {
+                var p = sketch.positions[vertex];
+                sketch.positions[vertex] = new Vector3(Nearly(p.x), Nearly(p.y), Nearly(p.z));
+            }
+
+            Assert.That(MeshParts.Parts(Made(sketch)), Has.Count.EqualTo(k_Squares));
+        }
+
+        [Test]
+        public void TheNearestTriangle_IsFoundByItsFace_NotItsCorners()
+        {
+            // The point is 1 above the middle of a large triangle whose corners are far, and 2 from a small sheet.
+            var mesh = Made(new MeshSketch()
+                .Sheet(new Vector3(-50f, 0f, -50f), new Vector3(100f, 0f, 0f), new Vector3(0f, 0f, 100f), 1, 1)
+                .Sheet(new Vector3(0f, 3f, 0f), Vector3.right, Vector3.forward));
+
+            var part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(5f, 1f, -5f));
+            Assert.That(part.vertices, Is.EqualTo(new[] { 0, 1, 2, 3 }));
+            part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(0.5f, 2.1f, 0.5f));
+            Assert.That(part.vertices, Has.Length.EqualTo(35));
+        }
+
+        [Test]
+        public void DistanceToATriangle_IsTheLeastOverItsPoints()
+        {
+            var random = new System.Random(5);
+            Vector3 Any() => new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
+            for (var round = 0; round < 200; round++)
+            {
+                Vector3 a = Any(), b = Any(), c = Any(), point = 3f * Any() - Vector3.one;
+                var least = float.MaxValue;
+                for (var i = 0; i <= 100; i++)
+                {
+                    for (var j = 0; i + j <= 100; j++)
+                        least = Mathf.Min(least, (a + (b - a) * (i / 100f) + (c - a) * (j / 100f) - point).magnitude);
+                }
+
+                var distance = Mathf.Sqrt(TriangleDistance.Square(point, a, b, c));
+                Assert.That(distance, Is.LessThan(least + 1e-6f).And.GreaterThan(least - 0.03f));
+            }
+        }
+
+        [Test]
+        public void Surface_CarriesTheVerticesOfTheSelection()
+        {
+            var mesh = Made(new MeshSketch().Box(Vector3.zero, Vector3.one).NextSubmesh().Wing(Vector3.right, 1f, 0.5f));
+            mesh.tangents = Array.ConvertAll(mesh.vertices, p => new Vector4(p.x, p.y, p.z, 1f));
+            var wing = MeshParts.Select(mesh, WingPart.Submesh, 1, Vector3.zero);
+
+            var surface = MeshParts.Surface(mesh, wing);
+
+            Assert.That(surface.name, Is.EqualTo(mesh.name));
+            for (var k = 0; k < wing.vertices.Length; k++)
+            {
+                Assert.That(surface.positions[k], Is.EqualTo(mesh.vertices[wing.vertices[k]]));
+                Assert.That(surface.normals[k], Is.EqualTo(mesh.normals[wing.vertices[k]]));
+                Assert.That(surface.tangents[k], Is.EqualTo(mesh.tangents[wing.vertices[k]]));
+            }
+
+            Assert.That(surface.triangles, Is.EqualTo(wing.triangles));
+        }
+
+        [Test]
+        public void Parts_HaveTheirAreaBoxAndPoint()
+        {
+            var mesh = Made(new MeshSketch()
+                .Box(Vector3.up, new Vector3(1f, 2f, 3f))
+                .Sheet(new Vector3(2f, 0f, 0f), 2f * Vector3.right, Vector3.forward));
+
+            var parts = MeshParts.Parts(mesh);
+
+            Assert.That(parts, Has.Count.EqualTo(2));
+            Assert.That(parts[0].area, Is.EqualTo(22f).Within(1e-4f));
+            Assert.That(parts[0].bounds.size, Is.EqualTo(new Vector3(1f, 2f, 3f)));
+            Assert.That((parts[0].centroid - Vector3.up).magnitude, Is.LessThan(1e-5f));
+            Assert.That(parts[1].area, Is.EqualTo(2f).Within(1e-5f));
+            Assert.That((parts[1].centroid - new Vector3(3f, 0f, 0.5f)).magnitude, Is.LessThan(1e-5f));
+            foreach (var part in parts)
+            {
+                var again = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, part.point);
+                Assert.That(again.vertices, Is.EqualTo(part.selection.vertices));
+                Assert.That(again.triangles, Is.EqualTo(part.selection.triangles));
+            }
+        }
+
+        [TestCase(true)]
+        [TestCase(false)]
+        public void AHundredThousandTriangles_TakeNoTime(bool split)
+        {
+            var sketch = new MeshSketch().Sheet(Vector3.right, Vector3.right, Vector3.forward, 250, 200);
+            sketch.Sheet(Vector3.left, Vector3.left, Vector3.forward, 2, 2);
+            if (split)
+                sketch.Split();
+            var mesh = Made(sketch);
+            var watch = System.Diagnostics.Stopwatch.StartNew();
+
+            var part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(1.5f, 1f, 0.5f));
+
+            TestContext.WriteLine($"{watch.Elapsed.TotalMilliseconds:f0} ms for {mesh.vertexCount} vertices");
+            Assert.That(part.triangles, Has.Length.EqualTo(300000));
+            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30), "a quadratic search would take minutes");
+        }
+
+        [Test]
+        public void AHundredThousandPieces_TakeNoTimeEither()
+        {
+            var sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward, 250, 200).Split();
+            for (var vertex = 0; vertex < sketch.positions.Count; vertex++)
+                sketch.positions[vertex] += vertex / 3 * new Vector3(0f, 0.01f, 0f);
+            var mesh = Made(sketch);
+            var watch = System.Diagnostics.Stopwatch.StartNew();
+
+            Assert.That(MeshParts.Parts(mesh), Has.Count.EqualTo(100000));
+            TestContext.WriteLine($"{watch.Elapsed.TotalMilliseconds:f0} ms");
+            Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30));
+        }
+
+        [Test]
+        public void WrongAsking_IsRefused_InOneLineThatNamesTheMesh()
+        {
+            var mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh());
+            mesh.SetIndices(new[] { 1, 2 }, MeshTopology.Lines, 1);
+
+            Refuses(mesh, WingPart.Submesh, 3, "Mesh 'Sketch' has no submesh 3: it has 3, numbered from 0.");
+            Refuses(mesh, WingPart.Submesh, -1, "Mesh 'Sketch' has no submesh -1: it has 3, numbered from 0.");
+            Refuses(mesh, WingPart.Submesh, 1, "Submesh 1 of mesh 'Sketch' consists of Lines; a wing needs Triangles.");
+            Refuses(mesh, WingPart.Submesh, 2, "Submesh 2 of mesh 'Sketch' has no triangles.");
+            Refuses(Made(new MeshSketch()), WingPart.WholeMesh, 0, "Mesh 'Sketch' has no triangles.");
+            Refuses(Made(new MeshSketch()), WingPart.ConnectedPart, 0, "Mesh 'Sketch' has no triangles.");
+            Refuses(mesh, (WingPart)9, 0, "9 is not a part of a mesh.");
+            Assert.That(() => MeshParts.Select(null, WingPart.WholeMesh, 0, Vector3.zero), Throws.ArgumentNullException);
+            Assert.That(
+                () => MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(float.NaN, 0f, 0f)),
+                Throws.ArgumentException.With.Message.Contains("is not finite"));
+        }
+
+        [Test]
+        public void AMeshThatIsNotReadable_IsRefused()
+        {
+            var mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f));
+            mesh.UploadMeshData(true);
+
+            foreach (WingPart part in Enum.GetValues(typeof(WingPart)))
+                Refuses(mesh, part, 0, "Mesh 'Sketch' is not readable: turn on Read/Write in its import settings.");
+            Assert.That(() => MeshParts.Parts(mesh), Throws.ArgumentException);
+        }
+
+        static void Refuses(Mesh mesh, WingPart part, int submesh, string message) =>
+            Assert.That(() => MeshParts.Select(mesh, part, submesh, Vector3.zero), Throws.ArgumentException.With.Message.EqualTo(message));
+
+        static int[] Corners(MeshSelection selection) => Array.ConvertAll(selection.triangles, place => selection.vertices[place]);
+
+        Mesh Made(MeshSketch sketch)
+        {
+            m_Meshes.Add(sketch.ToMesh());
+            return m_Meshes[m_Meshes.Count - 1];
+        }
+    }
+}

@@ -1,0 +1,93 @@
+using System.Collections;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play
+{
+    /// <summary>Play-mode tests of insects: makes them, and takes everything away afterwards.</summary>
+    public abstract class PlayFixture
+    {
+        private readonly List<Object> m_Made = new List<Object>();
+
+        [SetUp]
+        public void UseFixedFrames()
+        {
+            Time.timeScale = 1f;
+            Time.captureDeltaTime = 1f / 60f;
+            WingSystem.DetailCamera = null;
+        }
+
+        [UnityTearDown]
+        public IEnumerator TakeAllAway()
+        {
+            foreach (Object made in m_Made)
+            {
+                if (made != null)
+                    Object.Destroy(made);
+            }
+
+            m_Made.Clear();
+            Time.timeScale = 1f;
+            Time.captureDeltaTime = 0f;
+            yield return Frames(2);
+            Assert.That(WingSystem.Crowd, Is.Null, "the system has outlived its insects");
+            Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
+            Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
+        }
+
+        /// <summary>Destroyed at the end of the test.</summary>
+        protected T Keep<T>(T made) where T : Object
+        {
+            m_Made.Add(made);
+            return made;
+        }
+
+        /// <summary>A monarch of two wings, each with mesh and skeleton of its own, under a root without the component.</summary>
+        protected GameObject Bare(float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
+        {
+            SpeciesWing kind = Alate.Species.Find("monarch").Wings[0];
+            var root = Keep(new GameObject("insect"));
+            foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
+            {
+                var wing = new GameObject("wing " + side);
+                wing.transform.SetParent(root.transform, false);
+                wing.transform.localPosition = kind.HingeOn(side, unitsPerMetre);
+                wing.AddComponent<MeshFilter>().sharedMesh = Keep(Specimens.Mesh(kind, side, unitsPerMetre));
+                wing.AddComponent<MeshRenderer>();
+            }
+
+            return root;
+        }
+
+        /// <summary>The same, alive, computed also where no camera sees it.</summary>
+        protected InsectWings Insect(float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
+        {
+            SpeciesWing kind = Alate.Species.Find("monarch").Wings[0];
+            GameObject root = Bare(unitsPerMetre);
+            root.SetActive(false);
+            var insect = root.AddComponent<InsectWings>();
+            insect.Wings.Clear();
+            foreach (MeshRenderer renderer in root.GetComponentsInChildren<MeshRenderer>(true))
+            {
+                WingSide side = renderer.name.EndsWith("Left") ? WingSide.Left : WingSide.Right;
+                insect.Wings.Add(new Wing { Renderer = renderer, Side = side, Skeleton = Keep(kind.CreateSkeleton(side, unitsPerMetre)) });
+            }
+
+            insect.Quality.culling = WingCulling.Nothing;
+            root.SetActive(true);
+            return insect;
+        }
+
+        /// <summary>So many frames.</summary>
+        protected static IEnumerator Frames(int count)
+        {
+            for (int frame = 0; frame < count; frame++)
+                yield return null;
+        }
+
+        /// <summary>The mesh that a wing shows.</summary>
+        protected static Mesh Shown(InsectWings insect, int wing) => insect.Wings[wing].Renderer.GetComponent<MeshFilter>().sharedMesh;
+    }
+}

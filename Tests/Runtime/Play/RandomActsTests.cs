@@ -1,0 +1,53 @@
+using System.Collections;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play
+{
+    /// <summary>Whatever is done to insects, in whatever order, nothing breaks and everything comes back.</summary>
+    public sealed class RandomActsTests : PlayFixture
+    {
+        private const int k_Acts = 10000, k_ActsPerFrame = 20;
+
+        [UnityTest]
+        public IEnumerator ManyRandomActs_LeaveNothingBroken()
+        {
+            yield return Act(20240817);
+        }
+
+        [UnityTest]
+        public IEnumerator ManyRandomActsOfAnySeed_LeaveNothingBroken()
+        {
+            int seed = System.Environment.TickCount;
+            TestContext.WriteLine($"seed {seed}");
+            yield return Act(seed);
+        }
+
+        private IEnumerator Act(int seed)
+        {
+            var zoo = new Zoo(seed);
+            var early = new GameObject("early").AddComponent<ActInFixedUpdate>();
+            early.zoo = zoo;
+            for (int act = 0; act < k_Acts; act += k_ActsPerFrame)
+            {
+                Time.captureDeltaTime = zoo.FrameTime();
+                for (int k = 0; k < k_ActsPerFrame; k++)
+                    zoo.ActOnce();
+                yield return null;
+                if (act % 1000 == 0)
+                    zoo.CheckVertices();
+            }
+
+            Object.Destroy(early.gameObject);
+            Time.timeScale = 1f;
+            Time.captureDeltaTime = 1f / 60f;
+            yield return Frames(3);
+            zoo.CheckVertices();
+            zoo.DisableAll();
+            zoo.CheckAuthoredMeshes();
+            zoo.DestroyAll();
+            yield return Frames(2);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+using System;
+using System.Collections;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Alate.Tests.Play
+{
+    /// <summary>What an insect tells of itself is what its wings do.</summary>
+    public sealed class ReadingTests : FlockFixture
+    {
+        [UnityTest]
+        public IEnumerator WingBeat_ComesOnceABeat()
+        {
+            InsectWings insect = Hatch();
+            int calls = 0, unityCalls = 0;
+            insect.WingBeat += heard =>
+            {
+                Assert.That(heard, Is.SameAs(insect));
+                Assert.That(heard.Phase, Is.LessThan(90f), "the call comes long after the start of the beat");
+                calls++;
+            };
+            insect.OnWingBeat.AddListener(() => unityCalls++);
+            yield return Frames(123);
+
+            int beats = insect.Read(0).Beats;
+            Assert.That(beats, Is.GreaterThan(15));
+            Assert.That(calls, Is.EqualTo(beats));
+            Assert.That(unityCalls, Is.EqualTo(beats));
+        }
+
+        [UnityTest]
+        public IEnumerator OfManyBeatsInAFrame_OneIsTold()
+        {
+            WingSpecies species = Keep(Alate.Species.Monarch());
+            species.Beat.maxFrequency = 600f;
+            InsectWings insect = Hatch(made => made.Species = species);
+            yield return Frames(5);
+            int calls = 0, frame = 0, most = 0;
+            insect.WingBeat += _ =>
+            {
+                most = frame == Time.frameCount ? most + 1 : 1;
+                frame = Time.frameCount;
+                calls++;
+            };
+            yield return Frames(30);
+
+            Assert.That(most, Is.EqualTo(1));
+            Assert.That(calls, Is.InRange(20, 31));
+        }
+
+        [UnityTest]
+        public IEnumerator AListener_MayDestroyDisableOrMakeInsects([Values("destroy", "immediately", "disable", "other", "make", "step")] string deed)
+        {
+            InsectWings insect = Hatch(), other = Hatch(), witness = Hatch(), made = null;
+            int calls = 0, witnessed = 0;
+            witness.WingBeat += _ => witnessed++;
+            insect.WingBeat += _ =>
+            {
+                calls++;
+                switch (deed)
+                {
+                    case "destroy": Object.Destroy(insect.gameObject); break;
+                    case "immediately": Object.DestroyImmediate(insect.gameObject); break;
+                    case "disable": insect.enabled = false; break;
+                    case "other" when other != null: Object.DestroyImmediate(other.gameObject); break;
+                    case "make": made = made == null ? Hatch() : made; break;
+                    case "step":
+                        other.UpdateMode = WingUpdateMode.Manual;
+                        other.Step(0.2f);
+                        break;
+                    default:
+                        break;
+                }
+            };
+            yield return Frames(40);
+
+            bool ends = deed == "destroy" || deed == "immediately" || deed == "disable";
+            Assert.That(calls, ends ? Is.EqualTo(1) : Is.GreaterThan(2));
+            Assert.That(witnessed, Is.GreaterThan(2));
+            Assert.That(witness.State, Is.EqualTo(InsectState.Ready));
+            if (deed == "make")
+                Assert.That(made.State, Is.EqualTo(InsectState.Ready));
+        }
+
+        [UnityTest]
+        public IEnumerator TheLastInsect_MayDestroyItselfAtItsBeat()
+        {
+            InsectWings insect = Hatch();
+            insect.WingBeat += _ => Object.DestroyImmediate(insect.gameObject);
+            yield return Frames(30);
+
+            Assert.That(insect == null, Is.True);
+            Assert.That(WingSystem.Crowd, Is.Null);
+        }
+
+        [UnityTest]
+        public IEnumerator AListenerThatThrows_KeepsNobodyFromHearing()
+        {
+            InsectWings first = Hatch(), second = Hatch();
+            int thrown = 0, heard = 0;
+            first.WingBeat += _ =>
+            {
+                if (thrown++ == 0)
+                    throw new InvalidOperationException("oops");
+            };
+            second.WingBeat += _ => heard++;
+            LogAssert.Expect(LogType.Exception, new Regex("oops"));
+            yield return Frames(60);
+
+            Assert.That(heard, Is.EqualTo(second.Read(0).Beats));
+            Assert.That(thrown, Is.EqualTo(first.Read(0).Beats));
+        }
+
+        [UnityTest]
+        public IEnumerator AResetBeat_IsToldAgain()
+        {
+            InsectWings insect = Hatch();
+            yield return Frames(60);
+            int calls = 0;
+            insect.WingBeat += _ => calls++;
+            insect.ResetState();
+            yield return Frames(1);
+            Assert.That(Beats(insect), Is.LessThan(0.5f));
+            yield return Frames(30);
+            Assert.That(calls, Is.EqualTo(insect.Read(0).Beats));
+        }
+
+        [UnityTest]
+        public IEnumerator FrequencyFlapRangeAndPhase_AreThoseOfTheWing()
+        {
+            InsectWings insect = Hatch();
+            yield return Frames(20);
+
+            Assert.That(insect.Frequency, Is.EqualTo(8.8f).Within(1e-3f));
+            Assert.That(insect.FlapRange, Is.EqualTo(60f).Within(1e-3f), "half of the monarch's 120 degrees, at rest");
+            float before = insect.Phase;
+            yield return Frames(6);
+            Assert.That(Mathf.Repeat(insect.Phase - before, 360f), Is.EqualTo(Mathf.Repeat(8.8f * 0.1f * 360f, 360f)).Within(0.02f * 8.8f * 360f));
+            Assert.That(insect.Read(0).JointPosition(0, 0).y, Is.EqualTo(0f).Within(0.05f));
+        }
+
+        [UnityTest]
+        public IEnumerator Pitch_IsReadInDegrees_NoseUpPositive([Values(-40f, 0f, 25f, 80f)] float pitch)
+        {
+            InsectWings insect = Hatch(made => made.transform.rotation = Quaternion.Euler(-pitch, 70f, 0f));
+            yield return Frames(5);
+
+            Assert.That(insect.AngleOfAttack, Is.EqualTo(pitch).Within(0.01f));
+        }
+
+        [UnityTest]
+        public IEnumerator JointPositions_AreOnTheDeformedMesh([Values] bool mirrored)
+        {
+            InsectWings insect = Hatch(made =>
+            {
+                made.transform.SetPositionAndRotation(new Vector3(5f, 3f, -2f), Quaternion.Euler(20f, 130f, 10f));
+                made.transform.localScale = 2f * Vector3.one;
+                made.UpdateMode = WingUpdateMode.Manual;
+            });
+            insect.Step(0.21f);
+            yield return Frames(2);
+            int wing = mirrored ? 1 : 0;
+            Transform drawn = insect.Wings[wing].Renderer.transform;
+            Vector3[] rest = WingMesh.vertices, now = Shown(insect, wing).vertices;
+            WingReading reading = insect.Read(wing);
+            float worst = 0f;
+            for (int chain = 0; chain < reading.ChainCount; chain++)
+            {
+                for (int joint = 0; joint < reading.JointsPerChain; joint++)
+                {
+                    // What the vertex nearest to the joint does, the joint does.
+                    Vector3 at = Skeleton.GetJoint(chain, joint);
+                    int nearest = 0;
+                    for (int v = 1; v < rest.Length; v++)
+                        nearest = (rest[v] - at).sqrMagnitude < (rest[nearest] - at).sqrMagnitude ? v : nearest;
+                    float apart = (rest[nearest] - at).magnitude;
+                    float error = (drawn.TransformPoint(now[nearest]) - insect.JointPosition(wing, chain, joint)).magnitude / 2f;
+                    worst = math.max(worst, math.abs(error - apart));
+                }
+            }
+
+            Assert.That(worst, Is.LessThan(0.03f));
+            Assert.That(() => insect.JointPosition(wing, 5, 0), Throws.TypeOf<ArgumentOutOfRangeException>());
+        }
+
+        [UnityTest]
+        public IEnumerator Bounds_HoldTheJoints()
+        {
+            InsectWings insect = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
+            insect.Step(0.13f);
+            yield return Frames(2);
+            Bounds bounds = insect.BoundsOf(0);
+            bounds.Expand(0.05f);
+            for (int joint = 0; joint < 5; joint++)
+                Assert.That(bounds.Contains(insect.Wings[0].Renderer.transform.InverseTransformPoint(insect.JointPosition(0, 2, joint))));
+        }
+    }
+}

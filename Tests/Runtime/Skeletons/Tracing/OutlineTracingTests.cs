@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+
+namespace Alate.Tests
+{
+    /// <summary>The outline found in a picture against the one that was drawn.</summary>
+    public sealed class OutlineTracingTests
+    {
+        private const double k_Bound = 0.015;
+
+        private static IEnumerable<TestCaseData> Cases()
+        {
+            foreach (DrawnWing wing in DrawnWing.All)
+            {
+                foreach (DrawnKind kind in Enum.GetValues(typeof(DrawnKind)))
+                {
+                    yield return new TestCaseData(wing.Name, kind, 200);
+                    if (kind == DrawnKind.Hard || kind == DrawnKind.Drawing)
+                        yield return new TestCaseData(wing.Name, kind, 600);
+                }
+            }
+        }
+
+        [TestCaseSource(nameof(Cases))]
+        public void Outline_IsFoundWithinOnePointFivePercentOfSpan(string name, DrawnKind kind, int side) => AssertFound(name, kind, side);
+
+        [TestCase("monarch", DrawnKind.Hard)]
+        [TestCase("tailed", DrawnKind.Gradient)]
+        [TestCase("fan", DrawnKind.Drawing)]
+        public void OutlineInALargePicture_IsFoundWithinOnePointFivePercentOfSpan(string name, DrawnKind kind) => AssertFound(name, kind, 2000);
+
+        [Test]
+        public void OutlineOfASilhouette_IsFoundWithinATenthOfAPixelOfItsArea()
+        {
+            WingPlace place = DrawnWing.Monarch().In(600);
+
+            PlanPoint[] outline = Trace(place.Draw(DrawnKind.Silhouette));
+
+            double truth = ClosedPath.Area(PlanPaths.Counterclockwise(place.Outline));
+            Assert.That(ClosedPath.Area(outline), Is.EqualTo(truth).Within(0.1 * ClosedPath.Length(outline)));
+        }
+
+        [Test]
+        public void OutlineDrawnWithGaps_IsClosed()
+        {
+            WingPlace place = DrawnWing.Monarch().In(600);
+            DrawnPicture picture = place.Draw(DrawnKind.Drawing);
+            var white = new UnityEngine.Color32(255, 255, 255, 255);
+            foreach (int at in new[] { 100, 300, 500, 700 })
+                picture.Stroke(new[] { place.Outline[at], place.Outline[at] + new UnityEngine.Vector2(2f, 1f) }, 4f, white);
+
+            PlanPoint[] outline = Trace(picture);
+
+            Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(k_Bound * place.Length));
+        }
+
+        [Test]
+        public void LineAroundThePicture_IsPassedOver()
+        {
+            WingPlace place = DrawnWing.Scalloped().In(500);
+            var black = new UnityEngine.Color32(0, 0, 0, 255);
+            var frame = new[] { V(1, 1), V(499, 1), V(499, 499), V(1, 499), V(1, 1) };
+
+            PlanPoint[] outline = Trace(place.Draw(DrawnKind.Drawing).Stroke(frame, 1.5f, black));
+
+            Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(k_Bound * place.Length));
+        }
+
+        [Test]
+        public void SpecksBesideTheWing_ArePassedOver()
+        {
+            WingPlace place = DrawnWing.Fan().In(400);
+            DrawnPicture picture = place.Draw(DrawnKind.Silhouette);
+            for (int k = 0; k < 6; k++)
+                picture.Stroke(new[] { V(10 + 9 * k, 12), V(12 + 9 * k, 18) }, 3f, new UnityEngine.Color32(0, 0, 0, 255));
+
+            PlanPoint[] outline = Trace(picture);
+
+            Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(k_Bound * place.Length));
+        }
+
+        private static void AssertFound(string name, DrawnKind kind, int side)
+        {
+            WingPlace place = Find(name).In(side, side == 600 ? 25f : 0f, kind == DrawnKind.Hard);
+
+            PlanPoint[] outline = Trace(place.Draw(kind));
+
+            Assert.That(ClosedPath.Area(outline), Is.GreaterThan(0.0), "counterclockwise");
+            double distance = PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline));
+            Assert.That(distance / place.Length, Is.LessThan(k_Bound));
+        }
+
+        private static DrawnWing Find(string name)
+        {
+            foreach (DrawnWing wing in DrawnWing.All)
+            {
+                if (wing.Name == name)
+                    return wing;
+            }
+
+            throw new ArgumentException(name);
+        }
+
+        private static PlanPoint[] Trace(DrawnPicture picture)
+        {
+            WorkingPicture working = WorkingPicture.Of(picture.ToPicture());
+            return OutlineFinder.Find(WingSeparation.Of(working), working.Factor);
+        }
+
+        private static UnityEngine.Vector2 V(float x, float y) => new UnityEngine.Vector2(x, y);
+    }
+}

@@ -1,0 +1,139 @@
+using System;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    public sealed class WingTracerTests
+    {
+        [TestCase(false, 0f)]
+        [TestCase(false, 25f)]
+        [TestCase(true, 0f)]
+        [TestCase(true, 25f)]
+        public void Mesh_HasTheHingeAtItsOrigin_TheLeadingEdgeAhead_AndTheSideOfThePicture(bool isLeft, float degrees)
+        {
+            WingTrace trace = Trace(DrawnWing.Monarch(), isLeft, degrees);
+
+            float side = isLeft ? -1f : 1f, reach = 0f;
+            foreach (Vector3 position in trace.Surface.positions)
+                reach = Math.Max(reach, side * position.x);
+            Assert.That(reach, Is.EqualTo(2f).Within(0.01), "the wing's length");
+            Assert.That(trace.Skeleton.Hinge.magnitude, Is.LessThan(1e-4));
+            Assert.That(side * trace.Skeleton.SpanAxis.x, Is.EqualTo(1f).Within(1e-3));
+            Assert.That(trace.Skeleton.GetJoint(0, 2).z, Is.GreaterThan(trace.Skeleton.GetJoint(4, 2).z + 0.2f));
+            Assert.That(trace.Skeleton.Validate(), Is.Empty);
+        }
+
+        [Test]
+        public void Mesh_LiesFlatAndFacesUp()
+        {
+            SurfaceMesh mesh = Trace(DrawnWing.Tailed()).Surface;
+
+            for (int k = 0; k < mesh.triangles.Length; k += 3)
+            {
+                Vector3 a = mesh.positions[mesh.triangles[k]], b = mesh.positions[mesh.triangles[k + 1]], c = mesh.positions[mesh.triangles[k + 2]];
+                Assert.That(Vector3.Cross(b - a, c - a).y, Is.GreaterThan(0f));
+            }
+
+            Assert.That(Array.TrueForAll(mesh.positions, position => position.y == 0f));
+            Assert.That(mesh.normals, Is.All.EqualTo(Vector3.up));
+        }
+
+        [Test]
+        public void TextureCoordinates_AreThoseOfThePicture()
+        {
+            WingTrace trace = Trace(DrawnWing.Fan(), true, 30f);
+
+            for (int k = 0; k < trace.Surface.VertexCount; k++)
+            {
+                Vector2 place = trace.Placement.ToPicture(trace.Surface.positions[k]), uv = trace.Surface.uvs[k];
+                Assert.That(uv.x, Is.EqualTo(place.x / 400f).Within(1e-4));
+                Assert.That(uv.y, Is.EqualTo(1f - place.y / 400f).Within(1e-4));
+            }
+        }
+
+        [TestCase(50)]
+        [TestCase(333)]
+        [TestCase(5000)]
+        public void Mesh_HasTheTrianglesAskedFor(int triangles)
+        {
+            WingTracingSettings settings = WingTracingSettings.Default;
+            settings.triangles = triangles;
+
+            WingTrace trace = WingTracer.Trace(DrawnWing.Scalloped().In(300).Draw(DrawnKind.Silhouette).ToPicture(), settings);
+
+            Assert.That(trace.Surface.TriangleCount, Is.EqualTo(triangles));
+        }
+
+        [Test]
+        public void HingeThatIsGiven_IsTheMeshsOrigin()
+        {
+            WingPlace place = DrawnWing.Fan().In(400);
+            WingTracingSettings settings = WingTracingSettings.Default;
+            settings.hinge = place.At(Vector2.zero);
+
+            WingTrace trace = WingTracer.Trace(place.Draw(DrawnKind.Silhouette).ToPicture(), settings);
+
+            Assert.That((trace.Placement.ToPicture(Vector3.zero) - settings.hinge.Value).magnitude, Is.LessThan(0.5f));
+            Assert.That(trace.Warnings, Has.None.Contains("hinge"));
+        }
+
+        [Test]
+        public void LeadingEdgeBelow_TurnsTheWingOver()
+        {
+            WingPlace place = DrawnWing.Monarch().In(400);
+            WingTracingSettings settings = WingTracingSettings.Default;
+            settings.forward = new Vector2(0f, 1f);
+            settings.hinge = place.At(Vector2.zero);
+
+            WingTrace trace = WingTracer.Trace(place.Draw(DrawnKind.Silhouette).ToPicture(), settings);
+
+            Assert.That(trace.Skeleton.SpanAxis.x, Is.LessThan(-0.99f), "upside down, it is a left wing");
+            Vector2 first = trace.Placement.ToPicture(trace.Skeleton.GetJoint(0, 2)), last = trace.Placement.ToPicture(trace.Skeleton.GetJoint(4, 2));
+            Assert.That(first.y, Is.GreaterThan(last.y), "the first chain lies lower in the picture");
+        }
+
+        [Test]
+        public void WingThatRunsOutOfThePicture_TurnsThere()
+        {
+            WingPlace place = DrawnWing.Scalloped().In(400, 0f, false, 0.9f);
+            var picture = new DrawnPicture(400, 400, new Color32(255, 255, 255, 255));
+            Vector2[] moved = Array.ConvertAll(place.Outline, point => point - new Vector2(60f, 0f));
+
+            WingTrace trace = WingTracer.Trace(picture.Fill(moved, new Color32(0, 0, 0, 255)).ToPicture(), WingTracingSettings.Default);
+
+            Assert.That(trace.Placement.ToPicture(trace.Skeleton.Hinge).x, Is.LessThan(3f));
+            Assert.That(trace.Warnings, Has.Some.Contains("edge"));
+        }
+
+        [Test]
+        public void MeshAndSkeleton_MakeARig()
+        {
+            WingTrace trace = Trace(DrawnWing.Tailed());
+
+            WingRig rig = WingRig.Bake(trace.Skeleton, trace.Surface.ToWingSurface("traced"), WingRigSettings.Default);
+
+            Assert.That(rig.JointCount, Is.EqualTo(25));
+            rig.Release();
+        }
+
+        [Test]
+        public void SamePicture_GivesTheSameSkeleton()
+        {
+            WingPicture picture = new DrawnVeinPicture(DrawnWing.Monarch(), 300, 6, VeinLook.Photo).Picture.ToPicture();
+
+            string one = SkeletonJson.Write(WingTracer.Trace(picture, WingTracingSettings.Default).Skeleton);
+
+            Assert.That(SkeletonJson.Write(WingTracer.Trace(picture, WingTracingSettings.Default).Skeleton), Is.EqualTo(one));
+        }
+
+        private static WingTrace Trace(DrawnWing wing, bool isLeft = false, float degrees = 0f)
+        {
+            WingPlace place = wing.In(400, degrees, isLeft);
+            WingTracingSettings settings = WingTracingSettings.Default;
+            settings.length = 2f;
+            settings.hinge = place.At(Vector2.zero);
+            return WingTracer.Trace(place.Draw(DrawnKind.Silhouette).ToPicture(), settings);
+        }
+    }
+}
