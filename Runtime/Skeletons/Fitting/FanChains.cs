@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 
@@ -5,12 +6,20 @@ namespace Alate
 {
     /// <summary>
     /// Lays the chains of a wing: the first along its leading edge, the last straight to the trailing edge, those between along level
-    /// lines of a <see cref="FanField"/>. A chain that ends next to a tail goes on into it.
+    /// lines of a <see cref="FanField"/>, straightened as far as the wing allows. A chain that ends next to a tail goes on into it.
     /// </summary>
     internal sealed class FanChains
     {
         /// <summary>How far a chain may stray from the wing without a word, wing reaches.</summary>
         private const double k_Outside = 0.01;
+
+        /// <summary>How much of the way from its level line to a straight line a chain is drawn; wings jointed by hand have straight ones.</summary>
+        private const double k_Straightness = 0.6;
+
+        /// <summary>How far that straight line may stray from the wing before the chain keeps to its level line, wing reaches.</summary>
+        private const double k_Stray = 0.03;
+
+        private const int k_Places = 60;
 
         private readonly ClosedCurve m_Outline;
         private readonly WingLandmarks m_Marks;
@@ -40,8 +49,8 @@ namespace Alate
             for (int i = 1; i < last; i++)
             {
                 PlanPoint root = made[0][0] + (made[last][0] - made[0][0]) * shares[i];
-                List<PlanPoint> path = LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
-                made[i] = Jointed(path, shares.TailOf(i), joints);
+                List<PlanPoint> level = LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
+                made[i] = Jointed(Straightened(level), shares.TailOf(i), joints);
             }
 
             ChainOrder.Untangle(made);
@@ -61,6 +70,16 @@ namespace Alate
                         $"Chain {i} strays {(100.0 * outside).ToString("0.#", CultureInfo.InvariantCulture)} % of the wing's length from it.");
                 }
             }
+        }
+
+        private List<PlanPoint> Straightened(List<PlanPoint> level)
+        {
+            PlanPoint[] ends = { level[0], level[level.Count - 1] };
+            double share = k_Straightness * Math.Max(0.0, 1.0 - ChainInset.Outside(ends, m_Outline) / k_Stray);
+            PlanPoint[] path = OpenPath.Even(level, k_Places);
+            for (int k = 1; k < k_Places - 1; k++)
+                path[k] += (ends[0] + (ends[1] - ends[0]) * ((double)k / (k_Places - 1)) - path[k]) * share;
+            return new List<PlanPoint>(path);
         }
 
         // Evenly along a path and on to the end of a tail.

@@ -20,7 +20,7 @@ namespace Alate
         /// The tip is where the outline touches the outermost of the spirals ln r + c·angle = const about the base: the farthest place,
         /// of nearly equally far ones one closer to the leading edge. This is c.
         /// </summary>
-        private const double k_Spiral = 0.45;
+        private const double k_Spiral = 0.3;
 
         /// <summary>Standard deviation of the tip's place, wing reaches, up to which it is clear; a round wing has about 0.06.</summary>
         private const double k_ClearTip = 0.075;
@@ -30,7 +30,7 @@ namespace Alate
         private const double k_LastSharpness = 150.0;
 
         /// <summary>The last tip is looked for around the middle of the trailing edge: depth that it must win to lie a quarter of the edge off.</summary>
-        private const double k_MiddlePull = 0.05;
+        private const double k_MiddlePull = 0.07;
 
         /// <summary>The last chain reaches at most this many times as far as the first, or it would count as the principal one.</summary>
         private const double k_MostReach = 1.3;

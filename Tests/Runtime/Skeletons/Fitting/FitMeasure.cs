@@ -46,14 +46,19 @@ namespace Alate.Tests
             return outside / Span;
         }
 
-        /// <summary>Largest distance of the principal chain's outer two thirds from the leading edge between its root and its tip.</summary>
+        /// <summary>Largest distance of the outer two thirds of the principal chain's length from the leading edge between its root and its tip.</summary>
         public double OffLeadingEdge()
         {
             List<PlanPoint> chain = Walk(0);
             List<PlanPoint> edge = Edge(Nearest(chain[0]), Nearest(chain[chain.Count - 1]));
-            double off = 0.0;
-            for (int k = chain.Count / 3; k < chain.Count; k++)
-                off = Math.Max(off, Distance(chain[k], edge, false));
+            double off = 0.0, walked = 0.0, length = OpenPath.Length(chain);
+            for (int k = 1; k < chain.Count; k++)
+            {
+                walked += Math.Sqrt((chain[k] - chain[k - 1]).LengthSquared);
+                if (walked >= length / 3.0)
+                    off = Math.Max(off, Distance(chain[k], edge, false));
+            }
+
             return off / Span;
         }
 
