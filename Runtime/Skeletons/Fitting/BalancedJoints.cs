@@ -14,7 +14,7 @@ namespace Alate
         private const int k_Steps = 16;
 
         /// <summary>
-        /// A bone's cost is the square of the sum of this share of its length and of its largest distance from the path, squared, over the
+        /// A bone's cost is the cube of the sum of this share of its length and of its largest distance from the path, squared, over the
         /// distance that is nothing to mind, wing reaches: small bends leave the joints even.
         /// </summary>
         private const double k_LengthShare = 0.05;
@@ -100,7 +100,7 @@ namespace Alate
             }
 
             double cost = farthest / k_Unminded + k_LengthShare * Math.Sqrt((end - start).LengthSquared);
-            return cost * cost;
+            return cost * cost * cost;
         }
     }
 }

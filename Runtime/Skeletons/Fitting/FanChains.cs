@@ -17,7 +17,7 @@ namespace Alate
         private const double k_Straightness = 0.6;
 
         /// <summary>How far that straight line may stray from the wing before the chain keeps to its level line, wing reaches.</summary>
-        private const double k_Stray = 0.03;
+        private const double k_Stray = 0.015;
 
         private const int k_Places = 60;
 

@@ -20,7 +20,7 @@ namespace Alate
         /// The tip is where the outline touches the outermost of the spirals ln r + c·angle = const about the base: the farthest place,
         /// of nearly equally far ones one closer to the leading edge. This is c.
         /// </summary>
-        private const double k_Spiral = 0.3;
+        private const double k_Spiral = 0.45;
 
         /// <summary>Standard deviation of the tip's place, wing reaches, up to which it is clear; a round wing has about 0.06.</summary>
         private const double k_ClearTip = 0.075;
