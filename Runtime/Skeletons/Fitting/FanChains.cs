@@ -16,8 +16,8 @@ namespace Alate
         /// <summary>How much of the way from its level line to a straight line a chain is drawn; wings jointed by hand have straight ones.</summary>
         private const double k_Straightness = 0.6;
 
-        /// <summary>How far that straight line may stray from the wing before the chain keeps to its level line, wing reaches.</summary>
-        private const double k_Stray = 0.015;
+        /// <summary>How far any of these straight lines may stray from the wing before all chains keep to their level lines, wing reaches.</summary>
+        private const double k_Stray = 0.03;
 
         private const int k_Places = 60;
 
@@ -46,12 +46,18 @@ namespace Alate
             made[last] = Jointed(new List<PlanPoint>(lastPath), shares.TailOf(last), joints);
 
             FanField field = Field(made[0], shares.TailOf(last) == null ? made[last] : (IReadOnlyList<PlanPoint>)lastPath);
+            var levels = new List<PlanPoint>[chains];
+            double straightness = k_Straightness;
             for (int i = 1; i < last; i++)
             {
-                PlanPoint root = made[0][0] + (made[last][0] - made[0][0]) * shares[i];
-                List<PlanPoint> level = LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
-                made[i] = Jointed(Straightened(level), shares.TailOf(i), joints);
+                PlanPoint root = made[0][0] + (made[last][0] - made[0][0]) * shares[i], tip = m_Margin.At(shares[i]);
+                levels[i] = LevelLine.Trace(field, shares[i], root, tip);
+                double outside = ChainInset.Outside(new[] { root, tip }, m_Outline);
+                straightness = Math.Min(straightness, k_Straightness * Math.Max(0.0, 1.0 - outside / k_Stray));
             }
+
+            for (int i = 1; i < last; i++)
+                made[i] = Jointed(Straightened(levels[i], straightness), shares.TailOf(i), joints);
 
             ChainOrder.Untangle(made);
             Warn(made);
@@ -72,13 +78,13 @@ namespace Alate
             }
         }
 
-        private List<PlanPoint> Straightened(List<PlanPoint> level)
+        // All chains by as much: else one could come to lie across the next.
+        private static List<PlanPoint> Straightened(List<PlanPoint> level, double share)
         {
-            PlanPoint[] ends = { level[0], level[level.Count - 1] };
-            double share = k_Straightness * Math.Max(0.0, 1.0 - ChainInset.Outside(ends, m_Outline) / k_Stray);
+            PlanPoint root = level[0], tip = level[level.Count - 1];
             PlanPoint[] path = OpenPath.Even(level, k_Places);
             for (int k = 1; k < k_Places - 1; k++)
-                path[k] += (ends[0] + (ends[1] - ends[0]) * ((double)k / (k_Places - 1)) - path[k]) * share;
+                path[k] += (root + (tip - root) * ((double)k / (k_Places - 1)) - path[k]) * share;
             return new List<PlanPoint>(path);
         }
 
