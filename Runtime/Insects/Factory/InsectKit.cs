@@ -43,7 +43,7 @@ namespace Alate
             try
             {
                 kit.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);
-                kit.BodyMesh = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre).ToMesh($"{kit.Name} {k_Body}");
+                kit.BodyMesh = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre).ToMesh($"{kit.Name} {k_Body} Mesh");
                 foreach (WingKit wing in kit.Wings)
                     Fill(wing, kind, $"{kit.Name} {Title(wing.Wing.Name)}", keepPixels);
             }
@@ -120,10 +120,10 @@ namespace Alate
             kit.Material = WingMaterial.ForWing(kit.Wing, WingMaterial.DefaultTextureSize, keepPixels);
             kit.Material.name = name;
             kit.Species = kit.Wing.CreateSpecies(kind.Preset, kind.Variant);
-            kit.Species.name = name;
+            kit.Species.name = name + " Preset";
             kit.Skeleton = kit.Wing.CreateSkeleton(WingSide.Right);
             kit.Skeleton.name = name + " Skeleton";
-            kit.Mesh = kit.Wing.CreateSurface(WingSide.Right).ToMesh(name);
+            kit.Mesh = kit.Wing.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");
         }
 
         private static Wing Attach(Transform body, WingKit kit, WingSide side)
