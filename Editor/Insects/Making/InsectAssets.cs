@@ -36,19 +36,17 @@ namespace Alate.Editor
         private GameObject Save(SpeciesDefinition species)
         {
             AssetFolder.Ensure(m_Folder);
-            InsectKit kit = InsectKit.Make(new InsectKind(species, SpeciesVariant.Standard, ModelPreset.Physical), keepPixels: true);
+            InsectKit kit = InsectKit.Make(species, keepPixels: true);
             kit.BodyMesh = Keep(kit.BodyMesh);
             kit.BodyMaterial = Keep(kit.BodyMaterial);
             foreach (WingKit wing in kit.Wings)
             {
                 wing.Mesh = Keep(wing.Mesh);
                 wing.Skeleton = Keep(wing.Skeleton);
-                wing.Species = Keep(wing.Species);
                 wing.Material = Keep(wing.Material);
-                KeepVariants(wing);
             }
 
-            GameObject root = kit.Assemble();
+            GameObject root = kit.Assemble(KeepPresets(kit, species));
             root.SetActive(true);
             GameObject prefab = PrefabUtility.SaveAsPrefabAsset(root, PrefabPath(species));
             Object.DestroyImmediate(root);
@@ -56,17 +54,17 @@ namespace Alate.Editor
             return prefab;
         }
 
-        // The numbers of the other variants, to be dragged into the field Species.
-        private void KeepVariants(WingKit wing)
+        // Those of the standard variant; the others lie beside them, to be dragged into the field Species.
+        private WingSpecies[] KeepPresets(InsectKit kit, SpeciesDefinition species)
         {
-            foreach (SpeciesVariant variant in wing.Wing.Variants)
+            WingSpecies[] standard = null;
+            foreach (SpeciesVariant variant in species.Variants)
             {
-                if (variant == SpeciesVariant.Standard)
-                    continue;
-                WingSpecies preset = wing.Wing.CreateSpecies(ModelPreset.Physical, variant);
-                preset.name = $"{wing.Species.name} {variant}";
-                Keep(preset);
+                WingSpecies[] kept = Array.ConvertAll(kit.CreatePresets(variant, ModelPreset.Physical), Keep);
+                standard = standard ?? kept;
             }
+
+            return standard;
         }
 
         private Material Keep(Material made)

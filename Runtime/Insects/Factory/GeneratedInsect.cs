@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// Holds on to what an insect made by <see cref="InsectFactory"/> shares with others of its kind: it is freed when the last of them, clones included, is destroyed.
+    /// Holds on to what an insect made by <see cref="InsectFactory"/> shares with others of its species: it is freed when the last of them, clones included, is destroyed.
     /// </summary>
     [AddComponentMenu("")]
     [DisallowMultipleComponent]
@@ -11,15 +11,15 @@ namespace Alate
     {
         // Serialised, so that a clone knows it too.
         [SerializeField, HideInInspector]
-        InsectKind m_Kind;
+        string m_Species;
 
-        internal InsectKind Kind
+        internal string Species
         {
-            set => m_Kind = value;
+            set => m_Species = value;
         }
 
-        private void Awake() => InsectKits.Take(m_Kind);
+        private void Awake() => InsectKits.Take(m_Species);
 
-        private void OnDestroy() => InsectKits.Return(m_Kind);
+        private void OnDestroy() => InsectKits.Return(m_Species);
     }
 }

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// Makes ready insects of the catalogue by code, without assets: body, wings, materials and a living <see cref="InsectWings"/>. All insects of one kind share
-    /// their meshes, skeletons, presets and materials, which are hidden, are never saved, and go with the last of them.
+    /// Makes ready insects of the catalogue by code, without assets: body, wings, materials and a living <see cref="InsectWings"/>. All insects of one species
+    /// share their meshes, skeletons and materials, those of one variant also their presets, which are hidden, are never saved, and go with the last of them.
     /// </summary>
     /// <remarks>
     /// To tune one insect alone give it a preset of its own: <c>insect.Species = Object.Instantiate(insect.Species)</c>, and likewise each
@@ -33,16 +33,31 @@ namespace Alate
         {
             if (species == null)
                 throw new ArgumentNullException(nameof(species));
-            var kind = new InsectKind(species, variant, preset);
-            return Application.isPlaying ? Share(kind) : Activated(InsectKit.Make(kind).Assemble());
+            CheckVariant(species, variant);
+            if (Application.isPlaying)
+                return Share(species, variant, preset);
+            InsectKit kit = InsectKit.Make(species);
+            return Activated(kit.Assemble(kit.CreatePresets(variant, preset)));
         }
 
-        private static InsectWings Share(in InsectKind kind)
+        private static void CheckVariant(SpeciesDefinition species, SpeciesVariant variant)
         {
-            GameObject made = InsectKits.Take(kind).Assemble();
-            made.AddComponent<GeneratedInsect>().Kind = kind;
+            foreach (SpeciesVariant known in species.Variants)
+            {
+                if (known == variant)
+                    return;
+            }
+
+            throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
+        }
+
+        private static InsectWings Share(SpeciesDefinition species, SpeciesVariant variant, ModelPreset preset)
+        {
+            InsectKit kit = InsectKits.Take(species.Name);
+            GameObject made = kit.Assemble(kit.SharedPresets(variant, preset));
+            made.AddComponent<GeneratedInsect>().Species = species.Name;
             InsectWings insect = Activated(made);
-            InsectKits.Return(kind);
+            InsectKits.Return(species.Name);
             return insect;
         }
 

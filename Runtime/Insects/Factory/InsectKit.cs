@@ -5,11 +5,13 @@ using Object = UnityEngine.Object;
 
 namespace Alate
 {
-    /// <summary>What the insects of one kind share, and how an insect is put together of it: meshes, skeletons, presets and materials.</summary>
+    /// <summary>What the insects of one species share, and how an insect is put together of it: meshes, skeletons, materials, and the presets that were asked for.</summary>
     internal sealed class InsectKit
     {
         private const string k_Body = "Body";
         private static readonly WingSide[] s_Sides = { WingSide.Right, WingSide.Left };
+
+        private readonly Dictionary<(SpeciesVariant, ModelPreset), WingSpecies[]> m_Presets = new Dictionary<(SpeciesVariant, ModelPreset), WingSpecies[]>();
 
         private InsectKit(SpeciesDefinition species)
         {
@@ -33,19 +35,18 @@ namespace Alate
         public Material BodyMaterial { get; set; }
 
         /// <summary>Makes everything anew; the caller owns it.</summary>
-        /// <param name="kind">Of what insect.</param>
+        /// <param name="species">Of what insect.</param>
         /// <param name="keepPixels">Whether the textures of the materials can be read, to be saved.</param>
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
-        public static InsectKit Make(in InsectKind kind, bool keepPixels = false)
+        public static InsectKit Make(SpeciesDefinition species, bool keepPixels = false)
         {
-            SpeciesDefinition species = kind.Species;
             var kit = new InsectKit(species);
             try
             {
                 kit.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);
                 kit.BodyMesh = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre).ToMesh($"{kit.Name} {k_Body} Mesh");
                 foreach (WingKit wing in kit.Wings)
-                    Fill(wing, kind, $"{kit.Name} {Title(wing.Wing.Name)}", keepPixels);
+                    Fill(wing, kit.NameOf(wing), keepPixels);
             }
             catch
             {
@@ -56,41 +57,55 @@ namespace Alate
             return kit;
         }
 
+        /// <summary>[wing] New presets of all kinds of wings.</summary>
+        public WingSpecies[] CreatePresets(SpeciesVariant variant, ModelPreset preset)
+        {
+            var made = new WingSpecies[Wings.Count];
+            for (int k = 0; k < made.Length; k++)
+            {
+                made[k] = Wings[k].Wing.CreateSpecies(preset, variant);
+                made[k].name = $"{NameOf(Wings[k])} Preset{(variant == SpeciesVariant.Standard ? "" : " " + variant)}";
+            }
+
+            return made;
+        }
+
+        /// <summary>[wing] Presets that are shared, and hidden as the kit is.</summary>
+        public WingSpecies[] SharedPresets(SpeciesVariant variant, ModelPreset preset)
+        {
+            if (!m_Presets.TryGetValue((variant, preset), out WingSpecies[] shared))
+            {
+                shared = CreatePresets(variant, preset);
+                foreach (WingSpecies made in shared)
+                    made.hideFlags = HideFlags.HideAndDontSave;
+                m_Presets.Add((variant, preset), shared);
+            }
+
+            return shared;
+        }
+
         /// <summary>An insect of these parts, inactive: body and wings below a root with <see cref="InsectWings"/>.</summary>
-        public GameObject Assemble()
+        /// <param name="presets">[wing] How the wings beat.</param>
+        public GameObject Assemble(WingSpecies[] presets)
         {
             var root = new GameObject(Name);
             root.SetActive(false);
             var insect = root.AddComponent<InsectWings>();
             Draw(root.transform, k_Body, BodyMesh, BodyMaterial);
             insect.Wings.Clear();
-            insect.Species = Wings[0].Species;
+            insect.Species = presets[0];
             for (int k = 0; k < Wings.Count; k++)
             {
                 foreach (WingSide side in s_Sides)
                 {
                     Wing wing = Attach(root.transform, Wings[k], side);
                     wing.Pair = k == 0 ? WingPair.Fore : WingPair.Hind;
-                    wing.Species = k == 0 ? null : Wings[k].Species;
+                    wing.Species = k == 0 ? null : presets[k];
                     insect.Wings.Add(wing);
                 }
             }
 
             return root;
-        }
-
-        /// <summary>Everything there is, one by one; textures not, which go with their materials.</summary>
-        public IEnumerable<Object> Parts()
-        {
-            yield return BodyMesh;
-            yield return BodyMaterial;
-            foreach (WingKit wing in Wings)
-            {
-                yield return wing.Mesh;
-                yield return wing.Skeleton;
-                yield return wing.Species;
-                yield return wing.Material;
-            }
         }
 
         /// <summary>Keeps everything out of scenes and from being unloaded with them.</summary>
@@ -115,12 +130,31 @@ namespace Alate
             }
         }
 
-        private static void Fill(WingKit kit, in InsectKind kind, string name, bool keepPixels)
+        // Everything there is, one by one; textures not, which go with their materials.
+        private IEnumerable<Object> Parts()
+        {
+            yield return BodyMesh;
+            yield return BodyMaterial;
+            foreach (WingKit wing in Wings)
+            {
+                yield return wing.Mesh;
+                yield return wing.Skeleton;
+                yield return wing.Material;
+            }
+
+            foreach (WingSpecies[] presets in m_Presets.Values)
+            {
+                foreach (WingSpecies preset in presets)
+                    yield return preset;
+            }
+        }
+
+        private string NameOf(WingKit wing) => $"{Name} {Title(wing.Wing.Name)}";
+
+        private static void Fill(WingKit kit, string name, bool keepPixels)
         {
             kit.Material = WingMaterial.ForWing(kit.Wing, WingMaterial.DefaultTextureSize, keepPixels);
             kit.Material.name = name;
-            kit.Species = kit.Wing.CreateSpecies(kind.Preset, kind.Variant);
-            kit.Species.name = name + " Preset";
             kit.Skeleton = kit.Wing.CreateSkeleton(WingSide.Right);
             kit.Skeleton.name = name + " Skeleton";
             kit.Mesh = kit.Wing.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");

@@ -6,19 +6,20 @@ namespace Alate
     /// <summary>The kits that insects made at run time share, each as long as one of them is there.</summary>
     internal static class InsectKits
     {
-        private static readonly Dictionary<InsectKind, Entry> s_Entries = new Dictionary<InsectKind, Entry>();
+        private static readonly Dictionary<string, Entry> s_Entries = new Dictionary<string, Entry>();
 
         /// <summary>Kits in use.</summary>
         public static int Count => s_Entries.Count;
 
-        /// <summary>Finds or makes the kit of a kind; one user more.</summary>
-        public static InsectKit Take(in InsectKind kind)
+        /// <summary>Finds or makes the kit of a species; one user more.</summary>
+        /// <param name="species">Its name in the catalogue.</param>
+        public static InsectKit Take(string species)
         {
-            if (!s_Entries.TryGetValue(kind, out Entry entry))
+            if (!s_Entries.TryGetValue(species, out Entry entry))
             {
-                entry = new Entry { kit = InsectKit.Make(kind) };
+                entry = new Entry { kit = InsectKit.Make(Species.Find(species)) };
                 entry.kit.Hide();
-                s_Entries.Add(kind, entry);
+                s_Entries.Add(species, entry);
             }
 
             entry.users++;
@@ -26,11 +27,11 @@ namespace Alate
         }
 
         /// <summary>One user fewer; the last one frees it.</summary>
-        public static void Return(in InsectKind kind)
+        public static void Return(string species)
         {
-            if (!s_Entries.TryGetValue(kind, out Entry entry) || --entry.users > 0)
+            if (!s_Entries.TryGetValue(species, out Entry entry) || --entry.users > 0)
                 return;
-            s_Entries.Remove(kind);
+            s_Entries.Remove(species);
             entry.kit.Destroy();
         }
 

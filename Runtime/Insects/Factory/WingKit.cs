@@ -19,9 +19,6 @@ namespace Alate
         /// <summary>In the space of the mesh.</summary>
         public WingSkeleton Skeleton { get; set; }
 
-        /// <summary>The preset.</summary>
-        public WingSpecies Species { get; set; }
-
         /// <summary>Colours and light.</summary>
         public Material Material { get; set; }
     }

@@ -52,7 +52,7 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator InsectsOfOneKind_ShareEverythingButTheirLivingMeshes()
+        public IEnumerator InsectsOfOneSpecies_ShareEverythingButTheirLivingMeshes()
         {
             InsectWings one = Made("swallowtail"), two = Made("swallowtail");
             Assert.That(InsectKits.Count, Is.EqualTo(1));
@@ -130,6 +130,7 @@ namespace Alate.Tests.Play
             yield return null;
             Assert.That(soft.Species.Stiffness.elasticity, Is.LessThan(printed.Species.Stiffness.elasticity));
             Assert.That(printed.Species.Wave.chordDelay, Is.EqualTo(1f));
+            Assert.That(BodyOf(printed), Is.SameAs(BodyOf(soft)), "variants differ in their presets alone");
         }
 
         [Test]
