@@ -109,6 +109,7 @@ public static class PlayerLoop
         FrameEnding?.Invoke();
         Visibility.Update();
         Doomed.End();
+        ProfilerCounters.EndFrame();
         NativeMemoryLedger.EndFrame();
     }
 }
