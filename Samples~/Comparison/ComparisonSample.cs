@@ -17,7 +17,7 @@ namespace Alate.Samples
         private OrbitCamera m_Camera;
         private Tuning m_Tuning = Tuning.None;
         private float m_TimeScale = 0.15f;
-        private int m_Species, m_Wanted, m_Solo = -1;
+        private int m_Species, m_Wanted;
 
         private void Awake()
         {
@@ -30,9 +30,7 @@ namespace Alate.Samples
 
         private void Update()
         {
-            if (m_Study.IsLeft)
-                ShowSpecies();
-            else if (!m_Study.IsOn && m_Wanted != m_Species)
+            if (m_Study.IsLeft || (!m_Study.IsOn && m_Wanted != m_Species))
                 ShowSpecies();
             if (m_Study.IsOn)
                 m_Study.Update();
@@ -60,7 +58,6 @@ namespace Alate.Samples
         private void ShowSpecies()
         {
             m_Species = m_Wanted;
-            m_Solo = -1;
             m_Study.IsLeft = false;
             m_Stage.Show(Species.All[m_Species], ComparisonColumn.All, m_Tuning);
         }
@@ -99,10 +96,8 @@ namespace Alate.Samples
             if (Event.current.type != EventType.KeyDown)
                 return;
             int number = Event.current.keyCode - KeyCode.Alpha0;
-            if (number < 0 || number > m_Stage.Stands.Count)
-                return;
-            m_Solo = number - 1;
-            m_Stage.Solo(m_Solo);
+            if (number >= 0 && number <= m_Stage.Stands.Count)
+                m_Stage.Solo(number - 1);
         }
 
         private void Label(Stand stand)

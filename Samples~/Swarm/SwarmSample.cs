@@ -11,6 +11,8 @@ namespace Alate.Samples
         private const float k_CameraDistance = 9f, k_Smoothing = 0.05f;
         private const int k_Most = 800;
 
+        private static readonly string[] s_Species = { "monarch", "painted-lichen-moth", "fishfly" };
+
         // Full, fewer substeps, coarse patches, waves only, frozen.
         private static readonly Color[] s_Colours =
         {
@@ -20,10 +22,6 @@ namespace Alate.Samples
         [SerializeField, Range(1, k_Most)]
         [Tooltip("Insects, 1 to 800; 300.")]
         private int m_Count = 300;
-
-        [SerializeField]
-        [Tooltip("Species of the swarm, names of the catalogue in turn.")]
-        private string[] m_Species = { "monarch", "painted-lichen-moth", "fishfly" };
 
         private readonly List<Flyer> m_Flyers = new List<Flyer>();
         private readonly int[] m_PerDetail = new int[s_Colours.Length];
@@ -48,7 +46,7 @@ namespace Alate.Samples
         {
             // A few a frame, so that a thousand new insects are no hitch.
             for (int made = 0; m_Flyers.Count < m_Count && made < 20; made++)
-                m_Flyers.Add(new Flyer(m_Species[m_Flyers.Count % m_Species.Length], m_Flyers.Count, transform));
+                m_Flyers.Add(new Flyer(s_Species[m_Flyers.Count % s_Species.Length], m_Flyers.Count, transform));
             while (m_Flyers.Count > m_Count)
             {
                 m_Flyers[m_Flyers.Count - 1].Destroy();
