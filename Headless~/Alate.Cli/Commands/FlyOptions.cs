@@ -118,8 +118,8 @@ internal sealed class FlyOptions
             Patches = FlyCommand.Patches(parsed.GetValue(m_Elements)),
             Coefficients = parsed.GetValue(m_Coefficients),
             Preset = parsed.GetValue(m_Preset) ?? ModelPreset.Physical,
-            NoWave = parsed.GetValue(m_NoWave),
-            Rigid = parsed.GetValue(m_Rigid),
+            Column = parsed.GetValue(m_Rigid) ? ComparisonColumn.RigidWing
+                : parsed.GetValue(m_NoWave) ? ComparisonColumn.NoWave : ComparisonColumn.FullModel,
             View = parsed.GetValue(m_View) ?? PictureView.FrontLeft,
             Folder = parsed.GetValue(m_Out),
         };
@@ -138,7 +138,7 @@ internal sealed class FlyOptions
             throw new UserException("With --mesh the species is named by --species, not as an argument.");
         if (plan.Species == null)
             throw new UserException(plan.MeshFile == null ? $"Which species? Known: {known}." : $"--mesh needs --species. Known: {known}.");
-        if (plan.Lag != null && (plan.NoWave || plan.Rigid))
-            throw new UserException($"--lag and {(plan.Rigid ? "--rigid" : "--no-wave")} exclude each other.");
+        if (plan.Lag != null && plan.Column != ComparisonColumn.FullModel)
+            throw new UserException($"--lag and --{plan.Column.Name} exclude each other.");
     }
 }

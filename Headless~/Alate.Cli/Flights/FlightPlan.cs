@@ -36,8 +36,9 @@ internal sealed class FlightPlan
     public CoefficientSet? Coefficients { get; init; }
     public ModelPreset Preset { get; init; }
     public SpeciesVariant Variant { get; init; }
-    public bool NoWave { get; init; }
-    public bool Rigid { get; init; }
+
+    /// <summary>What of the model is left out.</summary>
+    public ComparisonColumn Column { get; init; } = ComparisonColumn.FullModel;
 
     /// <summary>The side from which the pictures show the insect.</summary>
     public PictureView View { get; init; } = PictureView.FrontLeft;
@@ -62,19 +63,13 @@ internal sealed class FlightPlan
     /// <exception cref="UserException">They leave the range that the model takes.</exception>
     public WingParameters ParametersOf(WingSpecies species)
     {
-        WingParameters parameters = species.ToParameters();
+        WingSpecies shown = Column.CreateSpecies(species);
+        WingParameters parameters = shown.ToParameters();
+        UnityEngine.Object.DestroyImmediate(shown);
         parameters.elasticity *= (float)Elasticity;
         parameters.substepsPerBeat = Substeps ?? parameters.substepsPerBeat;
         parameters.chordDelay = (float)(Lag ?? parameters.chordDelay);
         parameters.options.coefficients = Coefficients ?? parameters.options.coefficients;
-        if (NoWave || Rigid)
-            parameters.chordDelay = parameters.spanDelay = 0f;
-        if (Rigid)
-        {
-            parameters.rootShare = 1f;
-            parameters.jointLimit = 0f;
-        }
-
         string problem = parameters.FindProblem();
         return problem == null ? parameters : throw new UserException(problem);
     }

@@ -79,8 +79,8 @@ internal static class SummaryJson
         json.WriteString("coefficients", parameters.options.coefficients.ToString().ToLowerInvariant());
         json.WriteString("preset", plan.Preset.ToString().ToLowerInvariant());
         json.WriteString("variant", plan.Variant.ToString().ToLowerInvariant());
-        json.WriteBoolean("no_wave", plan.NoWave);
-        json.WriteBoolean("rigid", plan.Rigid);
+        json.WriteBoolean("no_wave", plan.Column == ComparisonColumn.NoWave);
+        json.WriteBoolean("rigid", plan.Column == ComparisonColumn.RigidWing);
         if (plan.MeshFile != null)
         {
             json.WriteString("mesh", plan.MeshFile);

@@ -47,7 +47,7 @@ namespace Alate.Tests.Cli
         {
             var plan = new FlightPlan
             {
-                Species = "monarch", Speed = 0.75, PitchDegrees = 12.5, Wind = new[] { 0.5, 0.0, -0.25 }, Patches = 0, NoWave = true,
+                Species = "monarch", Speed = 0.75, PitchDegrees = 12.5, Wind = new[] { 0.5, 0.0, -0.25 }, Patches = 0, Column = ComparisonColumn.NoWave,
             };
             JsonElement options = Parsed(Written(MonarchFlight.Fly(plan))).GetProperty("options");
 

@@ -35,6 +35,7 @@ namespace Alate.Tests.Play
             yield return Frames(3);
             Assert.That(WingSystem.Crowd, Is.Null, "the system has outlived its insects");
             Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
+            Assert.That(InsectKits.Count, Is.Zero, "parts of generated insects were left behind");
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
         }
 
