@@ -87,6 +87,7 @@ namespace Alate
                 bend.y - bend.x,
                 math.max(math.abs(bend.x), math.abs(bend.y)),
                 EdgeLag.Of(m_Middle, m_Rest, beat),
+                TipLag.Of(m_Tip, m_Rest, beat),
                 EdgeStretch.Percentile(stretches, 1f),
                 EdgeStretch.Percentile(stretches, k_StretchShare));
         }

@@ -74,6 +74,7 @@ internal sealed class Terminal
         Row(table, summary, "tip bend, peak to peak, °", wing => Number(wing.TipBendPpDeg, 1));
         Row(table, summary, "tip bend, largest, °", wing => Number(wing.TipBendMaxDeg, 1));
         Row(table, summary, "lag of the trailing edge, °", wing => Number(wing.LagDeg, 1));
+        Row(table, summary, "lag of the tip, °", wing => Number(wing.TipLagDeg, 1));
         Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2));
         Row(table, summary, "edge stretch, 99th percentile, %", wing => Number(wing.EdgeStretchP99Pct, 2));
         Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));

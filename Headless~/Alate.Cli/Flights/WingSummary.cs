@@ -13,6 +13,7 @@ internal sealed record WingSummary(
     double TipBendPpDeg,
     double TipBendMaxDeg,
     double LagDeg,
+    double TipLagDeg,
     double EdgeStretchMaxPct,
     double EdgeStretchP99Pct)
 {
@@ -30,6 +31,7 @@ internal sealed record WingSummary(
             math.degrees(beat.TipBendRange),
             math.degrees(beat.TipBendMax),
             math.degrees(beat.Lag),
+            math.degrees(beat.TipLag),
             100.0 * beat.StretchMax,
             100.0 * beat.Stretch99);
     }

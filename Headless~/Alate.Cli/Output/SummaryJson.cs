@@ -38,6 +38,7 @@ internal static class SummaryJson
         Number(json, "tip_bend_pp_deg", wing.TipBendPpDeg);
         Number(json, "tip_bend_max_deg", wing.TipBendMaxDeg);
         Number(json, "lag_deg", wing.LagDeg);
+        Number(json, "tip_lag_deg", wing.TipLagDeg);
         Number(json, "edge_stretch_max_pct", wing.EdgeStretchMaxPct);
         Number(json, "edge_stretch_p99_pct", wing.EdgeStretchP99Pct);
     }

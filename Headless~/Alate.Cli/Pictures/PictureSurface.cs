@@ -7,16 +7,11 @@ namespace Alate.Cli.Pictures;
 /// <summary>A surface to be painted in many poses: its triangles, colours and margin.</summary>
 internal sealed class PictureSurface
 {
-    /// <summary>Area on the picture below which a triangle of the mesh is painted as a whole.</summary>
-    private const float k_LeastParted = 1.6f;
-
-    /// <summary>Triangles of a wing that is parted no further: enough that they are told apart by their depths.</summary>
-    private const int k_LeastTriangles = 6000;
-
     private readonly int[] m_Triangles;
     private readonly FineTriangles m_Fine;
     private readonly float4[] m_Colours;
     private readonly List<Rim> m_Margin;
+    private readonly PictureDetail m_Detail;
     private readonly bool m_IsThin;
     private readonly int m_Index;
 
@@ -24,12 +19,14 @@ internal sealed class PictureSurface
     /// <param name="rest">[vertex] Rest positions; vertices at one place count as one when the margin is sought.</param>
     /// <param name="triangles">Three vertex indices a triangle.</param>
     /// <param name="paint">The colour of each fine triangle, with its opacity.</param>
+    /// <param name="detail">How finely it is parted.</param>
     /// <param name="isThin">A wing; else a closed body without a margin.</param>
-    public PictureSurface(int index, float3[] rest, int[] triangles, Func<FineTriangles, float4[]> paint, bool isThin)
+    public PictureSurface(int index, float3[] rest, int[] triangles, Func<FineTriangles, float4[]> paint, PictureDetail detail, bool isThin)
     {
         m_Index = index;
+        m_Detail = detail;
         m_Triangles = triangles;
-        m_Fine = new FineTriangles(rest.Length, triangles, isThin ? k_LeastTriangles : 0);
+        m_Fine = new FineTriangles(rest.Length, triangles, isThin ? detail.LeastTriangles : 0);
         m_Colours = paint(m_Fine);
         m_IsThin = isThin;
         m_Margin = isThin ? Margin(rest, triangles) : [];
@@ -50,7 +47,7 @@ internal sealed class PictureSurface
         {
             int3 whole = m_Fine.Parents[k];
             float3 normal = math.normalizesafe(upright[whole.x] + upright[whole.y] + upright[whole.z]);
-            if (math.abs(Turn(whole, places)) < 2f * k_LeastParted)
+            if (math.abs(Turn(whole, places)) < 2f * m_Detail.LeastParted)
             {
                 Paint(painter, whole, Mean(4 * k), normal, places, first, shading);
                 continue;
@@ -63,7 +60,7 @@ internal sealed class PictureSurface
         foreach (Rim rim in m_Margin)
         {
             var ends = new int2(rim.A, rim.B) + first;
-            painter.AddLine(BeatStrip.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
+            painter.AddLine(InsectScene.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
         }
     }
 

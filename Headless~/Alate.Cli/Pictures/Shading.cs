@@ -12,16 +12,15 @@ internal sealed class Shading
     private const float k_Ambient = 0.42f, k_Key = 0.68f, k_Through = 0.42f, k_Rim = 0.16f, k_RimPower = 3f, k_Sky = 0.16f;
     private const float k_Gloss = 0.1f, k_GlossPower = 24f;
 
-    /// <summary>Steps of light, rim and shown colour: small enough to look smooth, large enough that neighbouring triangles
-    /// merge.</summary>
-    private const float k_LightStep = 0.05f, k_RimStep = 0.03f;
-    private const int k_ColourStep = 5;
-
     private static readonly float3 s_ThroughTint = new(1.1f, 0.98f, 0.82f);
     private readonly float3 m_Towards, m_Key, m_Half;
+    private readonly PictureDetail m_Detail;
 
-    public Shading(PictureCamera camera)
+    /// <param name="camera">Who looks.</param>
+    /// <param name="detail">Its steps of light and colour: small enough to look smooth, large enough that neighbouring triangles merge.</param>
+    public Shading(PictureCamera camera, PictureDetail detail)
     {
+        m_Detail = detail;
         m_Towards = camera.Towards;
         m_Key = camera.Direction(-0.45f, 0.8f, 0.55f);
         m_Half = math.normalize(m_Key + m_Towards);
@@ -36,10 +35,10 @@ internal sealed class Shading
         float facing = math.dot(normal, m_Towards);
         normal = facing < 0f ? -normal : normal;
         float key = math.dot(normal, m_Key);
-        float through = isThin ? Stepped(k_Through * math.max(-key, 0f), k_LightStep) : 0f;
-        float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), k_RimStep);
-        float gloss = isThin ? 0f : Stepped(k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower), k_RimStep);
-        float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), k_LightStep);
+        float through = isThin ? Stepped(k_Through * math.max(-key, 0f), m_Detail.LightStep) : 0f;
+        float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), m_Detail.RimStep);
+        float gloss = isThin ? 0f : Stepped(k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower), m_Detail.RimStep);
+        float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), m_Detail.LightStep);
         float3 lit = colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
         return Quantised(ToEncoded(lit));
     }
@@ -52,9 +51,9 @@ internal sealed class Shading
 
     private static float Stepped(float value, float step) => step * math.round(value / step);
 
-    private static int Quantised(float3 colour)
+    private int Quantised(float3 colour)
     {
-        int3 steps = (int3)math.round(255f * colour / k_ColourStep) * k_ColourStep;
+        int3 steps = (int3)math.round(255f * colour / m_Detail.ColourStep) * m_Detail.ColourStep;
         steps = math.min(steps, 255);
         return (steps.x << 16) | (steps.y << 8) | steps.z;
     }
