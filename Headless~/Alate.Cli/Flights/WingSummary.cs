@@ -1,4 +1,3 @@
-using System.Linq;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
@@ -20,8 +19,7 @@ internal sealed record WingSummary(
     /// <summary>Measures the right wing of a kind.</summary>
     public static WingSummary Of(RecordedWing wing)
     {
-        WingDeformation beat = wing.Measurement.Measure(
-            wing.Frames.Select(frame => new BeatFrame(frame.Phase, frame.Root, frame.Positions)).ToList());
+        WingDeformation beat = wing.Measurement.Measure(wing.Beat);
         return new WingSummary(
             wing.Wing.Name,
             wing.Frequency,

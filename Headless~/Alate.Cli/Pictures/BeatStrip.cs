@@ -12,8 +12,8 @@ internal sealed class BeatStrip
 {
     private const int k_Columns = 4, k_Rows = 3;
 
-    private const string k_Style =
-        "<style>text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}.t{fill:#8a8272}" + InsectScene.Style + "</style>\n";
+    private static readonly string s_Style =
+        "<style>text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}.t{fill:#8a8272}" + PictureDetail.Fine.Style + "</style>\n";
 
     private readonly FlightRecord m_Flight;
     private readonly InsectScene m_Scene;
@@ -46,7 +46,7 @@ internal sealed class BeatStrip
         float width = layout.Width, height = layout.Height;
         Line($"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">");
         Line($"<title>{SecurityElement.Escape(Title())}</title>");
-        m_Svg.Append(k_Style);
+        m_Svg.Append(s_Style);
         Line($"<rect width=\"{width}\" height=\"{height}\" rx=\"14\" fill=\"#f7f4ec\"/>");
         Line($"<text x=\"26\" y=\"40\" font-size=\"24\" font-weight=\"bold\">{SecurityElement.Escape(m_Flight.Insect.DisplayName)}</text>");
         Line($"<text x=\"{width - 26}\" y=\"39\" font-size=\"17\" text-anchor=\"end\">{SecurityElement.Escape(Caption())}</text>");

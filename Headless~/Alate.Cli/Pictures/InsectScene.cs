@@ -10,11 +10,6 @@ namespace Alate.Cli.Pictures;
 /// <summary>An insect that was flown, ready to be painted at any phase of its last beat: its surfaces, the camera and the light.</summary>
 internal sealed class InsectScene
 {
-    /// <summary>The rules that the paths of <see cref="Draw"/> need in the picture's style.</summary>
-    public const string Style =
-        ".f{fill:currentColor;stroke:currentColor;stroke-width:2;stroke-linejoin:round}"
-        + ".l{fill:none;stroke:currentColor;stroke-width:3.5;stroke-linejoin:round;stroke-linecap:round}";
-
     /// <summary>How the margins of wings are drawn.</summary>
     public static readonly PaintedShape MarginLine = new(0x2A211C, true, false);
 
@@ -73,13 +68,13 @@ internal sealed class InsectScene
             m_Surfaces[k].Paint(painter, Array.ConvertAll(pose.Places[k], panel.Place), pose.Normals[k], picture, m_Shading);
 
         var svg = new StringBuilder();
-        svg.Append(CultureInfo.InvariantCulture, $"<g transform=\"translate({panel.Left} {panel.Top})scale({1f / SvgPath.Fineness})\">\n");
+        svg.Append(CultureInfo.InvariantCulture, $"<g transform=\"translate({panel.Left} {panel.Top})scale({1f / m_Detail.Fineness})\">\n");
         foreach (PaintedSheet sheet in painter.Sheets())
             DrawSheet(sheet, picture, svg);
         return svg.Append("</g>\n").ToString();
     }
 
-    private static void DrawSheet(PaintedSheet sheet, List<float3> picture, StringBuilder svg)
+    private void DrawSheet(PaintedSheet sheet, List<float3> picture, StringBuilder svg)
     {
         if (!sheet.Glass.IsSolid)
             svg.Append(CultureInfo.InvariantCulture, $"<g opacity=\"{0.01 * (100 - sheet.Glass.Percent)}\">\n");
@@ -89,10 +84,10 @@ internal sealed class InsectScene
             svg.Append("</g>\n");
     }
 
-    private static void DrawLayer(PaintedLayer layer, List<float3> picture, StringBuilder svg)
+    private void DrawLayer(PaintedLayer layer, List<float3> picture, StringBuilder svg)
     {
         bool isLine = layer.Shape.IsLine;
-        var path = new SvgPath();
+        var path = new SvgPath(m_Detail.Fineness, m_Detail.Slack);
         foreach (List<int> line in isLine ? OutlineTracer.Strokes(layer.Vertices) : OutlineTracer.Outlines(layer.Vertices))
             path.Add(line, picture, close: !isLine);
         if (!path.IsEmpty)

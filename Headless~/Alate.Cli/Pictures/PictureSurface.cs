@@ -10,6 +10,7 @@ internal sealed class PictureSurface
     private readonly int[] m_Triangles;
     private readonly FineTriangles m_Fine;
     private readonly float4[] m_Colours;
+    private readonly float4? m_Ground;
     private readonly List<Rim> m_Margin;
     private readonly PictureDetail m_Detail;
     private readonly bool m_IsThin;
@@ -28,6 +29,8 @@ internal sealed class PictureSurface
         m_Triangles = triangles;
         m_Fine = new FineTriangles(rest.Length, triangles, isThin ? detail.LeastTriangles : 0);
         m_Colours = paint(m_Fine);
+        int colours = isThin ? detail.WingColours : detail.BodyColours;
+        m_Ground = colours > 0 ? Palette.Reduce(m_Colours, colours) : null;
         m_IsThin = isThin;
         m_Margin = isThin ? Margin(rest, triangles) : [];
     }
@@ -47,9 +50,11 @@ internal sealed class PictureSurface
         {
             int3 whole = m_Fine.Parents[k];
             float3 normal = math.normalizesafe(upright[whole.x] + upright[whole.y] + upright[whole.z]);
+            if (m_Ground is float4 ground)
+                Add(painter, whole, ground, normal, places, first, shading, isAbove: false);
             if (math.abs(Turn(whole, places)) < 2f * m_Detail.LeastParted)
             {
-                Paint(painter, whole, Mean(4 * k), normal, places, first, shading);
+                Paint(painter, whole, m_Ground == null ? Mean(4 * k) : m_Colours[4 * k + 3], normal, places, first, shading);
                 continue;
             }
 
@@ -64,13 +69,22 @@ internal sealed class PictureSurface
         }
     }
 
+    // What has the colour of the ground is painted with it.
     private void Paint(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading)
+    {
+        if (m_Ground is not float4 ground)
+            Add(painter, corners, colour, normal, places, first, shading, isAbove: false);
+        else if (math.any(colour != ground))
+            Add(painter, corners, colour, normal, places, first, shading, isAbove: true);
+    }
+
+    private void Add(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading, bool isAbove)
     {
         float turn = Turn(corners, places);
         if (turn == 0f)
             return;
-        var shape = new PaintedShape(shading.Shade(colour.xyz, normal, m_IsThin), false, turn < 0f, Glass.Of(m_Index, colour.w));
-        painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z]);
+        var shape = new PaintedShape(shading.Shade(colour.xyz, normal, m_IsThin), false, turn < 0f, Glass.Of(m_Index, colour.w, m_Detail.GlassStep));
+        painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z], isAbove);
     }
 
     private float4 Mean(int first) => 0.25f * (m_Colours[first] + m_Colours[first + 1] + m_Colours[first + 2] + m_Colours[first + 3]);

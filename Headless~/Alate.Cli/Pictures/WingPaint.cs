@@ -11,9 +11,6 @@ internal static class WingPaint
     /// <summary>A wing without colours of its own: pale membrane, sRGB.</summary>
     private static readonly float3 s_Membrane = new(0.84f, 0.79f, 0.66f);
 
-    /// <summary>Width over which a pattern's colours blend, over the edge of a fine triangle.</summary>
-    private const float k_Softness = 0.5f;
-
     /// <summary>By the wing's pattern where it has one, else by its vertex colours, else one pale colour.</summary>
     public static float4[] Of(InsectWing wing, FineTriangles fine, PictureDetail detail)
     {
@@ -26,7 +23,7 @@ internal static class WingPaint
         {
             int3 triangle = fine.Triangles[k];
             float3 a = places[triangle.x], b = places[triangle.y], c = places[triangle.z], centre = (a + b + c) / 3f;
-            float softness = k_Softness * math.sqrt(math.length(math.cross(b - a, c - a)));
+            float softness = detail.Softness * math.sqrt(math.length(math.cross(b - a, c - a)));
             Color colour = wing.Pattern.ColourAt(centre.x, centre.z, softness);
             colours[k] = new float4(Stepped(new float3(colour.r, colour.g, colour.b), detail.PatternStep), colour.a);
         }

@@ -88,7 +88,7 @@ namespace Alate.Tests.Cli
         public void Path_IsWrittenInRelativeSteps_WithoutPointsOnAStraightLine()
         {
             var places = new[] { new float3(1f, 1f, 0f), new float3(2f, 1f, 0f), new float3(3f, 1f, 0f), new float3(1f, 0f, 0f) };
-            var path = new SvgPath();
+            var path = new SvgPath(5f);
 
             path.Add(new List<int> { 0, 1, 2, 3, 0 }, places, close: true);
 
@@ -141,7 +141,7 @@ namespace Alate.Tests.Cli
         [TestCase(0f, 90)]
         public void Opacity_ComesInSteps_AndNothingIsInvisible(float opacity, int percent)
         {
-            Assert.That(Glass.Of(3, opacity), Is.EqualTo(percent == 0 ? default : new Glass(3, percent)));
+            Assert.That(Glass.Of(3, opacity, 10), Is.EqualTo(percent == 0 ? default : new Glass(3, percent)));
         }
 
         [TestCase("front-left", -1, -1)]

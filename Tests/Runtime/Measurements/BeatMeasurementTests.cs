@@ -64,6 +64,19 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void CamberBeyondAnotherBeat_IsThatOfTheDifference()
+        {
+            var sheet = new Sheet();
+            List<BeatFrame> driven = sheet.Beat(Sheet.Stroke, (place, phase) => place + Parabola(place, 0.05f * math.sin(phase)));
+            List<BeatFrame> loaded = sheet.Beat(
+                Sheet.Stroke, (place, phase) => place + Parabola(place, 0.05f * math.sin(phase) - 0.03f * math.cos(phase)));
+
+            Assert.That(sheet.Measurement.CamberBeyond(loaded, driven), Is.EqualTo(0.06f).Within(1f).Percent);
+            Assert.That(sheet.Measurement.CamberBeyond(driven, driven), Is.Zero);
+            Assert.Throws<ArgumentException>(() => sheet.Measurement.CamberBeyond(loaded, driven.GetRange(0, 3)));
+        }
+
+        [Test]
         public void Camber_IsTheSameHoweverTheWingIsTurned()
         {
             WingDeformation beat = Measure(Sheet.Stroke, (place, phase) => place + Parabola(place, 0.08f));
