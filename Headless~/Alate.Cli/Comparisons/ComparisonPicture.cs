@@ -77,7 +77,7 @@ internal static class ComparisonPicture
             y = Line(page, title, wings.Select(of).ToList(), middle, y);
         y = Line(page, "off full", flight.Distances.Select(distance => distance.MeanPct).ToList(), middle, y);
         page.Text(middle - 84f, y, 13f, "lift / weight", look: "t");
-        page.Text(middle + 38f, y, 13f, flight.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture).Replace('-', '−'), "end");
+        page.Text(middle + 38f, y, 13f, Text(flight.Summary.LiftOverWeight, 2), "end");
         return y + k_Line;
     }
 
@@ -85,14 +85,18 @@ internal static class ComparisonPicture
     {
         page.Text(middle - 84f, y, 13f, title, look: "t");
         for (int k = 0; k < values.Count; k++)
-            page.Text(middle + 38f + 66f * k, y, 13f, values[k].ToString("0.0", CultureInfo.InvariantCulture).Replace('-', '−'), "end");
+            page.Text(middle + 38f + 66f * k, y, 13f, Text(values[k], 1), "end");
         return y + k_Line;
     }
+
+    // Rounded first, so that there is no minus nought.
+    private static string Text(double value, int digits) =>
+        (Math.Round(value, digits) + 0.0).ToString("F" + digits, CultureInfo.InvariantCulture).Replace('-', '−');
 
     private static string Caption(Comparison comparison)
     {
         FlightRecord flight = comparison.Flights[0].Summary.Flight;
         return string.Create(
-            CultureInfo.InvariantCulture, $"{flight.Wings[0].Frequency:0.#} Hz, flying {flight.Plan.BodySpeed:0.##} m/s, seen from {flight.Plan.View.Words}");
+            CultureInfo.InvariantCulture, $"{flight.Wings[0].Frequency:0.#} Hz, at {flight.Plan.BodySpeed:0.##} m/s, seen from {flight.Plan.View.Words}");
     }
 }

@@ -63,7 +63,12 @@ internal sealed class Terminal
     }
 
     /// <summary>Shows a table: the first row is its head, the first column names, the others numbers.</summary>
-    public void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows)
+    public void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Right);
+
+    /// <summary>Shows a table of texts.</summary>
+    public void ShowTexts(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Left);
+
+    private void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows, Justify side)
     {
         m_Console.Write(new Rule($"[bold]{Markup.Escape(heading)}[/]").LeftJustified());
         Table table = null;
@@ -77,7 +82,7 @@ internal sealed class Terminal
 
             table = new Table().Border(TableBorder.Rounded).AddColumn(Markup.Escape(row[0]));
             foreach (string name in row.Skip(1))
-                table.AddColumn(new TableColumn(Markup.Escape(name)).RightAligned());
+                table.AddColumn(new TableColumn(Markup.Escape(name)) { Alignment = side });
         }
 
         m_Console.Write(table);

@@ -6,7 +6,7 @@ namespace Alate.Cli.Parameters;
 /// <summary>Every number that <c>sweep</c> knows, by the names of the inspector's sliders, and those of the flight.</summary>
 internal static class FlownParameters
 {
-    /// <summary>The sliders of a species, in the inspector's order, but for elasticity, which <see cref="All"/> has as a factor.</summary>
+    /// <summary>The sliders of a species, in the inspector's order.</summary>
     public static IReadOnlyList<FlownParameter> OfSpecies { get; } =
     [
         new("wing-length", "m", 5e-4f, 1f, s => ref s.Size.wingLength),
@@ -31,6 +31,7 @@ internal static class FlownParameters
         new("span-delay", "half beats", 0f, 2f, s => ref s.Wave.spanDelay),
         new("root-share", "", 0f, 1f, s => ref s.Wave.rootShare),
         new("inertia", "", 0f, 10f, s => ref s.Wave.inertia),
+        new("elasticity", "", 1e-3f, 1e6f, s => ref s.Stiffness.elasticity),
         new("leading-edge", "beats", 0.01f, 100f, s => ref s.Stiffness.leadingEdge),
         new("trailing-edge", "beats", 0.01f, 100f, s => ref s.Stiffness.trailingEdge),
         new("decay", "chain lengths", 0.05f, 100f, s => ref s.Stiffness.decay),
@@ -48,7 +49,7 @@ internal static class FlownParameters
     public static IReadOnlyList<FlownParameter> All { get; } =
     [
         new("elasticity", "× the species'", 0.001, 1e6, (plan, value) => plan with { Elasticity = value }),
-        .. OfSpecies,
+        .. OfSpecies.Where(parameter => parameter.Name != "elasticity"),
         new("substeps-per-beat", "", WingParameters.MinSubsteps, WingParameters.MaxSubsteps, (plan, value) => plan with { Substeps = (int)value }, isWhole: true),
         new("speed", "m/s", 0, 100, (plan, value) => plan with { Speed = value }),
         new("climb", "m/s", -100, 100, (plan, value) => plan with { Climb = value }),

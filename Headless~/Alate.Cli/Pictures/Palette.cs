@@ -10,7 +10,7 @@ internal static class Palette
     private const int k_Rounds = 12;
 
     /// <summary>Groups that differ by less from the largest, sRGB and opacity, join it: speckles that nobody sees.</summary>
-    private const float k_Alike = 0.22f;
+    private const float k_Alike = 0.3f;
 
     /// <summary>Replaces colours by so many; begins with the same count of each brightness, so that the result is always the same.</summary>
     /// <param name="colours">Linear light and opacity; changed.</param>

@@ -25,7 +25,7 @@ internal sealed record PictureDetail(
     public static readonly PictureDetail Fine = new(1.6f, 6000, 0.5f, 0.05f, 0.012f, 0.05f, 0.03f, 5, 10, 0, 0, 5f, 0f, 1.5f);
 
     /// <summary>For pictures of many small poses: about 10 kB a pose.</summary>
-    public static readonly PictureDetail Small = new(6f, 0, 1f, 0.02f, 0.02f, 0.2f, 1f, 5, 25, 3, 1, 2.5f, 1.6f, 1f);
+    public static readonly PictureDetail Small = new(6f, 0, 1f, 0.02f, 0.02f, 0.24f, 1f, 5, 50, 3, 1, 2f, 2f, 1f);
 
     /// <summary>The rules that painted paths need in the picture's style.</summary>
     public string Style => FormattableString.Invariant(

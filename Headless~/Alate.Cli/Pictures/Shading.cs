@@ -38,7 +38,8 @@ internal sealed class Shading
         float through = isThin ? Stepped(k_Through * math.max(-key, 0f), m_Detail.LightStep) : 0f;
         float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), m_Detail.RimStep);
         float gloss = isThin ? 0f : Stepped(k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower), m_Detail.RimStep);
-        float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), m_Detail.LightStep);
+        float step = m_Detail.LightStep * (isThin || m_Detail.BodyColours == 0 ? 1f : 1.6f);
+        float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), step);
         float3 lit = colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
         return Quantised(ToEncoded(lit));
     }
