@@ -21,6 +21,7 @@ public static class Program
         root.Subcommands.Add(SweepCommand.Create(output));
         root.Subcommands.Add(SkeletonCommand.Create(output));
         root.Subcommands.Add(BenchCommand.Create(output));
+        root.Subcommands.Add(FiguresCommand.Create(output));
         root.Subcommands.Add(NewProjectCommand.Create(output));
         HelpExamples.AddTo(root);
         PackageVersion.AddTo(root);

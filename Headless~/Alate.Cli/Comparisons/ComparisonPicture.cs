@@ -21,7 +21,7 @@ internal static class ComparisonPicture
     /// <summary>The whole picture.</summary>
     public static string Draw(Comparison comparison)
     {
-        var page = new SvgPage();
+        var page = new SvgPage(PictureDetail.Small);
         List<InsectScene> scenes = comparison.Flights.Select(flight => new InsectScene(flight.Summary.Flight, PictureDetail.Small)).ToList();
         var grid = new PoseGrid(scenes, comparison.Phases, k_Left, k_Header, k_Panel);
         float width = grid.Right + k_Edge;

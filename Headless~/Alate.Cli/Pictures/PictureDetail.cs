@@ -24,6 +24,9 @@ internal sealed record PictureDetail(
     /// <summary>For large pictures: about 300 kB a pose.</summary>
     public static readonly PictureDetail Fine = new(1.6f, 6000, 0.5f, 0.05f, 0.012f, 0.05f, 0.03f, 5, 10, 0, 0, 5f, 0f, 1.5f);
 
+    /// <summary>For a few poses of middle size: about 40 kB a pose.</summary>
+    public static readonly PictureDetail Medium = new(4f, 0, 0.5f, 0.02f, 0.02f, 0.12f, 1f, 5, 25, 6, 5, 2.5f, 1.2f, 1.5f);
+
     /// <summary>For pictures of many small poses: about 10 kB a pose.</summary>
     public static readonly PictureDetail Small = new(6f, 0, 1f, 0.02f, 0.02f, 0.24f, 1f, 5, 50, 3, 1, 2f, 2f, 1f);
 

@@ -16,7 +16,7 @@ internal sealed class SweepPicture
     private static readonly string[] s_Colours = ["#0b5fa5", "#c2410c"];
 
     private readonly Sweep m_Sweep;
-    private readonly SvgPage m_Page = new();
+    private readonly SvgPage m_Page = new(PictureDetail.Small);
 
     private SweepPicture(Sweep sweep)
     {
