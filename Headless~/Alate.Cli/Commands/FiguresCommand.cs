@@ -25,7 +25,7 @@ internal static class FiguresCommand
             Description = $"The folder of the documentation, with {k_Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
-        var command = new Command("figures", "Makes all pictures and the measured table of the documentation's page of species again.") { folder };
+        var command = new Command("figures", "Makes the pictures and tables of the documentation's page of species again.") { folder };
         HelpExamples.Set(command, "Example:\n  figures Documentation~");
         command.SetAction(parsed =>
         {
@@ -46,7 +46,10 @@ internal static class FiguresCommand
         terminal.ShowProgress(Species.All.Sum(species => species.Variants.Count) + 2, (done, stage) =>
         {
             List<FlightSummary> summaries = Measure(folder, done);
-            Write(folder, k_Page, PageBlock.Replace(page, SpeciesTable.Write(summaries), k_Page));
+            page = PageBlock.Replace(page, "numbers", MarkdownTable.Write(SpeciesTable.Measured(summaries)));
+            foreach (SpeciesDefinition species in Species.All)
+                page = PageBlock.Replace(page, "sources of " + species.Name, MarkdownTable.Write(SpeciesTable.Sources(species)));
+            Write(folder, k_Page, page);
             stage("comparing");
             var comparisons = new ComparisonPlan(Species.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
             foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))

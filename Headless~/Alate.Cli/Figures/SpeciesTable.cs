@@ -1,30 +1,38 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
-using System.Text;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Figures;
 
-/// <summary>The documentation's table of what every species measures, as Markdown.</summary>
+/// <summary>The tables of the documentation's page: what every species measures, and where its numbers come from.</summary>
 internal static class SpeciesTable
 {
-    public static string Write(IReadOnlyList<FlightSummary> summaries)
+    /// <summary>One row for each species, variant and kind of wing.</summary>
+    public static IEnumerable<IReadOnlyList<string>> Measured(IReadOnlyList<FlightSummary> summaries)
     {
-        var text = new StringBuilder();
-        Row(text, ["species", "variant", "wing", "Hz", .. MeasureBound.All.Select(bound => bound.Title), "camber %", "tip bend p-p °", "tip lag °", "stretch p99 %", "lift / weight"]);
-        Row(text, Enumerable.Repeat("---", 9 + MeasureBound.All.Count));
-        Row(text, ["*bound*", "", "", "", .. MeasureBound.All.Select(bound => bound.Range), "", "", "", "", ""]);
+        yield return
+        [
+            "species", "variant", "wing", "Hz", .. MeasureBound.All.Select(bound => bound.Title),
+            "camber %", "tip bend p-p °", "tip lag °", "stretch p99 %", "lift / weight",
+        ];
+        yield return ["*bound*", "", "", "", .. MeasureBound.All.Select(bound => bound.Range), "", "", "", "", ""];
         foreach (FlightSummary summary in summaries)
         {
             foreach (WingSummary wing in summary.Wings)
-                Row(text, Cells(summary, wing));
+                yield return Cells(summary, wing);
         }
-
-        return text.ToString();
     }
 
-    private static IEnumerable<string> Cells(FlightSummary summary, WingSummary wing)
+    /// <summary>One row for each number.</summary>
+    public static IEnumerable<IReadOnlyList<string>> Sources(SpeciesDefinition species)
+    {
+        yield return ["number", "variant", "value", "source"];
+        foreach (SpeciesSource source in species.Sources)
+            yield return [source.Quantity, source.Variant.ToString().ToLowerInvariant(), source.Value, source.Source];
+    }
+
+    private static string[] Cells(FlightSummary summary, WingSummary wing)
     {
         SpeciesVariant variant = summary.Flight.Plan.Variant;
         return
@@ -37,6 +45,4 @@ internal static class SpeciesTable
     }
 
     private static string Number(double value, int digits) => value.ToString("F" + digits, CultureInfo.InvariantCulture).Replace('-', '−');
-
-    private static void Row(StringBuilder text, IEnumerable<string> cells) => text.Append("| ").AppendJoin(" | ", cells).Append(" |\n");
 }

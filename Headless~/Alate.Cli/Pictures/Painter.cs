@@ -31,12 +31,9 @@ internal sealed class Painter
     /// <param name="a">First corner.</param>
     /// <param name="b">Second corner.</param>
     /// <param name="c">Third corner.</param>
-    /// <param name="isAbove">To be painted right after another one at the same place.</param>
-    public void AddTriangle(PaintedShape shape, int3 vertices, float3 a, float3 b, float3 c, bool isAbove = false)
-    {
-        float depth = (a.z + b.z + c.z) / 3f;
-        m_Pieces.Add(new PaintedPiece(shape, vertices, a, b, c, isAbove ? Nearer(depth) : depth));
-    }
+    /// <param name="above">The depth of a triangle beneath, right after which this one is painted; null paints it by its own depth.</param>
+    public void AddTriangle(PaintedShape shape, int3 vertices, float3 a, float3 b, float3 c, float? above = null) =>
+        m_Pieces.Add(new PaintedPiece(shape, vertices, a, b, c, above is float depth ? Nearer(depth) : (a.z + b.z + c.z) / 3f));
 
     /// <summary>Adds a line along the edge of a triangle, to be painted right after it.</summary>
     public void AddLine(PaintedShape shape, int2 vertices, float3 a, float3 b, float depth) =>

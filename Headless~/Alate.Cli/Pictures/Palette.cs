@@ -9,14 +9,12 @@ internal static class Palette
 {
     private const int k_Rounds = 12;
 
-    /// <summary>Groups that differ by less from the largest, sRGB and opacity, join it: speckles that nobody sees.</summary>
-    private const float k_Alike = 0.3f;
-
     /// <summary>Replaces colours by so many; begins with the same count of each brightness, so that the result is always the same.</summary>
     /// <param name="colours">Linear light and opacity; changed.</param>
     /// <param name="count">Colours to keep.</param>
+    /// <param name="alike">Groups that differ by less from the largest, sRGB and opacity, join it: speckles that nobody sees.</param>
     /// <returns>The colour that most have.</returns>
-    public static float4 Reduce(float4[] colours, int count)
+    public static float4 Reduce(float4[] colours, int count, float alike)
     {
         float4[] places = Array.ConvertAll(colours, colour => new float4(Shading.ToEncoded(colour.xyz), colour.w));
         var groups = new int[colours.Length];
@@ -33,7 +31,7 @@ internal static class Palette
 
         float4 ground = means[groups.GroupBy(group => group).OrderByDescending(group => group.Count()).First().Key];
         for (int k = 0; k < colours.Length; k++)
-            colours[k] = Linear(math.length(means[groups[k]] - ground) < k_Alike ? ground : means[groups[k]]);
+            colours[k] = Linear(math.length(means[groups[k]] - ground) < alike ? ground : means[groups[k]]);
         return Linear(ground);
     }
 

@@ -30,7 +30,7 @@ internal sealed class PictureSurface
         m_Fine = new FineTriangles(rest.Length, triangles, isThin ? detail.LeastTriangles : 0);
         m_Colours = paint(m_Fine);
         int colours = isThin ? detail.WingColours : detail.BodyColours;
-        m_Ground = colours > 0 ? Palette.Reduce(m_Colours, colours) : null;
+        m_Ground = colours > 0 ? Palette.Reduce(m_Colours, colours, detail.Alike) : null;
         m_IsThin = isThin;
         m_Margin = isThin ? Margin(rest, triangles) : [];
     }
@@ -50,16 +50,17 @@ internal sealed class PictureSurface
         {
             int3 whole = m_Fine.Parents[k];
             float3 normal = math.normalizesafe(upright[whole.x] + upright[whole.y] + upright[whole.z]);
+            float depth = (places[whole.x].z + places[whole.y].z + places[whole.z].z) / 3f;
             if (m_Ground is float4 ground)
-                Add(painter, whole, ground, normal, places, first, shading, isAbove: false);
+                Add(painter, whole, ground, normal, places, first, shading, null);
             if (math.abs(Turn(whole, places)) < 2f * m_Detail.LeastParted)
             {
-                Paint(painter, whole, m_Ground == null ? Mean(4 * k) : m_Colours[4 * k + 3], normal, places, first, shading);
+                Paint(painter, whole, m_Ground == null ? Mean(4 * k) : m_Colours[4 * k + 3], normal, places, first, shading, depth);
                 continue;
             }
 
             for (int part = 4 * k; part < 4 * k + 4; part++)
-                Paint(painter, m_Fine.Triangles[part], m_Colours[part], normal, places, first, shading);
+                Paint(painter, m_Fine.Triangles[part], m_Colours[part], normal, places, first, shading, depth);
         }
 
         foreach (Rim rim in m_Margin)
@@ -69,22 +70,22 @@ internal sealed class PictureSurface
         }
     }
 
-    // What has the colour of the ground is painted with it.
-    private void Paint(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading)
+    // What has the colour of the ground is painted with it; the rest right after the triangle of which it is a part.
+    private void Paint(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading, float depth)
     {
         if (m_Ground is not float4 ground)
-            Add(painter, corners, colour, normal, places, first, shading, isAbove: false);
+            Add(painter, corners, colour, normal, places, first, shading, null);
         else if (math.any(colour != ground))
-            Add(painter, corners, colour, normal, places, first, shading, isAbove: true);
+            Add(painter, corners, colour, normal, places, first, shading, depth);
     }
 
-    private void Add(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading, bool isAbove)
+    private void Add(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading, float? above)
     {
         float turn = Turn(corners, places);
         if (turn == 0f)
             return;
         var shape = new PaintedShape(shading.Shade(colour.xyz, normal, m_IsThin), false, turn < 0f, Glass.Of(m_Index, colour.w, m_Detail.GlassStep));
-        painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z], isAbove);
+        painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z], above);
     }
 
     private float4 Mean(int first) => 0.25f * (m_Colours[first] + m_Colours[first + 1] + m_Colours[first + 2] + m_Colours[first + 3]);
