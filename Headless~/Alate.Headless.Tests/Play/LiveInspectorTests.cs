@@ -111,7 +111,6 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        [Ignore("Compares with the pose between steps, which the newer drawing shows at another time; open.")]
         public IEnumerator Gizmos_FollowTheLivingJoints()
         {
             InsectWings insect = Insect();
@@ -145,7 +144,6 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        [Ignore("Compares with the pose between steps, which the newer drawing shows at another time; open.")]
         public IEnumerator PatchLoads_StartOnTheWings_AndAreInProportion()
         {
             InsectWings insect = Insect();

@@ -74,7 +74,7 @@ namespace Alate
         /// <returns>Whether anything changed since the last call.</returns>
         public bool Tune(SpeciesWatch species, WingSpecies preset, int substeps, float fade, out WingParameters parameters)
         {
-            if (values == null || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Preset, preset))
+            if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Preset, preset))
             {
                 m_OwnSpecies = m_Wing.Species;
                 m_Preset = preset;

@@ -4,9 +4,10 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>A number that changes with a skeleton's content, computed once a frame however many wings share it.</summary>
-    internal sealed class SkeletonValue
+    internal sealed class SkeletonValue : WatchedValue
     {
         private readonly WingSkeleton m_Skeleton;
+        private uint m_Hash;
 
         /// <param name="skeleton">May be null.</param>
         public SkeletonValue(WingSkeleton skeleton)
@@ -16,10 +17,17 @@ namespace Alate
         }
 
         /// <summary>0 for no skeleton.</summary>
-        public uint Hash { get; private set; }
+        public uint Hash
+        {
+            get
+            {
+                Use();
+                return m_Hash;
+            }
+        }
 
-        /// <summary>Reads the skeleton again. One that was destroyed keeps its last value.</summary>
-        public void Refresh()
+        /// <inheritdoc/>
+        public override void Refresh()
         {
             if (m_Skeleton == null)
                 return;
@@ -31,7 +39,7 @@ namespace Alate
                     hash = Mix(hash, chain.joints[joint]);
             }
 
-            Hash = hash == 0 ? 1u : hash;
+            m_Hash = hash == 0 ? 1u : hash;
         }
 
         private static uint Mix(uint hash, Vector3 point)

@@ -3,9 +3,10 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>What a preset says now, in the units of the model; compared once a step, however many insects share it.</summary>
-    internal sealed class SpeciesValues
+    internal sealed class SpeciesValues : WatchedValue
     {
         private readonly WingSpecies m_Species;
+        private int m_Stamp;
 
         /// <param name="species">Null stands for a monarch.</param>
         public SpeciesValues(WingSpecies species)
@@ -29,10 +30,17 @@ namespace Alate
         public float gravityShare;
 
         /// <summary>Counts changes of <see cref="parameters"/>.</summary>
-        public int Stamp { get; private set; }
+        public int Stamp
+        {
+            get
+            {
+                Use();
+                return m_Stamp;
+            }
+        }
 
-        /// <summary>Reads the preset again. One that was destroyed keeps its last values.</summary>
-        public void Refresh()
+        /// <inheritdoc/>
+        public override void Refresh()
         {
             if (m_Species == null)
                 return;
@@ -41,7 +49,7 @@ namespace Alate
             if (now.SameAs(parameters))
                 return;
             parameters = now;
-            Stamp++;
+            m_Stamp++;
         }
 
         private void Take(in SpeciesSize size)

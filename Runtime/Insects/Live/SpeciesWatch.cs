@@ -1,33 +1,13 @@
-using System.Collections.Generic;
-
 namespace Alate
 {
-    /// <summary>The presets in use, each read once a step.</summary>
-    internal sealed class SpeciesWatch
+    /// <summary>The presets in use; a round is a step. A monarch stands for none.</summary>
+    internal sealed class SpeciesWatch : AssetWatch<WingSpecies, SpeciesValues>
     {
-        private readonly Dictionary<WingSpecies, SpeciesValues> m_Values = new Dictionary<WingSpecies, SpeciesValues>();
-        private readonly List<SpeciesValues> m_All = new List<SpeciesValues>();
-        private readonly SpeciesValues m_Monarch = new SpeciesValues(null);
-
-        /// <summary>A preset's values; a monarch's for none.</summary>
-        public SpeciesValues Of(WingSpecies species)
+        public SpeciesWatch()
+            : base(new SpeciesValues(null))
         {
-            if (species is null)
-                return m_Monarch;
-            if (!m_Values.TryGetValue(species, out SpeciesValues values))
-            {
-                m_Values.Add(species, values = new SpeciesValues(species));
-                m_All.Add(values);
-            }
-
-            return values;
         }
 
-        /// <summary>Reads all presets again.</summary>
-        public void Refresh()
-        {
-            foreach (SpeciesValues values in m_All)
-                values.Refresh();
-        }
+        protected override SpeciesValues Read(WingSpecies species) => new SpeciesValues(species);
     }
 }

@@ -16,6 +16,7 @@ namespace Alate
         private readonly Pacer m_Pacer = new Pacer();
         private bool m_Moved;
         private float4 m_DrawnAlpha;
+        private long m_StepsTold;
 
         public WingCrowd()
         {
@@ -90,6 +91,8 @@ namespace Alate
                 Draw();
                 m_Calls.Tell(Insects, World);
             }
+
+            TellProfiler();
         }
 
         /// <summary>Steps one insect by hand; it starts now if it has not yet.</summary>
@@ -127,6 +130,9 @@ namespace Alate
             World.Complete();
             m_Population.End();
             World.Dispose();
+            SystemCounter.insects.Set(0);
+            SystemCounter.steps.Set(0);
+            SystemCounter.resets.Set(0);
         }
 
         private void WelcomeNew()
@@ -244,6 +250,15 @@ namespace Alate
                 foreach (LiveInsect live in Insects)
                     live.Upload(World);
             }
+        }
+
+        private void TellProfiler()
+        {
+            SystemCounter.insects.Set(Count);
+            SystemCounter.steps.Set((int)(StepCount - m_StepsTold));
+            m_StepsTold = StepCount;
+            if (SystemCounter.resets.IsKept)
+                SystemCounter.resets.Set(CountResets());
         }
     }
 }

@@ -43,6 +43,20 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator AnEditedSpecies_IsSeen_ThoughAnotherInsectWasSteppedManyTimes()
+        {
+            WingSpecies species = Keep(Alate.Species.Monarch());
+            InsectWings insect = Hatch(made => made.Species = species), stepped = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
+            yield return Frames(5);
+            for (int step = 0; step < 200; step++)
+                stepped.Step(0.001f);
+            species.Beat.maxFrequency = 40f;
+            yield return Frames(30);
+
+            Assert.That(insect.Frequency, Is.EqualTo(32f).Within(0.01f));
+        }
+
+        [UnityTest]
         public IEnumerator AnotherSpecies_IsFollowedInPhase_WithoutRebuilding([Values] bool ofWing, [Values] bool paper)
         {
             WingSpecies species = Keep(Alate.Species.Monarch());

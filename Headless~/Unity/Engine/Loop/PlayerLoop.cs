@@ -105,6 +105,7 @@ public static class PlayerLoop
         FrameEnding?.Invoke();
         Visibility.Update();
         Doomed.End();
+        ProfilerCounters.EndFrame();
         NativeMemoryLedger.EndFrame();
     }
 }

@@ -1,1 +1,0 @@
-[assembly: StandIns.PlayerTests("Alate.Tests.Play")]

@@ -1,0 +1,55 @@
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>The assets of one kind that are in use, each read once a round. Those that nobody asks for any more are let go, so that they can be unloaded.</summary>
+    internal abstract class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
+    {
+        private readonly Dictionary<TAsset, TValue> m_Values = new Dictionary<TAsset, TValue>();
+        private readonly List<(TAsset asset, TValue value)> m_All = new List<(TAsset, TValue)>();
+        private readonly TValue m_None;
+
+        /// <param name="none">What stands for no asset.</param>
+        protected AssetWatch(TValue none)
+        {
+            m_None = none;
+        }
+
+        /// <summary>Assets that are watched now.</summary>
+        public int Count => m_All.Count;
+
+        /// <summary>What is read of an asset, or what stands for none.</summary>
+        public TValue Of(TAsset asset)
+        {
+            if (asset == null)
+                return m_None;
+            if (!m_Values.TryGetValue(asset, out TValue value))
+            {
+                m_Values.Add(asset, value = Read(asset));
+                m_All.Add((asset, value));
+            }
+
+            return value;
+        }
+
+        /// <summary>Begins a round: reads all assets again.</summary>
+        public void Refresh()
+        {
+            for (int k = m_All.Count - 1; k >= 0; k--)
+            {
+                (TAsset asset, TValue value) = m_All[k];
+                if (value.EndRound())
+                {
+                    value.Refresh();
+                    continue;
+                }
+
+                m_Values.Remove(asset);
+                m_All.RemoveAt(k);
+            }
+        }
+
+        /// <summary>Reads an asset for the first time.</summary>
+        protected abstract TValue Read(TAsset asset);
+    }
+}

@@ -1,0 +1,77 @@
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    public sealed class AssetWatchTests
+    {
+        private const int k_Long = 1000;
+
+        private WingSpecies m_Species;
+        private SpeciesWatch m_Watch;
+
+        [SetUp]
+        public void Begin()
+        {
+            m_Species = Alate.Species.Monarch();
+            m_Watch = new SpeciesWatch();
+        }
+
+        [TearDown]
+        public void End() => Object.DestroyImmediate(m_Species);
+
+        [Test]
+        public void Presets_AreReadOnceForAll_AndAgainWhenEdited()
+        {
+            SpeciesValues values = m_Watch.Of(m_Species);
+            int stamp = values.Stamp;
+            Assert.That(m_Watch.Of(m_Species), Is.SameAs(values));
+            m_Watch.Refresh();
+            Assert.That(values.Stamp, Is.EqualTo(stamp), "nothing was edited");
+
+            m_Species.Beat.flapRange *= 0.5f;
+            m_Watch.Refresh();
+            Assert.That(values.Stamp, Is.Not.EqualTo(stamp));
+        }
+
+        [Test]
+        public void PresetsInUse_AreKept_HoweverLong()
+        {
+            SpeciesValues values = m_Watch.Of(m_Species);
+            for (int round = 0; round < k_Long; round++)
+            {
+                m_Watch.Refresh();
+                Assert.That(values.Stamp, Is.GreaterThanOrEqualTo(0));
+            }
+
+            Assert.That(m_Watch.Of(m_Species), Is.SameAs(values));
+            Assert.That(m_Watch.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void PresetsOutOfUse_AreLetGo_AndFoundAnew()
+        {
+            SpeciesValues values = m_Watch.Of(m_Species);
+            for (int round = 0; round < k_Long; round++)
+                m_Watch.Refresh();
+
+            Assert.That(m_Watch.Count, Is.Zero, "nobody looks, yet the preset is held");
+            Assert.That(values.IsForgotten, Is.True);
+            Assert.That(values.Stamp, Is.GreaterThanOrEqualTo(0));
+            Assert.That(values.IsForgotten, Is.True, "a look at what is read no more does not bring it back");
+            Assert.That(m_Watch.Of(m_Species), Is.Not.SameAs(values));
+        }
+
+        [Test]
+        public void NoPreset_AndADestroyedOne_AreAMonarch_AndNotWatched()
+        {
+            SpeciesValues none = m_Watch.Of(null);
+            WingSpecies gone = Alate.Species.Monarch();
+            Object.DestroyImmediate(gone);
+
+            Assert.That(m_Watch.Of(gone), Is.SameAs(none));
+            Assert.That(none.wingLength, Is.EqualTo(WingSpeciesPresets.MonarchSize.wingLength));
+            Assert.That(m_Watch.Count, Is.Zero);
+        }
+    }
+}
