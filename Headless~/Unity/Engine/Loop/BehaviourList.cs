@@ -46,6 +46,18 @@ internal static class BehaviourList
         s_Round.Clear();
     }
 
+    /// <summary>Whether anyone live has a method for a message.</summary>
+    public static bool AnyHears(Func<BehaviourMessages, Action> message)
+    {
+        foreach (MonoBehaviour behaviour in s_Live)
+        {
+            if (behaviour.HearsMessages && message(behaviour.Messages) != null)
+                return true;
+        }
+
+        return false;
+    }
+
     /// <summary>Starts those that are live and not yet started.</summary>
     public static void StartNew()
     {

@@ -103,7 +103,7 @@ public static class PlayerLoop
         BehaviourList.Send(s_Update);
         CoroutineSet.ResumeAll(FramePoint.Update);
         BehaviourList.Send(s_LateUpdate);
-        if (IsPlaying)
+        if (IsPlaying && (DrawnScreen.IsExpectingActs || BehaviourList.AnyHears(s_OnGui)))
             DrawnScreen.Draw(s_DrawAll);
         CoroutineSet.ResumeAll(FramePoint.EndOfFrame);
         FrameEnding?.Invoke();

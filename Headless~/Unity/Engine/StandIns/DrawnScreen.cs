@@ -21,6 +21,9 @@ public static class DrawnScreen
     /// <summary>All texts of the last frame, joined.</summary>
     public static string Text => string.Join("\n", s_Controls.Select(control => control.Text));
 
+    /// <summary>Whether a test wants to do something to the screen.</summary>
+    internal static bool IsExpectingActs => s_Acts.Count > 0;
+
     /// <summary>Presses a button or toggle in the next frame.</summary>
     public static void Press(string text) => s_Acts.Enqueue(new ScreenAct(new Event { type = EventType.MouseUp }) { Pressed = text });
 
