@@ -30,7 +30,7 @@ namespace Alate.Samples
             for (int wing = 0; wing < m_Insect.Wings.Count; wing++)
                 m_Insect.Wings[wing].Species = m_Presets[wing / 2];
             m_Insect.Species = m_Presets[0];
-            m_Insect.Quality.culling = WingCulling.Nothing;
+            m_Insect.Quality.culling = WingCulling.AlwaysSimulate;
             m_Insect.Quality.levelOfDetail = false;
             m_Insect.Motion.source = VelocitySource.Script;
             m_Insect.Velocity = k_ShareOfFullSpeed * full[0].Beat.maxSpeed * m_UnitsPerMetre * parent.forward;

@@ -50,6 +50,14 @@ internal sealed class Flight : IDisposable
     /// <summary>Substeps of the whole flight, with those that it takes to settle before the clock starts.</summary>
     public int Steps { get; }
 
+    /// <summary>Flies the insect of a plan.</summary>
+    /// <exception cref="UserException">Anything the user can mend.</exception>
+    public static FlightRecord Fly(FlightPlan plan)
+    {
+        using var flight = new Flight(plan, Insect.Of(plan));
+        return flight.Run(_ => { });
+    }
+
     /// <summary>Flies.</summary>
     /// <param name="progress">Told the substeps done so far.</param>
     public FlightRecord Run(Action<int> progress)

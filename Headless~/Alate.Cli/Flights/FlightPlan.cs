@@ -1,11 +1,12 @@
 using System;
+using Alate.Cli.Parameters;
 using Alate.Cli.Pictures;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
 /// <summary>What to fly, how, with which model, and where the files go.</summary>
-internal sealed class FlightPlan
+internal sealed record FlightPlan
 {
     public string Species { get; init; }
     public string MeshFile { get; init; }
@@ -36,6 +37,12 @@ internal sealed class FlightPlan
     public CoefficientSet? Coefficients { get; init; }
     public ModelPreset Preset { get; init; }
     public SpeciesVariant Variant { get; init; }
+
+    /// <summary>A number of the species at another value; null changes none.</summary>
+    public ParameterChange Change { get; init; }
+
+    /// <summary>Joints that do not bend: what is left is the drive with its wave.</summary>
+    public bool HoldJoints { get; init; }
 
     /// <summary>What of the model is left out.</summary>
     public ComparisonColumn Column { get; init; } = ComparisonColumn.FullModel;
@@ -70,6 +77,8 @@ internal sealed class FlightPlan
         parameters.substepsPerBeat = Substeps ?? parameters.substepsPerBeat;
         parameters.chordDelay = (float)(Lag ?? parameters.chordDelay);
         parameters.options.coefficients = Coefficients ?? parameters.options.coefficients;
+        if (HoldJoints)
+            parameters.jointLimit = 0f;
         string problem = parameters.FindProblem();
         return problem == null ? parameters : throw new UserException(problem);
     }

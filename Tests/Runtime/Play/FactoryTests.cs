@@ -148,7 +148,7 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = InsectFactory.Create(name, variant, preset);
             Keep(insect.gameObject);
-            insect.Quality.culling = WingCulling.Nothing;
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
             return insect;
         }
 
