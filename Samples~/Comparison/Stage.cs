@@ -28,7 +28,7 @@ namespace Alate.Samples
             m_Full = new WingSpecies[species.Wings.Count];
             for (int k = 0; k < m_Full.Length; k++)
                 m_Full[k] = species.Wings[k].CreateSpecies();
-            m_Tuned = System.Array.ConvertAll(m_Full, Object.Instantiate);
+            m_Tuned = System.Array.ConvertAll(m_Full, preset => Object.Instantiate(preset));
             foreach (ComparisonColumn column in columns)
                 m_Stands.Add(new Stand(column, species, m_Full, m_Place));
             Solo(-1);

@@ -18,8 +18,8 @@ namespace Alate.Samples
             var random = new System.Random(number);
             float Between(float least, float most) => Mathf.Lerp(least, most, (float)random.NextDouble());
 
-            // As many in each ring of the plane.
-            m_Radius = Mathf.Sqrt(Between(k_Nearest * k_Nearest, k_Farthest * k_Farthest));
+            // Denser towards the middle, so that every level of detail is seen.
+            m_Radius = Between(k_Nearest, k_Farthest);
             m_Height = Between(-0.15f, 0.15f) * m_Radius;
             m_Start = Between(0f, 360f);
             m_Turn = (random.Next(2) == 0 ? 1f : -1f) * Mathf.Rad2Deg * k_Speed * Between(0.7f, 1.3f) / m_Radius;

@@ -27,7 +27,7 @@ namespace Alate.Samples
         private readonly int[] m_PerDetail = new int[s_Colours.Length];
         private MaterialPropertyBlock m_Tint;
         private bool m_ShowsDetail = true, m_UsesDetail = true;
-        private float m_FrameTime;
+        private float m_FrameTime, m_Time;
 
         /// <summary>How many insects there shall be, 1 to 800.</summary>
         public int Count
@@ -53,10 +53,11 @@ namespace Alate.Samples
                 m_Flyers.RemoveAt(m_Flyers.Count - 1);
             }
 
+            m_Time += Time.deltaTime;
             System.Array.Clear(m_PerDetail, 0, m_PerDetail.Length);
             foreach (Flyer flyer in m_Flyers)
             {
-                flyer.Fly(Time.time);
+                flyer.Fly(m_Time);
                 flyer.UsesDetail = m_UsesDetail;
                 int detail = (int)flyer.Detail;
                 m_PerDetail[detail]++;

@@ -38,7 +38,7 @@ public sealed class SampleFilesTests
         string meta = Directory.GetFiles(folder, "*.cs.meta").Single(file => File.ReadAllText(file).Contains(script));
         string name = Path.GetFileName(meta).Replace(".cs.meta", "");
         Type type = typeof(MonarchSample).Assembly.GetType("Alate.Samples." + name);
-        Assert.That(type, Is.AssignableTo<MonoBehaviour>());
+        Assert.That(typeof(MonoBehaviour).IsAssignableFrom(type), Is.True, $"{name} is no script for an object");
         Assert.That(File.ReadAllText(Path.Combine(folder, "README.md")), Does.Contain(Path.GetFileName(Directory.GetFiles(folder, "*.unity").Single())));
     }
 
