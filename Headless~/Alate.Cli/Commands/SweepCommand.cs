@@ -81,7 +81,7 @@ internal static class SweepCommand
 
     private static IEnumerable<IReadOnlyList<string>> Rows(Sweep sweep)
     {
-        yield return ["", "wing", "twist °", "load camber %", "tip lag °", "tip bend °", "stretch %", "lift/weight"];
+        yield return ["", "wave", "wing", "twist °", "load camber %", "tip lag °", "tip bend °", "stretch %", "lift / weight"];
         foreach (SweepPoint point in sweep.Points)
         {
             for (int kind = 0; kind < point.Summary.Wings.Count; kind++)
@@ -89,7 +89,7 @@ internal static class SweepCommand
                 WingSummary wing = point.Summary.Wings[kind];
                 yield return
                 [
-                    LineChart.Label(point.Value) + (point.HasWave ? "" : ", no wave"), wing.Name, Number(wing.TwistPpDeg), Number(point.LoadCamberPct[kind]),
+                    LineChart.Label(point.Value), point.HasWave ? "on" : "off", wing.Name, Number(wing.TwistPpDeg), Number(point.LoadCamberPct[kind]),
                     Number(wing.TipLagDeg), Number(wing.TipBendPpDeg), Number(wing.EdgeStretchMaxPct),
                     kind == 0 ? point.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture) : "",
                 ];
