@@ -107,7 +107,6 @@ namespace Alate
             copy.SubstepsPerBeat = full.SubstepsPerBeat;
             copy.Options = full.Options;
             m_Change(copy);
-            copy.NotifyChanged();
         }
 
         /// <inheritdoc/>

@@ -19,7 +19,7 @@ internal sealed record FlightPlan
     /// <summary>Nose up positive.</summary>
     public double PitchDegrees { get; init; }
 
-    /// <summary>Simulated time; null is eight beats.</summary>
+    /// <summary>Time of the flight; null is eight beats. A shorter one begins when the beat has settled.</summary>
     public double? Seconds { get; init; }
 
     /// <summary>Velocity of the air over ground, m/s: right, up, ahead.</summary>

@@ -11,7 +11,7 @@ internal sealed class PictureSurface
     private readonly FineTriangles m_Fine;
     private readonly float4[] m_Colours;
     private readonly float4? m_Ground;
-    private readonly List<Rim> m_Margin;
+    private readonly List<MarginEdge> m_Margin;
     private readonly PictureDetail m_Detail;
     private readonly bool m_IsThin;
     private readonly int m_Index;
@@ -32,7 +32,7 @@ internal sealed class PictureSurface
         int colours = isThin ? detail.WingColours : detail.BodyColours;
         m_Ground = colours > 0 ? Palette.Reduce(m_Colours, colours, detail.Alike) : null;
         m_IsThin = isThin;
-        m_Margin = isThin ? Margin(rest, triangles) : [];
+        m_Margin = isThin ? MeshMargin.Of(rest, triangles) : [];
     }
 
     /// <summary>Hands the surface to a painter.</summary>
@@ -63,7 +63,7 @@ internal sealed class PictureSurface
                 Paint(painter, m_Fine.Triangles[part], m_Colours[part], normal, places, first, shading, depth);
         }
 
-        foreach (Rim rim in m_Margin)
+        foreach (MarginEdge rim in m_Margin)
         {
             var ends = new int2(rim.A, rim.B) + first;
             painter.AddLine(InsectScene.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
@@ -99,40 +99,4 @@ internal sealed class PictureSurface
     private float Depth(int triangle, float3[] vertices) => math.min(
         vertices[m_Triangles[3 * triangle]].z,
         math.min(vertices[m_Triangles[3 * triangle + 1]].z, vertices[m_Triangles[3 * triangle + 2]].z));
-
-    private static List<Rim> Margin(float3[] rest, int[] triangles)
-    {
-        var places = new Dictionary<float3, int>();
-        int[] welded = Array.ConvertAll(triangles, vertex =>
-        {
-            places.TryAdd(rest[vertex], vertex);
-            return places[rest[vertex]];
-        });
-        var uses = new Dictionary<(int, int), int>();
-        for (int k = 0; k < triangles.Length; k++)
-        {
-            (int, int) key = Edge(welded, k);
-            uses[key] = uses.GetValueOrDefault(key) + 1;
-        }
-
-        var margin = new List<Rim>();
-        for (int k = 0; k < triangles.Length; k++)
-        {
-            if (uses[Edge(welded, k)] == 1)
-                margin.Add(new Rim(k / 3, triangles[k], triangles[Next(k)]));
-        }
-
-        return margin;
-    }
-
-    private static (int, int) Edge(int[] welded, int corner)
-    {
-        int a = welded[corner], b = welded[Next(corner)];
-        return (Math.Min(a, b), Math.Max(a, b));
-    }
-
-    private static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
-
-    /// <summary>An edge of a single triangle.</summary>
-    private readonly record struct Rim(int Triangle, int A, int B);
 }

@@ -17,8 +17,10 @@ internal sealed class Shading
     private readonly PictureDetail m_Detail;
 
     /// <param name="camera">Who looks.</param>
-    /// <param name="detail">Its steps of light and colour: small enough to look smooth, large enough that neighbouring triangles merge.</param>
-    public Shading(PictureCamera camera, PictureDetail detail)
+    /// <param name="detail">
+    /// For <see cref="Shade"/>: its steps of light and colour, small enough to look smooth, large enough that neighbouring triangles merge.
+    /// </param>
+    public Shading(PictureCamera camera, PictureDetail detail = null)
     {
         m_Detail = detail;
         m_Towards = camera.Towards;
@@ -26,22 +28,29 @@ internal sealed class Shading
         m_Half = math.normalize(m_Key + m_Towards);
     }
 
-    /// <summary>The shade of a surface, sRGB in six hexadecimal digits.</summary>
+    /// <summary>The shade of a surface, sRGB in six hexadecimal digits, in steps, so that neighbours can be painted in one go.</summary>
     /// <param name="colour">Linear light, 0 to 1.</param>
     /// <param name="normal">Unit vector on the body; which side it points to does not matter.</param>
     /// <param name="isThin">A wing, which light passes; else a body.</param>
     public int Shade(float3 colour, float3 normal, bool isThin)
     {
+        float step = m_Detail.LightStep * (isThin || m_Detail.BodyColours == 0 ? 1f : 1.6f);
+        return Quantised(ToEncoded(Light(colour, normal, isThin, step, m_Detail.LightStep, m_Detail.RimStep)));
+    }
+
+    /// <summary>The same without steps, linear light.</summary>
+    public float3 Light(float3 colour, float3 normal, bool isThin) => Light(colour, normal, isThin, 0f, 0f, 0f);
+
+    private float3 Light(float3 colour, float3 normal, bool isThin, float step, float throughStep, float rimStep)
+    {
         float facing = math.dot(normal, m_Towards);
         normal = facing < 0f ? -normal : normal;
         float key = math.dot(normal, m_Key);
-        float through = isThin ? Stepped(k_Through * math.max(-key, 0f), m_Detail.LightStep) : 0f;
-        float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), m_Detail.RimStep);
-        float gloss = isThin ? 0f : Stepped(k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower), m_Detail.RimStep);
-        float step = m_Detail.LightStep * (isThin || m_Detail.BodyColours == 0 ? 1f : 1.6f);
+        float through = isThin ? Stepped(k_Through * math.max(-key, 0f), throughStep) : 0f;
+        float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), rimStep);
+        float gloss = isThin ? 0f : Stepped(k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower), rimStep);
         float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), step);
-        float3 lit = colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
-        return Quantised(ToEncoded(lit));
+        return colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
     }
 
     /// <summary>Light of an sRGB value.</summary>
@@ -50,7 +59,7 @@ internal sealed class Shading
     /// <summary>The sRGB value of a light.</summary>
     public static float3 ToEncoded(float3 linear) => math.pow(math.saturate(linear), 1f / 2.2f);
 
-    private static float Stepped(float value, float step) => step * math.round(value / step);
+    private static float Stepped(float value, float step) => step > 0f ? step * math.round(value / step) : value;
 
     private int Quantised(float3 colour)
     {

@@ -39,7 +39,7 @@ namespace Alate.Tests
         private static PlanPoint[] Outline(int seed)
         {
             PlanPoint[] outline = Array.ConvertAll(
-                new RandomOutline(new System.Random(seed)).Polygon(900), corner => new PlanPoint(1000.0 * corner.X, 1000.0 * corner.Z));
+                RandomWings.Make(seed).Outline(900), corner => new PlanPoint(1000.0 * corner.x, 1000.0 * corner.z));
             if (ClosedPath.Area(outline) < 0.0)
                 Array.Reverse(outline);
             return ClosedPath.Simplified(outline, 0.4);

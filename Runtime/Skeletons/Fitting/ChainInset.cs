@@ -7,9 +7,10 @@ namespace Alate
     {
         private const int k_Rounds = 40;
 
-        /// <summary>Steps in which bones are checked, and how far inside the outline they are brought; wing reaches.</summary>
+        /// <summary>Steps in which bones are checked, how far outside the wing is nothing to mind, and how far outside they are brought; wing reaches.</summary>
         private const double k_Step = 0.01;
-        private const double k_Clearance = 0.001;
+        private const double k_Unminded = 0.004;
+        private const double k_Left = 0.003;
 
         /// <summary>A joint is moved at most this many times as far as the bone's point that it carries along.</summary>
         private const double k_MostLeverage = 3.0;
@@ -22,7 +23,7 @@ namespace Alate
             var moves = new PlanPoint[joints.Length];
             var best = (PlanPoint[])joints.Clone();
             double least = double.MaxValue;
-            for (int round = 0; round < k_Rounds && least > 0.0; round++)
+            for (int round = 0; round < k_Rounds && least > k_Unminded; round++)
             {
                 Array.Clear(moves, 0, moves.Length);
                 double outside = 0.0;
@@ -65,10 +66,10 @@ namespace Alate
                     continue;
                 PlanPoint off = outline.At(outline.Nearest(p)) - p;
                 double distance = Math.Sqrt(off.LengthSquared);
-                if (distance < k_Clearance)
-                    continue;
                 farthest = Math.Max(farthest, distance);
-                PlanPoint push = off * ((distance + k_Clearance) / distance);
+                if (distance <= k_Unminded)
+                    continue;
+                PlanPoint push = off * ((distance - k_Left) / distance);
                 Share(joints.Length, bone, share, out double inner, out double outer);
                 Push(moves, bone, push * inner);
                 Push(moves, bone + 1, push * outer);

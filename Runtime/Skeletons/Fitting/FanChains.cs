@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 
@@ -5,12 +6,20 @@ namespace Alate
 {
     /// <summary>
     /// Lays the chains of a wing: the first along its leading edge, the last straight to the trailing edge, those between along level
-    /// lines of a <see cref="FanField"/>. A chain that ends next to a tail goes on into it.
+    /// lines of a <see cref="FanField"/>, straightened as far as the wing allows. A chain that ends next to a tail goes on into it.
     /// </summary>
     internal sealed class FanChains
     {
         /// <summary>How far a chain may stray from the wing without a word, wing reaches.</summary>
         private const double k_Outside = 0.01;
+
+        /// <summary>How much of the way from its level line to a straight line a chain is drawn; wings jointed by hand have straight ones.</summary>
+        private const double k_Straightness = 0.6;
+
+        /// <summary>How far any of these straight lines may stray from the wing before all chains keep to their level lines, wing reaches.</summary>
+        private const double k_Stray = 0.03;
+
+        private const int k_Places = 60;
 
         private readonly ClosedCurve m_Outline;
         private readonly WingLandmarks m_Marks;
@@ -28,22 +37,27 @@ namespace Alate
         /// <summary>[chain][joint] in the wing's view.</summary>
         public PlanPoint[][] Lay(int chains, int joints)
         {
+            var shares = new FanShares(m_Marks, m_Margin, chains);
             var made = new PlanPoint[chains][];
             made[0] = BalancedJoints.Place(LeadingEdge(), joints);
             ChainInset.Apply(made[0], m_Outline);
+            int last = chains - 1;
             List<PlanPoint> lastPath = new InnerPath(m_Outline).Find(m_Marks.TrailingRoot, m_Marks.Last);
-            FanField field = Field(made[0], lastPath);
-            var shares = new FanShares(m_Marks, m_Margin, chains);
-            PlanPoint firstRoot = made[0][0], lastRoot = lastPath[0];
-            for (int i = 1; i < chains; i++)
+            made[last] = Jointed(new List<PlanPoint>(lastPath), shares.TailOf(last), joints);
+
+            FanField field = Field(made[0], shares.TailOf(last) == null ? made[last] : (IReadOnlyList<PlanPoint>)lastPath);
+            var levels = new List<PlanPoint>[chains];
+            double straightness = k_Straightness;
+            for (int i = 1; i < last; i++)
             {
-                PlanPoint root = firstRoot + (lastRoot - firstRoot) * shares[i];
-                List<PlanPoint> path = i == chains - 1 ? lastPath : LevelLine.Trace(field, shares[i], root, m_Margin.At(shares[i]));
-                if (shares.TailOf(i) is OutlineStretch tail)
-                    path.Add(m_Marks.Trimmed.EndOf(tail));
-                made[i] = OpenPath.Even(path, joints);
-                ChainInset.Apply(made[i], m_Outline);
+                PlanPoint root = made[0][0] + (made[last][0] - made[0][0]) * shares[i], tip = m_Margin.At(shares[i]);
+                levels[i] = LevelLine.Trace(field, shares[i], root, tip);
+                double outside = ChainInset.Outside(new[] { root, tip }, m_Outline);
+                straightness = Math.Min(straightness, k_Straightness * Math.Max(0.0, 1.0 - outside / k_Stray));
             }
+
+            for (int i = 1; i < last; i++)
+                made[i] = Jointed(Straightened(levels[i], straightness), shares.TailOf(i), joints);
 
             ChainOrder.Untangle(made);
             Warn(made);
@@ -64,6 +78,26 @@ namespace Alate
             }
         }
 
+        // All chains by as much: else one could come to lie across the next.
+        private static List<PlanPoint> Straightened(List<PlanPoint> level, double share)
+        {
+            PlanPoint root = level[0], tip = level[level.Count - 1];
+            PlanPoint[] path = OpenPath.Even(level, k_Places);
+            for (int k = 1; k < k_Places - 1; k++)
+                path[k] += (root + (tip - root) * ((double)k / (k_Places - 1)) - path[k]) * share;
+            return new List<PlanPoint>(path);
+        }
+
+        // Evenly along a path and on to the end of a tail.
+        private PlanPoint[] Jointed(List<PlanPoint> path, OutlineStretch? tail, int joints)
+        {
+            if (tail is OutlineStretch beyond)
+                path.Add(m_Marks.Trimmed.EndOf(beyond));
+            PlanPoint[] chain = OpenPath.Even(path, joints);
+            ChainInset.Apply(chain, m_Outline);
+            return chain;
+        }
+
         // Straight across spikes; out to the very end where the tip itself is one.
         private List<PlanPoint> LeadingEdge()
         {
@@ -78,7 +112,7 @@ namespace Alate
         }
 
         // Out along the first chain, along the margin and back along the last; the base closes the rim.
-        private FanField Field(PlanPoint[] first, List<PlanPoint> last)
+        private FanField Field(PlanPoint[] first, IReadOnlyList<PlanPoint> last)
         {
             var rim = new List<PlanPoint>(first);
             var values = new List<double>();

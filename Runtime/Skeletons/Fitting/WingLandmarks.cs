@@ -30,7 +30,7 @@ namespace Alate
         private const double k_LastSharpness = 150.0;
 
         /// <summary>The last tip is looked for around the middle of the trailing edge: depth that it must win to lie a quarter of the edge off.</summary>
-        private const double k_MiddlePull = 0.05;
+        private const double k_MiddlePull = 0.07;
 
         /// <summary>The last chain reaches at most this many times as far as the first, or it would count as the principal one.</summary>
         private const double k_MostReach = 1.3;

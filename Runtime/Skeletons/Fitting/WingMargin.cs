@@ -5,12 +5,12 @@ namespace Alate
 {
     /// <summary>
     /// The outer margin from the tip to the end of the last chain, with the share of the fan that lies before each of its points: mostly
-    /// by the angle about the base, so that neither tails nor clefts draw more chains than their breadth asks, a little by length.
+    /// by length, as wings jointed by hand have it, a little by the angle about the base, so that a tail draws no more chains than its breadth asks.
     /// </summary>
     internal sealed class WingMargin
     {
         /// <summary>Weight of the length in the share.</summary>
-        private const double k_LengthWeight = 0.15;
+        private const double k_LengthWeight = 0.9;
 
         private readonly WingLandmarks m_Marks;
         private readonly double[] m_Shares;

@@ -4,26 +4,36 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>The last of eight beats of a monarch wing, measured as researchers measure it.</summary>
+    /// <summary>The last of eight beats of a wing, measured as researchers measure it.</summary>
     internal static class FlownBeat
     {
         private const int k_Beats = 8;
 
-        /// <summary>Flies and measures.</summary>
+        /// <summary>Flies a monarch's wing and measures it.</summary>
         public static WingDeformation Measure(in WingParameters parameters, float speed = 1.3f)
         {
-            int substeps = parameters.substepsPerBeat;
-            SpeciesWing kind = Species.Find("monarch").Wings[0];
-            SurfaceMesh mesh = kind.CreateSurface(WingSide.Right);
             WingRig rig = Monarch.Rig();
-            WingFrame frame = rig.Frame;
+            SurfaceMesh mesh = Species.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
+            return Measure(mesh, rig, parameters, Monarch.Flying(speed), rig.Frame);
+        }
+
+        /// <summary>Flies and measures any wing.</summary>
+        /// <param name="mesh">What the rig was baked for.</param>
+        /// <param name="rig">Is released.</param>
+        /// <param name="parameters">How the wing beats.</param>
+        /// <param name="surroundings">What it feels.</param>
+        /// <param name="frame">Where sections are cut and angles are measured.</param>
+        public static WingDeformation Measure(
+            SurfaceMesh mesh, WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in WingFrame frame)
+        {
+            int substeps = parameters.substepsPerBeat;
             var rest = new float3[mesh.VertexCount];
             for (int k = 0; k < rest.Length; k++)
                 rest[k] = frame.ToWing(mesh.positions[k]);
             var beat = new List<BeatFrame>();
             using (var world = new WingWorld())
             {
-                WingHandle wing = world.Add(rig, parameters, Monarch.Flying(speed));
+                WingHandle wing = world.Add(rig, parameters, surroundings);
                 rig.Release();
                 float dt = 1f / (substeps * world.Read(wing).Frequency);
                 for (int k = 1; k <= k_Beats * substeps; k++)

@@ -21,6 +21,12 @@ namespace Alate
         /// <summary>Cosine of the most that a vein may turn from the line from the hinge at its end; others run along the margin or across.</summary>
         private const double k_LeastCosine = 0.5;
 
+        /// <summary>
+        /// A line that keeps this close to the outline, a share of the wing's length and at most of its mean chord, over this share of its way is the
+        /// outline's own.
+        /// </summary>
+        private const double k_RimLine = 0.03, k_RimChord = 0.2, k_AlongRim = 0.6;
+
         private readonly VeinGraph m_Graph;
         private readonly VeinTree m_Tree;
         private readonly RimLine m_Rim;
@@ -86,8 +92,17 @@ namespace Alate
                 path.Add(m_Graph[pixel]);
             PlanPoint tip = end + direction * rest;
             path.Add(tip);
+            if (IsRim(way))
+                return false;
             vein = new RadialVein(VeinPath.Smoothed(path, 0.01 * m_Length), m_Rim.Nearest(tip), covered / whole);
             return true;
+        }
+
+        private bool IsRim(List<int> way)
+        {
+            double close = Math.Min(k_RimLine * m_Length, k_RimChord * ClosedPath.Area(m_Rim.Points) / m_Length);
+            int along = way.FindAll(pixel => (m_Rim.At(m_Rim.Nearest(m_Graph[pixel])) - m_Graph[pixel]).LengthSquared < close * close).Count;
+            return along > k_AlongRim * way.Count;
         }
 
         // Lines bend where they meet the margin; the direction before that is the better one.

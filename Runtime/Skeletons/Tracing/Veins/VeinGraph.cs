@@ -6,14 +6,8 @@ namespace Alate
     /// <summary>The pixels of thinned veins and how they join; short spurs are gone, and small gaps are bridged.</summary>
     internal sealed class VeinGraph
     {
-        /// <summary>Longest spur that is cut off and longest gap that is bridged, shares of the wing's length.</summary>
-        private const double k_Spur = 0.02, k_Gap = 0.07;
-
-        /// <summary>Cost of a gap that lies in a vein's way and of one that does not, over that of a vein as long.</summary>
-        private const double k_Straight = 1.5, k_Sideways = 2.5;
-
-        /// <summary>Stretch before a gap that tells where a vein goes, as a share of the longest gap, and cosine within which that is.</summary>
-        private const double k_Ahead = 0.4, k_AheadCosine = 0.9;
+        /// <summary>Longest spur that is cut off, a share of the wing's length.</summary>
+        private const double k_Spur = 0.02;
 
         private readonly PixelMask m_Thin;
         private readonly List<PlanPoint> m_Places = new List<PlanPoint>();
@@ -27,12 +21,7 @@ namespace Alate
             m_Thin = thin;
             CutSpurs(k_Spur * length);
             AddVertices();
-            int[] parts = Parts();
-            for (int vertex = 0; vertex < Count; vertex++)
-            {
-                if (LinesAt(vertex) == 1)
-                    Bridge(vertex, parts, k_Gap * length);
-            }
+            VeinGaps.Bridge(this, length);
         }
 
         /// <summary>Pixels.</summary>
@@ -63,14 +52,23 @@ namespace Alate
             return at;
         }
 
-        // Bridges are no lines of the picture.
-        private int LinesAt(int vertex)
+        /// <summary>How many lines run from a pixel; bridges are no lines of the picture.</summary>
+        public int LinesAt(int vertex)
         {
             int lines = 0;
             foreach (VeinLink link in m_Links[vertex])
                 lines += link.IsBridge ? 0 : 1;
             return lines;
         }
+
+        /// <summary>Bridges a gap; dearness is the cost of the way over that of a vein as long, above 1.</summary>
+        public void Join(int a, int b, double dearness)
+        {
+            m_Links[a].Add(new VeinLink(b, Distance(a, b), dearness));
+            m_Links[b].Add(new VeinLink(a, Distance(a, b), dearness));
+        }
+
+        public double Distance(int a, int b) => Math.Sqrt((m_Places[a] - m_Places[b]).LengthSquared);
 
         // Walks from every end to the next fork, and takes the way out if it was short.
         private void CutSpurs(double longest)
@@ -131,64 +129,5 @@ namespace Alate
 
             return found;
         }
-
-        private int[] Parts()
-        {
-            var parts = new int[Count];
-            int last = 0;
-            var open = new Stack<int>();
-            for (int vertex = 0; vertex < Count; vertex++)
-            {
-                if (parts[vertex] != 0)
-                    continue;
-                parts[vertex] = ++last;
-                open.Push(vertex);
-                while (open.Count > 0)
-                {
-                    foreach (VeinLink link in m_Links[open.Pop()])
-                    {
-                        if (parts[link.to] != 0)
-                            continue;
-                        parts[link.to] = last;
-                        open.Push(link.to);
-                    }
-                }
-            }
-
-            return parts;
-        }
-
-        // Joins an end to the nearest pixel of every other part that is not far, and to the one that lies straight ahead.
-        private void Bridge(int end, int[] parts, double longest)
-        {
-            PlanPoint ahead = m_Places[end] - m_Places[Walk(end, 0, Math.Max(3, (int)(k_Ahead * longest)))];
-            double least = k_AheadCosine * Math.Sqrt(ahead.LengthSquared);
-            int straight = -1;
-            var nearest = new Dictionary<int, int>();
-            for (int vertex = 0; vertex < Count; vertex++)
-            {
-                double distance = Distance(vertex, end);
-                if (vertex == end || distance > longest)
-                    continue;
-                bool isAhead = PlanPoint.Dot(m_Places[vertex] - m_Places[end], ahead) > least * distance;
-                if (isAhead && (straight < 0 || distance < Distance(straight, end)))
-                    straight = vertex;
-                if (parts[vertex] != parts[end] && (!nearest.TryGetValue(parts[vertex], out int before) || distance < Distance(before, end)))
-                    nearest[parts[vertex]] = vertex;
-            }
-
-            foreach (int vertex in nearest.Values)
-                Join(end, vertex, k_Sideways);
-            if (straight >= 0)
-                Join(end, straight, k_Straight);
-        }
-
-        private void Join(int end, int vertex, double dearness)
-        {
-            m_Links[end].Add(new VeinLink(vertex, Distance(vertex, end), dearness));
-            m_Links[vertex].Add(new VeinLink(end, Distance(vertex, end), dearness));
-        }
-
-        private double Distance(int a, int b) => Math.Sqrt((m_Places[a] - m_Places[b]).LengthSquared);
     }
 }

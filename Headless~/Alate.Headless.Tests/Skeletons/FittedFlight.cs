@@ -1,0 +1,63 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    /// <summary>A wing of a species in level flight: with the skeleton that its author made, and with the fitted one.</summary>
+    internal sealed class FittedFlight
+    {
+        private const float k_CruiseShare = 0.65f;
+
+        private readonly SpeciesWing m_Wing;
+        private readonly WingSpecies m_Species;
+        private readonly SurfaceMesh m_Mesh;
+        private readonly WingFrame m_Frame;
+
+        public FittedFlight(SpeciesWing wing)
+        {
+            m_Wing = wing;
+            m_Species = wing.CreateSpecies();
+            m_Mesh = wing.CreateSurface(WingSide.Right);
+            WingSkeleton hand = wing.CreateSkeleton(WingSide.Right);
+            WingRig rig = Bake(hand);
+            m_Frame = rig.Frame;
+            ByHand = Measure(rig);
+            Fit = SkeletonFitter.Fit(Surface, Hints(wing));
+            Fitted = Measure(Bake(Fit.Skeleton));
+        }
+
+        /// <summary>The automatic skeleton.</summary>
+        public SkeletonFit Fit { get; }
+
+        /// <summary>The last of eight beats of either; both seen in the frame of the author's skeleton.</summary>
+        public WingDeformation ByHand { get; }
+        public WingDeformation Fitted { get; }
+
+        private WingSurface Surface => m_Mesh.ToWingSurface(m_Wing.Name);
+
+        // What a user says: the side of the body, and as many chains and joints as the author's.
+        private static SkeletonFitSettings Hints(SpeciesWing wing)
+        {
+            SkeletonFitSettings hints = SkeletonFitSettings.Default;
+            hints.bodySide = Vector3.left;
+            hints.chains = wing.Chains;
+            hints.jointsPerChain = wing.JointsPerChain;
+            return hints;
+        }
+
+        private WingRig Bake(WingSkeleton skeleton) => WingRig.Bake(skeleton, Surface, WingRigSettings.Default);
+
+        private WingDeformation Measure(WingRig rig)
+        {
+            const float k_Gravity = 9.81f;
+            float speed = k_CruiseShare * m_Species.Beat.maxSpeed, length = m_Species.WingLength;
+            var surroundings = new WingSurroundings
+            {
+                wind = new float3(0f, 0f, -speed / length),
+                gravity = new float3(0f, -k_Gravity * m_Species.Size.gravityShare / length, 0f),
+                speed = speed,
+            };
+            return FlownBeat.Measure(m_Mesh, rig, m_Species.ToParameters(), surroundings, m_Frame);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using System.Linq;
+using FsCheck;
+using FsCheck.Fluent;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    /// <summary>What must hold for the fitted skeleton of any wing, here two hundred random outlines.</summary>
+    public sealed class SkeletonFitProperties
+    {
+        private const int k_Wings = 200;
+
+        private static readonly Vector3 s_BodySide = Vector3.left, s_Forward = Vector3.forward, s_Up = Vector3.up;
+
+        [Test]
+        public void EveryRandomWing_GetsAValidSkeletonInsideItAlongItsLeadingEdge()
+        {
+            for (int seed = 0; seed < k_Wings; seed++)
+            {
+                PolarWing wing = RandomWings.Make(seed);
+                SkeletonFit fit = SkeletonFitter.Fit(wing.Mesh(seed), Hints());
+                var measure = new FitMeasure(fit.Skeleton, wing.Outline());
+
+                Assert.That(fit.Skeleton.Validate(), Is.Empty, $"wing {seed}");
+                Assert.That(measure.Outside(), Is.LessThan(0.01), $"outside wing {seed}");
+                Assert.That(measure.OffLeadingEdge(), Is.LessThan(0.03), $"off the leading edge of wing {seed}");
+                Assert.That(measure.TipsOffMargin(), Is.LessThan(0.01), $"off the margin of wing {seed}");
+            }
+        }
+
+        [Test]
+        public void RotationMirroringUnitAndTriangulation_MoveTheSkeletonAlong([Values(0, 1, 2, 3)] int quarter)
+        {
+            for (int seed = quarter * k_Wings / 4; seed < (quarter + 1) * k_Wings / 4; seed++)
+                CheckMoves(seed);
+        }
+
+        [Test]
+        public void AnyCountOfChainsAndJoints_IsValidAndBakes()
+        {
+            Arbitrary<(int Seed, int Chains, int Joints)> any = Gen.Choose(0, 100000)
+                .SelectMany(seed => Gen.Choose(3, 16).SelectMany(chains => Gen.Choose(3, 16).Select(joints => (seed, chains, joints))))
+                .ToArbitrary();
+            Prop.ForAll(any, given =>
+            {
+                WingSurface mesh = RandomWings.Make(given.Seed).Mesh(given.Seed);
+                SkeletonFitSettings hints = Hints();
+                hints.chains = given.Chains;
+                hints.jointsPerChain = given.Joints;
+
+                WingSkeleton skeleton = SkeletonFitter.Fit(mesh, hints).Skeleton;
+
+                Assert.That(skeleton.Validate(), Is.Empty);
+                Assert.That(skeleton.Chains.Select(chain => chain.Length), Is.All.EqualTo(given.Joints));
+                TestWings.Bake(skeleton, mesh).Release();
+            }).Check(Config.QuickThrowOnFailure.WithMaxTest(60).WithReplay(1, 1));
+        }
+
+        private static void CheckMoves(int seed)
+        {
+            PolarWing wing = RandomWings.Make(seed);
+            WingSkeleton skeleton = SkeletonFitter.Fit(wing.Mesh(seed), Hints()).Skeleton;
+            var measure = new FitMeasure(skeleton, wing.Outline());
+            for (int variant = 1; variant <= 2; variant++)
+            {
+                var move = new WingMove(1000 * seed + variant);
+                SkeletonFitSettings hints = Hints();
+                hints.bodySide = move.Direction(s_BodySide);
+                hints.forward = move.Direction(s_Forward);
+                hints.up = move.Direction(s_Up);
+
+                WingSkeleton moved = SkeletonFitter.Fit(move.Surface(wing.Mesh(1000 * seed + variant)), hints).Skeleton;
+
+                Assert.That(moved.Validate(), Is.Empty, $"wing {seed}, variant {variant}");
+                Assert.That(measure.Apart(moved, move.Point, move.Scale), Is.LessThan(0.01), $"wing {seed}, variant {variant}");
+            }
+        }
+
+        private static SkeletonFitSettings Hints()
+        {
+            SkeletonFitSettings hints = SkeletonFitSettings.Default;
+            hints.bodySide = s_BodySide;
+            return hints;
+        }
+    }
+}
