@@ -49,7 +49,7 @@ namespace Alate.Tests.Insects
         {
             List<SweepPoint> with = s_Sweep.Value.With(wave: true), without = s_Sweep.Value.With(wave: false);
             for (int k = 0; k < with.Count; k++)
-                Assert.That(with[k].Summary.Main.TwistPpDeg, Is.GreaterThan(1.2 * without[k].Summary.Main.TwistPpDeg), $"{with[k].Value}");
+                Assert.That(with[k].Summary.Main.TwistPpDeg, Is.GreaterThan(1.1 * without[k].Summary.Main.TwistPpDeg), $"{with[k].Value}");
         }
 
         [Test]
