@@ -18,6 +18,9 @@ internal static class FiguresCommand
     private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.svg";
     private const int k_Phases = 3;
 
+    /// <summary>The softest wing of the sweep needs as many to converge.</summary>
+    private const int k_SweptSubsteps = 96;
+
     public static Command Create(TextWriter output)
     {
         var folder = new Argument<string>("DIR")
@@ -55,7 +58,8 @@ internal static class FiguresCommand
             foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))
                 Write(folder, Compared(comparison.Plan.Species), ComparisonPicture.Draw(comparison));
             stage("sweeping");
-            var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, Plan(Species.Find("fishfly")), SweepWaves.Both);
+            FlightPlan fishfly = Plan(Species.Find("fishfly")) with { Substeps = k_SweptSubsteps };
+            var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
             Write(folder, k_Sweep, SweepPicture.Draw(Sweep.Fly(sweep, _ => { })));
         });
         folder.Commit();

@@ -10,6 +10,10 @@ internal static class FlightOptions
         "--speed", "M/S", 0, 100,
         "Speed of the body ahead, metres per second, 0 to 100. [default: 0.65 of the species' top speed, an insect's 1.3]");
 
+    public static Option<int?> Substeps() => Numbers.OptionalCount(
+        "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps,
+        "Substeps of a beat, 12 to 480. [default: the species']");
+
     public static Option<SpeciesVariant?> Variant() => Choice.Optional<SpeciesVariant>(
         "--variant", "Which numbers of the species: the tables', measured ones where there are any, or softer ones. [default: standard]", new()
         {

@@ -27,9 +27,7 @@ internal sealed class FlyOptions
     private readonly Option<double> m_Elasticity = Numbers.Option(
         "--elasticity", "FACTOR", 1, 0.001, 1e6, "Factor on the species' elasticity, 0.001 to 1000000; below 1 is softer.");
 
-    private readonly Option<int?> m_Substeps = Numbers.OptionalCount(
-        "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps,
-        "Substeps of a beat, 12 to 480. [default: the species']");
+    private readonly Option<int?> m_Substeps = FlightOptions.Substeps();
 
     private readonly Option<string> m_Elements = new("--elements")
     {

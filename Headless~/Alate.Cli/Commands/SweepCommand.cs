@@ -33,13 +33,14 @@ internal static class SweepCommand
         {
             ["on"] = SweepWaves.On, ["off"] = SweepWaves.Off, ["both"] = SweepWaves.Both,
         });
+        Option<int?> substeps = FlightOptions.Substeps();
         Option<SpeciesVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
         Option<PictureView?> view = FlightOptions.View();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/sweep-PARAMETER]" };
         var command = new Command("sweep", "Flies an insect at several values of one number: a picture and a table of its effect.")
         {
-            parameter, from, to, species, steps, waves, variant, speed, view, folder,
+            parameter, from, to, species, steps, waves, substeps, variant, speed, view, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -50,6 +51,7 @@ internal static class SweepCommand
             {
                 Species = definition.Name,
                 Variant = parsed.GetValue(variant) ?? SpeciesVariant.Standard,
+                Substeps = parsed.GetValue(substeps),
                 Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),
                 View = parsed.GetValue(view) ?? PictureView.FrontLeft,
             };
@@ -81,7 +83,7 @@ internal static class SweepCommand
 
     private static IEnumerable<IReadOnlyList<string>> Rows(Sweep sweep)
     {
-        yield return ["", "wing", "twist °", "load camber %", "tip lag °", "tip bend °", "stretch %", "lift/weight"];
+        yield return ["", "wave", "wing", "twist °", "load camber %", "tip lag °", "tip bend °", "stretch %", "lift / weight"];
         foreach (SweepPoint point in sweep.Points)
         {
             for (int kind = 0; kind < point.Summary.Wings.Count; kind++)
@@ -89,7 +91,7 @@ internal static class SweepCommand
                 WingSummary wing = point.Summary.Wings[kind];
                 yield return
                 [
-                    LineChart.Label(point.Value) + (point.HasWave ? "" : ", no wave"), wing.Name, Number(wing.TwistPpDeg), Number(point.LoadCamberPct[kind]),
+                    LineChart.Label(point.Value), point.HasWave ? "on" : "off", wing.Name, Number(wing.TwistPpDeg), Number(point.LoadCamberPct[kind]),
                     Number(wing.TipLagDeg), Number(wing.TipBendPpDeg), Number(wing.EdgeStretchMaxPct),
                     kind == 0 ? point.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture) : "",
                 ];

@@ -80,7 +80,7 @@ internal sealed class Terminal
                 continue;
             }
 
-            table = new Table().Border(TableBorder.Rounded).AddColumn(Markup.Escape(row[0]));
+            table = new Table().Border(TableBorder.Rounded).AddColumn(new TableColumn(Markup.Escape(row[0])) { NoWrap = side == Justify.Left });
             foreach (string name in row.Skip(1))
                 table.AddColumn(new TableColumn(Markup.Escape(name)) { Alignment = side });
         }

@@ -12,7 +12,7 @@ internal static class Palette
     /// <summary>Replaces colours by so many; begins with the same count of each brightness, so that the result is always the same.</summary>
     /// <param name="colours">Linear light and opacity; changed.</param>
     /// <param name="count">Colours to keep.</param>
-    /// <param name="alike">Groups that differ by less from the largest, sRGB and opacity, join it: speckles that nobody sees.</param>
+    /// <param name="alike">Groups that differ by less, sRGB and opacity, are one: speckles that nobody sees.</param>
     /// <returns>The colour that most have.</returns>
     public static float4 Reduce(float4[] colours, int count, float alike)
     {
@@ -29,10 +29,20 @@ internal static class Palette
                 groups[k] = Nearest(places[k], means);
         }
 
-        float4 ground = means[groups.GroupBy(group => group).OrderByDescending(group => group.Count()).First().Key];
+        int[] joined = Join(means, groups, alike);
         for (int k = 0; k < colours.Length; k++)
-            colours[k] = Linear(math.length(means[groups[k]] - ground) < alike ? ground : means[groups[k]]);
-        return Linear(ground);
+            colours[k] = Linear(means[joined[groups[k]]]);
+        return Linear(means[groups.GroupBy(group => joined[group]).OrderByDescending(group => group.Count()).First().Key]);
+    }
+
+    // [group] The largest group that it is like; itself where there is none.
+    private static int[] Join(float4[] means, int[] groups, float alike)
+    {
+        int[] bySize = Enumerable.Range(0, means.Length).OrderByDescending(group => groups.Count(one => one == group)).ToArray();
+        var joined = new int[means.Length];
+        foreach (int group in bySize)
+            joined[group] = bySize.First(larger => larger == group || (joined[larger] == larger && math.length(means[larger] - means[group]) < alike));
+        return joined;
     }
 
     private static float4 Linear(float4 encoded) => new(Shading.ToLinear(encoded.xyz), encoded.w);

@@ -14,7 +14,7 @@ namespace Alate.Cli.Pictures;
 /// <param name="GlassStep">Steps of how much is seen through a surface, of 100.</param>
 /// <param name="WingColours">Colours of a wing, over the one that most of it has; 0 for as many as there are.</param>
 /// <param name="BodyColours">The same for the body.</param>
-/// <param name="Alike">Colours that differ by less from the most frequent one, sRGB and opacity, are painted like it.</param>
+/// <param name="Alike">Colours that differ by less, sRGB and opacity, are painted like the more frequent one.</param>
 /// <param name="Fineness">Steps of a path in a unit of the picture.</param>
 /// <param name="Slack">How far, in such steps, a path may stray.</param>
 /// <param name="TestFineness">Points in a unit of length at which pieces are tested for lying over one another.</param>

@@ -64,7 +64,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Terminal_ShowsTheMeasures()
         {
-            Assert.That(m_Run.Output, Does.Contain("twist °").And.Contain("0.2, no wave").And.Contain("sweep.svg"));
+            Assert.That(m_Run.Output, Does.Contain("twist °").And.Contain("off │ hind wing").And.Contain("sweep.svg"));
         }
 
         [TestCase(0.25, 4, 5, new[] { 0.25, 0.5, 1.0, 2.0, 4.0 })]
