@@ -36,7 +36,7 @@ namespace Alate.Editor
         private readonly InsectFix m_Find = new FindWingsFix();
         private readonly InsectFix m_LayOut = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
 
-        private SerializedProperty m_Species, m_Wings, m_UpdateMode, m_StartPhase, m_Motion, m_Air, m_Quality, m_OnWingBeat;
+        private SerializedProperty m_Species, m_Wings, m_UpdateMode, m_StartPhase, m_Steering, m_Motion, m_Air, m_Quality, m_OnWingBeat;
         private InsectWings[] m_Insects;
 
         private void OnEnable()
@@ -46,6 +46,7 @@ namespace Alate.Editor
             m_Wings = serializedObject.FindProperty("m_Wings");
             m_UpdateMode = serializedObject.FindProperty("m_UpdateMode");
             m_StartPhase = serializedObject.FindProperty("m_StartPhase");
+            m_Steering = serializedObject.FindProperty("m_Steering");
             m_Motion = serializedObject.FindProperty("m_Motion");
             m_Air = serializedObject.FindProperty("m_Air");
             m_Quality = serializedObject.FindProperty("m_Quality");
@@ -75,6 +76,7 @@ namespace Alate.Editor
             DrawWings();
             EditorGUILayout.PropertyField(m_UpdateMode);
             EditorGUILayout.PropertyField(m_StartPhase);
+            EditorGUILayout.PropertyField(m_Steering);
             EditorGUILayout.PropertyField(m_Motion);
             EditorGUILayout.PropertyField(m_Air);
             EditorGUILayout.PropertyField(m_Quality);

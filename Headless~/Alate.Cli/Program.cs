@@ -16,8 +16,13 @@ public static class Program
     {
         var root = new RootCommand("Flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
         root.Subcommands.Add(FlyCommand.Create(output));
+        root.Subcommands.Add(GalleryCommand.Create(output));
+        root.Subcommands.Add(SpeciesCommand.Create(output));
+        root.Subcommands.Add(CompareCommand.Create(output));
+        root.Subcommands.Add(SweepCommand.Create(output));
         root.Subcommands.Add(SkeletonCommand.Create(output));
         root.Subcommands.Add(BenchCommand.Create(output));
+        root.Subcommands.Add(FiguresCommand.Create(output));
         root.Subcommands.Add(NewProjectCommand.Create(output));
         HelpExamples.AddTo(root);
         PackageVersion.AddTo(root);

@@ -1,13 +1,17 @@
+using System;
+
 namespace Alate
 {
     /// <summary>Why an insect does not live, and what to do.</summary>
     public readonly struct InsectProblem
     {
+        private readonly string m_Message;
+
         internal InsectProblem(InsectState state, int wing, string message)
         {
             State = state;
             Wing = wing;
-            Message = message;
+            m_Message = message;
         }
 
         /// <summary>The kind of problem; <see cref="InsectState.Ready"/> for none.</summary>
@@ -17,7 +21,7 @@ namespace Alate
         public int Wing { get; }
 
         /// <summary>One sentence that names the object and one that names the remedy; empty for none.</summary>
-        public string Message { get; }
+        public string Message => m_Message ?? "";
 
         /// <summary>Whether something has to be mended.</summary>
         public bool IsProblem => State > InsectState.Ready;
@@ -31,6 +35,10 @@ namespace Alate
         /// <summary>A scale of zero.</summary>
         internal static InsectProblem NoSize => new InsectProblem(InsectState.ZeroScale, -1,
             "a wing has a scale of zero. Give it, and all that it hangs on, some other scale; its wings feel nothing until then.");
+
+        /// <summary>Something that should not happen.</summary>
+        internal static InsectProblem Failed(Exception exception) => new InsectProblem(InsectState.Failed, -1,
+            $"an error came up while its wings were built ({exception.GetType().Name}, in the console). Please report it; disable and enable the component to try again.");
 
         /// <summary>No problem.</summary>
         internal static InsectProblem None => new InsectProblem(InsectState.Ready, -1, "");

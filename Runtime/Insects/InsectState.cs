@@ -47,5 +47,8 @@ namespace Alate
 
         /// <summary>A scale of zero leaves nothing to move.</summary>
         ZeroScale,
+
+        /// <summary>An error came up while the wings were built; it is in the console.</summary>
+        Failed,
     }
 }

@@ -91,7 +91,7 @@ namespace Alate
             return WingSystem.Crowd.World.Read(Live.wings[wing].handle);
         }
 
-        /// <summary>Where a joint is in the world; where the wing does not live, the origin.</summary>
+        /// <summary>Where a joint is drawn, in the world: between two steps where the mesh is. Where the wing does not live, the origin.</summary>
         /// <param name="wing">In the list.</param>
         /// <param name="chain">0 is the leading edge.</param>
         /// <param name="joint">0 is the root.</param>
@@ -102,7 +102,7 @@ namespace Alate
             if (Live == null || Live.wings[wing].transform == null)
                 return default;
             LiveWing live = Live.wings[wing];
-            return live.transform.TransformPoint(live.rig.Frame.ToMesh(Read(wing).JointPosition(chain, joint)));
+            return live.transform.TransformPoint(live.rig.Frame.ToMesh(Read(wing).JointPosition(chain, joint, DrawnAlpha)));
         }
 
         /// <summary>Bounds of a wing's mesh part as last deformed, in the space of its renderer.</summary>
@@ -112,6 +112,9 @@ namespace Alate
             CheckWing(wing);
             return Live == null ? default : WingSystem.Crowd.World.Bounds(Live.wings[wing].handle);
         }
+
+        /// <summary>The time within the last step at which the wings were drawn last, 0 its start, 1 its end.</summary>
+        internal float DrawnAlpha => WingSystem.Crowd.DrawnAlpha[(int)Live.Clock];
 
         internal void TellBeat()
         {

@@ -33,6 +33,9 @@ namespace Alate
         float m_StartPhase;
 
         [SerializeField]
+        InsectSteering m_Steering = InsectSteering.Default;
+
+        [SerializeField]
         InsectMotion m_Motion = InsectMotion.Default;
 
         [SerializeField]
@@ -68,6 +71,9 @@ namespace Alate
             set => m_StartPhase = Mathf.Clamp(value, 0f, 360f);
         }
 
+        /// <summary>How the beat differs from the preset's now; for flight controllers.</summary>
+        public ref InsectSteering Steering => ref m_Steering;
+
         /// <summary>How the insect learns of its own motion.</summary>
         public ref InsectMotion Motion => ref m_Motion;
 
@@ -79,6 +85,9 @@ namespace Alate
 
         /// <summary>Velocity of the body, world units per second, with <see cref="VelocitySource.Script"/>.</summary>
         public Vector3 Velocity { get; set; }
+
+        /// <summary>Turning of the body, radians per second about the world's axes, with <see cref="VelocitySource.Script"/>.</summary>
+        public Vector3 AngularVelocity { get; set; }
 
         /// <summary>Whether the wings live, and if not, why.</summary>
         public InsectState State => Problem.State;
@@ -140,11 +149,23 @@ namespace Alate
                 ResetState();
         }
 
-        /// <summary>Fills the list of wings with those found below this object by names and symmetry.</summary>
-        public void FindWings()
+        /// <summary>
+        /// Fills the list of wings with those found below this object by names and symmetry. Wings that were in the list keep their settings; entries without a renderer go.
+        /// </summary>
+        /// <returns>How many were found.</returns>
+        public int FindWings()
         {
+            List<Wing> found = WingFinder.Find(transform), merged = WingList.Merge(m_Wings, found);
             m_Wings.Clear();
-            m_Wings.AddRange(WingFinder.Find(transform));
+            m_Wings.AddRange(merged);
+            return found.Count;
+        }
+
+        /// <summary>Takes up changes that a script made to the content of the authored meshes; all insects that share them are built anew in the next frame.</summary>
+        public void Rebuild()
+        {
+            for (int mesh = 0; Live != null && mesh < Live.meshes.Count; mesh++)
+                Live.meshes[mesh].template.IsOutdated = true;
         }
 
         /// <summary>The first thing that keeps the wings from living, as far as can be seen without playing.</summary>
@@ -159,12 +180,17 @@ namespace Alate
                 Debug.LogWarning(Problem.Message, this);
         }
 
+        /// <summary>An insect that was made by script may get its list after it was switched on; only one that still has none looks for itself.</summary>
+        internal void FindWingsWhereNoneAreListed()
+        {
+            if (m_Wings.Count == 0)
+                FindWings();
+        }
+
         private void Reset() => FindWings();
 
         private void OnEnable()
         {
-            if (m_Wings.Count == 0)
-                FindWings();
             foreach (Wing wing in m_Wings)
                 InsectCheck.Heal(wing);
             WingSystem.Enter(this);
@@ -181,6 +207,9 @@ namespace Alate
         private void OnValidate()
         {
             m_StartPhase = Mathf.Clamp(m_StartPhase, 0f, 360f);
+            foreach (Wing wing in m_Wings)
+                wing?.FillIn();
+            m_Steering = m_Steering.Clamped();
             m_Motion = m_Motion.Clamped();
             m_Quality = m_Quality.Clamped();
         }

@@ -58,10 +58,10 @@ namespace Alate
 
         static void Soften(WingSpecies species)
         {
-            species.Wave.chordDelay = 0.16f;
+            species.Wave.chordDelay = 0.22f;
             species.Wave.spanDelay = 0.45f;
             species.Wave.rootShare = 0.6f;
-            species.Stiffness.elasticity = 0.5f;
+            species.Stiffness.elasticity = 0.3f;
             species.Stiffness.springScale = 40f;
             species.SubstepsPerBeat = 48;
         }
@@ -83,7 +83,7 @@ namespace Alate
                 new SpeciesSource("elasticity k_e", "2", "the paper, Table 2"),
                 new SpeciesSource("triangles", "12568 on two wings", "the paper, Table 2; the elytra belong to the body"),
                 new SpeciesSource("chord delay λ", "0.1", "chosen: the large feathering of Table 1 tears the wing beyond it"),
-                new SpeciesSource("k_e, λ, μ, w_0, κ", "0.5, 0.16, 0.45, 0.6, 40", "chosen for the eye: a membrane that flutters like a flag, as in the paper's Fig. 11", expressive),
+                new SpeciesSource("k_e, λ, μ, w_0, κ", "0.3, 0.22, 0.45, 0.6, 40", "chosen for the eye: a membrane that flutters like a flag, as in the paper's Fig. 11", expressive),
                 new SpeciesSource("veins, colours", "six veins and three forks", "drawn by us"),
             };
         }

@@ -37,7 +37,7 @@ namespace Alate
             return new SpeciesWing("hind wing", outline, AuthorHind)
             {
                 TriangleCount = 309,
-                ChainPaths = ChainPath.Straight(0.44, 0.51, 0.59, 0.68, 0.79),
+                ChainPaths = ChainPath.Straight(0.44, 0.498, 0.59, 0.68, 0.816),
                 Hinge = new Vector3(2.1e-3f, 1.2e-3f, -2.2e-3f),
                 Pattern = Pattern(outline.Smoothed()),
             }.With(SpeciesVariant.Biological, SteadyAndLate).With(SpeciesVariant.Expressive, SoftenHind);
@@ -93,11 +93,11 @@ namespace Alate
 
         static void Soften(WingSpecies species)
         {
-            species.Wave.chordDelay = 0.15f;
-            species.Wave.spanDelay = 0.45f;
-            species.Wave.rootShare = 0.6f;
+            species.Wave.chordDelay = 0.12f;
+            species.Wave.spanDelay = 0.5f;
+            species.Wave.rootShare = 0.55f;
             species.Stiffness.elasticity = 0.2f;
-            species.Stiffness.springScale = 30f;
+            species.Stiffness.springScale = 60f;
             species.SubstepsPerBeat = 48;
         }
 
@@ -130,7 +130,7 @@ namespace Alate
                 new SpeciesSource("elasticity k_e", "0.5", "the paper, Table 2"),
                 new SpeciesSource("triangles", "1210 on four wings", "the paper, Table 2"),
                 new SpeciesSource("chord delay λ", "0.08", "chosen: a lag of some 12° on a narrow, soft wing"),
-                new SpeciesSource("k_e, λ, μ, w_0, κ", "0.2, 0.15, 0.45, 0.6, 30", "chosen for the eye: wings that flutter like flags, as in the paper's Fig. 13", expressive),
+                new SpeciesSource("k_e, λ, μ, w_0, κ", "0.2, 0.12, 0.5, 0.55, 60", "chosen for the eye: wings that flutter like flags, as in the paper's Fig. 13", expressive),
                 new SpeciesSource("phase of the hind wing", "30° later", "chosen for the eye: the flutter runs on from wing to wing", expressive),
                 new SpeciesSource("veins, colours", "nine veins, six forks, cross veins", "drawn by us"),
             };

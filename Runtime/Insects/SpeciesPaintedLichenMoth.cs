@@ -36,10 +36,10 @@ namespace Alate
 
         static void Soften(WingSpecies species)
         {
-            species.Wave.chordDelay = 0.22f;
+            species.Wave.chordDelay = 0.28f;
             species.Wave.spanDelay = 0.35f;
             species.Wave.rootShare = 0.55f;
-            species.Stiffness.elasticity = 0.35f;
+            species.Stiffness.elasticity = 0.28f;
             species.Stiffness.decay = 0.35f;
             species.Stiffness.jointLimit = 40f;
             species.Stiffness.springScale = 60f;
@@ -62,7 +62,7 @@ namespace Alate
                 new SpeciesSource("triangles", "1648 on two wings", "the paper, Table 2"),
                 new SpeciesSource("chord delay λ", "0.15", "chosen: a lag of some 20°, within the 10 to 40° measured on butterflies"),
                 new SpeciesSource(
-                    "k_e, λ, μ, w_0, decay, joint limit, κ", "0.35, 0.22, 0.35, 0.55, 0.35, 40°, 60",
+                    "k_e, λ, μ, w_0, decay, joint limit, κ", "0.28, 0.28, 0.35, 0.55, 0.35, 40°, 60",
                     "chosen for the eye: tips that cup, as in the paper's Fig. 12", expressive),
                 new SpeciesSource("colours", "grey stripes on yellow and red, a pink hind wing", "after descriptions of the species, drawn by us"),
             };

@@ -76,10 +76,10 @@ namespace Alate
             AuthorFore(species);
             species.Size.wingLength = 0.034f;
             species.Size.wingMass = 18.4e-6f;
-            species.Beat.flapRange = 100f;
+            species.Beat.flapRange = 110f;
             species.Beat.featherRange = 10f;
-            species.Beat.meanFlap = 1f;
-            species.Beat.phaseLead = -28f;
+            species.Beat.meanFlap = 7f;
+            species.Beat.phaseLead = -24f;
         }
 
         static void Soften(WingSpecies species)
@@ -96,8 +96,8 @@ namespace Alate
         static void SoftenHind(WingSpecies species)
         {
             Soften(species);
-            species.Beat.meanFlap = 0f;
-            species.Beat.phaseLead = -32f;
+            species.Beat.meanFlap = 6f;
+            species.Beat.phaseLead = -28f;
         }
 
         static SpeciesSource[] Sources()
@@ -111,15 +111,15 @@ namespace Alate
                 new SpeciesSource("insect mass", "0.45 g", "assumed: about a monarch's"),
                 new SpeciesSource("MAX_f", "11 Hz", "the paper, Sec. 5.1"),
                 new SpeciesSource("u_max", "2 m/s", "assumed: as the monarch's"),
-                new SpeciesSource("MAX_a flap", "fore 116°, hind 100°", "assumed: within the 84 to 148° measured on butterflies; the hind wing beats with the smaller amplitude (the paper, Sec. 7.1)"),
+                new SpeciesSource("MAX_a flap", "fore 116°, hind 110°", "assumed: within the 84 to 148° measured on butterflies; the hind wing beats with the smaller amplitude (the paper, Sec. 7.1)"),
                 new SpeciesSource("MAX_a feather, sweep", "fore 16°, 36°; hind 10°, 36°", "assumed: the monarch's sweep; less feather, so that the wings' edges stay together"),
-                new SpeciesSource("middle of the stroke", "fore 12°, hind 1°", "chosen so that the hind wing meets the fore wing at the bottom and stays beneath it above"),
-                new SpeciesSource("phase of the hind wing", "28° later", "chosen so that the hind wing's front edge moves with the fore wing's rear edge"),
+                new SpeciesSource("middle of the stroke", "fore 12°, hind 7°", "chosen so that the hind wing meets the fore wing at the bottom and stays beneath it above, by less than 13 % of the span"),
+                new SpeciesSource("phase of the hind wing", "24° later", "chosen so that the hind wing's front edge moves with the fore wing's rear edge"),
                 new SpeciesSource("elasticity k_e", "1", "assumed: the monarch's of Table 2"),
                 new SpeciesSource("triangles", "4800 on four wings", "chosen: about the density of the monarch's mesh"),
                 new SpeciesSource("chord delay λ", "0.1", "chosen: over both wings the rear edge lags by some 40°, the upper end of what was measured on butterflies"),
                 new SpeciesSource("k_e, λ, μ, w_0, decay, κ", "0.4, 0.14, 0.2, 0.7, 0.6, 30", "chosen for the eye: wings that bow and tails that trail", expressive),
-                new SpeciesSource("hind wing's middle and phase", "0°, 32° later", "chosen: the softer edges stay together with these", expressive),
+                new SpeciesSource("hind wing's middle and phase", "6°, 28° later", "chosen: the softer edges stay together with these", expressive),
                 new SpeciesSource("colours", "yellow and black", "drawn by us"),
             };
         }

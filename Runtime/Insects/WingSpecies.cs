@@ -34,9 +34,6 @@ namespace Alate
         [SerializeField]
         ModelOptions m_Options = ModelOptions.Physical;
 
-        /// <summary>Raised after the inspector or <see cref="NotifyChanged"/> changed a value, so that living wings can take it over.</summary>
-        public event Action Changed;
-
         /// <summary>Sizes and masses of the real insect, and the fluid.</summary>
         public ref SpeciesSize Size => ref m_Size;
 
@@ -129,12 +126,7 @@ namespace Alate
                 WingSpeciesPresets.MakePhysical(ref m_Beat, ref m_Wave, chordDelay);
                 m_Options = ModelOptions.Physical;
             }
-
-            NotifyChanged();
         }
-
-        /// <summary>Tells living wings that values were changed by code.</summary>
-        public void NotifyChanged() => Changed?.Invoke();
 
         void OnValidate()
         {
@@ -142,7 +134,6 @@ namespace Alate
             m_Size.wingMass = math.clamp(m_Size.wingMass, 1e-9f, 1f);
             m_Size.insectMass = math.clamp(m_Size.insectMass, 1e-8f, 10f);
             m_Stiffness.elasticity = math.clamp(m_Stiffness.elasticity, 1e-3f, 1e6f);
-            NotifyChanged();
         }
     }
 }

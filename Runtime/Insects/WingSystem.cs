@@ -1,18 +1,22 @@
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.SceneManagement;
 
 namespace Alate
 {
     /// <summary>
-    /// Runs all insects of the game together: steps them in one job and deforms their meshes in another. Comes by itself with the first insect, hidden, and goes with
-    /// the last.
+    /// Runs all insects of the game together: steps them in one job and deforms their meshes in another. Comes by itself with the first insect, hidden, and goes a
+    /// while after the last.
     /// </summary>
     [AddComponentMenu("")]
     [DefaultExecutionOrder(ExecutionOrders.WingSystem)]
     public sealed class WingSystem : MonoBehaviour
     {
+        private const float k_Patience = 10f;
+
         private static WingSystem s_Instance;
         private WingCrowd m_Crowd;
+        private double m_EmptySince = double.PositiveInfinity;
 
         /// <summary>Insects whose wings beat.</summary>
         public static int InsectCount => Crowd?.Count ?? 0;
@@ -23,8 +27,14 @@ namespace Alate
         /// <summary>How often a wing of those that live now was put back into its driven pose because its state was not finite. Reads all wings.</summary>
         public static int ResetCount => Crowd?.CountResets() ?? 0;
 
-        /// <summary>The camera by which levels of detail are chosen; null takes the main camera. Without one, everything has full detail.</summary>
-        public static Camera DetailCamera { get; set; }
+        /// <summary>
+        /// The cameras by which levels of detail are chosen: an insect has the detail of the one in which it is largest. Empty takes the main camera; without
+        /// one, everything has full detail.
+        /// </summary>
+        public static List<Camera> DetailCameras { get; } = new List<Camera>();
+
+        /// <summary>Seconds of real time for which the system and what was baked wait for insects that come back, as those of a pool do.</summary>
+        internal static float Patience { get; set; } = k_Patience;
 
         /// <summary>Looks for wind zones again; done by itself when a scene is loaded or an insect starts.</summary>
         public static void FindWindZones() => Crowd?.FindWindZones();
@@ -43,9 +53,10 @@ namespace Alate
             {
                 var holder = new GameObject("Wing System") { hideFlags = HideFlags.HideInHierarchy };
                 DontDestroyOnLoad(holder);
-                s_Instance = holder.AddComponent<WingSystem>();
+                holder.AddComponent<WingSystem>().Begin();
             }
 
+            s_Instance.m_EmptySince = double.PositiveInfinity;
             Crowd.Enter(insect);
         }
 
@@ -56,18 +67,19 @@ namespace Alate
                 return;
             Crowd.Leave(insect);
             if (Crowd.IsEmpty)
-                s_Instance.End();
+                s_Instance.m_EmptySince = Time.realtimeSinceStartupAsDouble;
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Forget()
         {
             s_Instance = null;
-            DetailCamera = null;
+            DetailCameras.Clear();
+            Patience = k_Patience;
             IsQuitting = false;
         }
 
-        private void OnEnable()
+        private void Begin()
         {
             s_Instance = this;
             m_Crowd = new WingCrowd();
@@ -76,7 +88,14 @@ namespace Alate
 
         private void FixedUpdate() => m_Crowd?.FixedStep(Time.fixedDeltaTime);
 
-        private void LateUpdate() => m_Crowd?.Frame(Time.deltaTime, Time.unscaledDeltaTime);
+        private void LateUpdate()
+        {
+            // Without a crowd it was left over from before the scripts were compiled anew, or was made by somebody else.
+            if (m_Crowd == null || Time.realtimeSinceStartupAsDouble - m_EmptySince >= Patience)
+                End();
+            else
+                m_Crowd.Frame(Time.deltaTime, Time.unscaledDeltaTime);
+        }
 
         private void OnDisable() => End();
 
@@ -90,10 +109,8 @@ namespace Alate
 
         private void End()
         {
-            if (m_Crowd == null)
-                return;
             SceneManager.sceneLoaded -= OnSceneLoaded;
-            m_Crowd.Dispose();
+            m_Crowd?.Dispose();
             m_Crowd = null;
             if (ReferenceEquals(s_Instance, this))
                 s_Instance = null;

@@ -87,8 +87,26 @@ namespace Alate
                 bend.y - bend.x,
                 math.max(math.abs(bend.x), math.abs(bend.y)),
                 EdgeLag.Of(m_Middle, m_Rest, beat),
+                TipLag.Of(m_Tip, m_Rest, beat),
                 EdgeStretch.Percentile(stretches, 1f),
                 EdgeStretch.Percentile(stretches, k_StretchShare));
+        }
+
+        /// <summary>
+        /// Swing of the camber beyond that of another beat of the same wing, highest minus lowest difference at equal phase, share of the chord. Beyond the beat
+        /// of a wing whose joints do not bend, it is the camber that the loads make; the delayed drive cambers a wing by itself, however stiff it is.
+        /// </summary>
+        /// <param name="beat">One whole beat in order.</param>
+        /// <param name="other">The other one, with as many frames at the same phases.</param>
+        /// <exception cref="ArgumentException">The beats do not have as many frames.</exception>
+        public float CamberBeyond(IReadOnlyList<BeatFrame> beat, IReadOnlyList<BeatFrame> other)
+        {
+            if (beat.Count != other.Count)
+                throw new ArgumentException($"The other beat has {other.Count} frames, not {beat.Count}.", nameof(other));
+            float2 camber = s_Nothing;
+            for (int k = 0; k < beat.Count; k++)
+                Extend(ref camber, Camber(beat[k].Positions) - Camber(other[k].Positions));
+            return camber.y - camber.x;
         }
 
         private static float Beginning(float3[] rest, int[] triangles)

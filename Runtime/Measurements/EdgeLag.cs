@@ -44,7 +44,8 @@ namespace Alate
             return sum;
         }
 
-        private static float Behind(IReadOnlyList<BeatFrame> beat, Func<BeatFrame, float> first, Func<BeatFrame, float> second)
+        /// <summary>Phase by which the second height follows the first, radians, −π to π; 0 where one of them hardly swings.</summary>
+        internal static float Behind(IReadOnlyList<BeatFrame> beat, Func<BeatFrame, float> first, Func<BeatFrame, float> second)
         {
             float2 one = Fundamental(beat, first), other = Fundamental(beat, second);
             if (math.length(one) < k_LeastSwing || math.length(other) < k_LeastSwing)

@@ -11,6 +11,7 @@ namespace Alate
             float tipBendRange,
             float tipBendMax,
             float lag,
+            float tipLag,
             float stretchMax,
             float stretch99)
         {
@@ -20,6 +21,7 @@ namespace Alate
             TipBendRange = tipBendRange;
             TipBendMax = tipBendMax;
             Lag = lag;
+            TipLag = tipLag;
             StretchMax = stretchMax;
             Stretch99 = stretch99;
         }
@@ -43,6 +45,9 @@ namespace Alate
         /// <summary>Phase by which the trailing edge follows the leading edge, beyond an undeformed wing's, radians; see
         /// <see cref="EdgeLag"/>.</summary>
         public float Lag { get; }
+
+        /// <summary>Phase by which the tip follows the root that drives it, radians; see <see cref="Alate.TipLag"/>.</summary>
+        public float TipLag { get; }
 
         /// <summary>Largest |l/l₀ − 1| of any edge at any time of the beat; see <see cref="EdgeStretch"/>.</summary>
         public float StretchMax { get; }

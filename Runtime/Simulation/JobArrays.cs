@@ -12,9 +12,6 @@ namespace Alate
     /// <summary>The arrays that the two jobs run over, rebuilt only when wings come or go, and the workers' scratch blocks.</summary>
     internal sealed unsafe class JobArrays : IDisposable
     {
-        /// <summary>One step job and one skinning job.</summary>
-        public const int JobsPerFrame = 2;
-
         /// <summary>Quads of one index of the skinning job: about 2000 vertices, ten microseconds; a palette of its own.</summary>
         private const int k_QuadsPerChunk = 512;
 
@@ -30,9 +27,16 @@ namespace Alate
         private long m_ScratchStride;
         private byte* m_Scratch;
 
+        /// <summary>Jobs scheduled so far.</summary>
+        public long JobCount { get; private set; }
+
+        /// <summary>Changes whenever packs move or are stepped: what was read before is out of date.</summary>
+        public int Version { get; private set; }
+
         /// <summary>Takes over what the jobs wrote, before packs or wings are rearranged.</summary>
         public void Unsettle(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
         {
+            Version++;
             if (m_Stale)
                 return;
             m_Stale = true;
@@ -88,23 +92,33 @@ namespace Alate
             }
         }
 
-        public JobHandle ScheduleStep(in StepPlan plan, JobHandle after) => new StepWingsJob
+        public JobHandle ScheduleStep(in StepPlan plan, JobHandle after)
         {
-            plan = plan,
-            scratchSize = m_ScratchSize,
-            scratchStride = m_ScratchStride,
-            scratch = m_Scratch,
-            packs = m_Packs,
-        }.ScheduleParallel(m_PackCount, 1, after);
+            Version++;
+            JobCount++;
+            return new StepWingsJob
+            {
+                plan = plan,
+                scratchSize = m_ScratchSize,
+                scratchStride = m_ScratchStride,
+                scratch = m_Scratch,
+                packs = m_Packs,
+            }.ScheduleParallel(m_PackCount, 1, after);
+        }
 
-        public JobHandle ScheduleSkin(float4 alpha, JobHandle after) => new SkinWingsJob
+        public JobHandle ScheduleSkin(float4 alpha, bool4 clocks, JobHandle after)
         {
-            alpha = alpha,
-            chunks = m_Chunks,
-            targets = m_Targets,
-            packs = m_Packs,
-            bounds = m_Bounds,
-        }.ScheduleParallel(m_ChunkCount, 1, after);
+            JobCount++;
+            return new SkinWingsJob
+            {
+                alpha = alpha,
+                clocks = clocks,
+                chunks = m_Chunks,
+                targets = m_Targets,
+                packs = m_Packs,
+                bounds = m_Bounds,
+            }.ScheduleParallel(m_ChunkCount, 1, after);
+        }
 
         /// <summary>The pack as the jobs left it.</summary>
         public WingPack Pack(PackMemory pack) => m_Stale ? pack.view : m_Packs[pack.index];
@@ -134,6 +148,7 @@ namespace Alate
         /// <summary>Steps the wings of one owner, here and now.</summary>
         public void StepNow(IReadOnlyList<PackMemory> packs, int owner, float dt)
         {
+            Version++;
             for (int k = 0; k < m_PackCount; k++)
             {
                 if (packs[k].pacing.clock != WingClock.Own || packs[k].pacing.owner != owner)
@@ -164,6 +179,7 @@ namespace Alate
 
         public void Dispose()
         {
+            Version++;
             Free(ref m_Packs);
             Free(ref m_Targets);
             Free(ref m_Chunks);

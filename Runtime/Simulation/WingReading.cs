@@ -1,21 +1,30 @@
 using System;
+using System.Diagnostics;
 using Unity.Mathematics;
 
 namespace Alate
 {
     /// <summary>
     /// The state of one wing at the end of the last step, read in place: wing frame, wing lengths, wing masses, radians. Valid until the next
-    /// call that changes the <see cref="WingWorld"/> it came from.
+    /// call that steps or changes the <see cref="WingWorld"/> it came from; then, where Unity's safety checks are on, it throws <see cref="InvalidOperationException"/>.
     /// </summary>
     public readonly unsafe struct WingReading
     {
         private readonly WingPack m_Pack;
         private readonly int m_Lane;
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        private readonly JobArrays m_Source;
+        private readonly int m_Version;
+#endif
 
-        internal WingReading(in WingPack pack, int lane)
+        internal WingReading(JobArrays source, WingEntry entry)
         {
-            m_Pack = pack;
-            m_Lane = lane;
+            m_Pack = source.Pack(entry.pack);
+            m_Lane = entry.lane;
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+            m_Source = source;
+            m_Version = source.Version;
+#endif
         }
 
         /// <summary>Chains n; joints are addressed by chain 0…n−1 and joint 0…m−1.</summary>
@@ -25,28 +34,28 @@ namespace Alate
         public int JointsPerChain => m_Pack.rig.jointsPerChain;
 
         /// <summary>Φ, radians, [0, 2π).</summary>
-        public float Phase => m_Pack.beat->phase[m_Lane];
+        public float Phase => Beat->phase[m_Lane];
 
         /// <summary>Beats completed since the last reset.</summary>
-        public int Beats => (int)m_Pack.beat->cycles[m_Lane];
+        public int Beats => (int)Beat->cycles[m_Lane];
 
         /// <summary>Frequency of this beat (Eq. 6), hertz.</summary>
-        public float Frequency => m_Pack.beat->frequency[m_Lane];
+        public float Frequency => Beat->frequency[m_Lane];
 
         /// <summary>Half amplitudes of this beat (Eq. 7), radians: x flap, y sweep, z feather.</summary>
-        public float3 Amplitude => m_Pack.beat->amplitude[m_Lane];
+        public float3 Amplitude => Beat->amplitude[m_Lane];
 
         /// <summary>Aerodynamic force (Eq. 11), mean over the last step, wing masses · L/s².</summary>
-        public float3 AirForce => m_Pack.readings->airForce[m_Lane];
+        public float3 AirForce => Readings->airForce[m_Lane];
 
         /// <summary>Spring energy (Eq. 12), wing masses · L²/s².</summary>
-        public float SpringEnergy => m_Pack.readings->springEnergy[m_Lane];
+        public float SpringEnergy => Readings->springEnergy[m_Lane];
 
         /// <summary>Newton iterations per substep, mean over the last step.</summary>
-        public float NewtonIterations => m_Pack.readings->newtonIterations[m_Lane];
+        public float NewtonIterations => Readings->newtonIterations[m_Lane];
 
         /// <summary>How often the wing fell back to its driven pose because its state was not finite.</summary>
-        public int Resets => (int)m_Pack.readings->resets[m_Lane];
+        public int Resets => (int)Readings->resets[m_Lane];
 
         /// <summary>Substeps of the last step.</summary>
         public int Substeps => m_Pack.substeps;
@@ -101,8 +110,27 @@ namespace Alate
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         public float PatchAngleOfAttack(int patch) => math.asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
 
+        private BeatState* Beat
+        {
+            get
+            {
+                CheckCurrent();
+                return m_Pack.beat;
+            }
+        }
+
+        private PackReadings* Readings
+        {
+            get
+            {
+                CheckCurrent();
+                return m_Pack.readings;
+            }
+        }
+
         private int Joint(int chain, int joint)
         {
+            CheckCurrent();
             Check(chain, ChainCount, nameof(chain));
             Check(joint, JointsPerChain, nameof(joint));
             return chain * JointsPerChain + joint;
@@ -110,6 +138,7 @@ namespace Alate
 
         private int Bone(int chain, int bone)
         {
+            CheckCurrent();
             Check(chain, ChainCount, nameof(chain));
             Check(bone, JointsPerChain - 1, nameof(bone));
             return chain * (JointsPerChain - 1) + bone;
@@ -117,10 +146,20 @@ namespace Alate
 
         private PatchLoad* Load(int patch)
         {
+            CheckCurrent();
             if (!HasPatchLoads)
                 throw new InvalidOperationException("Patch loads are not kept; call WingWorld.RecordPatches first.");
             Check(patch, PatchCount, nameof(patch));
             return m_Pack.recordedLoads + patch;
+        }
+
+        [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
+        private void CheckCurrent()
+        {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+            if (m_Source == null || m_Version != m_Source.Version)
+                throw new InvalidOperationException("This reading is out of date: its world was stepped or changed since. Read the wing again.");
+#endif
         }
 
         private static void Check(int index, int count, string name)

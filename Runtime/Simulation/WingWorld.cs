@@ -31,8 +31,8 @@ namespace Alate
         /// <summary>Wings in the world.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Jobs scheduled by the last step and skin together; the same for one wing and for a thousand.</summary>
-        public int JobsPerFrame => JobArrays.JobsPerFrame;
+        /// <summary>Jobs scheduled so far: one a step and one a skin, for one wing as for a thousand.</summary>
+        public long JobCount => m_Arrays.JobCount;
 
         /// <summary>Packs of four wings in use.</summary>
         public int PackCount => m_Packs.Packs.Count;
@@ -178,10 +178,11 @@ namespace Alate
         /// <summary>Schedules the steps that are due on each clock, in one job.</summary>
         internal JobHandle ScheduleStep(in StepPlan plan, JobHandle after = default)
         {
+            m_Pending = JobHandle.CombineDependencies(m_Pending, after);
             if (plan.IsEmpty || Count == 0)
                 return m_Pending;
             Settle();
-            m_Pending = m_Arrays.ScheduleStep(plan, JobHandle.CombineDependencies(m_Pending, after));
+            m_Pending = m_Arrays.ScheduleStep(plan, m_Pending);
             return m_Pending;
         }
 
@@ -200,17 +201,19 @@ namespace Alate
             Complete();
         }
 
-        /// <summary>Schedules the skinning behind what is pending.</summary>
-        public JobHandle ScheduleSkin(float alpha) => ScheduleSkin(new float4(math.isfinite(alpha) ? alpha : 1f));
+        /// <summary>Schedules the skinning behind what is pending and <paramref name="after"/>.</summary>
+        public JobHandle ScheduleSkin(float alpha, JobHandle after = default) =>
+            ScheduleSkin(new float4(math.isfinite(alpha) ? alpha : 1f), true, after);
 
-        /// <summary>Schedules the skinning at a time within the last step of each clock.</summary>
-        internal JobHandle ScheduleSkin(float4 alpha)
+        /// <summary>Schedules the skinning of the wings of some clocks, at a time within the last step of each.</summary>
+        internal JobHandle ScheduleSkin(float4 alpha, bool4 clocks, JobHandle after = default)
         {
             CheckNotDisposed();
+            m_Pending = JobHandle.CombineDependencies(m_Pending, after);
             if (Count == 0)
                 return m_Pending;
             Settle();
-            m_Pending = m_Arrays.ScheduleSkin(alpha, m_Pending);
+            m_Pending = m_Arrays.ScheduleSkin(alpha, clocks, m_Pending);
             return m_Pending;
         }
 
@@ -233,12 +236,22 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing));
 
+        /// <summary>How often a wing fell back to its driven pose because its state was not finite, of all wings together.</summary>
+        internal unsafe int CountResets()
+        {
+            CompleteUse();
+            int count = 0;
+            foreach (WingEntry entry in m_Entries)
+                count += entry == null ? 0 : (int)entry.pack.view.readings->resets[entry.lane];
+            return count;
+        }
+
         /// <summary>Reads a wing's state for tools and tests, without copying it. Valid until the next call that changes the world.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public WingReading Read(WingHandle wing)
         {
             WingEntry entry = Entry(wing);
-            return new WingReading(m_Arrays.Pack(entry.pack), entry.lane);
+            return new WingReading(m_Arrays, entry);
         }
 
         /// <summary>Starts or stops keeping the load on every patch, for <see cref="WingReading.PatchForce"/>; all wings of the pack are kept.</summary>

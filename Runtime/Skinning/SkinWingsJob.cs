@@ -12,6 +12,7 @@ namespace Alate
     {
         // Input
         public float4 alpha;
+        public bool4 clocks;
         [ReadOnly] public NativeArray<SkinChunk> chunks;
         [ReadOnly] public NativeArray<SkinTarget> targets;
         [ReadOnly] public NativeArray<WingPack> packs;
@@ -26,6 +27,8 @@ namespace Alate
             if (!target.skinned)
                 return;
             WingPack pack = packs[target.pack];
+            if (!clocks[(int)pack.clock])
+                return;
             DualQuaternion* palette = stackalloc DualQuaternion[target.rig.jointCount];
             SkinPalette.Evaluate(pack, target, alpha[(int)pack.clock], palette);
             bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad);

@@ -43,7 +43,7 @@ namespace Alate.Editor
         {
             LiveWing live = insect.Live.wings[wing];
             WingReading reading = insect.Read(wing);
-            float alpha = WingSystem.Crowd.DrawnAlpha[(int)insect.Live.Clock];
+            float alpha = insect.DrawnAlpha;
             var sketch = new ChainSketch(reading.ChainCount, reading.JointsPerChain);
             Matrix4x4 toWorld = live.transform.localToWorldMatrix;
             for (int i = 0; i < sketch.ChainCount; i++)

@@ -18,7 +18,9 @@ namespace Alate.Editor
         /// <summary>Draws the chosen layers of all wings.</summary>
         public static void Draw(InsectWings insect, GizmoLayers layers, IGizmoPen pen)
         {
-            for (int wing = 0; wing < insect.Wings.Count; wing++)
+            // An edited list is followed in the next frame, which a paused game does not have.
+            int count = insect.Live == null ? insect.Wings.Count : Mathf.Min(insect.Wings.Count, insect.Live.wings.Length);
+            for (int wing = 0; wing < count; wing++)
             {
                 if (insect.Wings[wing] == null)
                     continue;
@@ -100,7 +102,7 @@ namespace Alate.Editor
             LiveWing live = insect.Live.wings[wing];
             bool loads = (layers & GizmoLayers.Loads) != 0;
             if (insect.Read(wing).HasPatchLoads != loads)
-                WingSystem.Crowd.World.RecordPatches(live.handle, loads);
+                LoadRecording.Set(insect, wing, loads);
             float weight = live.values.insectMass * Physics.gravity.magnitude;
             if (weight <= 0f || !live.placed.isValid)
                 return;
@@ -108,7 +110,7 @@ namespace Alate.Editor
             {
                 // As long as the wing where one wing alone would carry the insect.
                 WingReading reading = insect.Read(wing);
-                float3 centre = reading.JointPosition(reading.ChainCount / 2, reading.JointsPerChain / 2, DrawnAlpha(insect));
+                float3 centre = reading.JointPosition(reading.ChainCount / 2, reading.JointsPerChain / 2, insect.DrawnAlpha);
                 Vector3 middle = live.transform.TransformPoint(live.rig.Frame.ToMesh(centre));
                 DrawArrow(middle, insect.AirForceOf(wing) * (live.placed.length / weight), GizmoColours.Force, pen);
             }
@@ -123,7 +125,7 @@ namespace Alate.Editor
             WingReading reading = insect.Read(wing);
             float newtons = live.values.wingMass * live.values.wingLength;
             float scale = k_LoadShare * live.placed.length * reading.PatchCount * newtons / weight;
-            float alpha = DrawnAlpha(insect);
+            float alpha = insect.DrawnAlpha;
             for (int patch = 0; patch < reading.PatchCount; patch++)
             {
                 Vector3 at = live.transform.TransformPoint(live.rig.Frame.ToMesh(reading.PatchPosition(patch, alpha)));
@@ -139,8 +141,6 @@ namespace Alate.Editor
             DrawArrow(flight.position, flight.velocity * beat, GizmoColours.Velocity, pen);
             DrawArrow(flight.position, flight.wind * beat, GizmoColours.Wind, pen);
         }
-
-        private static float DrawnAlpha(InsectWings insect) => WingSystem.Crowd.DrawnAlpha[(int)insect.Live.Clock];
 
         private static void DrawArrow(Vector3 from, Vector3 arrow, Color colour, IGizmoPen pen)
         {

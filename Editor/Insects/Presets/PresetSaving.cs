@@ -23,7 +23,6 @@ namespace Alate.Editor
                 return FixOutcome.Refused(obstacle);
             WingSpecies saved = AssetWriter.Save(preset.Copy(), path, k_Act);
             Edits.Change(insect, k_Act, _ => preset.Use(saved));
-            saved.NotifyChanged();
             return FixOutcome.Done($"Saved as '{path}'; the wings beat by it now.");
         }
     }

@@ -41,19 +41,19 @@ namespace Alate.Editor
         public void Show(FixOutcome outcome) => m_Answer = outcome.Message;
 
         /// <summary>Takes the next lines of the inspector.</summary>
-        /// <returns>Whether something was mended.</returns>
+        /// <returns>Whether a fix was tried: what is drawn of this event is then out of date, also where a dialog was closed.</returns>
         public bool Draw()
         {
-            bool mended = false;
+            bool tried = false;
             if (m_Status.IsShown)
             {
                 EditorGUILayout.HelpBox(m_Status.Message, m_Status.Kind);
-                mended = DrawFixes();
+                tried = DrawFixes();
             }
 
             if (!string.IsNullOrEmpty(m_Answer))
                 EditorGUILayout.LabelField(m_Answer, EditorStyles.wordWrappedMiniLabel);
-            return mended;
+            return tried;
         }
 
         private bool DrawFixes()
@@ -79,15 +79,17 @@ namespace Alate.Editor
                     EditorGUILayout.LabelField(obstacle, EditorStyles.wordWrappedMiniLabel);
             }
 
-            return pressed != null && Apply(pressed);
+            if (pressed == null)
+                return false;
+            Apply(pressed);
+            return true;
         }
 
         // All selected insects with the same problem are mended at once.
-        private bool Apply(InsectFix fix)
+        private void Apply(InsectFix fix)
         {
             InsectState state = m_Status.Problem.State;
             FixOutcome last = default;
-            bool mended = false;
             Edits.InOneStep(fix.Label, () =>
             {
                 foreach (InsectWings insect in m_Insects)
@@ -96,11 +98,9 @@ namespace Alate.Editor
                     if (problem.State != state || fix.FindObstacle(insect, problem) != null)
                         continue;
                     last = fix.Apply(insect, problem);
-                    mended |= last.IsDone;
                 }
             });
             m_Answer = last.Message;
-            return mended;
         }
     }
 }

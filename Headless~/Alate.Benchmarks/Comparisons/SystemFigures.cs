@@ -73,7 +73,7 @@ internal static class SystemFigures
                 insect.Wings.Add(new Wing { Renderer = wing.GetComponent<MeshRenderer>(), Side = side, Skeleton = _skeletons[(int)side] });
             }
 
-            insect.Quality.culling = WingCulling.Nothing;
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
             root.SetActive(true);
         }
     }

@@ -7,9 +7,7 @@ namespace Alate.Cli.Commands;
 /// <summary>The options of <c>fly</c>.</summary>
 internal sealed class FlyOptions
 {
-    private readonly Option<double?> m_Speed = Numbers.Optional(
-        "--speed", "M/S", 0, 100,
-        "Speed of the body ahead, metres per second, 0 to 100. [default: 0.65 of the species' top speed, an insect's 1.3]");
+    private readonly Option<double?> m_Speed = FlightOptions.Speed();
 
     private readonly Option<double> m_Climb = Numbers.Option(
         "--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second; negative sinks.");
@@ -52,11 +50,7 @@ internal sealed class FlyOptions
             ["physical"] = ModelPreset.Physical, ["paper"] = ModelPreset.Paper,
         });
 
-    private readonly Option<SpeciesVariant?> m_Variant = Choice.Optional<SpeciesVariant>(
-        "--variant", "Which numbers of the species: the tables', measured ones where there are any, or softer ones. [default: standard]", new()
-        {
-            ["standard"] = SpeciesVariant.Standard, ["biological"] = SpeciesVariant.Biological, ["expressive"] = SpeciesVariant.Expressive,
-        });
+    private readonly Option<SpeciesVariant?> m_Variant = FlightOptions.Variant();
 
     private readonly Option<bool> m_NoWave = new("--no-wave") { Description = "No deformation wave: the whole wing is driven at once." };
 
@@ -80,8 +74,7 @@ internal sealed class FlyOptions
         Description = "The species whose size, beat and stiffness that wing takes.",
     };
 
-    private readonly Option<PictureView?> m_View = Choice.Optional(
-        "--view", "The side the picture shows. [default: front-left]", PictureView.ByName);
+    private readonly Option<PictureView?> m_View = FlightOptions.View();
 
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
@@ -118,8 +111,8 @@ internal sealed class FlyOptions
             Patches = FlyCommand.Patches(parsed.GetValue(m_Elements)),
             Coefficients = parsed.GetValue(m_Coefficients),
             Preset = parsed.GetValue(m_Preset) ?? ModelPreset.Physical,
-            NoWave = parsed.GetValue(m_NoWave),
-            Rigid = parsed.GetValue(m_Rigid),
+            Column = parsed.GetValue(m_Rigid) ? ComparisonColumn.RigidWing
+                : parsed.GetValue(m_NoWave) ? ComparisonColumn.NoWave : ComparisonColumn.FullModel,
             View = parsed.GetValue(m_View) ?? PictureView.FrontLeft,
             Folder = parsed.GetValue(m_Out),
         };
@@ -138,7 +131,7 @@ internal sealed class FlyOptions
             throw new UserException("With --mesh the species is named by --species, not as an argument.");
         if (plan.Species == null)
             throw new UserException(plan.MeshFile == null ? $"Which species? Known: {known}." : $"--mesh needs --species. Known: {known}.");
-        if (plan.Lag != null && (plan.NoWave || plan.Rigid))
-            throw new UserException($"--lag and {(plan.Rigid ? "--rigid" : "--no-wave")} exclude each other.");
+        if (plan.Lag != null && plan.Column != ComparisonColumn.FullModel)
+            throw new UserException($"--lag and --{plan.Column.Name} exclude each other.");
     }
 }

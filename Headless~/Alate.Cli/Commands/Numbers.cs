@@ -17,6 +17,14 @@ internal static class Numbers
             CustomParser = result => Parse(result, name, Text(result), min, max),
         };
 
+    /// <summary>A number that must be given.</summary>
+    public static Argument<double> Argument(string name, string description) =>
+        new(name)
+        {
+            Description = description,
+            CustomParser = result => Parse(result, name, Text(result), double.MinValue, double.MaxValue),
+        };
+
     /// <summary>A number whose default depends on others.</summary>
     public static Option<double?> Optional(string name, string unit, double min, double max, string description) =>
         new(name)

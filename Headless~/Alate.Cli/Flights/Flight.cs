@@ -9,7 +9,8 @@ namespace Alate.Cli.Flights;
 /// <summary>Flies an insect: bakes its rigs, steps its wings substep by substep and records the last beat.</summary>
 internal sealed class Flight : IDisposable
 {
-    private const double k_DefaultBeats = 8;
+    /// <summary>After so many beats a beat is like the one before, so that its animation loops.</summary>
+    private const int k_SettledBeats = 8;
     private const int k_StepsPerBeat = 4;
 
     private readonly FlightPlan m_Plan;
@@ -19,7 +20,7 @@ internal sealed class Flight : IDisposable
     private readonly List<RecordedWing> m_Wings = [];
     private readonly List<WingFrame> m_Frames = [];
     private readonly double m_Frequency, m_Substep;
-    private readonly int m_SubstepsPerBeat;
+    private readonly int m_SubstepsPerBeat, m_Start;
 
     /// <summary>Bakes and places every wing; nothing has moved yet.</summary>
     /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a
@@ -35,7 +36,9 @@ internal sealed class Flight : IDisposable
             m_Frequency = m_World.Read(m_Handles[0]).Frequency;
             m_SubstepsPerBeat = m_Wings[0].Parameters.substepsPerBeat;
             m_Substep = 1.0 / (m_Frequency * m_SubstepsPerBeat);
-            Steps = CountSteps();
+            int wanted = CountSteps();
+            Steps = Math.Max(wanted, k_SettledBeats * m_SubstepsPerBeat);
+            m_Start = Steps - wanted;
         }
         catch
         {
@@ -44,8 +47,16 @@ internal sealed class Flight : IDisposable
         }
     }
 
-    /// <summary>Substeps of the whole flight.</summary>
+    /// <summary>Substeps of the whole flight, with those that it takes to settle before the clock starts.</summary>
     public int Steps { get; }
+
+    /// <summary>Flies the insect of a plan.</summary>
+    /// <exception cref="UserException">Anything the user can mend.</exception>
+    public static FlightRecord Fly(FlightPlan plan)
+    {
+        using var flight = new Flight(plan, Insect.Of(plan));
+        return flight.Run(_ => { });
+    }
 
     /// <summary>Flies.</summary>
     /// <param name="progress">Told the substeps done so far.</param>
@@ -61,7 +72,7 @@ internal sealed class Flight : IDisposable
             cost.Add(Advance(count));
             done += count;
             if (left <= 0)
-                Record(done * m_Substep);
+                Record((done - m_Start) * m_Substep);
             progress(done);
         }
 
@@ -77,8 +88,8 @@ internal sealed class Flight : IDisposable
             Plan = m_Plan,
             Insect = m_Insect,
             Wings = m_Wings,
-            Seconds = Steps * m_Substep,
-            Beats = (double)Steps / m_SubstepsPerBeat,
+            Seconds = (Steps - m_Start) * m_Substep,
+            Beats = (double)(Steps - m_Start) / m_SubstepsPerBeat,
             MicrosecondsPerSubstep = Median(cost),
         };
     }
@@ -157,7 +168,7 @@ internal sealed class Flight : IDisposable
     private int CountSteps()
     {
         if (m_Plan.Seconds is not double seconds)
-            return (int)(k_DefaultBeats * m_SubstepsPerBeat);
+            return k_SettledBeats * m_SubstepsPerBeat;
         double steps = Math.Ceiling(seconds * m_Frequency * m_SubstepsPerBeat - 1e-6);
         if (steps >= m_SubstepsPerBeat)
             return (int)Math.Min(steps, int.MaxValue);

@@ -1,11 +1,12 @@
 using System;
+using Alate.Cli.Parameters;
 using Alate.Cli.Pictures;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
 /// <summary>What to fly, how, with which model, and where the files go.</summary>
-internal sealed class FlightPlan
+internal sealed record FlightPlan
 {
     public string Species { get; init; }
     public string MeshFile { get; init; }
@@ -18,7 +19,7 @@ internal sealed class FlightPlan
     /// <summary>Nose up positive.</summary>
     public double PitchDegrees { get; init; }
 
-    /// <summary>Simulated time; null is eight beats.</summary>
+    /// <summary>Time of the flight; null is eight beats. A shorter one begins when the beat has settled.</summary>
     public double? Seconds { get; init; }
 
     /// <summary>Velocity of the air over ground, m/s: right, up, ahead.</summary>
@@ -36,8 +37,15 @@ internal sealed class FlightPlan
     public CoefficientSet? Coefficients { get; init; }
     public ModelPreset Preset { get; init; }
     public SpeciesVariant Variant { get; init; }
-    public bool NoWave { get; init; }
-    public bool Rigid { get; init; }
+
+    /// <summary>A number of the species at another value; null changes none.</summary>
+    public ParameterChange Change { get; init; }
+
+    /// <summary>Joints that do not bend: what is left is the drive with its wave.</summary>
+    public bool HoldJoints { get; init; }
+
+    /// <summary>What of the model is left out.</summary>
+    public ComparisonColumn Column { get; init; } = ComparisonColumn.FullModel;
 
     /// <summary>The side from which the pictures show the insect.</summary>
     public PictureView View { get; init; } = PictureView.FrontLeft;
@@ -62,19 +70,15 @@ internal sealed class FlightPlan
     /// <exception cref="UserException">They leave the range that the model takes.</exception>
     public WingParameters ParametersOf(WingSpecies species)
     {
-        WingParameters parameters = species.ToParameters();
+        WingSpecies shown = Column.CreateSpecies(species);
+        WingParameters parameters = shown.ToParameters();
+        UnityEngine.Object.DestroyImmediate(shown);
         parameters.elasticity *= (float)Elasticity;
         parameters.substepsPerBeat = Substeps ?? parameters.substepsPerBeat;
         parameters.chordDelay = (float)(Lag ?? parameters.chordDelay);
         parameters.options.coefficients = Coefficients ?? parameters.options.coefficients;
-        if (NoWave || Rigid)
-            parameters.chordDelay = parameters.spanDelay = 0f;
-        if (Rigid)
-        {
-            parameters.rootShare = 1f;
+        if (HoldJoints)
             parameters.jointLimit = 0f;
-        }
-
         string problem = parameters.FindProblem();
         return problem == null ? parameters : throw new UserException(problem);
     }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Alate.Cli.Commands;
 using Alate.Cli.Input;
 using Unity.Mathematics;
 
@@ -32,11 +33,12 @@ internal sealed class Insect
     /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>
     public static Insect Of(FlightPlan plan)
     {
-        if (!Species.TryFind(plan.Species, out SpeciesDefinition definition))
-            throw new UserException($"Unknown species '{plan.Species}'. Known: {string.Join(", ", Species.Names)}.");
+        SpeciesDefinition definition = FlightOptions.Find(plan.Species);
         if (!definition.Variants.Contains(plan.Variant))
             throw new UserException($"There is no {Word(plan.Variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
-        return plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
+        Insect insect = plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
+        plan.Change?.ApplyTo(insect);
+        return insect;
     }
 
     private static string Word(SpeciesVariant variant) => variant.ToString().ToLowerInvariant();

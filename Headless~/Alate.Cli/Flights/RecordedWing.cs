@@ -35,6 +35,9 @@ internal sealed class RecordedWing
     /// <summary>Frames in order of time, one beat.</summary>
     public List<RecordedFrame> Frames { get; } = [];
 
+    /// <summary>The frames as they are measured.</summary>
+    public List<BeatFrame> Beat => Frames.ConvertAll(frame => new BeatFrame(frame.Phase, frame.Root, frame.Positions));
+
     /// <summary>
     /// The wing at a phase, between the two frames that enclose it.
     /// </summary>

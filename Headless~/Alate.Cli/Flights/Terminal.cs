@@ -1,6 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using Spectre.Console;
 
 namespace Alate.Cli.Flights;
@@ -29,8 +31,8 @@ internal sealed class Terminal
     }
 
     /// <summary>Runs the work under a progress bar.</summary>
-    /// <param name="steps">Substeps of the flight.</param>
-    /// <param name="work">Told where to report substeps done, and the name of what follows them.</param>
+    /// <param name="steps">Substeps of the flight, or other steps of the work.</param>
+    /// <param name="work">Told where to report steps done, and the name of what follows them.</param>
     public void ShowProgress(int steps, Action<Action<int>, Action<string>> work)
     {
         if (m_IsRedirected)
@@ -57,6 +59,38 @@ internal sealed class Terminal
             $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles."));
         m_Console.WriteLine("The last beat:");
         m_Console.Write(SummaryTable(summary));
+        ShowFiles(folder, files);
+    }
+
+    /// <summary>Shows a table: the first row is its head, the first column names, the others numbers.</summary>
+    public void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Right);
+
+    /// <summary>Shows a table of texts.</summary>
+    public void ShowTexts(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Left);
+
+    private void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows, Justify side)
+    {
+        m_Console.Write(new Rule($"[bold]{Markup.Escape(heading)}[/]").LeftJustified());
+        Table table = null;
+        foreach (IReadOnlyList<string> row in rows)
+        {
+            if (table != null)
+            {
+                table.AddRow(row.Select(Markup.Escape).ToArray());
+                continue;
+            }
+
+            table = new Table().Border(TableBorder.Rounded).AddColumn(Markup.Escape(row[0]));
+            foreach (string name in row.Skip(1))
+                table.AddColumn(new TableColumn(Markup.Escape(name)) { Alignment = side });
+        }
+
+        m_Console.Write(table);
+    }
+
+    /// <summary>Says where the files are.</summary>
+    public void ShowFiles(string folder, params string[] files)
+    {
         m_Console.WriteLine("Written:");
         foreach (string file in files)
             m_Console.WriteLine("  " + Path.Combine(folder, file));
@@ -74,6 +108,7 @@ internal sealed class Terminal
         Row(table, summary, "tip bend, peak to peak, °", wing => Number(wing.TipBendPpDeg, 1));
         Row(table, summary, "tip bend, largest, °", wing => Number(wing.TipBendMaxDeg, 1));
         Row(table, summary, "lag of the trailing edge, °", wing => Number(wing.LagDeg, 1));
+        Row(table, summary, "lag of the tip, °", wing => Number(wing.TipLagDeg, 1));
         Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2));
         Row(table, summary, "edge stretch, 99th percentile, %", wing => Number(wing.EdgeStretchP99Pct, 2));
         Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));

@@ -1,4 +1,3 @@
-using System.Linq;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
@@ -13,14 +12,14 @@ internal sealed record WingSummary(
     double TipBendPpDeg,
     double TipBendMaxDeg,
     double LagDeg,
+    double TipLagDeg,
     double EdgeStretchMaxPct,
     double EdgeStretchP99Pct)
 {
     /// <summary>Measures the right wing of a kind.</summary>
     public static WingSummary Of(RecordedWing wing)
     {
-        WingDeformation beat = wing.Measurement.Measure(
-            wing.Frames.Select(frame => new BeatFrame(frame.Phase, frame.Root, frame.Positions)).ToList());
+        WingDeformation beat = wing.Measurement.Measure(wing.Beat);
         return new WingSummary(
             wing.Wing.Name,
             wing.Frequency,
@@ -30,6 +29,7 @@ internal sealed record WingSummary(
             math.degrees(beat.TipBendRange),
             math.degrees(beat.TipBendMax),
             math.degrees(beat.Lag),
+            math.degrees(beat.TipLag),
             100.0 * beat.StretchMax,
             100.0 * beat.Stretch99);
     }

@@ -31,15 +31,8 @@ internal static class SummaryJson
     private static void WriteWing(Utf8JsonWriter json, WingSummary wing)
     {
         json.WriteString("wing", wing.Name);
-        Number(json, "frequency_hz", wing.FrequencyHz);
-        Number(json, "twist_pp_deg", wing.TwistPpDeg);
-        Number(json, "camber_min_pct", wing.CamberMinPct);
-        Number(json, "camber_max_pct", wing.CamberMaxPct);
-        Number(json, "tip_bend_pp_deg", wing.TipBendPpDeg);
-        Number(json, "tip_bend_max_deg", wing.TipBendMaxDeg);
-        Number(json, "lag_deg", wing.LagDeg);
-        Number(json, "edge_stretch_max_pct", wing.EdgeStretchMaxPct);
-        Number(json, "edge_stretch_p99_pct", wing.EdgeStretchP99Pct);
+        foreach (WingMeasure measure in WingMeasure.All)
+            Number(json, measure.Key, measure.Of(wing));
     }
 
     private static void WriteOtherWings(Utf8JsonWriter json, FlightSummary summary)
@@ -79,8 +72,8 @@ internal static class SummaryJson
         json.WriteString("coefficients", parameters.options.coefficients.ToString().ToLowerInvariant());
         json.WriteString("preset", plan.Preset.ToString().ToLowerInvariant());
         json.WriteString("variant", plan.Variant.ToString().ToLowerInvariant());
-        json.WriteBoolean("no_wave", plan.NoWave);
-        json.WriteBoolean("rigid", plan.Rigid);
+        json.WriteBoolean("no_wave", plan.Column == ComparisonColumn.NoWave);
+        json.WriteBoolean("rigid", plan.Column == ComparisonColumn.RigidWing);
         if (plan.MeshFile != null)
         {
             json.WriteString("mesh", plan.MeshFile);

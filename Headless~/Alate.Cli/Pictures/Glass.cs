@@ -5,14 +5,12 @@ namespace Alate.Cli.Pictures;
 /// <param name="Percent">How much of what lies behind is seen, 0 to 99.</param>
 internal readonly record struct Glass(int Surface, int Percent)
 {
-    private const int k_Step = 10;
-
     public bool IsSolid => Percent == 0;
 
-    /// <summary>Of a surface with an opacity, in a few steps.</summary>
-    public static Glass Of(int surface, float opacity)
+    /// <summary>Of a surface with an opacity, in steps of so many per cent.</summary>
+    public static Glass Of(int surface, float opacity, int step)
     {
-        int percent = k_Step * (int)System.MathF.Round(100f * (1f - opacity) / k_Step);
-        return percent <= 0 ? default : new Glass(surface, System.Math.Min(percent, 100 - k_Step));
+        int percent = step * (int)System.MathF.Round(100f * (1f - opacity) / step);
+        return percent <= 0 ? default : new Glass(surface, System.Math.Min(percent, 100 - step));
     }
 }

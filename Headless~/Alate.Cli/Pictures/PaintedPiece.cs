@@ -32,21 +32,6 @@ internal readonly record struct PaintedPiece(PaintedShape Shape, int3 Vertices, 
             covered.Add(math.lerp(a, b, (float)k / points));
     }
 
-    private static void CoverTriangle(float3 a, float3 b, float3 c, List<float3> covered)
-    {
-        float area = Cross(b - a, c - a);
-        float2 min = math.min(a, math.min(b, c)).xy, max = math.max(a, math.max(b, c)).xy;
-        for (float y = math.floor(min.y) + 0.5f; y <= max.y; y++)
-        {
-            for (float x = math.floor(min.x) + 0.5f; x <= max.x; x++)
-            {
-                var point = new float3(x, y, 0f);
-                float u = Cross(c - b, point - b) / area, v = Cross(a - c, point - c) / area, w = Cross(b - a, point - a) / area;
-                if (u >= 0f && v >= 0f && w >= 0f)
-                    covered.Add(new float3(x, y, u * a.z + v * b.z + w * c.z));
-            }
-        }
-    }
-
-    private static float Cross(float3 a, float3 b) => a.x * b.y - a.y * b.x;
+    private static void CoverTriangle(float3 a, float3 b, float3 c, List<float3> covered) => TriangleSamples.Visit(
+        a.xy, b.xy, c.xy, (x, y, share) => covered.Add(new float3(x + 0.5f, y + 0.5f, share.x * a.z + share.y * b.z + share.z * c.z)));
 }

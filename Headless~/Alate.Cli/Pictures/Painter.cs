@@ -26,12 +26,20 @@ internal sealed class Painter
     }
 
     /// <summary>Adds a triangle; corners are x, y on the picture and the depth.</summary>
-    public void AddTriangle(PaintedShape shape, int3 vertices, float3 a, float3 b, float3 c) =>
-        m_Pieces.Add(new PaintedPiece(shape, vertices, a, b, c, (a.z + b.z + c.z) / 3f));
+    /// <param name="shape">Its look.</param>
+    /// <param name="vertices">Its corners' numbers.</param>
+    /// <param name="a">First corner.</param>
+    /// <param name="b">Second corner.</param>
+    /// <param name="c">Third corner.</param>
+    /// <param name="above">The depth of a triangle beneath, right after which this one is painted; null paints it by its own depth.</param>
+    public void AddTriangle(PaintedShape shape, int3 vertices, float3 a, float3 b, float3 c, float? above = null) =>
+        m_Pieces.Add(new PaintedPiece(shape, vertices, a, b, c, above is float depth ? Nearer(depth) : (a.z + b.z + c.z) / 3f));
 
     /// <summary>Adds a line along the edge of a triangle, to be painted right after it.</summary>
     public void AddLine(PaintedShape shape, int2 vertices, float3 a, float3 b, float depth) =>
-        m_Pieces.Add(new PaintedPiece(shape, new int3(vertices, -1), a, b, b, math.asfloat(math.asint(depth) - 1)));
+        m_Pieces.Add(new PaintedPiece(shape, new int3(vertices, -1), a, b, b, Nearer(depth)));
+
+    private static float Nearer(float depth) => math.asfloat(math.asint(depth) - 1);
 
     /// <summary>What is to be painted, from back to front.</summary>
     public List<PaintedSheet> Sheets()

@@ -7,16 +7,12 @@ namespace Alate.Cli.Pictures;
 /// <summary>A surface to be painted in many poses: its triangles, colours and margin.</summary>
 internal sealed class PictureSurface
 {
-    /// <summary>Area on the picture below which a triangle of the mesh is painted as a whole.</summary>
-    private const float k_LeastParted = 1.6f;
-
-    /// <summary>Triangles of a wing that is parted no further: enough that they are told apart by their depths.</summary>
-    private const int k_LeastTriangles = 6000;
-
     private readonly int[] m_Triangles;
     private readonly FineTriangles m_Fine;
     private readonly float4[] m_Colours;
-    private readonly List<Rim> m_Margin;
+    private readonly float4? m_Ground;
+    private readonly List<MarginEdge> m_Margin;
+    private readonly PictureDetail m_Detail;
     private readonly bool m_IsThin;
     private readonly int m_Index;
 
@@ -24,15 +20,19 @@ internal sealed class PictureSurface
     /// <param name="rest">[vertex] Rest positions; vertices at one place count as one when the margin is sought.</param>
     /// <param name="triangles">Three vertex indices a triangle.</param>
     /// <param name="paint">The colour of each fine triangle, with its opacity.</param>
+    /// <param name="detail">How finely it is parted.</param>
     /// <param name="isThin">A wing; else a closed body without a margin.</param>
-    public PictureSurface(int index, float3[] rest, int[] triangles, Func<FineTriangles, float4[]> paint, bool isThin)
+    public PictureSurface(int index, float3[] rest, int[] triangles, Func<FineTriangles, float4[]> paint, PictureDetail detail, bool isThin)
     {
         m_Index = index;
+        m_Detail = detail;
         m_Triangles = triangles;
-        m_Fine = new FineTriangles(rest.Length, triangles, isThin ? k_LeastTriangles : 0);
+        m_Fine = new FineTriangles(rest.Length, triangles, isThin ? detail.LeastTriangles : 0);
         m_Colours = paint(m_Fine);
+        int colours = isThin ? detail.WingColours : detail.BodyColours;
+        m_Ground = colours > 0 ? Palette.Reduce(m_Colours, colours, detail.Alike) : null;
         m_IsThin = isThin;
-        m_Margin = isThin ? Margin(rest, triangles) : [];
+        m_Margin = isThin ? MeshMargin.Of(rest, triangles) : [];
     }
 
     /// <summary>Hands the surface to a painter.</summary>
@@ -50,30 +50,42 @@ internal sealed class PictureSurface
         {
             int3 whole = m_Fine.Parents[k];
             float3 normal = math.normalizesafe(upright[whole.x] + upright[whole.y] + upright[whole.z]);
-            if (math.abs(Turn(whole, places)) < 2f * k_LeastParted)
+            float depth = (places[whole.x].z + places[whole.y].z + places[whole.z].z) / 3f;
+            if (m_Ground is float4 ground)
+                Add(painter, whole, ground, normal, places, first, shading, null);
+            if (math.abs(Turn(whole, places)) < 2f * m_Detail.LeastParted)
             {
-                Paint(painter, whole, Mean(4 * k), normal, places, first, shading);
+                Paint(painter, whole, m_Ground == null ? Mean(4 * k) : m_Colours[4 * k + 3], normal, places, first, shading, depth);
                 continue;
             }
 
             for (int part = 4 * k; part < 4 * k + 4; part++)
-                Paint(painter, m_Fine.Triangles[part], m_Colours[part], normal, places, first, shading);
+                Paint(painter, m_Fine.Triangles[part], m_Colours[part], normal, places, first, shading, depth);
         }
 
-        foreach (Rim rim in m_Margin)
+        foreach (MarginEdge rim in m_Margin)
         {
             var ends = new int2(rim.A, rim.B) + first;
-            painter.AddLine(BeatStrip.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
+            painter.AddLine(InsectScene.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
         }
     }
 
-    private void Paint(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading)
+    // What has the colour of the ground is painted with it; the rest right after the triangle of which it is a part.
+    private void Paint(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading, float depth)
+    {
+        if (m_Ground is not float4 ground)
+            Add(painter, corners, colour, normal, places, first, shading, null);
+        else if (math.any(colour != ground))
+            Add(painter, corners, colour, normal, places, first, shading, depth);
+    }
+
+    private void Add(Painter painter, int3 corners, float4 colour, float3 normal, float3[] places, int first, Shading shading, float? above)
     {
         float turn = Turn(corners, places);
         if (turn == 0f)
             return;
-        var shape = new PaintedShape(shading.Shade(colour.xyz, normal, m_IsThin), false, turn < 0f, Glass.Of(m_Index, colour.w));
-        painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z]);
+        var shape = new PaintedShape(shading.Shade(colour.xyz, normal, m_IsThin), false, turn < 0f, Glass.Of(m_Index, colour.w, m_Detail.GlassStep));
+        painter.AddTriangle(shape, corners + first, places[corners.x], places[corners.y], places[corners.z], above);
     }
 
     private float4 Mean(int first) => 0.25f * (m_Colours[first] + m_Colours[first + 1] + m_Colours[first + 2] + m_Colours[first + 3]);
@@ -87,40 +99,4 @@ internal sealed class PictureSurface
     private float Depth(int triangle, float3[] vertices) => math.min(
         vertices[m_Triangles[3 * triangle]].z,
         math.min(vertices[m_Triangles[3 * triangle + 1]].z, vertices[m_Triangles[3 * triangle + 2]].z));
-
-    private static List<Rim> Margin(float3[] rest, int[] triangles)
-    {
-        var places = new Dictionary<float3, int>();
-        int[] welded = Array.ConvertAll(triangles, vertex =>
-        {
-            places.TryAdd(rest[vertex], vertex);
-            return places[rest[vertex]];
-        });
-        var uses = new Dictionary<(int, int), int>();
-        for (int k = 0; k < triangles.Length; k++)
-        {
-            (int, int) key = Edge(welded, k);
-            uses[key] = uses.GetValueOrDefault(key) + 1;
-        }
-
-        var margin = new List<Rim>();
-        for (int k = 0; k < triangles.Length; k++)
-        {
-            if (uses[Edge(welded, k)] == 1)
-                margin.Add(new Rim(k / 3, triangles[k], triangles[Next(k)]));
-        }
-
-        return margin;
-    }
-
-    private static (int, int) Edge(int[] welded, int corner)
-    {
-        int a = welded[corner], b = welded[Next(corner)];
-        return (Math.Min(a, b), Math.Max(a, b));
-    }
-
-    private static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
-
-    /// <summary>An edge of a single triangle.</summary>
-    private readonly record struct Rim(int Triangle, int A, int B);
 }

@@ -5,12 +5,11 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Pictures;
 
-/// <summary>The data of an SVG path in whole fifths of a unit and relative steps, as short as they go.</summary>
-internal sealed class SvgPath
+/// <summary>The data of an SVG path in whole parts of a unit and relative steps, as short as they go.</summary>
+/// <param name="fineness">Steps of a path in a unit of the picture.</param>
+/// <param name="slack">How far, in steps, a point may lie from the path that leaves it out; 0 leaves out none but those on straight lines.</param>
+internal sealed class SvgPath(float fineness, float slack = 0f)
 {
-    /// <summary>Steps of a path in a unit of the picture.</summary>
-    public const float Fineness = 5f;
-
     private readonly StringBuilder m_Text = new();
     private readonly List<int2> m_Points = [];
     private int2 m_At;
@@ -24,7 +23,9 @@ internal sealed class SvgPath
         m_Points.Clear();
         // A closed path ends where it began, and "z" draws that.
         for (int k = 0; k < (close ? path.Count - 1 : path.Count); k++)
-            AddPoint((int2)math.round(Fineness * picture[path[k]].xy));
+            AddPoint((int2)math.round(fineness * picture[path[k]].xy));
+        if (slack > 0f)
+            PathThinning.Thin(m_Points, close, slack);
         if (m_Points.Count < (close ? 3 : 2))
             return;
         m_Text.Append('m');

@@ -11,20 +11,11 @@ internal static class WingPaint
     /// <summary>A wing without colours of its own: pale membrane, sRGB.</summary>
     private static readonly float3 s_Membrane = new(0.84f, 0.79f, 0.66f);
 
-    /// <summary>Width over which a pattern's colours blend, over the edge of a fine triangle.</summary>
-    private const float k_Softness = 0.5f;
-
-    /// <summary>Steps of a colour, sRGB: neighbours that differ by less are painted in one go.</summary>
-    private const float k_Step = 0.05f;
-
-    /// <summary>The same for vertex colours, which pass into one another: coarse steps would change their hue in bands.</summary>
-    private const float k_FineStep = 0.012f;
-
     /// <summary>By the wing's pattern where it has one, else by its vertex colours, else one pale colour.</summary>
-    public static float4[] Of(InsectWing wing, FineTriangles fine)
+    public static float4[] Of(InsectWing wing, FineTriangles fine, PictureDetail detail)
     {
         if (wing.Pattern == null)
-            return Of(wing.Colours, fine);
+            return Of(wing.Colours, fine, detail);
         float scale = wing.PatternScale;
         float3[] places = fine.Refine(Array.ConvertAll(wing.Surface.positions, position => (float3)position / scale));
         var colours = new float4[fine.Triangles.Count];
@@ -32,16 +23,16 @@ internal static class WingPaint
         {
             int3 triangle = fine.Triangles[k];
             float3 a = places[triangle.x], b = places[triangle.y], c = places[triangle.z], centre = (a + b + c) / 3f;
-            float softness = k_Softness * math.sqrt(math.length(math.cross(b - a, c - a)));
+            float softness = detail.Softness * math.sqrt(math.length(math.cross(b - a, c - a)));
             Color colour = wing.Pattern.ColourAt(centre.x, centre.z, softness);
-            colours[k] = new float4(Stepped(new float3(colour.r, colour.g, colour.b), k_Step), colour.a);
+            colours[k] = new float4(Stepped(new float3(colour.r, colour.g, colour.b), detail.PatternStep), colour.a);
         }
 
         return colours;
     }
 
     /// <summary>By vertex colours, or one pale colour without.</summary>
-    public static float4[] Of(Color32[] vertices, FineTriangles fine)
+    public static float4[] Of(Color32[] vertices, FineTriangles fine, PictureDetail detail)
     {
         var colours = new float4[fine.Triangles.Count];
         Array.Fill(colours, new float4(Shading.ToLinear(s_Membrane), 1f));
@@ -55,7 +46,7 @@ internal static class WingPaint
             int3 triangle = fine.Triangles[k];
             float3 light = (lights[triangle.x] + lights[triangle.y] + lights[triangle.z]) / 3f;
             float opacity = (opacities[triangle.x].x + opacities[triangle.y].x + opacities[triangle.z].x) / 3f;
-            colours[k] = new float4(Stepped(Shading.ToEncoded(light), k_FineStep), opacity);
+            colours[k] = new float4(Stepped(Shading.ToEncoded(light), detail.VertexStep), opacity);
         }
 
         return colours;

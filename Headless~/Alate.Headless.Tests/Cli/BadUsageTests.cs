@@ -22,6 +22,10 @@ namespace Alate.Tests.Cli
             AssertRefused(said, "fly", species, "--out", m_Run.Out);
 
         [Test]
+        public void UnknownParameter_ListsTheKnownOnes() =>
+            AssertRefused(new[] { "charm", "elasticity", "chord-delay", "wind" }, "sweep", "charm", "0", "1", "--out", m_Run.Out);
+
+        [Test]
         public void NoSpecies_ListsTheKnownOnes() => AssertRefused(new[] { "monarch" }, "fly", "--out", m_Run.Out);
 
         [TestCase("--speed", "-1")]
@@ -61,6 +65,20 @@ namespace Alate.Tests.Cli
         [TestCase("fly", "--mesh", "wing.obj", "--species", "monarch")]
         [TestCase("new-project")]
         [TestCase("swim")]
+        [TestCase("species", "mosquito")]
+        [TestCase("compare")]
+        [TestCase("compare", "monarch", "mosquito")]
+        [TestCase("compare", "monarch", "--elasticity", "0")]
+        [TestCase("compare", "monarch", "--phases", "13")]
+        [TestCase("compare", "monarch", "--variant", "biological")]
+        [TestCase("sweep", "elasticity", "1")]
+        [TestCase("sweep", "elasticity", "one", "2")]
+        [TestCase("sweep", "elasticity", "1", "NaN")]
+        [TestCase("sweep", "elasticity", "1", "1")]
+        [TestCase("sweep", "elasticity", "1", "2", "--steps", "1")]
+        [TestCase("sweep", "elasticity", "1", "2", "--species", "mosquito")]
+        [TestCase("sweep", "charm", "1", "2")]
+        [TestCase("figures", "nowhere")]
         public void WrongUsage_IsRefused(params string[] arguments) => AssertRefused(new string[0], arguments);
 
         [TestCase(null, "no such file")]

@@ -12,10 +12,6 @@ namespace Alate.Tests.Cli
         public static FlightRecord Level => s_Level.Value;
 
         /// <summary>Flies a plan of its own.</summary>
-        public static FlightRecord Fly(FlightPlan plan)
-        {
-            using var flight = new Flight(plan, Insect.Of(plan));
-            return flight.Run(_ => { });
-        }
+        public static FlightRecord Fly(FlightPlan plan) => Flight.Fly(plan);
     }
 }

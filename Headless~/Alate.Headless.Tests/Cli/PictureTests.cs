@@ -88,11 +88,45 @@ namespace Alate.Tests.Cli
         public void Path_IsWrittenInRelativeSteps_WithoutPointsOnAStraightLine()
         {
             var places = new[] { new float3(1f, 1f, 0f), new float3(2f, 1f, 0f), new float3(3f, 1f, 0f), new float3(1f, 0f, 0f) };
-            var path = new SvgPath();
+            var path = new SvgPath(5f);
 
             path.Add(new List<int> { 0, 1, 2, 3, 0 }, places, close: true);
 
             Assert.That(path.ToString(), Is.EqualTo("m5 5 10 0-10-5z"));
+        }
+
+        [Test]
+        public void ThinnedPath_StaysWithinItsSlack_AndKeepsItsCorners()
+        {
+            var points = new List<int2> { new(0, 0), new(50, 1), new(100, 0), new(101, 60), new(100, 100), new(0, 100), new(1, 40) };
+
+            PathThinning.Thin(points, isClosed: true, slack: 2f);
+
+            Assert.That(points, Is.EqualTo(new[] { new int2(0, 0), new int2(100, 0), new int2(100, 100), new int2(0, 100) }));
+        }
+
+        [Test]
+        public void Palette_KeepsTheMainColours_AndSaysWhichMostHave()
+        {
+            var orange = new float4(0.8f, 0.3f, 0f, 1f);
+            var black = new float4(0f, 0f, 0f, 1f);
+            float4[] colours = Enumerable.Range(0, 30).Select(k => k % 3 == 0 ? black : orange + new float4(0f, 0.002f * k, 0f, 0f)).ToArray();
+
+            float4 ground = Palette.Reduce(colours, 3, 0.2f);
+
+            Assert.That(colours.Distinct().Count(), Is.EqualTo(2));
+            Assert.That(math.length(ground - orange), Is.LessThan(0.1f));
+            Assert.That(math.length(colours[0] - black), Is.LessThan(0.1f));
+        }
+
+        [Test]
+        public void WhatLiesOnATriangle_IsPaintedRightAfterIt()
+        {
+            var painter = new Painter(20f, 20f, 1f);
+            painter.AddTriangle(s_Red, new int3(0, 1, 2), new float3(1f, 1f, 5f), new float3(15f, 1f, 5f), new float3(1f, 15f, 5f));
+            painter.AddTriangle(s_Blue, new int3(3, 4, 5), new float3(2f, 2f, 9f), new float3(5f, 2f, 9f), new float3(2f, 5f, 9f), above: 5f);
+
+            Assert.That(Layers(painter).Select(layer => layer.Shape), Is.EqualTo(new[] { s_Red, s_Blue }));
         }
 
         [Test]
@@ -141,7 +175,7 @@ namespace Alate.Tests.Cli
         [TestCase(0f, 90)]
         public void Opacity_ComesInSteps_AndNothingIsInvisible(float opacity, int percent)
         {
-            Assert.That(Glass.Of(3, opacity), Is.EqualTo(percent == 0 ? default : new Glass(3, percent)));
+            Assert.That(Glass.Of(3, opacity, 10), Is.EqualTo(percent == 0 ? default : new Glass(3, percent)));
         }
 
         [TestCase("front-left", -1, -1)]

@@ -70,12 +70,32 @@ namespace Alate.Tests.Inspectors
         }
 
         [Test]
-        public void LevelsOfDetail_AreFourNamedSliders_WhileTheyAreOn()
+        public void AWingAddedToAnEmptyList_Beats()
+        {
+            InsectWings insect = Insect();
+            insect.Wings.Clear();
+            Open(insect);
+
+            m_Editor.serializedObject.FindProperty("m_Wings").InsertArrayElementAtIndex(0);
+            m_Editor.serializedObject.ApplyModifiedProperties();
+
+            Assert.That(insect.Wings, Has.Count.EqualTo(1));
+            Assert.That(insect.Wings[0].AmplitudeScale, Is.EqualTo(1f), "Unity adds an entry of zeros, which holds the wing still");
+
+            insect.Wings[0].AmplitudeScale = 0f;
+            m_Editor.serializedObject.Update();
+            m_Editor.serializedObject.FindProperty("m_StartPhase").floatValue = 10f;
+            m_Editor.serializedObject.ApplyModifiedProperties();
+            Assert.That(insect.Wings[0].AmplitudeScale, Is.Zero, "a wing that is to be still is not left so");
+        }
+
+        [Test]
+        public void LevelsOfDetail_AreFourNamedFields_WhileTheyAreOn()
         {
             InsectWings insect = Insect();
             Open(insect);
             ExpandAll();
-            Assert.That(DrawnInspector.Of(m_Editor).Control("Waves Only Below").Value, Is.EqualTo("0.03 of 0 to 1"));
+            Assert.That(DrawnInspector.Of(m_Editor).Control("Waves Only Below").Value, Is.EqualTo("0.03"));
 
             insect.Quality.levelOfDetail = false;
 

@@ -29,10 +29,10 @@ namespace Alate.Tests.Play
             }
 
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
-            Assert.That(crowd.World.JobsPerFrame, Is.EqualTo(2));
-            long steps = crowd.StepCount;
+            long steps = crowd.StepCount, jobs = crowd.World.JobCount;
             crowd.FixedStep(0.02f);
             crowd.Frame(0f, 0f);
+            Assert.That(crowd.World.JobCount - jobs, Is.EqualTo(2), "one step job and one skinning job, however many insects");
             Assert.That(crowd.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
         }
 
@@ -52,7 +52,7 @@ namespace Alate.Tests.Play
                 insect.Wings.Add(new Wing { Renderer = wing.AddComponent<MeshRenderer>(), Side = side, Skeleton = skeleton });
             }
 
-            insect.Quality.culling = WingCulling.Nothing;
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
             root.SetActive(true);
         }
     }

@@ -16,15 +16,15 @@ namespace Alate.Tests.Play.Headless
         {
             m_Camera = Keep(new GameObject("camera")).AddComponent<Camera>();
             m_Camera.transform.position = new Vector3(0f, 0f, -6f);
-            WingSystem.DetailCamera = m_Camera;
+            WingSystem.DetailCameras.Add(m_Camera);
         }
 
         [UnityTest]
         public IEnumerator OutOfSight_NothingIsStepped_AndTheBeatIsMadeUpFor(
             [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update, WingUpdateMode.UnscaledTime)] WingUpdateMode mode)
         {
-            InsectWings insect = Hatch(made => Prepare(made, mode, WingCulling.Everything));
-            InsectWings twin = Hatch(made => Prepare(made, mode, WingCulling.Nothing));
+            InsectWings insect = Hatch(made => Prepare(made, mode, WingCulling.CullCompletely));
+            InsectWings twin = Hatch(made => Prepare(made, mode, WingCulling.AlwaysSimulate));
             yield return Frames(30);
             Assert.That(Farthest(Joints(insect, 0), Joints(twin, 0)), Is.LessThan(1e-4f));
 
@@ -46,7 +46,7 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator OutOfSight_WithSkinningSaved_ForcesGoOn()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Skinning)), twin = Hatch();
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.CullSkinning)), twin = Hatch();
             yield return Frames(10);
             LookAway();
             yield return Frames(3);
@@ -78,7 +78,7 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator SteppedByHand_OutOfSight_ItIsStepped()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.Manual, WingCulling.Everything));
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.Manual, WingCulling.CullCompletely));
             LookAway();
             yield return Frames(5);
             float beats = Beats(insect);
@@ -90,7 +90,7 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator ANewInsectInView_IsDeformedInItsFirstPicture()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything));
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.CullCompletely));
             yield return null;
             yield return null;
 
@@ -100,8 +100,8 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator AnotherUpdateModeOutOfSight_DoesNotUpsetTheBeat()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.UnscaledTime, WingCulling.Everything));
-            InsectWings twin = Hatch(made => Prepare(made, WingUpdateMode.UnscaledTime, WingCulling.Nothing));
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.UnscaledTime, WingCulling.CullCompletely));
+            InsectWings twin = Hatch(made => Prepare(made, WingUpdateMode.UnscaledTime, WingCulling.AlwaysSimulate));
             yield return Frames(120);
             LookAway();
             yield return Frames(30);
@@ -116,7 +116,7 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator OutOfSight_ForAnHour_ItStillResumes()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything));
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.CullCompletely));
             yield return Frames(10);
             LookAway();
             yield return Frames(3);
@@ -139,14 +139,14 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator OutOfSight_AnotherCullingOrMode_WakesIt([Values] bool byMode)
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything)), twin = Hatch();
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.CullCompletely)), twin = Hatch();
             yield return Frames(10);
             LookAway();
             yield return Frames(30);
             if (byMode)
                 insect.UpdateMode = WingUpdateMode.Manual;
             else
-                insect.Quality.culling = WingCulling.Skinning;
+                insect.Quality.culling = WingCulling.CullSkinning;
             yield return Frames(2);
 
             Assert.That(insect.Detail, Is.EqualTo(WingDetail.Full));
@@ -156,7 +156,7 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator AtTheEdgeOfTheScreen_NothingPops()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything));
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.CullCompletely));
             yield return Frames(10);
             for (int frame = 0; frame < 180; frame++)
             {
@@ -173,7 +173,7 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator OutOfSight_AScaleOfZero_DoesNoHarm()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything));
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.CullCompletely));
             yield return Frames(10);
             insect.transform.localScale = Vector3.zero;
             yield return Frames(10);
@@ -190,8 +190,8 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator ASlowPanOverAStillPicture_ShowsTheWingsAsTheyAre()
         {
-            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Everything));
-            InsectWings twin = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.Nothing));
+            InsectWings insect = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.CullCompletely));
+            InsectWings twin = Hatch(made => Prepare(made, WingUpdateMode.FixedUpdate, WingCulling.AlwaysSimulate));
             yield return Frames(10);
             LookAway();
             yield return Frames(33);

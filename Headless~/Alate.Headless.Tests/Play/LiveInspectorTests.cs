@@ -185,6 +185,32 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator PatchLoads_AreKeptNoLongerThanTheInsectIsSelected()
+        {
+            InsectWings insect = Insect();
+            Selection.activeGameObject = insect.gameObject;
+            yield return Frames(5);
+            Draw(insect, GizmoLayers.Loads);
+            Selection.objects = new Object[] { insect.gameObject, insect.Wings[0].Renderer.gameObject };
+            Assert.That(insect.Read(0).HasPatchLoads, Is.True);
+
+            Selection.activeObject = null;
+
+            Assert.That(insect.Read(0).HasPatchLoads || insect.Read(1).HasPatchLoads, Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator AWingAddedWhileTheGameIsPaused_TroublesNoGizmo()
+        {
+            InsectWings insect = Insect();
+            yield return Frames(5);
+            insect.Wings.Add(new Wing());
+
+            Assert.That(() => Draw(insect, (GizmoLayers)63), Throws.Nothing);
+            insect.Wings.RemoveAt(2);
+        }
+
+        [UnityTest]
         public IEnumerator Velocity_IsAsLongAsTheWayOfOneBeat()
         {
             InsectWings insect = Insect();
@@ -213,7 +239,7 @@ namespace Alate.Tests.Play
         public IEnumerator Resting_IsExplained()
         {
             InsectWings insect = Insect();
-            insect.Quality.culling = WingCulling.Everything;
+            insect.Quality.culling = WingCulling.CullCompletely;
             yield return Frames(10);
 
             InsectStatus status = InsectStatus.Of(insect);

@@ -98,7 +98,7 @@ namespace Alate.Tests.PlaySessions
             drawn.transform.SetParent(root.transform, false);
             drawn.AddComponent<MeshFilter>().sharedMesh = m_Mesh;
             insect.Wings.Add(new Wing { Renderer = drawn.AddComponent<MeshRenderer>(), Skeleton = m_Skeleton });
-            insect.Quality.culling = WingCulling.Nothing;
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
             root.SetActive(true);
             return insect;
         }

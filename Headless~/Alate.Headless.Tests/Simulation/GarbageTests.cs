@@ -30,7 +30,9 @@ namespace Alate.Tests
                 }
 
                 Assert.That(least, Is.Zero);
-                Assert.That(world.JobsPerFrame, Is.EqualTo(2));
+                long jobs = world.JobCount;
+                Frame(world, wings);
+                Assert.That(world.JobCount - jobs, Is.EqualTo(2), "one step job and one skinning job, however many wings");
             }
         }
 

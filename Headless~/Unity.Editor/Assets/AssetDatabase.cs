@@ -28,12 +28,21 @@ public sealed class AssetDatabase
     public static bool IsMainAsset(Object obj) => throw Absent.Editor;
     public static bool IsSubAsset(Object obj) => throw Absent.Editor;
     public static bool DeleteAsset(string path) => ProjectAssets.Delete(path);
-    public static void ImportAsset(string path) => throw Absent.Editor;
+    public static void ImportAsset(string path) => ProjectAssets.Import(path);
     public static void ImportAsset(string path, ImportAssetOptions options) => throw Absent.Editor;
+    /// <summary>The asset alone: nothing here is known to depend on others.</summary>
+    public static string[] GetDependencies(string pathName) => [pathName];
+
     public static string[] FindAssets(string filter) => throw Absent.Editor;
     public static string[] FindAssets(string filter, string[] searchInFolders) => throw Absent.Editor;
-    public static string CreateFolder(string parentFolder, string newFolderName) => throw Absent.Editor;
-    public static bool IsValidFolder(string path) => throw Absent.Editor;
+    /// <summary>Gives no GUID.</summary>
+    public static string CreateFolder(string parentFolder, string newFolderName)
+    {
+        ProjectAssets.AddFolder(parentFolder, newFolderName);
+        return "";
+    }
+
+    public static bool IsValidFolder(string path) => ProjectAssets.IsFolder(path);
     public static string GUIDToAssetPath(string guid) => throw Absent.Editor;
     public static string AssetPathToGUID(string path) => throw Absent.Editor;
     public static void StartAssetEditing() => throw Absent.Editor;

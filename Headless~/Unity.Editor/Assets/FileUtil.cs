@@ -2,5 +2,5 @@ namespace UnityEditor;
 
 public class FileUtil
 {
-    public static string GetPhysicalPath(string path) => throw Absent.Editor;
+    public static string GetPhysicalPath(string path) => StandIns.ProjectFiles.Of(path);
 }

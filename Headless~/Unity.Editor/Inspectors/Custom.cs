@@ -5,11 +5,15 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>Finds the editors and drawers that the loaded assemblies declare.</summary>
+/// <summary>Finds the editors and drawers that the program's assemblies declare, also those that no code has run of yet.</summary>
 internal static class Custom
 {
+    private static readonly string s_Editor = typeof(Custom).Assembly.GetName().Name;
+
     private static readonly Lazy<Type[]> s_Types = new(() => [.. AppDomain.CurrentDomain.GetAssemblies()
-        .Where(assembly => assembly.GetReferencedAssemblies().Any(name => name.Name == typeof(Custom).Assembly.GetName().Name))
+        .Where(UsesTheEditor)
+        .SelectMany(assembly => assembly.GetReferencedAssemblies().Select(Assembly.Load).Where(UsesTheEditor).Append(assembly))
+        .Distinct()
         .SelectMany(assembly => assembly.GetTypes())]);
 
     /// <summary>The editor of some objects of one type; the plain one where none is declared.</summary>
@@ -23,6 +27,8 @@ internal static class Custom
             throw new NotSupportedException($"{editor.Name} cannot edit several objects.");
         return editor;
     }
+
+    private static bool UsesTheEditor(Assembly assembly) => assembly.GetReferencedAssemblies().Any(name => name.Name == s_Editor);
 
     /// <summary>A new drawer of a field's type; null for none.</summary>
     public static PropertyDrawer DrawerOf(Type drawn)

@@ -81,6 +81,10 @@ public sealed class DrawnInspector : IGuiPage
         return pressed;
     }
 
+    float IGuiPage.Slide(float value, float left, float right) => throw new NotSupportedException("Inspectors have no plain sliders yet.");
+
+    void IGuiPage.BeginArea(Rect area) => throw new NotSupportedException("Inspectors have no areas yet.");
+
     void IGuiPage.Begin(string group) => _groups.Push(group);
 
     void IGuiPage.End(string group)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace StandIns;
@@ -16,6 +17,23 @@ public static class PrefabInstances
 
     /// <summary>Whether overrides of the object were recorded since it was declared.</summary>
     public static bool HasOverrides(Object part) => s_Recorded.Contains(part);
+
+    /// <summary>An instance, all of it declared.</summary>
+    internal static GameObject Make(GameObject prefab)
+    {
+        if (ProjectAssets.PathOf(prefab).Length == 0)
+            throw new ArgumentException($"'{prefab.name}' is no prefab asset.", nameof(prefab));
+        GameObject made = Object.Instantiate(prefab);
+        made.name = prefab.name;
+        foreach (Transform part in made.GetComponentsInChildren<Transform>(true))
+        {
+            Declare(part.gameObject);
+            foreach (Component component in part.GetComponents<Component>())
+                Declare(component);
+        }
+
+        return made;
+    }
 
     internal static bool Contains(Object part) => s_Instances.Contains(part);
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -14,6 +15,7 @@ public static class ProjectAssets
     private static readonly Dictionary<string, Object> s_Assets = [];
     private static readonly Dictionary<Object, string> s_Parts = [];
     private static readonly Dictionary<string, AssetImporter> s_Importers = [];
+    private static readonly HashSet<string> s_Folders = [];
 
     /// <summary>A model file with one mesh; those below Packages cannot be changed.</summary>
     public static void AddModel(string path, Mesh mesh)
@@ -31,6 +33,8 @@ public static class ProjectAssets
         s_Assets.Clear();
         s_Parts.Clear();
         s_Importers.Clear();
+        s_Folders.Clear();
+        ProjectFiles.Clear();
     }
 
     internal static bool CanWrite(string path) => path.StartsWith("Assets/", StringComparison.Ordinal);
@@ -43,12 +47,41 @@ public static class ProjectAssets
     {
         if (asset == null)
             throw new ArgumentNullException(nameof(asset));
-        if (!CanWrite(path) || Path.GetExtension(path).Length == 0)
+        if (!CanWrite(path) || Path.GetExtension(path).Length == 0 || !IsFolder(FolderOf(path)))
             throw new UnityException($"Creating asset at path {path} failed.");
         if (PathOf(asset).Length > 0)
             throw new UnityException($"'{asset.name}' is an asset already.");
         asset.name = Path.GetFileNameWithoutExtension(path);
         s_Assets[path] = asset;
+    }
+
+    /// <summary>Keeps a copy of an object in the scene.</summary>
+    internal static GameObject AddPrefab(string path, GameObject root)
+    {
+        if (Path.GetExtension(path) != ".prefab")
+            throw new ArgumentException($"'{path}' does not end in .prefab.", nameof(path));
+        GameObject prefab = Object.Instantiate(root);
+        Add(path, prefab);
+        return prefab;
+    }
+
+    internal static bool IsFolder(string path) => path == "Assets" || s_Folders.Contains(path);
+
+    internal static void AddFolder(string parent, string name)
+    {
+        if (!IsFolder(parent) || name.Contains('/'))
+            throw new UnityException($"Folder '{name}' cannot be made in '{parent}'.");
+        s_Folders.Add($"{parent}/{name}");
+    }
+
+    /// <summary>Takes a PNG picture in from its file.</summary>
+    internal static void Import(string path)
+    {
+        var picture = new Texture2D(2, 2);
+        if (!IsFolder(FolderOf(path)) || !picture.LoadImage(File.ReadAllBytes(ProjectFiles.Of(path)), true))
+            throw new UnityException($"Importing {path} failed.");
+        Add(path, picture);
+        s_Importers[path] = new TextureImporter { assetPath = path };
     }
 
     internal static void AddTo(string path, Object part)
@@ -60,6 +93,8 @@ public static class ProjectAssets
 
     internal static bool Delete(string path)
     {
+        if (s_Folders.Remove(path))
+            return DeleteBelow(path + "/");
         if (!s_Assets.Remove(path, out Object asset))
             return false;
         Object.DestroyImmediate(asset, true);
@@ -80,7 +115,7 @@ public static class ProjectAssets
     internal static string FreePath(string path)
     {
         string free = path;
-        for (int number = 1; s_Assets.ContainsKey(free); number++)
+        for (int number = 1; s_Assets.ContainsKey(free) || s_Folders.Contains(free); number++)
             free = $"{path[..^Path.GetExtension(path).Length]} {number}{Path.GetExtension(path)}";
         return free;
     }
@@ -91,5 +126,17 @@ public static class ProjectAssets
             throw new UnityException($"'{importer.assetPath}' is in a read-only package.");
         if (importer is ModelImporter model && s_Assets[importer.assetPath] is Mesh mesh)
             mesh.SetReadable(model.isReadable);
+        if (importer is TextureImporter texture)
+            ((Texture2D)s_Assets[importer.assetPath]).wrapMode = texture.wrapMode;
     }
+
+    private static bool DeleteBelow(string folder)
+    {
+        s_Folders.RemoveWhere(path => path.StartsWith(folder, StringComparison.Ordinal));
+        foreach (string path in s_Assets.Keys.Where(path => path.StartsWith(folder, StringComparison.Ordinal)).ToArray())
+            Delete(path);
+        return true;
+    }
+
+    private static string FolderOf(string path) => path[..path.LastIndexOf('/')];
 }

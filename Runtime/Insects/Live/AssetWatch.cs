@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Alate
 {
-    /// <summary>The assets of one kind that are in use, each read once a round. Those that nobody asks for any more are let go, so that they can be unloaded.</summary>
+    /// <summary>The assets of one kind that are in use, each read once however many use it. Those that nobody asks for any more are let go, so that they can be unloaded.</summary>
     internal abstract class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
     {
         private readonly Dictionary<TAsset, TValue> m_Values = new Dictionary<TAsset, TValue>();
@@ -32,18 +32,21 @@ namespace Alate
             return value;
         }
 
-        /// <summary>Begins a round: reads all assets again.</summary>
+        /// <summary>Reads all assets again.</summary>
         public void Refresh()
+        {
+            foreach ((TAsset _, TValue value) in m_All)
+                value.Refresh();
+        }
+
+        /// <summary>Ends a round: lets go of what nobody has looked at for long.</summary>
+        public void EndRound()
         {
             for (int k = m_All.Count - 1; k >= 0; k--)
             {
                 (TAsset asset, TValue value) = m_All[k];
                 if (value.EndRound())
-                {
-                    value.Refresh();
                     continue;
-                }
-
                 m_Values.Remove(asset);
                 m_All.RemoveAt(k);
             }

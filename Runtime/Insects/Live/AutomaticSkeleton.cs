@@ -12,10 +12,21 @@ namespace Alate
         /// <param name="mesh">What draws the wing.</param>
         public AutomaticSkeleton(Transform insect, Transform mesh)
         {
-            Matrix4x4 toMesh = mesh.worldToLocalMatrix * insect.localToWorldMatrix;
+            Matrix4x4 toMesh = ToMesh(insect, mesh);
             m_Body = toMesh.MultiplyPoint3x4(Vector3.zero);
             m_Forward = toMesh.MultiplyVector(Vector3.forward).normalized;
             m_Up = toMesh.MultiplyVector(Vector3.up).normalized;
+        }
+
+        // Not by way of the world: far from its origin places are coarse, and insects of one kind would differ.
+        private static Matrix4x4 ToMesh(Transform insect, Transform mesh)
+        {
+            if (!mesh.IsChildOf(insect))
+                return mesh.worldToLocalMatrix * insect.localToWorldMatrix;
+            Matrix4x4 toInsect = Matrix4x4.identity;
+            for (Transform at = mesh; at != insect; at = at.parent)
+                toInsect = Matrix4x4.TRS(at.localPosition, at.localRotation, at.localScale) * toInsect;
+            return toInsect.inverse;
         }
 
         /// <summary>Whether two would come out the same.</summary>

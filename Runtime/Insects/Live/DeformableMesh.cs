@@ -8,8 +8,8 @@ using UnityEngine.Rendering;
 namespace Alate
 {
     /// <summary>
-    /// Copies a mesh so that wings can be written into it in one piece each: vertices in a wanted order; stream 0 position and normal, stream 1 tangents, stream 2
-    /// colours and texture coordinates. Looks the same as the source; bone weights and blend shapes are left out.
+    /// Copies a mesh so that wings can be written into it in one piece each: vertices in a wanted order; stream 0 position and normal, stream 1 tangents where there
+    /// are any, the next one colours and texture coordinates. Looks the same as the source; bone weights and blend shapes are left out.
     /// </summary>
     internal static class DeformableMesh
     {
@@ -19,7 +19,7 @@ namespace Alate
         /// <summary>The stream of tangents.</summary>
         public const int TangentStream = 1;
 
-        private const int k_OtherStream = 2, k_TexCoords = 8;
+        private const int k_TexCoords = 8, k_MostOfSixteenBits = 65535;
 
         /// <summary>What an upload need not do: bounds are set by hand, indices stay.</summary>
         public const MeshUpdateFlags UploadFlags = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices
@@ -30,17 +30,19 @@ namespace Alate
         /// <param name="order">[new vertex] The source's vertex; each one once.</param>
         public static Mesh Build(Mesh source, int[] order)
         {
-            var mesh = new Mesh { name = source.name + " (living)", hideFlags = HideFlags.HideAndDontSave, indexFormat = source.indexFormat };
-            var others = new OtherAttributes(source);
+            // Submeshes with base vertices may have more vertices than their indices count to.
+            IndexFormat indices = order.Length > k_MostOfSixteenBits ? IndexFormat.UInt32 : source.indexFormat;
+            var mesh = new Mesh { name = source.name + " (living)", hideFlags = HideFlags.HideAndDontSave, indexFormat = indices };
             Vector3[] positions = source.vertices;
             Vector3[] normals = source.normals;
             Vector4[] tangents = source.tangents;
+            var others = new OtherAttributes(source, tangents.Length > 0 ? TangentStream + 1 : TangentStream);
             mesh.SetVertexBufferParams(order.Length, Layout(tangents.Length > 0, others.Descriptors));
             mesh.SetVertexBufferData(Vertices(order, positions, normals), 0, 0, order.Length, VertexStream, UploadFlags);
             if (tangents.Length > 0)
                 mesh.SetVertexBufferData(Array.ConvertAll(order, v => tangents[v]), 0, 0, order.Length, TangentStream, UploadFlags);
             if (others.Words > 0)
-                mesh.SetVertexBufferData(others.Pick(order), 0, 0, order.Length * others.Words, k_OtherStream, UploadFlags);
+                mesh.SetVertexBufferData(others.Pick(order), 0, 0, order.Length * others.Words, others.Stream, UploadFlags);
             CopyTriangles(source, order, mesh);
             mesh.bounds = source.bounds;
             mesh.MarkDynamic();
@@ -95,12 +97,15 @@ namespace Alate
             private readonly List<int> m_Counts = new List<int>();
             private readonly List<VertexAttributeDescriptor> m_Descriptors = new List<VertexAttributeDescriptor>();
 
-            public OtherAttributes(Mesh source)
+            public OtherAttributes(Mesh source, int stream)
             {
+                Stream = stream;
                 AddColours(source);
                 for (int channel = 0; channel < k_TexCoords; channel++)
                     AddTexCoords(source, channel);
             }
+
+            public int Stream { get; }
 
             public int Words { get; private set; }
 
@@ -152,7 +157,7 @@ namespace Alate
             private void Add(
                 VertexAttribute attribute, VertexAttributeFormat format, int dimension, int words, Func<int, int, uint> read)
             {
-                m_Descriptors.Add(new VertexAttributeDescriptor(attribute, format, dimension, k_OtherStream));
+                m_Descriptors.Add(new VertexAttributeDescriptor(attribute, format, dimension, Stream));
                 m_Read.Add(read);
                 m_Counts.Add(words);
                 Words += words;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using UnityEngine;
@@ -5,7 +6,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Builds insects: checks them, finds or bakes what their meshes need, and swaps them. What did not change since an insect was built is kept.</summary>
-    internal sealed class InsectBuilder
+    internal sealed class InsectBuilder : IDisposable
     {
         private readonly TemplateCache m_Templates;
         private readonly SkeletonWatch m_Skeletons;
@@ -20,26 +21,28 @@ namespace Alate
         /// <summary>An insect without meshes and wings.</summary>
         public LiveInsect Conceive(InsectWings insect) => new LiveInsect(insect, m_NextOwner++);
 
-        /// <summary>Whether an insect's meshes, wings or skeletons are no longer those it was built of.</summary>
-        public bool IsStale(LiveInsect live)
+        /// <summary>Follows what was made anew but says the same.</summary>
+        /// <returns>False when meshes, wings or skeletons are no longer those that the insect was built of.</returns>
+        public bool KeepUp(LiveInsect live)
         {
             List<Wing> wings = live.insect.Wings;
             if (wings.Count != live.wings.Length)
-                return true;
+                return false;
             for (int w = 0; w < wings.Count; w++)
             {
-                if (live.wings[w].IsStale(wings[w]))
-                    return true;
+                if (!live.wings[w].IsBuiltOf(wings[w]))
+                    return false;
+                live.wings[w].Follow(wings[w]);
             }
 
             int patches = live.insect.Patches;
             foreach (LiveMesh mesh in live.meshes)
             {
-                if (!mesh.IsShown || mesh.patches != patches)
-                    return true;
+                if (!mesh.IsCurrent(patches))
+                    return false;
             }
 
-            return false;
+            return true;
         }
 
         /// <summary>Gives back the meshes of an insect that are no longer what they were built of, and moves them to the end of a list.</summary>
@@ -48,7 +51,7 @@ namespace Alate
             int patches = live.insect.Patches;
             foreach (LiveMesh mesh in live.meshes)
             {
-                if (mesh.IsShown && mesh.patches == patches && HasSameWings(mesh, live.insect.Wings))
+                if (mesh.IsCurrent(patches) && HasSameWings(mesh, live.insect.Wings))
                     continue;
                 mesh.Restore();
                 discarded.Add(mesh);
@@ -89,6 +92,12 @@ namespace Alate
         /// <summary>Lets go of what a mesh shared with others.</summary>
         public void Free(LiveMesh mesh) => m_Templates.Return(mesh.template);
 
+        /// <summary>Frees what nobody has used for some time.</summary>
+        public void FreeUnused() => m_Templates.FreeUnused();
+
+        /// <summary>Frees what is kept for those who come back.</summary>
+        public void Dispose() => m_Templates.Dispose();
+
         private LiveMesh Build(InsectWings insect, List<int> group, out InsectProblem problem)
         {
             Wing[] wings = group.ConvertAll(w => insect.Wings[w]).ToArray();
@@ -102,7 +111,7 @@ namespace Alate
 
             int patches = insect.Patches;
             Mesh mesh = InsectCheck.MeshOf(wings[0], filter);
-            SkeletonValue[] skeletons = System.Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
+            SkeletonValue[] skeletons = Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
             TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();
             var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
             var parts = new RiggedParts(mesh, automatic, patches);
@@ -118,8 +127,9 @@ namespace Alate
             {
                 if (wing == null || !ReferenceEquals(wing.Renderer, mesh.renderer))
                     continue;
-                if (found == mesh.wings.Length || mesh.wings[found].IsStale(wing))
+                if (found == mesh.wings.Length || !mesh.wings[found].IsBuiltOf(wing))
                     return false;
+                mesh.wings[found].Follow(wing);
                 found++;
             }
 

@@ -71,14 +71,14 @@ namespace Alate
             if (leader.IsNone)
             {
                 m_Pacing = new WingPacing(Clock, owner, WingDetail.Full);
-                Sense(default);
+                Sense(Physics.gravity, default);
             }
 
             foreach (LiveWing wing in wings)
             {
                 if (!wing.handle.IsNone)
                     continue;
-                wing.Tune(species, insect.Species, insect.SubstepsPerBeat, Fade, out WingParameters parameters);
+                wing.Tune(species, new InsectTuning(insect, Fade), out WingParameters parameters);
                 wing.Place();
                 WingSurroundings around = wing.Surroundings(flight);
                 wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing);
@@ -102,10 +102,10 @@ namespace Alate
         /// <summary>Takes over sliders and presets.</summary>
         public void Tune(WingWorld world, SpeciesWatch species)
         {
-            int substeps = insect.SubstepsPerBeat;
+            var tuning = new InsectTuning(insect, Fade);
             foreach (LiveWing wing in wings)
             {
-                if (wing.Tune(species, insect.Species, substeps, Fade, out WingParameters parameters))
+                if (wing.Tune(species, tuning, out WingParameters parameters))
                     world.SetParameters(wing.handle, parameters);
             }
         }
@@ -123,20 +123,22 @@ namespace Alate
         }
 
         /// <summary>Notes what the body does and feels now.</summary>
-        public void Sense(float3 zoneWind)
+        /// <param name="gravity">World units per second squared.</param>
+        /// <param name="zoneWind">Of the wind zones, world units per second.</param>
+        public void Sense(float3 gravity, float3 zoneWind)
         {
             InsectMotion settings = insect.MotionSettings;
             flight.position = root.position;
             flight.forward = root.forward;
             flight.wind = (float3)insect.Air.wind + zoneWind;
-            flight.gravity = Physics.gravity;
+            flight.gravity = gravity;
             flight.metresPerUnit = settings.metresPerUnit;
             flight.velocity = motion.Velocity;
             flight.angularVelocity = motion.AngularVelocity;
             if (settings.source == VelocitySource.Script)
             {
                 flight.velocity = insect.Velocity;
-                flight.angularVelocity = default;
+                flight.angularVelocity = insect.AngularVelocity;
             }
             else if (settings.source == VelocitySource.Rigidbody && insect.Body is { } body && body != null)
             {
@@ -164,18 +166,18 @@ namespace Alate
 
         /// <summary>Chooses the level of detail by what cameras see of the insect, and whether to deform its meshes.</summary>
         /// <returns>Whether its meshes have to be drawn anew though nothing may have moved.</returns>
-        public bool ChooseDetail(WingWorld world, Camera camera, float bias, Pacer pacer)
+        public bool ChooseDetail(WingWorld world, Viewers viewers, Pacer pacer)
         {
             // No camera has had a look at a new one.
             visible = !m_Seen;
             m_Seen = true;
             foreach (LiveMesh mesh in meshes)
                 visible |= mesh.renderer != null && mesh.renderer.isVisible;
-            bool outOfSight = !visible && insect.Quality.culling == WingCulling.Everything;
+            bool outOfSight = !visible && insect.Quality.culling == WingCulling.CullCompletely && !insect.Quality.keepForces;
             if (Clock == WingClock.Own)
                 Pace(world, WingDetail.Full, false, pacer);
             else
-                Pace(world, Wanted(camera, bias), outOfSight, pacer);
+                Pace(world, Wanted(viewers), outOfSight, pacer);
             return SetSkinned(world);
         }
 
@@ -188,15 +190,16 @@ namespace Alate
                 mesh.Upload(world);
         }
 
-        private WingDetail Wanted(Camera camera, float bias)
+        private WingDetail Wanted(Viewers viewers)
         {
             // Where nothing is computed nobody else looks where the wings are.
             if (Detail == WingDetail.Frozen)
                 wings[0].Place();
-            if (!insect.Quality.levelOfDetail || camera == null || !wings[0].placed.isValid)
+            if (!insect.Quality.levelOfDetail || !viewers.Any || !wings[0].placed.isValid)
                 return WingDetail.Full;
-            float height = bias * DetailChoice.ScreenHeight(camera, wings[0].placed.hinge, wings[0].placed.length);
-            return DetailChoice.Choose(height, insect.Quality.screenHeights, m_Resting ? WingDetail.Frozen : Detail);
+            float height = viewers.ScreenHeight(wings[0].placed.hinge, wings[0].placed.length);
+            WingDetail wanted = DetailChoice.Choose(height, insect.Quality.screenHeights, m_Resting ? WingDetail.Frozen : Detail);
+            return insect.Quality.keepForces && wanted > WingDetail.CoarsePatches ? WingDetail.CoarsePatches : wanted;
         }
 
         /// <summary>Changes clock and level of detail to what is wanted, without a jump.</summary>
@@ -237,7 +240,7 @@ namespace Alate
 
         private bool SetSkinned(WingWorld world)
         {
-            bool skinned = m_Pacing.detail != WingDetail.Frozen && (visible || insect.Quality.culling == WingCulling.Nothing);
+            bool skinned = m_Pacing.detail != WingDetail.Frozen && (visible || insect.Quality.culling == WingCulling.AlwaysSimulate);
             if (skinned != m_Skinned)
             {
                 foreach (LiveWing wing in wings)

@@ -10,13 +10,13 @@ namespace Alate
         public readonly MeshRenderer renderer;
         public readonly MeshTemplate template;
         public readonly LiveWing[] wings;
-        public readonly int patches;
+        private readonly int m_Patches;
         private readonly Mesh m_Copy;
 
         public LiveMesh(MeshFilter filter, MeshTemplate template, Wing[] wings, SkeletonValue[] skeletons, int patches)
         {
             this.filter = filter;
-            this.patches = patches;
+            m_Patches = patches;
             this.template = template;
             renderer = wings[0].Renderer;
             this.wings = new LiveWing[wings.Length];
@@ -31,8 +31,9 @@ namespace Alate
             filter.sharedMesh = m_Copy;
         }
 
-        /// <summary>Whether the filter still shows the copy; a script may have given it another mesh.</summary>
-        public bool IsShown => filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Copy);
+        /// <summary>Whether the filter still shows the copy (a script may have given it another mesh), made with so many patches of what the authored mesh says.</summary>
+        public bool IsCurrent(int patches) =>
+            patches == m_Patches && !template.IsOutdated && filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Copy);
 
         /// <summary>Puts the deformed vertices of all wings into the mesh.</summary>
         public void Upload(WingWorld world)

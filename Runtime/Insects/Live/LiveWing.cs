@@ -20,10 +20,10 @@ namespace Alate
         public SpeciesValues values;
 
         private Wing m_Wing;
-        private WingSpecies m_OwnSpecies, m_Preset;
+        private WingSpecies m_OwnSpecies;
+        private InsectTuning m_Tuning;
         private int m_Stamp;
         private float m_Amplitude, m_Lead;
-        private int m_Substeps;
         private readonly TemplateKey.WingKey m_Key;
         private readonly SkeletonValue m_Skeleton;
 
@@ -38,17 +38,17 @@ namespace Alate
             transform = renderer.transform;
         }
 
-        /// <summary>
-        /// Whether the wing in the list is no longer what this one was built of. Another object that says the same is taken over: the editor makes new ones when a slider is moved.
-        /// </summary>
-        public bool IsStale(Wing listed)
+        /// <summary>Whether the wing in the list is still what this one was built of.</summary>
+        public bool IsBuiltOf(Wing listed) =>
+            listed != null && ReferenceEquals(listed.Renderer, renderer) && m_Key.Describes(listed, m_Skeleton.Hash);
+
+        /// <summary>Follows another object of the list that says the same: the editor makes new ones when a slider is moved.</summary>
+        public void Follow(Wing listed)
         {
-            if (listed == null || !ReferenceEquals(listed.Renderer, renderer) || !m_Key.Describes(listed, m_Skeleton.Hash))
-                return true;
-            if (!ReferenceEquals(listed, m_Wing))
-                listed.Authored = m_Wing.Authored;
+            if (ReferenceEquals(listed, m_Wing))
+                return;
+            listed.Authored = m_Wing.Authored;
             m_Wing = listed;
-            return false;
         }
 
         /// <summary>The wing shows its authored mesh again.</summary>
@@ -67,27 +67,24 @@ namespace Alate
 
         /// <summary>Takes over preset and sliders.</summary>
         /// <param name="species">The presets in use.</param>
-        /// <param name="preset">The insect's own.</param>
-        /// <param name="substeps">Substeps of a beat, 0 for the preset's.</param>
-        /// <param name="fade">Factor on the amplitude, for coming to rest.</param>
+        /// <param name="tuning">What the insect says of all its wings.</param>
         /// <param name="parameters">What the wing is to be stepped with.</param>
         /// <returns>Whether anything changed since the last call.</returns>
-        public bool Tune(SpeciesWatch species, WingSpecies preset, int substeps, float fade, out WingParameters parameters)
+        public bool Tune(SpeciesWatch species, in InsectTuning tuning, out WingParameters parameters)
         {
-            if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Preset, preset))
+            if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Tuning.preset, tuning.preset))
             {
                 m_OwnSpecies = m_Wing.Species;
-                m_Preset = preset;
-                values = species.Of(m_OwnSpecies == null ? preset : m_OwnSpecies);
+                values = species.Of(m_OwnSpecies == null ? tuning.preset : m_OwnSpecies);
                 m_Stamp = -1;
             }
 
-            float amplitude = m_Wing.AmplitudeScale * fade, lead = Mathf.Deg2Rad * m_Wing.PhaseLead;
-            bool same = values.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && substeps == m_Substeps;
+            float amplitude = m_Wing.AmplitudeScale, lead = Mathf.Deg2Rad * m_Wing.PhaseLead;
+            bool same = values.Stamp == m_Stamp && amplitude == m_Amplitude && lead == m_Lead && tuning.SameAs(m_Tuning);
             m_Stamp = values.Stamp;
             m_Amplitude = amplitude;
             m_Lead = lead;
-            m_Substeps = substeps;
+            m_Tuning = tuning;
             if (same)
             {
                 parameters = default;
@@ -97,8 +94,7 @@ namespace Alate
             parameters = values.parameters;
             parameters.amplitudeScale *= amplitude;
             parameters.phaseLead += lead;
-            if (substeps > 0)
-                parameters.substepsPerBeat = substeps;
+            tuning.Apply(ref parameters);
             parameters = parameters.Clamped();
             return true;
         }

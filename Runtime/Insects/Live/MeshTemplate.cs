@@ -39,6 +39,12 @@ namespace Alate
         /// <summary>Insects that use it.</summary>
         public int Users { get; set; }
 
+        /// <summary>When the last of them left, seconds of real time.</summary>
+        public double UnusedSince { get; set; }
+
+        /// <summary>The authored mesh was changed since: whoever uses the template needs another.</summary>
+        public bool IsOutdated { get; set; }
+
         /// <summary>Makes a template of shapes that do not overlap; it takes over the shapes.</summary>
         public static MeshTemplate Build(Mesh source, RiggedPart[] shapes) => new MeshTemplate(source, shapes);
 

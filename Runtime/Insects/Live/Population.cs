@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace Alate
 {
@@ -50,13 +52,10 @@ namespace Alate
         }
 
         /// <summary>Lets an insect that waits start at once.</summary>
-        /// <returns>Whether it waited.</returns>
-        public bool Hurry(InsectWings insect)
+        public void Hurry(InsectWings insect)
         {
-            bool waited = m_Arriving.Remove(insect);
-            if (waited)
+            if (m_Arriving.Remove(insect))
                 Admit(insect);
-            return waited;
         }
 
         /// <summary>Once a frame, with no jobs under way: who has gone goes, who was changed is changed, who waits starts.</summary>
@@ -67,10 +66,12 @@ namespace Alate
             using (SystemMarkers.renew.Auto())
             {
                 LetGo();
+                m_Builder.FreeUnused();
+                m_Skeletons.EndRound();
                 m_Skeletons.Refresh();
                 for (int k = Living.Count - 1; k >= 0 && vertices > 0; k--)
                 {
-                    if (m_Builder.IsStale(Living[k]))
+                    if (!m_Builder.KeepUp(Living[k]))
                         vertices -= Renew(Living[k]);
                 }
 
@@ -98,6 +99,7 @@ namespace Alate
                 insect.Report(InsectProblem.Inactive);
             m_Arriving.Clear();
             LetGo();
+            m_Builder.Dispose();
         }
 
         private void Retire(LiveInsect live)
@@ -144,13 +146,11 @@ namespace Alate
 
         private int Admit(InsectWings insect)
         {
+            insect.FindWingsWhereNoneAreListed();
             LiveInsect live = m_Builder.Conceive(insect);
-            if (!Build(live))
-                return 0;
             insect.Live = live;
             Living.Add(live);
-            live.Enter(m_World, m_Species);
-            return live.VertexCount;
+            return Build(live, default);
         }
 
         // What did not change lives on; what is new takes up the beat.
@@ -158,21 +158,31 @@ namespace Alate
         {
             WingHandle leader = live.wings[0].handle;
             m_Builder.Discard(live, m_Leaving);
-            if (!Build(live))
-                return 0;
-            live.Enter(m_World, m_Species, leader);
-            return live.VertexCount;
+            return Build(live, leader);
         }
 
-        private bool Build(LiveInsect live)
+        // What nobody thought of must not reach the other insects either.
+        private int Build(LiveInsect live, WingHandle leader)
         {
-            InsectProblem problem = m_Builder.Complete(live);
+            InsectProblem problem;
+            try
+            {
+                problem = m_Builder.Complete(live);
+                if (!problem.IsProblem)
+                    live.Enter(m_World, m_Species, leader);
+            }
+            catch (Exception exception)
+            {
+                Debug.LogException(exception, live.insect);
+                problem = InsectProblem.Failed(exception);
+            }
+
             live.insect.Report(problem);
             if (!problem.IsProblem)
-                return true;
+                return live.VertexCount;
             Retire(live);
             m_Broken.Add(live.insect);
-            return false;
+            return 0;
         }
     }
 }

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>The presets in use; a round is a step. A monarch stands for none.</summary>
+    /// <summary>The presets in use, read once a step. A monarch stands for none.</summary>
     internal sealed class SpeciesWatch : AssetWatch<WingSpecies, SpeciesValues>
     {
         public SpeciesWatch()

@@ -1,13 +1,17 @@
+using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The templates in use; insects with the same mesh, wings and skeletons share one.</summary>
-    internal sealed class TemplateCache
+    /// <summary>
+    /// The templates; insects with the same mesh, wings and skeletons share one. Those that nobody uses are kept for a while: a pool takes its insects back.
+    /// </summary>
+    internal sealed class TemplateCache : IDisposable
     {
         private readonly List<Entry> m_Entries = new List<Entry>();
 
-        /// <summary>Templates in use.</summary>
+        /// <summary>Templates in use or kept.</summary>
         public int Count => m_Entries.Count;
 
         /// <summary>Finds or builds the template for some wings of one mesh; one user more.</summary>
@@ -22,7 +26,7 @@ namespace Alate
             problem = InsectProblem.None;
             foreach (Entry entry in m_Entries)
             {
-                if (!entry.key.Matches(key))
+                if (entry.template.IsOutdated || !entry.key.Matches(key))
                     continue;
                 entry.template.Users++;
                 return entry.template;
@@ -31,19 +35,54 @@ namespace Alate
             RiggedPart[] shapes = parts.Build(wings, indices, out problem);
             if (shapes == null)
                 return null;
-            MeshTemplate template = MeshTemplate.Build(parts.Mesh, shapes);
+            MeshTemplate template;
+            try
+            {
+                template = MeshTemplate.Build(parts.Mesh, shapes);
+            }
+            catch
+            {
+                foreach (RiggedPart shape in shapes)
+                    shape.Rig.Release();
+                throw;
+            }
+
             template.Users = 1;
             m_Entries.Add(new Entry { key = key, template = template });
             return template;
         }
 
-        /// <summary>One user fewer; the last one frees the template.</summary>
+        /// <summary>One user fewer.</summary>
         public void Return(MeshTemplate template)
         {
-            if (--template.Users > 0)
-                return;
-            m_Entries.RemoveAt(m_Entries.FindIndex(e => e.template == template));
-            template.Destroy();
+            template.Users--;
+            template.UnusedSince = Time.realtimeSinceStartupAsDouble;
+            FreeUnused();
+        }
+
+        /// <summary>Frees what nobody has used for some time.</summary>
+        public void FreeUnused()
+        {
+            double now = Time.realtimeSinceStartupAsDouble;
+            for (int k = m_Entries.Count - 1; k >= 0; k--)
+            {
+                MeshTemplate template = m_Entries[k].template;
+                if (template.Users == 0 && (template.IsOutdated || now - template.UnusedSince >= WingSystem.Patience))
+                    Free(k);
+            }
+        }
+
+        /// <summary>Frees everything.</summary>
+        public void Dispose()
+        {
+            while (m_Entries.Count > 0)
+                Free(m_Entries.Count - 1);
+        }
+
+        private void Free(int index)
+        {
+            m_Entries[index].template.Destroy();
+            m_Entries.RemoveAt(index);
         }
 
         private struct Entry

@@ -3,13 +3,13 @@ namespace Alate
     /// <summary>What is read of an asset, kept while somebody looks at it.</summary>
     internal abstract class WatchedValue
     {
-        /// <summary>Rounds without a look after which a value is let go: insects that are only disabled for a moment find it again.</summary>
+        /// <summary>Frames without a look after which a value is let go: insects that are only disabled for a moment find it again.</summary>
         private const int k_Patience = 60;
 
-        private int m_RoundsUnused;
+        private int m_FramesUnused;
 
         /// <summary>Whether it was let go: then it is not read again, and has to be asked for anew.</summary>
-        public bool IsForgotten => m_RoundsUnused > k_Patience;
+        public bool IsForgotten => m_FramesUnused > k_Patience;
 
         /// <summary>Reads the asset again. One that was destroyed keeps its last value.</summary>
         public abstract void Refresh();
@@ -17,7 +17,7 @@ namespace Alate
         /// <returns>Whether somebody has looked lately.</returns>
         public bool EndRound()
         {
-            m_RoundsUnused++;
+            m_FramesUnused++;
             return !IsForgotten;
         }
 
@@ -25,7 +25,7 @@ namespace Alate
         protected void Use()
         {
             if (!IsForgotten)
-                m_RoundsUnused = 0;
+                m_FramesUnused = 0;
         }
     }
 }

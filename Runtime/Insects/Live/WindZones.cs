@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
-using UnityEngine.SceneManagement;
 
 namespace Alate
 {
@@ -14,57 +13,86 @@ namespace Alate
     {
         private const float k_TurbulenceShare = 1f / 3f, k_TurbulenceRate = 3f, k_TurbulencePerUnit = 0.2f;
 
+        /// <summary>Seconds between looks for zones.</summary>
+        private const double k_Pause = 1.0;
+
         private readonly List<WindZone> m_Zones = new List<WindZone>();
-        private readonly List<WindZone> m_Found = new List<WindZone>();
-        private readonly List<GameObject> m_Roots = new List<GameObject>();
+        private readonly List<Zone> m_Blowing = new List<Zone>();
+        private bool m_IsKnown, m_MayHaveChanged;
+        private double m_Found;
 
-        /// <summary>Looks for the zones of all loaded scenes.</summary>
-        public void Find()
-        {
-            m_Zones.Clear();
-            for (int s = 0; s < SceneManager.sceneCount; s++)
-            {
-                Scene scene = SceneManager.GetSceneAt(s);
-                if (!scene.isLoaded)
-                    continue;
-                scene.GetRootGameObjects(m_Roots);
-                foreach (GameObject root in m_Roots)
-                {
-                    root.GetComponentsInChildren(true, m_Found);
-                    m_Zones.AddRange(m_Found);
-                }
-            }
-        }
+        /// <summary>There are others now: they are looked for when they are read next.</summary>
+        public void Forget() => m_IsKnown = false;
 
-        /// <summary>The wind at a place; zones that are gone or switched off do not blow.</summary>
-        public float3 At(float3 place, float time)
+        /// <summary>There may be others, as somebody has come: they are looked for soon, however many come.</summary>
+        public void Doubt() => m_MayHaveChanged = true;
+
+        /// <summary>Reads what all zones do now; those that are gone or switched off do not blow.</summary>
+        /// <param name="time">Seconds.</param>
+        public void Read(float time)
         {
-            float3 sum = default;
+            if (!m_IsKnown || (m_MayHaveChanged && Time.realtimeSinceStartupAsDouble - m_Found >= k_Pause))
+                Find();
+            m_Blowing.Clear();
             foreach (WindZone zone in m_Zones)
             {
                 if (zone != null && zone.gameObject.activeInHierarchy)
-                    sum += Blow(zone, place, time);
+                    m_Blowing.Add(new Zone(zone, time));
             }
+        }
 
+        /// <summary>The wind at a place, as it was read last.</summary>
+        public float3 At(float3 place)
+        {
+            float3 sum = default;
+            foreach (Zone zone in m_Blowing)
+                sum += zone.At(place);
             return sum;
         }
 
-        private static float3 Blow(WindZone zone, float3 place, float time)
+        // Those of assets are in no scene.
+        private void Find()
         {
-            Transform transform = zone.transform;
-            float3 direction = transform.forward;
-            float share = 1f;
-            if (zone.mode == WindZoneMode.Spherical)
+            m_IsKnown = true;
+            m_MayHaveChanged = false;
+            m_Found = Time.realtimeSinceStartupAsDouble;
+            m_Zones.Clear();
+            foreach (WindZone zone in Resources.FindObjectsOfTypeAll<WindZone>())
             {
-                float3 outwards = place - (float3)transform.position;
-                float distance = math.length(outwards);
-                share = math.saturate(1f - distance / math.max(zone.radius, 1e-6f));
-                direction = math.normalizesafe(outwards);
+                if (zone.gameObject.scene.IsValid())
+                    m_Zones.Add(zone);
+            }
+        }
+
+        private readonly struct Zone
+        {
+            private readonly float3 m_Position, m_Direction;
+            private readonly float m_Main, m_Steady, m_Turbulence, m_GustTime;
+
+            // 0 for one that blows everywhere in one direction.
+            private readonly float m_Radius;
+
+            public Zone(WindZone zone, float time)
+            {
+                Transform transform = zone.transform;
+                m_Position = transform.position;
+                m_Direction = transform.forward;
+                m_Radius = zone.mode == WindZoneMode.Spherical ? math.max(zone.radius, 1e-6f) : 0f;
+                m_Main = zone.windMain;
+                m_Steady = 1f + zone.windPulseMagnitude * math.sin(2f * math.PI * zone.windPulseFrequency * time);
+                m_Turbulence = k_TurbulenceShare * zone.windTurbulence;
+                m_GustTime = k_TurbulenceRate * time;
             }
 
-            float pulse = zone.windPulseMagnitude * math.sin(2f * math.PI * zone.windPulseFrequency * time);
-            float turbulence = k_TurbulenceShare * zone.windTurbulence * Gust(math.dot(place, k_TurbulencePerUnit) + k_TurbulenceRate * time);
-            return direction * (share * zone.windMain * (1f + pulse + turbulence));
+            public float3 At(float3 place)
+            {
+                float3 outwards = place - m_Position;
+                bool everywhere = m_Radius == 0f;
+                float3 direction = everywhere ? m_Direction : math.normalizesafe(outwards);
+                float share = everywhere ? 1f : math.saturate(1f - math.length(outwards) / m_Radius);
+                float gust = m_Turbulence * Gust(math.dot(place, k_TurbulencePerUnit) + m_GustTime);
+                return direction * (share * m_Main * (m_Steady + gust));
+            }
         }
 
         // Smooth noise in [-1, 1] from two sines whose rates have no common period.

@@ -13,8 +13,9 @@ namespace Alate
         private readonly BeatCalls m_Calls = new BeatCalls();
         private readonly SpeciesWatch m_Species = new SpeciesWatch();
         private readonly WindZones m_WindZones = new WindZones();
+        private readonly Viewers m_Viewers = new Viewers();
         private readonly Pacer m_Pacer = new Pacer();
-        private bool m_Moved;
+        private bool4 m_Moved;
         private float4 m_DrawnAlpha;
         private long m_StepsTold;
 
@@ -42,19 +43,10 @@ namespace Alate
         public long StepCount { get; private set; }
 
         /// <summary>Recoveries from states that were not finite, of all wings that live.</summary>
-        public int CountResets()
-        {
-            int count = 0;
-            foreach (LiveInsect live in Insects)
-            {
-                foreach (LiveWing wing in live.wings)
-                    count += World.Read(wing.handle).Resets;
-            }
+        public int CountResets() => World.CountResets();
 
-            return count;
-        }
-
-        public void FindWindZones() => m_WindZones.Find();
+        /// <summary>Looks for wind zones before the next step.</summary>
+        public void FindWindZones() => m_WindZones.Forget();
 
         /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
         public void Enter(InsectWings insect) => m_Population.Enter(insect);
@@ -81,8 +73,13 @@ namespace Alate
             using (SystemMarkers.frame.Auto())
             {
                 Wait();
+                m_Species.EndRound();
                 if (m_Population.Turn())
-                    WelcomeNew();
+                {
+                    m_Moved = true;
+                    m_WindZones.Doubt();
+                }
+
                 Tune();
                 Watch(dt, unscaledDt);
                 ChooseDetail();
@@ -99,9 +96,7 @@ namespace Alate
         public void StepByHand(InsectWings insect, float dt)
         {
             World.Complete();
-            if (m_Population.Hurry(insect))
-                WelcomeNew();
-
+            m_Population.Hurry(insect);
             LiveInsect live = insect.Live;
             if (live == null)
                 return;
@@ -109,12 +104,13 @@ namespace Alate
             live.Tune(World, m_Species);
             live.Pace(World, WingDetail.Full, false, m_Pacer);
             Watch(live, dt);
-            Sense(live);
+            m_WindZones.Read(Time.time);
+            Sense(live, Physics.gravity);
             int steps = math.clamp((int)math.ceil(dt / Pacer.FrameStep - 1e-3f), 1, Pacer.MostSteps);
             float length = math.min(dt / steps, Pacer.FrameStep);
             for (int step = 0; step < steps; step++)
                 World.StepNow(live.owner, length);
-            m_Moved = true;
+            m_Moved[(int)WingClock.Own] = true;
         }
 
         /// <summary>Starts an insect's wings anew.</summary>
@@ -122,7 +118,7 @@ namespace Alate
         {
             World.Complete();
             live.Restart(World);
-            m_Moved = true;
+            m_Moved[(int)live.Clock] = true;
         }
 
         public void Dispose()
@@ -133,12 +129,6 @@ namespace Alate
             SystemCounter.insects.Set(0);
             SystemCounter.steps.Set(0);
             SystemCounter.resets.Set(0);
-        }
-
-        private void WelcomeNew()
-        {
-            m_WindZones.Find();
-            m_Moved = true;
         }
 
         private void Tune()
@@ -173,12 +163,12 @@ namespace Alate
         {
             using (SystemMarkers.detail.Auto())
             {
-                Camera camera = WingSystem.DetailCamera;
-                if (camera == null)
-                    camera = Camera.main;
-                float bias = QualitySettings.lodBias;
+                m_Viewers.Look();
                 foreach (LiveInsect live in Insects)
-                    m_Moved |= live.ChooseDetail(World, camera, bias, m_Pacer);
+                {
+                    if (live.ChooseDetail(World, m_Viewers, m_Pacer))
+                        m_Moved[(int)live.Clock] = true;
+                }
             }
         }
 
@@ -186,19 +176,21 @@ namespace Alate
         {
             using (SystemMarkers.sense.Auto())
             {
+                m_WindZones.Read(Time.time);
+                float3 gravity = Physics.gravity;
                 foreach (LiveInsect live in Insects)
                 {
                     WingClock clock = live.Clock;
                     if ((clock == first || clock == second) && live.Detail != WingDetail.Frozen)
-                        Sense(live);
+                        Sense(live, gravity);
                 }
             }
         }
 
-        private void Sense(LiveInsect live)
+        private void Sense(LiveInsect live, float3 gravity)
         {
-            float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position, Time.time) : default;
-            live.Sense(wind);
+            float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position) : default;
+            live.Sense(gravity, wind);
             bool hasSize = live.Feel(World);
             if (hasSize)
                 live.insect.Report(InsectProblem.None);
@@ -214,7 +206,7 @@ namespace Alate
             using (SystemMarkers.schedule.Auto())
                 World.ScheduleStep(plan);
             StepCount++;
-            m_Moved = true;
+            m_Moved |= plan.count > 0;
         }
 
         private void Wait()
@@ -238,17 +230,21 @@ namespace Alate
         private void Draw()
         {
             float4 alpha = m_Pacer.Alpha();
-            if (!m_Moved && math.all(alpha == m_DrawnAlpha))
-                return;
-            m_Moved = false;
+            bool4 clocks = (m_Moved | (alpha != m_DrawnAlpha)) & ClocksInUse();
+            m_Moved &= !clocks;
             m_DrawnAlpha = alpha;
+            if (!math.any(clocks))
+                return;
             using (SystemMarkers.schedule.Auto())
-                World.ScheduleSkin(alpha);
+                World.ScheduleSkin(alpha, clocks);
             Wait();
             using (SystemMarkers.upload.Auto())
             {
                 foreach (LiveInsect live in Insects)
-                    live.Upload(World);
+                {
+                    if (clocks[(int)live.Clock])
+                        live.Upload(World);
+                }
             }
         }
 

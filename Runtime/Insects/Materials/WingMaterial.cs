@@ -41,7 +41,10 @@ namespace Alate
         /// <param name="textureSize">Pixels along the longer side, 16 to 8192.</param>
         /// <exception cref="ArgumentOutOfRangeException">The size is out of range.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
-        public static Material ForWing(SpeciesWing wing, int textureSize = DefaultTextureSize)
+        public static Material ForWing(SpeciesWing wing, int textureSize = DefaultTextureSize) => ForWing(wing, textureSize, false);
+
+        /// <summary>The same, where the pixels are asked for with a texture that can be read and saved.</summary>
+        internal static Material ForWing(SpeciesWing wing, int textureSize, bool keepPixels)
         {
             if (wing == null)
             {
@@ -63,7 +66,7 @@ namespace Alate
             var width = Math.Max(1, (int)Math.Round(textureSize / longer));
             var height = Math.Max(1, (int)Math.Round(textureSize * depth / longer));
             var pixels = wing.Pattern.Paint(outline, width, height);
-            return Create(shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, pixels, width, height), true, HasClearPixels(pixels)));
+            return Create(shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, pixels, width, height, keepPixels), true, HasClearPixels(pixels)));
         }
 
         /// <summary>A material for a species' body: vertex colours, or a texture painted with them where the shader shows none.</summary>
@@ -71,7 +74,9 @@ namespace Alate
         /// <param name="textureSize">Pixels along each side, 16 to 8192, where a texture is needed.</param>
         /// <exception cref="ArgumentOutOfRangeException">The size is out of range.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
-        public static Material ForBody(SpeciesDefinition species, int textureSize = DefaultTextureSize)
+        public static Material ForBody(SpeciesDefinition species, int textureSize = DefaultTextureSize) => ForBody(species, textureSize, false);
+
+        internal static Material ForBody(SpeciesDefinition species, int textureSize, bool keepPixels)
         {
             if (species == null)
             {
@@ -84,7 +89,7 @@ namespace Alate
             var name = species.DisplayName + " body";
             var texture = ShowsVertexColours(shader)
                 ? null
-                : ToTexture(name, ColourTexture.Paint(body, textureSize), textureSize, textureSize);
+                : ToTexture(name, ColourTexture.Paint(body, textureSize), textureSize, textureSize, keepPixels);
             return Create(shader, name, new SurfaceLook(texture, false, HasClearPixels(body.colours)));
         }
 
@@ -132,11 +137,11 @@ namespace Alate
                     + "Project Settings > Graphics > Always Included Shaders.");
         }
 
-        static Texture2D ToTexture(string name, Color32[] pixels, int width, int height)
+        static Texture2D ToTexture(string name, Color32[] pixels, int width, int height, bool keepPixels)
         {
             var texture = new Texture2D(width, height, TextureFormat.RGBA32, true) { name = name, wrapMode = TextureWrapMode.Clamp };
             texture.SetPixels32(pixels);
-            texture.Apply(true, true);
+            texture.Apply(true, !keepPixels);
             return texture;
         }
 

@@ -24,20 +24,23 @@ namespace Alate
         [Tooltip("Computes insects that look small with less detail. Off: always in full.")]
         public bool levelOfDetail;
 
-        /// <summary>Shares of the screen's height below which each level begins: fewer substeps, coarse patches, waves only, frozen.</summary>
-        [Tooltip("Shares of the screen's height that the insect fills, 0 to 1, below which it has fewer substeps (x), coarse patches (y), waves only (z), and its wings come to rest (w). 0 never enters the level.")]
-        public Vector4 screenHeights;
+        /// <summary>Below which sizes on the screen each level begins.</summary>
+        public ScreenHeights screenHeights;
 
-        /// <summary>What is saved out of sight.</summary>
-        [Tooltip("What is saved while no camera sees the wings. Everything: the beat is made up for on return. Skinning: forces are computed on. Nothing: all goes on.")]
+        /// <summary>What is computed out of sight.</summary>
+        [Tooltip("What is computed while no camera sees the wings. Cull Completely: nothing; the beat is made up for on return. Cull Skinning: forces and joints. Always Simulate: everything.")]
         public WingCulling culling;
+
+        /// <summary>Whether forces are computed however small or hidden the insect is.</summary>
+        [Tooltip("Computes the air's forces however small the insect is and though no camera sees it: for a body that the wings carry. Costs as much as coarse patches.")]
+        public bool keepForces;
 
         /// <summary>The preset's substeps, 256 patches, detail by screen size, nothing computed out of sight.</summary>
         public static InsectQuality Default => new InsectQuality
         {
             patches = WingRigSettings.Default.patchCount,
             levelOfDetail = true,
-            screenHeights = new Vector4(0.2f, 0.1f, 0.03f, 0.005f),
+            screenHeights = new ScreenHeights { fewerSubstepsBelow = 0.2f, coarsePatchesBelow = 0.1f, wavesOnlyBelow = 0.03f, restBelow = 0.005f },
         };
 
         internal InsectQuality Clamped()
@@ -46,8 +49,7 @@ namespace Alate
             if (substepsPerBeat != 0)
                 clamped.substepsPerBeat = math.clamp(substepsPerBeat, WingParameters.MinSubsteps, WingParameters.MaxSubsteps);
             clamped.patches = math.clamp(patches, WingRigSettings.CoarsePatches, MaxPatches);
-            for (int level = 0; level < 4; level++)
-                clamped.screenHeights[level] = math.saturate(screenHeights[level]);
+            clamped.screenHeights = screenHeights.Clamped();
             return clamped;
         }
     }

@@ -1,15 +1,15 @@
 namespace Alate
 {
-    /// <summary>What is saved while no camera sees an insect's wings.</summary>
+    /// <summary>What is computed while no camera sees an insect's wings.</summary>
     public enum WingCulling
     {
-        /// <summary>Everything: the beat stands still and is made up for when the wings come into view. Forces read as they last were.</summary>
-        Everything,
+        /// <summary>Nothing: the beat stands still and is made up for when the wings come into view. Forces read as they last were.</summary>
+        CullCompletely,
 
-        /// <summary>The mesh is not deformed; forces and joints are computed on.</summary>
-        Skinning,
+        /// <summary>Forces and joints; the mesh is not deformed.</summary>
+        CullSkinning,
 
-        /// <summary>Nothing.</summary>
-        Nothing,
+        /// <summary>Everything.</summary>
+        AlwaysSimulate,
     }
 }

@@ -49,6 +49,10 @@ namespace Alate
         [Tooltip("Degrees of the beat by which this wing is ahead of the insect, -180 to 180; 0 beats with it. Added to the preset's own lead.")]
         float m_PhaseLead;
 
+        // False in the first entry that the inspector adds to an empty list: that is all zeros, whatever is written above.
+        [SerializeField, HideInInspector]
+        bool m_IsFilledIn = true;
+
         // The authored mesh while the wing lives: a clone made meanwhile finds it here even when the original is gone.
         [SerializeField, HideInInspector]
         Mesh m_Authored;
@@ -128,6 +132,15 @@ namespace Alate
         {
             get => m_PhaseLead;
             set => m_PhaseLead = Mathf.Clamp(value, -180f, 180f);
+        }
+
+        /// <summary>Gives an entry of zeros its defaults.</summary>
+        internal void FillIn()
+        {
+            if (m_IsFilledIn)
+                return;
+            m_IsFilledIn = true;
+            m_AmplitudeScale = 1f;
         }
     }
 }

@@ -40,7 +40,7 @@ namespace Alate.Tests
             SpeciesValues values = m_Watch.Of(m_Species);
             for (int round = 0; round < k_Long; round++)
             {
-                m_Watch.Refresh();
+                Round();
                 Assert.That(values.Stamp, Is.GreaterThanOrEqualTo(0));
             }
 
@@ -53,7 +53,7 @@ namespace Alate.Tests
         {
             SpeciesValues values = m_Watch.Of(m_Species);
             for (int round = 0; round < k_Long; round++)
-                m_Watch.Refresh();
+                Round();
 
             Assert.That(m_Watch.Count, Is.Zero, "nobody looks, yet the preset is held");
             Assert.That(values.IsForgotten, Is.True);
@@ -72,6 +72,12 @@ namespace Alate.Tests
             Assert.That(m_Watch.Of(gone), Is.SameAs(none));
             Assert.That(none.wingLength, Is.EqualTo(WingSpeciesPresets.MonarchSize.wingLength));
             Assert.That(m_Watch.Count, Is.Zero);
+        }
+
+        private void Round()
+        {
+            m_Watch.EndRound();
+            m_Watch.Refresh();
         }
     }
 }

@@ -29,10 +29,21 @@ namespace Alate.Tests
             Assert.That(() => Species.Find(name), Throws.ArgumentException.With.Message.Contains("monarch"));
         }
 
-        [Test]
-        public void Monarch_HasThePapersTriangles()
+        [TestCase("monarch", 4192)]
+        [TestCase("firefly", 12568)]
+        [TestCase("fishfly", 1210)]
+        [TestCase("painted-lichen-moth", 1648)]
+        public void TheSpeciesOfThePapersTable2_HaveItsTriangles(string species, int triangles)
         {
-            Assert.That(Species.Find("monarch").TriangleCount, Is.EqualTo(4192));
+            var definition = Species.Find(species);
+            var meshed = 0;
+            foreach (var wing in definition.Wings)
+            {
+                meshed += wing.CreateSurface(WingSide.Right).TriangleCount + wing.CreateSurface(WingSide.Left).TriangleCount;
+            }
+
+            Assert.That(meshed, Is.EqualTo(triangles));
+            Assert.That(definition.TriangleCount, Is.EqualTo(triangles));
         }
 
         [TestCaseSource(nameof(All))]

@@ -109,18 +109,5 @@ namespace Alate.Tests
 
             Assert.That(m_Species.ToParameters().FindProblem(), Is.Null);
         }
-
-        [Test]
-        public void AChangeByCode_IsAnnounced()
-        {
-            var heard = 0;
-            m_Species.Changed += () => heard++;
-
-            m_Species.Wave.chordDelay = 0.3f;
-            m_Species.NotifyChanged();
-            m_Species.ApplyPreset(ModelPreset.Paper);
-
-            Assert.That(heard, Is.EqualTo(2));
-        }
     }
 }

@@ -25,6 +25,7 @@ namespace Alate.Tests
             Assert.That(beat.TipBendRange, Is.EqualTo(0f).Within(1e-5f));
             Assert.That(beat.TipBendMax, Is.EqualTo(0f).Within(1e-5f));
             Assert.That(beat.Lag, Is.EqualTo(0f).Within(1e-4f));
+            Assert.That(beat.TipLag, Is.EqualTo(0f).Within(1e-4f));
             Assert.That(beat.StretchMax, Is.EqualTo(0f).Within(1e-4f));
         }
 
@@ -60,6 +61,19 @@ namespace Alate.Tests
             float most = height * math.cos(0.15f * math.PI);
             Assert.That(beat.CamberMax, Is.EqualTo(math.max(most, 0f)).Within(1e-4f));
             Assert.That(beat.CamberMin, Is.EqualTo(math.min(most, 0f)).Within(1e-4f));
+        }
+
+        [Test]
+        public void CamberBeyondAnotherBeat_IsThatOfTheDifference()
+        {
+            var sheet = new Sheet();
+            List<BeatFrame> driven = sheet.Beat(Sheet.Stroke, (place, phase) => place + Parabola(place, 0.05f * math.sin(phase)));
+            List<BeatFrame> loaded = sheet.Beat(
+                Sheet.Stroke, (place, phase) => place + Parabola(place, 0.05f * math.sin(phase) - 0.03f * math.cos(phase)));
+
+            Assert.That(sheet.Measurement.CamberBeyond(loaded, driven), Is.EqualTo(0.06f).Within(1f).Percent);
+            Assert.That(sheet.Measurement.CamberBeyond(driven, driven), Is.Zero);
+            Assert.Throws<ArgumentException>(() => sheet.Measurement.CamberBeyond(loaded, driven.GetRange(0, 3)));
         }
 
         [Test]
@@ -103,6 +117,18 @@ namespace Alate.Tests
 
             Assert.That(rigid.Lag, Is.EqualTo(0f).Within(1e-4f));
             Assert.That(late.Lag, Is.Not.EqualTo(0f).Within(0.05f), "feathering beyond the root's moves the trailing edge's phase");
+        }
+
+        [Test]
+        public void ATipThatFollowsItsRootByAKnownPhase_HasThatLag([Values(-20f, 10f, 60f)] float degrees)
+        {
+            const float k_Swing = 0.02f;
+            var root = new Func<float, quaternion>(phase => quaternion.RotateZ(k_Swing * math.cos(phase)));
+            // Turned back by the root, and on by the same swing later: as far out as the place lies.
+            WingDeformation beat = Measure(root, (place, phase) => math.rotate(
+                quaternion.RotateZ(k_Swing * (math.cos(phase - degrees * k_Degree * place.x) - math.cos(phase))), place));
+
+            Assert.That(beat.TipLag / k_Degree, Is.EqualTo(degrees).Within(0.2f));
         }
 
         [Test]

@@ -28,7 +28,7 @@ namespace Alate.Tests.Play
             GameObject bare = Bare();
             var insect = bare.AddComponent<InsectWings>();
             insect.FindWings();
-            insect.Quality.culling = WingCulling.Nothing;
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
             yield return Frames(2);
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);
             Assert.That(insect.Wings, Has.Count.EqualTo(2));

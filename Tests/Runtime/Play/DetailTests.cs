@@ -18,7 +18,7 @@ namespace Alate.Tests.Play
             m_Camera = Keep(new GameObject("camera")).AddComponent<Camera>();
             m_Camera.fieldOfView = 60f;
             m_Camera.farClipPlane = 1e5f;
-            WingSystem.DetailCamera = m_Camera;
+            WingSystem.DetailCameras.Add(m_Camera);
         }
 
         [UnityTest]
@@ -93,10 +93,39 @@ namespace Alate.Tests.Play
             Look(insect, 0.001f);
             if (!camera)
                 m_Camera.enabled = false;
-            WingSystem.DetailCamera = camera ? m_Camera : null;
+            WingSystem.DetailCameras.Clear();
+            if (camera)
+                WingSystem.DetailCameras.Add(m_Camera);
             yield return Frames(60);
 
             Assert.That(insect.Detail, Is.EqualTo(WingDetail.Full));
+        }
+
+        [UnityTest]
+        public IEnumerator OfTwoCameras_TheNearerOneCounts()
+        {
+            InsectWings insect = Hatch();
+            Look(insect, 0.001f);
+            var second = Keep(new GameObject("second")).AddComponent<Camera>();
+            second.transform.position = insect.transform.position + 3f * Vector3.back;
+            WingSystem.DetailCameras.Add(second);
+            yield return Frames(10);
+            Assert.That(insect.Detail, Is.EqualTo(WingDetail.Full));
+
+            second.transform.position += 1e5f * Vector3.back;
+            yield return Frames(120);
+            Assert.That(insect.Detail, Is.EqualTo(WingDetail.Frozen));
+        }
+
+        [UnityTest]
+        public IEnumerator WhereForcesAreKept_TheyAreComputedHoweverFar()
+        {
+            InsectWings insect = Hatch(made => made.Quality.keepForces = true);
+            Look(insect, 0.001f);
+            yield return Frames(120);
+
+            Assert.That(insect.Detail, Is.EqualTo(WingDetail.CoarsePatches));
+            Assert.That(insect.AirForce.magnitude, Is.GreaterThan(0f));
         }
 
         [UnityTest]

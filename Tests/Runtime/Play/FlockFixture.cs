@@ -32,7 +32,7 @@ namespace Alate.Tests.Play
             insect.Wings.Clear();
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
                 insect.Wings.Add(MakeWing(root.transform, side));
-            insect.Quality.culling = WingCulling.Nothing;
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
             prepare?.Invoke(insect);
             root.SetActive(true);
             return insect;

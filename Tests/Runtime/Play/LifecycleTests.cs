@@ -65,7 +65,7 @@ namespace Alate.Tests.Play
             Assert.That(WingSystem.Crowd, Is.Not.Null);
 
             Do(moment, () => End(insect, ending));
-            yield return Frames(3);
+            yield return Frames(4);
 
             Assert.That(WingSystem.InsectCount, Is.Zero);
             Assert.That(LivingMeshes.Count, Is.Zero);
@@ -116,8 +116,8 @@ namespace Alate.Tests.Play
         {
             for (int k = 0; k < 5; k++)
                 Object.DestroyImmediate(Hatch().gameObject);
+            yield return Frames(4);
             Assert.That(WingSystem.Crowd, Is.Null);
-            yield return Frames(2);
             Assert.That(Object.FindAnyObjectByType<WingSystem>(), Is.Null);
         }
 

@@ -16,7 +16,8 @@ namespace Alate.Tests.Play
         {
             Time.timeScale = 1f;
             Time.captureDeltaTime = 1f / 60f;
-            WingSystem.DetailCamera = null;
+            WingSystem.DetailCameras.Clear();
+            WingSystem.Patience = 0f;
         }
 
         [UnityTearDown]
@@ -31,9 +32,10 @@ namespace Alate.Tests.Play
             m_Made.Clear();
             Time.timeScale = 1f;
             Time.captureDeltaTime = 0f;
-            yield return Frames(2);
+            yield return Frames(3);
             Assert.That(WingSystem.Crowd, Is.Null, "the system has outlived its insects");
             Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
+            Assert.That(InsectKits.Count, Is.Zero, "parts of generated insects were left behind");
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
         }
 
@@ -75,7 +77,7 @@ namespace Alate.Tests.Play
                 insect.Wings.Add(new Wing { Renderer = renderer, Side = side, Skeleton = Keep(kind.CreateSkeleton(side, unitsPerMetre)) });
             }
 
-            insect.Quality.culling = WingCulling.Nothing;
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
             root.SetActive(true);
             return insect;
         }

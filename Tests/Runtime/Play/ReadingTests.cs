@@ -198,5 +198,31 @@ namespace Alate.Tests.Play
             for (int joint = 0; joint < 5; joint++)
                 Assert.That(bounds.Contains(insect.Wings[0].Renderer.transform.InverseTransformPoint(insect.JointPosition(0, 2, joint))));
         }
+
+        [UnityTest]
+        public IEnumerator JointPosition_IsOnTheDrawnWing_AtFrameRatesAboveTheSteps()
+        {
+            Time.captureDeltaTime = 1f / 240f;
+            InsectWings insect = Hatch();
+            yield return Frames(60);
+            Vector3 last = default;
+            float step = 0f;
+            for (int frame = 0; frame < 24; frame++)
+            {
+                yield return new WaitForEndOfFrame();
+                Vector3 joint = insect.JointPosition(0, 2, 3);
+                if (frame > 0)
+                    step = Mathf.Max(step, (joint - last).magnitude);
+                last = joint;
+                Vector3[] drawn = Shown(insect, 0).vertices;
+                float nearest = float.MaxValue;
+                foreach (Vector3 vertex in drawn)
+                    nearest = Mathf.Min(nearest, (insect.Wings[0].Renderer.transform.TransformPoint(vertex) - joint).magnitude);
+                Assert.That(nearest, Is.LessThan(0.06f), "the joint is beside the drawn wing");
+                yield return null;
+            }
+
+            Assert.That(step, Is.InRange(1e-3f, 0.3f), "it moves with the pictures, not by whole steps");
+        }
     }
 }

@@ -82,5 +82,23 @@ namespace Alate.Tests
                 Assert.That(() => reading.PatchPosition(reading.PatchCount), Throws.InstanceOf<System.ArgumentOutOfRangeException>());
             }
         }
+
+        [Test]
+        public void AReadingOfBefore_IsToldFromOneOfNow([Values] bool stepped)
+        {
+            using (var flown = new FlownMonarch())
+            {
+                WingReading reading = flown.Reading;
+                Assert.That(() => reading.JointPosition(0, 0), Throws.Nothing);
+                if (stepped)
+                    flown.world.Step(1f / 300f);
+                else
+                    flown.world.SetDetail(flown.wing, WingDetail.WavesOnly);
+
+                Assert.That(() => reading.JointPosition(0, 0), Throws.InvalidOperationException.With.Message.Contains("out of date"));
+                Assert.That(() => reading.Frequency, Throws.InvalidOperationException);
+                Assert.That(() => flown.Reading.JointPosition(0, 0), Throws.Nothing);
+            }
+        }
     }
 }

@@ -7,7 +7,8 @@ public partial class GUI
     public static Color color { get; set; }
     public static Color backgroundColor { get; set; }
     public static Color contentColor { get; set; }
-    public static bool enabled { get; set; }
+    public static bool enabled { get; set; } = true;
+    public static GUISkin skin { get; set; } = new();
     public static bool changed { get; set; }
     public static string tooltip { get; set; }
 
@@ -17,7 +18,7 @@ public partial class GUI
     public static bool Button(Rect position, GUIContent content, GUIStyle style) => throw Absent.Gui;
     public static bool Button(Rect position, Texture image) => throw Absent.Gui;
     public static bool Button(Rect position, Texture image, GUIStyle style) => throw Absent.Gui;
-    public static void Label(Rect position, string text) => throw Absent.Gui;
+    public static void Label(Rect position, string text) => Label(position, text, skin.label);
     public static void Label(Rect position, string text, GUIStyle style) =>
         GuiPage.Needed.Add(ControlKind.Area, position, new GUIContent(text));
     public static void Label(Rect position, GUIContent content) => throw Absent.Gui;

@@ -16,8 +16,10 @@ public class GUILayout
         GuiPage.Needed.Add(ControlKind.Button, GuiPage.Needed.Next(k_Line), content);
     public static bool Button(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static void Label(string text, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static void Label(string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void Label(string text, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Label, GuiPage.Needed.Next(k_Line), new GUIContent(text));
+    public static void Label(string text, GUIStyle style, params GUILayoutOption[] options) =>
+        GuiPage.Needed.Add(ControlKind.Label, GuiPage.Needed.Next(k_Line), new GUIContent(text));
     public static void Label(GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
     public static void Label(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static void Label(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
@@ -28,17 +30,17 @@ public class GUILayout
     public static void Box(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static void Box(Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
     public static void Box(Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static void Space(float pixels) => throw Absent.Gui;
+    public static void Space(float pixels) => GuiPage.Needed.Next(pixels);
     public static void FlexibleSpace() => throw Absent.Gui;
-    public static void BeginHorizontal(params GUILayoutOption[] options) => throw Absent.Gui;
+    public static void BeginHorizontal(params GUILayoutOption[] options) => GuiPage.Needed.Begin("horizontal");
     public static void BeginHorizontal(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static void EndHorizontal() => throw Absent.Gui;
+    public static void EndHorizontal() => GuiPage.Needed.End("horizontal");
     public static void BeginVertical(params GUILayoutOption[] options) => throw Absent.Gui;
     public static void BeginVertical(GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static void EndVertical() => throw Absent.Gui;
-    public static void BeginArea(Rect screenRect) => throw Absent.Gui;
-    public static void BeginArea(Rect screenRect, GUIStyle style) => throw Absent.Gui;
-    public static void EndArea() => throw Absent.Gui;
+    public static void BeginArea(Rect screenRect) => GuiPage.Needed.BeginArea(screenRect);
+    public static void BeginArea(Rect screenRect, GUIStyle style) => BeginArea(screenRect);
+    public static void EndArea() => GuiPage.Needed.End("area");
     public static GUILayoutOption Width(float width) => new();
     public static GUILayoutOption Height(float height) => throw Absent.Gui;
     public static GUILayoutOption MinWidth(float minWidth) => throw Absent.Gui;
@@ -47,14 +49,26 @@ public class GUILayout
     public static GUILayoutOption MaxHeight(float maxHeight) => throw Absent.Gui;
     public static GUILayoutOption ExpandWidth(bool expand) => throw Absent.Gui;
     public static GUILayoutOption ExpandHeight(bool expand) => throw Absent.Gui;
-    public static bool Toggle(bool value, string text, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static bool Toggle(bool value, string text, params GUILayoutOption[] options) =>
+        value ^ GuiPage.Needed.Add(ControlKind.Toggle, GuiPage.Needed.Next(k_Line), new GUIContent(text), value.ToString());
     public static bool Toggle(bool value, string text, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Toggle(bool value, GUIContent content, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Toggle(bool value, GUIContent content, GUIStyle style, params GUILayoutOption[] options) =>
         value ^ GuiPage.Needed.Add(ControlKind.Toggle, GuiPage.Needed.Next(k_Line), content, value.ToString());
     public static bool Toggle(bool value, Texture image, params GUILayoutOption[] options) => throw Absent.Gui;
     public static bool Toggle(bool value, Texture image, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Gui;
-    public static int Toolbar(int selected, string[] texts, params GUILayoutOption[] options) => throw Absent.Gui;
+    public static int Toolbar(int selected, string[] texts, params GUILayoutOption[] options)
+    {
+        Rect line = GuiPage.Needed.Next(k_Line);
+        for (int k = 0; k < texts.Length; k++)
+        {
+            if (GuiPage.Needed.Add(ControlKind.Button, line, new GUIContent(texts[k]), (k == selected).ToString()))
+                selected = k;
+        }
+
+        return selected;
+    }
+
     public static int Toolbar(int selected, GUIContent[] contents, params GUILayoutOption[] options)
     {
         for (int k = 0; k < contents.Length; k++)
@@ -70,5 +84,5 @@ public class GUILayout
         float value,
         float leftValue,
         float rightValue,
-        params GUILayoutOption[] options) => throw Absent.Gui;
+        params GUILayoutOption[] options) => GuiPage.Needed.Slide(value, leftValue, rightValue);
 }

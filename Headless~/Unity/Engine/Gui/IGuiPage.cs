@@ -2,7 +2,7 @@ using StandIns;
 
 namespace UnityEngine;
 
-/// <summary>What takes the place of a window while a test draws an inspector.</summary>
+/// <summary>What takes the place of a window while a test draws an inspector or a game.</summary>
 internal interface IGuiPage
 {
     /// <summary>The next free lines.</summary>
@@ -10,6 +10,12 @@ internal interface IGuiPage
 
     /// <summary>Notes a control; says whether the test presses it now.</summary>
     bool Add(ControlKind kind, Rect at, GUIContent content, string value = "");
+
+    /// <summary>Notes a slider; says where the test puts it.</summary>
+    float Slide(float value, float left, float right);
+
+    /// <summary>Opens a group of controls in a place of its own.</summary>
+    void BeginArea(Rect area);
 
     /// <summary>Opens a group.</summary>
     void Begin(string group);

@@ -22,6 +22,7 @@ internal sealed class BehaviourMessages
         FixedUpdate = Bind("FixedUpdate");
         Update = Bind("Update");
         LateUpdate = Bind("LateUpdate");
+        OnGUI = Bind("OnGUI");
         Start = Bind("Start");
         StartRoutine = Start == null ? Find("Start", typeof(IEnumerator))?.CreateDelegate<Func<IEnumerator>>(target) : null;
     }
@@ -35,6 +36,7 @@ internal sealed class BehaviourMessages
     public Action FixedUpdate { get; }
     public Action Update { get; }
     public Action LateUpdate { get; }
+    public Action OnGUI { get; }
     public Action OnDisable { get; }
     public Action OnDestroy { get; }
 

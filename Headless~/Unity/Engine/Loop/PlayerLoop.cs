@@ -16,6 +16,8 @@ public static class PlayerLoop
     private static readonly Func<BehaviourMessages, Action> s_FixedUpdate = m => m.FixedUpdate;
     private static readonly Func<BehaviourMessages, Action> s_Update = m => m.Update;
     private static readonly Func<BehaviourMessages, Action> s_LateUpdate = m => m.LateUpdate;
+    private static readonly Func<BehaviourMessages, Action> s_OnGui = m => m.OnGUI;
+    private static readonly Action s_DrawAll = () => BehaviourList.Send(s_OnGui);
     private static bool s_Ticking;
 
     /// <summary>After the frame's last coroutine, before what was destroyed ends.</summary>
@@ -101,6 +103,8 @@ public static class PlayerLoop
         BehaviourList.Send(s_Update);
         CoroutineSet.ResumeAll(FramePoint.Update);
         BehaviourList.Send(s_LateUpdate);
+        if (IsPlaying)
+            DrawnScreen.Draw(s_DrawAll);
         CoroutineSet.ResumeAll(FramePoint.EndOfFrame);
         FrameEnding?.Invoke();
         Visibility.Update();

@@ -61,11 +61,20 @@ namespace Alate
         public static Mesh Without(Mesh mesh, Func<int, int, bool> isTaken)
         {
             var rest = UnityEngine.Object.Instantiate(mesh);
+
+            // Submeshes with base vertices may have more vertices than their indices count to.
+            if (mesh.vertexCount > ushort.MaxValue)
+                rest.indexFormat = IndexFormat.UInt32;
+            rest.subMeshCount = mesh.subMeshCount;
             for (var submesh = 0; submesh < mesh.subMeshCount; submesh++)
             {
+                var corners = mesh.GetIndices(submesh);
                 if (mesh.GetTopology(submesh) != MeshTopology.Triangles)
+                {
+                    rest.SetIndices(corners, mesh.GetTopology(submesh), submesh, false);
                     continue;
-                var corners = mesh.GetTriangles(submesh);
+                }
+
                 var left = new List<int>(corners.Length);
                 for (var corner = 0; corner < corners.Length; corner++)
                 {

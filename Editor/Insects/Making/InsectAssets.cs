@@ -1,0 +1,102 @@
+using System;
+using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Alate.Editor
+{
+    /// <summary>
+    /// Saves an insect of the catalogue into the user's project: a prefab, and beside it the meshes, skeletons, presets of all variants, materials and pictures that it
+    /// is made of. What is there already stays as it is, so that whatever the user changed is kept.
+    /// </summary>
+    internal sealed class InsectAssets
+    {
+        private readonly string m_Folder;
+
+        /// <param name="folder">Below Assets; made where it is not there.</param>
+        /// <exception cref="ArgumentException">The folder is not in Assets.</exception>
+        public InsectAssets(string folder)
+        {
+            string problem = AssetFolder.FindProblem(folder);
+            if (problem != null)
+                throw new ArgumentException(problem, nameof(folder));
+            m_Folder = folder;
+        }
+
+        /// <summary>Where the prefab of a species lies.</summary>
+        public string PrefabPath(SpeciesDefinition species) => $"{m_Folder}/{species.DisplayName}.prefab";
+
+        /// <summary>The prefab: the one that is there, or a new one.</summary>
+        public GameObject FindOrSave(SpeciesDefinition species)
+        {
+            var existing = AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species));
+            return existing != null ? existing : Save(species);
+        }
+
+        private GameObject Save(SpeciesDefinition species)
+        {
+            AssetFolder.Ensure(m_Folder);
+            InsectKit kit = InsectKit.Make(species, keepPixels: true);
+            kit.BodyMesh = Keep(kit.BodyMesh);
+            kit.BodyMaterial = Keep(kit.BodyMaterial);
+            foreach (WingKit wing in kit.Wings)
+            {
+                wing.Mesh = Keep(wing.Mesh);
+                wing.Skeleton = Keep(wing.Skeleton);
+                wing.Material = Keep(wing.Material);
+            }
+
+            GameObject root = kit.Assemble(KeepPresets(kit, species));
+            root.SetActive(true);
+            GameObject prefab = PrefabUtility.SaveAsPrefabAsset(root, PrefabPath(species));
+            Object.DestroyImmediate(root);
+            AssetDatabase.SaveAssets();
+            return prefab;
+        }
+
+        // Those of the standard variant; the others lie beside them, to be dragged into the field Species.
+        private WingSpecies[] KeepPresets(InsectKit kit, SpeciesDefinition species)
+        {
+            WingSpecies[] standard = null;
+            foreach (SpeciesVariant variant in species.Variants)
+            {
+                WingSpecies[] kept = Array.ConvertAll(kit.CreatePresets(variant, ModelPreset.Physical), Keep);
+                standard = standard ?? kept;
+            }
+
+            return standard;
+        }
+
+        private Material Keep(Material made)
+        {
+            var painted = (Texture2D)made.mainTexture;
+            string name = made.name;
+            Material kept = Keep<Material>(made);
+            if (painted == null)
+                return kept;
+            if (ReferenceEquals(kept, made))
+            {
+                kept.mainTexture = PictureAsset.Save(painted, $"{m_Folder}/{name}.png");
+                EditorUtility.SetDirty(kept);
+            }
+
+            Object.DestroyImmediate(painted);
+            return kept;
+        }
+
+        // The asset of this name that is there, or this object as a new one.
+        private T Keep<T>(T made) where T : Object
+        {
+            string path = $"{m_Folder}/{made.name}{(made is Material ? ".mat" : ".asset")}";
+            var existing = AssetDatabase.LoadAssetAtPath<T>(path);
+            if (existing == null)
+            {
+                AssetDatabase.CreateAsset(made, path);
+                return made;
+            }
+
+            Object.DestroyImmediate(made);
+            return existing;
+        }
+    }
+}

@@ -1,0 +1,63 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>
+    /// The menus that make insects: <i>GameObject > Alate</i> places one, <i>Assets > Create > Alate</i> saves its prefab into the folder that is selected.
+    /// </summary>
+    internal static class InsectMenu
+    {
+        private const string k_Place = "GameObject/Alate/", k_Save = "Assets/Create/Alate/Insects/";
+        private const int k_PlacePriority = 10, k_SavePriority = 312;
+
+        [MenuItem(k_Place + "Monarch", false, k_PlacePriority)]
+        private static void PlaceMonarch(MenuCommand command) => Place("monarch", command);
+
+        [MenuItem(k_Place + "Swallowtail", false, k_PlacePriority)]
+        private static void PlaceSwallowtail(MenuCommand command) => Place("swallowtail", command);
+
+        [MenuItem(k_Place + "Firefly", false, k_PlacePriority)]
+        private static void PlaceFirefly(MenuCommand command) => Place("firefly", command);
+
+        [MenuItem(k_Place + "Fishfly", false, k_PlacePriority)]
+        private static void PlaceFishfly(MenuCommand command) => Place("fishfly", command);
+
+        [MenuItem(k_Place + "Painted Lichen Moth", false, k_PlacePriority)]
+        private static void PlacePaintedLichenMoth(MenuCommand command) => Place("painted-lichen-moth", command);
+
+        [MenuItem(k_Place + "Snailfish", false, k_PlacePriority)]
+        private static void PlaceSnailfish(MenuCommand command) => Place("snailfish", command);
+
+        [MenuItem(k_Save + "Monarch", false, k_SavePriority)]
+        private static void SaveMonarch() => Save("monarch");
+
+        [MenuItem(k_Save + "Swallowtail", false, k_SavePriority)]
+        private static void SaveSwallowtail() => Save("swallowtail");
+
+        [MenuItem(k_Save + "Firefly", false, k_SavePriority)]
+        private static void SaveFirefly() => Save("firefly");
+
+        [MenuItem(k_Save + "Fishfly", false, k_SavePriority)]
+        private static void SaveFishfly() => Save("fishfly");
+
+        [MenuItem(k_Save + "Painted Lichen Moth", false, k_SavePriority)]
+        private static void SavePaintedLichenMoth() => Save("painted-lichen-moth");
+
+        [MenuItem(k_Save + "Snailfish", false, k_SavePriority)]
+        private static void SaveSnailfish() => Save("snailfish");
+
+        private static void Place(string species, MenuCommand command)
+        {
+            // The menu is called once for each selected object, with it as the context.
+            new InsectPlacing().Place(species, command.context as GameObject);
+        }
+
+        private static void Save(string species)
+        {
+            SpeciesDefinition definition = Species.Find(species);
+            string folder = AssetDatabase.GenerateUniqueAssetPath($"{AssetFolder.Of(Selection.activeObject)}/{definition.DisplayName}");
+            ProjectWindowUtil.ShowCreatedAsset(new InsectAssets(folder).FindOrSave(definition));
+        }
+    }
+}

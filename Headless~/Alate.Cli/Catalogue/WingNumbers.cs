@@ -1,0 +1,28 @@
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Cli.Parameters;
+
+namespace Alate.Cli.Catalogue;
+
+/// <summary>Every number of one kind of wing, in each of its variants.</summary>
+/// <param name="Wing">The kind of wing.</param>
+/// <param name="Values">[variant][parameter]</param>
+internal sealed record WingNumbers(SpeciesWing Wing, IReadOnlyList<IReadOnlyList<float>> Values)
+{
+    public static IReadOnlyList<FlownParameter> Parameters => FlownParameters.OfSpecies;
+
+    public IReadOnlyList<SpeciesVariant> Variants => Wing.Variants;
+
+    /// <summary>A number of the standard variant by its name.</summary>
+    public float this[string name] => Values[0][Parameters.Select(parameter => parameter.Name).ToList().IndexOf(name)];
+
+    public static WingNumbers Of(SpeciesWing wing) => new(wing, wing.Variants.Select(variant => Read(wing, variant)).ToList());
+
+    private static float[] Read(SpeciesWing wing, SpeciesVariant variant)
+    {
+        WingSpecies species = wing.CreateSpecies(variant: variant);
+        float[] values = Parameters.Select(parameter => parameter.Of(species)).ToArray();
+        UnityEngine.Object.DestroyImmediate(species);
+        return values;
+    }
+}

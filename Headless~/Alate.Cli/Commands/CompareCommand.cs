@@ -1,0 +1,112 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Alate.Cli.Comparisons;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+using Alate.Cli.Pictures;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>compare SPECIES…</c>: the same insects as rigid wings, without a wave, by the full model and with another elasticity.</summary>
+internal static class CompareCommand
+{
+    private const string k_Table = "compare.csv";
+
+    public static Command Create(TextWriter output)
+    {
+        var species = new Argument<string[]>("SPECIES")
+        {
+            Arity = ArgumentArity.OneOrMore,
+            Description = $"The insects: {string.Join(", ", Species.Names)}.",
+        };
+        Option<double> elasticity = Numbers.Option(
+            "--elasticity", "FACTOR", ComparisonColumn.OtherElasticity, 0.001, 1e6, "Factor on the elasticity in the last column, 0.001 to 1000000; below 1 is softer.");
+        Option<int?> phases = Numbers.OptionalCount(
+            "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, "Rows of the pictures, 1 to 12. [default: 4]");
+        Option<SpeciesVariant?> variant = FlightOptions.Variant();
+        Option<double?> speed = FlightOptions.Speed();
+        Option<PictureView?> view = FlightOptions.View();
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/compare]" };
+        var command = new Command("compare", "Shows insects with parts of the model left out, side by side, and the differences in numbers.")
+        {
+            species, elasticity, phases, variant, speed, view, folder,
+        };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            var flights = new List<FlightPlan>();
+            foreach (SpeciesDefinition definition in parsed.GetValue(species).Select(FlightOptions.Find).Distinct())
+            {
+                flights.Add(new FlightPlan
+                {
+                    Species = definition.Name,
+                    Variant = parsed.GetValue(variant) ?? SpeciesVariant.Standard,
+                    Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),
+                    View = parsed.GetValue(view) ?? PictureView.FrontLeft,
+                });
+            }
+
+            var plan = new ComparisonPlan(
+                flights, ComparisonPlan.ColumnsWith((float)parsed.GetValue(elasticity)), parsed.GetValue(phases) ?? ComparisonPlan.DefaultPhases);
+            Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "compare"), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(ComparisonPlan plan, string path, TextWriter output)
+    {
+        string[] pictures = plan.Flights.Select(flight => flight.Species + ".svg").ToArray();
+        string[] files = pictures.Append(k_Table).ToArray();
+        using OutputFolder folder = OutputFolder.Prepare(path, files);
+        var terminal = new Terminal(output);
+        List<Comparison> comparisons = null;
+        terminal.ShowProgress(plan.Flights.Count * plan.Columns.Count, (done, stage) =>
+        {
+            comparisons = Comparison.Fly(plan, done);
+            stage("drawing");
+            for (int k = 0; k < comparisons.Count; k++)
+            {
+                string picture = ComparisonPicture.Draw(comparisons[k]);
+                folder.Write(pictures[k], stream => stream.Write(Encoding.UTF8.GetBytes(picture)));
+            }
+
+            folder.Write(k_Table, stream => ComparisonTable.Write(comparisons, stream));
+        });
+        folder.Commit();
+        foreach (Comparison comparison in comparisons)
+        {
+            for (int kind = 0; kind < comparison.Flights[0].Summary.Wings.Count; kind++)
+                terminal.ShowTable($"{comparison.Name}: {comparison.Flights[0].Summary.Wings[kind].Name}", Rows(comparison, kind));
+        }
+
+        terminal.ShowFiles(path, files);
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Rows(Comparison comparison, int kind)
+    {
+        yield return ["", .. comparison.Flights.Select(flight => flight.Column.Title)];
+        foreach (WingMeasure measure in WingMeasure.All)
+            yield return [measure.Title, .. comparison.Flights.Select(flight => Number(measure.Of(flight.Summary.Wings[kind])))];
+        yield return ["off the full model, mean, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MeanPct))];
+        yield return ["off the full model, most, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MaxPct))];
+        if (kind == 0)
+            yield return ["lift over weight", .. comparison.Flights.Select(flight => Number(flight.Summary.LiftOverWeight))];
+    }
+
+    private static string Number(double value) => value.ToString("0.00", CultureInfo.InvariantCulture);
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  compare monarch\n"
+        + "  compare fishfly firefly --variant expressive --phases 6 --elasticity 4 --out stiffer\n\n"
+        + "Columns: rigid wings as in earlier flight models, no deformation wave, the full model, and the full model with another elasticity.\n\n"
+        + "Writes into the output folder:\n"
+        + "  SPECIES.svg  for each species: the columns over rows of phases, and numbers below\n"
+        + "  compare.csv  every measure of every column, and how far each column lies from the full model\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

@@ -1,0 +1,93 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Alate.Cli.Comparisons;
+using Alate.Cli.Figures;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+using Alate.Cli.Parameters;
+using Alate.Cli.Sweeps;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>figures</c>: draws and measures again what the documentation's page of species shows.</summary>
+internal static class FiguresCommand
+{
+    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.svg";
+    private const int k_Phases = 3;
+
+    public static Command Create(TextWriter output)
+    {
+        var folder = new Argument<string>("DIR")
+        {
+            Description = $"The folder of the documentation, with {k_Page} in it.",
+            DefaultValueFactory = _ => "Documentation~",
+        };
+        var command = new Command("figures", "Makes the pictures and tables of the documentation's page of species again.") { folder };
+        HelpExamples.Set(command, "Example:\n  figures Documentation~");
+        command.SetAction(parsed =>
+        {
+            Run(parsed.GetValue(folder), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(string path, TextWriter output)
+    {
+        string page = TextFile(Path.Combine(path, k_Page));
+        var files = new List<string> { k_Page, k_Sweep };
+        foreach (string name in Species.Names)
+            files.AddRange([Portrait(name), Compared(name)]);
+        using OutputFolder folder = OutputFolder.Prepare(path, files.ToArray());
+        var terminal = new Terminal(output);
+        terminal.ShowProgress(Species.All.Sum(species => species.Variants.Count) + 2, (done, stage) =>
+        {
+            List<FlightSummary> summaries = Measure(folder, done);
+            page = PageBlock.Replace(page, "numbers", MarkdownTable.Write(SpeciesTable.Measured(summaries)));
+            foreach (SpeciesDefinition species in Species.All)
+                page = PageBlock.Replace(page, "sources of " + species.Name, MarkdownTable.Write(SpeciesTable.Sources(species)));
+            Write(folder, k_Page, page);
+            stage("comparing");
+            var comparisons = new ComparisonPlan(Species.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
+            foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))
+                Write(folder, Compared(comparison.Plan.Species), ComparisonPicture.Draw(comparison));
+            stage("sweeping");
+            var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, Plan(Species.Find("fishfly")), SweepWaves.Both);
+            Write(folder, k_Sweep, SweepPicture.Draw(Sweep.Fly(sweep, _ => { })));
+        });
+        folder.Commit();
+        terminal.ShowFiles(path, files.ToArray());
+    }
+
+    private static List<FlightSummary> Measure(OutputFolder folder, System.Action<int> done)
+    {
+        var summaries = new List<FlightSummary>();
+        foreach (SpeciesDefinition species in Species.All)
+        {
+            foreach (SpeciesVariant variant in species.Variants)
+            {
+                FlightRecord flight = Flight.Fly(Plan(species) with { Variant = variant });
+                if (variant == SpeciesVariant.Standard)
+                    Write(folder, Portrait(species.Name), SpeciesPortrait.Draw(flight));
+                summaries.Add(FlightSummary.Of(flight));
+                done(summaries.Count);
+            }
+        }
+
+        return summaries;
+    }
+
+    private static FlightPlan Plan(SpeciesDefinition species) => new() { Species = species.Name, Speed = FlightPlan.CruiseOf(species) };
+
+    private static string Portrait(string species) => $"images/species-{species}.svg";
+
+    private static string Compared(string species) => $"images/compare-{species}.svg";
+
+    private static void Write(OutputFolder folder, string name, string text) =>
+        folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+
+    private static string TextFile(string path) => Input.TextFile.Read(path, reader => reader.ReadToEnd()).ReplaceLineEndings("\n");
+}

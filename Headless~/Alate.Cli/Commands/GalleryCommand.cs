@@ -1,0 +1,30 @@
+using System.CommandLine;
+using System.IO;
+using Alate.Cli.Output;
+using Alate.Cli.Pictures.Photos;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>gallery</c>: all species in flight in one picture.</summary>
+internal static class GalleryCommand
+{
+    private const string k_File = "six-insects.png";
+    private const int k_Width = 1230, k_Narrowest = 90, k_Widest = 3000;
+
+    public static Command Create(TextWriter output)
+    {
+        Option<int?> width = Numbers.OptionalCount("--width", "N", k_Narrowest, k_Widest, $"Pixels from side to side. [default: {k_Width}]");
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the file goes. [default: out/gallery]" };
+        var command = new Command("gallery", "Draws every species of the catalogue in flight, in one picture.") { width, folder };
+        HelpExamples.Set(command, $"Example:\n  gallery --out pictures\n\nWrites into the output folder:\n  {k_File}");
+        command.SetAction(parsed =>
+        {
+            using OutputFolder target = OutputFolder.Prepare(parsed.GetValue(folder) ?? Path.Combine("out", "gallery"), k_File);
+            target.Write(k_File, stream => stream.Write(Gallery.Draw(parsed.GetValue(width) ?? k_Width)));
+            target.Commit();
+            output.WriteLine($"Written: {Path.Combine(target.Root, k_File)}");
+            return 0;
+        });
+        return command;
+    }
+}

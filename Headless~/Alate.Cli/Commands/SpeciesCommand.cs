@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Alate.Cli.Catalogue;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>species [NAME]</c>: lists the presets, or all numbers of one with their sources.</summary>
+internal static class SpeciesCommand
+{
+    public static Command Create(TextWriter output)
+    {
+        var name = new Argument<string>("NAME")
+        {
+            Arity = ArgumentArity.ZeroOrOne,
+            Description = $"One of them, with every number and its source: {string.Join(", ", Species.Names)}.",
+        };
+        var json = new Option<string>("--json") { HelpName = "FILE", Description = "Also write the numbers and their sources as JSON to this file." };
+        var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json };
+        HelpExamples.Set(command, "Examples:\n  species\n  species firefly\n  species --json species.json");
+        command.SetAction(parsed =>
+        {
+            string wanted = parsed.GetValue(name), file = parsed.GetValue(json);
+            List<SpeciesNumbers> sheets = (wanted == null ? Species.All : [FlightOptions.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
+            if (file != null)
+            {
+                OutputFolder.CheckFile(file);
+                using FileStream stream = File.Create(file);
+                SpeciesJson.Write(sheets, stream);
+            }
+
+            var terminal = new Terminal(output);
+            if (wanted == null)
+                terminal.ShowTexts("Species", List(sheets));
+            else
+                Show(sheets[0], terminal);
+            return 0;
+        });
+        return command;
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> List(List<SpeciesNumbers> sheets)
+    {
+        yield return ["", "wings", "triangles", "length, mm", "Hz", "flap, °", "k_e", "variants"];
+        foreach (SpeciesNumbers sheet in sheets)
+        {
+            WingNumbers main = sheet.Wings[0];
+            yield return
+            [
+                sheet.Definition.Name, string.Join(", ", sheet.Wings.Select(wing => wing.Wing.Name)), Number(sheet.Definition.TriangleCount),
+                Number(1000 * main["wing-length"]), Number(main["max-frequency"]), Number(main["flap-range"]), Number(main["elasticity"]),
+                string.Join(", ", sheet.Definition.Variants).ToLowerInvariant(),
+            ];
+        }
+    }
+
+    private static void Show(SpeciesNumbers sheet, Terminal terminal)
+    {
+        foreach (WingNumbers wing in sheet.Wings)
+            terminal.ShowTable($"{sheet.Definition.DisplayName}: {wing.Wing.Name}, {wing.Wing.TriangleCount} triangles on each side", Numbers(wing));
+        terminal.ShowTexts("Sources", Sources(sheet.Definition));
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Numbers(WingNumbers wing)
+    {
+        yield return ["", .. wing.Variants.Select(variant => variant.ToString().ToLowerInvariant())];
+        for (int k = 0; k < WingNumbers.Parameters.Count; k++)
+            yield return [WingNumbers.Parameters[k].Title, .. wing.Values.Select(values => Number(values[k]))];
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Sources(SpeciesDefinition definition)
+    {
+        yield return ["number", "variant", "value", "source"];
+        foreach (SpeciesSource source in definition.Sources)
+            yield return [source.Quantity, source.Variant.ToString().ToLowerInvariant(), source.Value, source.Source];
+    }
+
+    // Four digits after the point, or of what is smaller still.
+    private static string Number(double value) =>
+        value.ToString(value != 0 && Math.Abs(value) < 1e-3 ? "0.###e-0" : "0.####", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,113 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+using Alate.Cli.Parameters;
+using Alate.Cli.Pictures;
+using Alate.Cli.Sweeps;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>sweep PARAMETER FROM TO</c>: flies a species at several values of one number.</summary>
+internal static class SweepCommand
+{
+    private const string k_Picture = "sweep.svg", k_Table = "sweep.csv";
+
+    public static Command Create(TextWriter output)
+    {
+        var parameter = new Argument<string>("PARAMETER")
+        {
+            Description = $"The number to change: {string.Join(", ", FlownParameters.All.Select(known => known.Name))}.",
+        };
+        Argument<double> from = Numbers.Argument("FROM", "Its first value.");
+        Argument<double> to = Numbers.Argument("TO", "Its last value; elasticity is a factor on the species'.");
+        var species = new Option<string>("--species") { HelpName = "NAME", Description = "The insect. [default: fishfly, as the paper's Fig. 14]" };
+        Option<int?> steps = Numbers.OptionalCount(
+            "--steps", "N", SweepPlan.MinSteps, SweepPlan.MaxSteps,
+            "Values, 2 to 25: evenly spaced, or by equal ratios where they span a factor of ten or more. [default: 5]");
+        Option<SweepWaves?> waves = Choice.Optional<SweepWaves>("--wave", "With the deformation wave, without it, or both. [default: on]", new()
+        {
+            ["on"] = SweepWaves.On, ["off"] = SweepWaves.Off, ["both"] = SweepWaves.Both,
+        });
+        Option<SpeciesVariant?> variant = FlightOptions.Variant();
+        Option<double?> speed = FlightOptions.Speed();
+        Option<PictureView?> view = FlightOptions.View();
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/sweep-PARAMETER]" };
+        var command = new Command("sweep", "Flies an insect at several values of one number: a picture and a table of its effect.")
+        {
+            parameter, from, to, species, steps, waves, variant, speed, view, folder,
+        };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            FlownParameter known = FlownParameters.Find(parsed.GetValue(parameter));
+            SpeciesDefinition definition = FlightOptions.Find(parsed.GetValue(species) ?? "fishfly");
+            var flight = new FlightPlan
+            {
+                Species = definition.Name,
+                Variant = parsed.GetValue(variant) ?? SpeciesVariant.Standard,
+                Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),
+                View = parsed.GetValue(view) ?? PictureView.FrontLeft,
+            };
+            var plan = new SweepPlan(
+                known, parsed.GetValue(from), parsed.GetValue(to), parsed.GetValue(steps) ?? SweepPlan.DefaultSteps, flight,
+                parsed.GetValue(waves) ?? SweepWaves.On);
+            Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "sweep-" + known.Name), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(SweepPlan plan, string path, TextWriter output)
+    {
+        using OutputFolder folder = OutputFolder.Prepare(path, k_Picture, k_Table);
+        var terminal = new Terminal(output);
+        Sweep sweep = null;
+        terminal.ShowProgress(Sweep.Flights(plan), (done, stage) =>
+        {
+            sweep = Sweep.Fly(plan, done);
+            stage("drawing");
+            folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(SweepPicture.Draw(sweep))));
+            folder.Write(k_Table, stream => SweepTable.Write(sweep, stream));
+        });
+        folder.Commit();
+        terminal.ShowTable($"{sweep.Points[0].Summary.Flight.Insect.DisplayName}: {plan.Parameter.Title}", Rows(sweep));
+        terminal.ShowFiles(path, k_Picture, k_Table);
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Rows(Sweep sweep)
+    {
+        yield return ["", "wing", "twist °", "load camber %", "tip lag °", "tip bend °", "stretch %", "lift/weight"];
+        foreach (SweepPoint point in sweep.Points)
+        {
+            for (int kind = 0; kind < point.Summary.Wings.Count; kind++)
+            {
+                WingSummary wing = point.Summary.Wings[kind];
+                yield return
+                [
+                    LineChart.Label(point.Value) + (point.HasWave ? "" : ", no wave"), wing.Name, Number(wing.TwistPpDeg), Number(point.LoadCamberPct[kind]),
+                    Number(wing.TipLagDeg), Number(wing.TipBendPpDeg), Number(wing.EdgeStretchMaxPct),
+                    kind == 0 ? point.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture) : "",
+                ];
+            }
+        }
+    }
+
+    private static string Number(double value) => value.ToString("0.0", CultureInfo.InvariantCulture);
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  sweep elasticity 0.25 4 --wave both\n"
+        + "  sweep chord-delay 0 1 --species monarch --steps 6\n"
+        + "  sweep wind 0 3 --species painted-lichen-moth --variant expressive --out gusts\n\n"
+        + "On an insect with two kinds of wings the first takes the value; the other is changed by the same factor, or the same\n"
+        + "difference where the number may be negative.\n\n"
+        + "Writes into the output folder:\n"
+        + "  sweep.svg  the insect at four phases for each value, and curves of the measures\n"
+        + "  sweep.csv  every measure for each value and kind of wing\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

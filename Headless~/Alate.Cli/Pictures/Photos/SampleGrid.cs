@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Cli.Pictures.Photos;
+
+/// <summary>
+/// The light of a picture, several samples a pixel: at each the nearest solid thing, and the see-through things before it.
+/// </summary>
+internal sealed class SampleGrid
+{
+    /// <summary>Samples along a side of a pixel.</summary>
+    public const int k_Fineness = 3;
+
+    private const int k_None = -1;
+
+    /// <summary>Of the depth: two sheets of one surface that are nearer to each other are the same, met twice at an edge of its triangles.</summary>
+    private const float k_SameSheet = 1e-4f;
+
+    private readonly float[] m_Depths;
+    private readonly float3[] m_Lights;
+    private readonly int[] m_Newest;
+    private readonly List<GlassSample> m_Glass = [];
+
+    /// <param name="width">Pixels.</param>
+    /// <param name="height">Pixels.</param>
+    public SampleGrid(int width, int height)
+    {
+        Width = width;
+        Height = height;
+        int count = width * height * k_Fineness * k_Fineness;
+        m_Depths = new float[count];
+        m_Lights = new float3[count];
+        m_Newest = new int[count];
+        Array.Fill(m_Depths, float.PositiveInfinity);
+        Array.Fill(m_Newest, k_None);
+    }
+
+    /// <summary>Pixels.</summary>
+    public int Width { get; }
+
+    /// <summary>Pixels.</summary>
+    public int Height { get; }
+
+    /// <summary>Whether something at a depth would be seen at a sample, given what is solid there as yet.</summary>
+    public bool IsSeen(int x, int y, float depth) =>
+        x >= 0 && x < k_Fineness * Width && y >= 0 && y < k_Fineness * Height && depth < m_Depths[Index(x, y)];
+
+    /// <summary>Adds what is seen at a sample.</summary>
+    /// <param name="x">Column of the sample.</param>
+    /// <param name="y">Row of the sample, from above.</param>
+    /// <param name="depth">Distance from the viewer.</param>
+    /// <param name="light">Linear light, and the opacity.</param>
+    /// <param name="surface">Whose it is.</param>
+    public void Add(int x, int y, float depth, float4 light, int surface)
+    {
+        const float k_Solid = 0.995f;
+        int index = Index(x, y);
+        if (light.w >= k_Solid)
+        {
+            m_Depths[index] = depth;
+            m_Lights[index] = light.xyz;
+            return;
+        }
+
+        for (int k = m_Newest[index]; k != k_None; k = m_Glass[k].Next)
+        {
+            if (m_Glass[k].Surface == surface && math.abs(m_Glass[k].Depth - depth) < k_SameSheet * depth)
+                return;
+        }
+
+        m_Glass.Add(new GlassSample(depth, light, surface, m_Newest[index]));
+        m_Newest[index] = m_Glass.Count - 1;
+    }
+
+    /// <summary>The pixels, row by row from above.</summary>
+    /// <param name="paper">What is behind all, linear light.</param>
+    public Color32[] Pixels(float3 paper)
+    {
+        var pixels = new Color32[Width * Height];
+        var sheets = new List<GlassSample>();
+        for (int k = 0; k < pixels.Length; k++)
+        {
+            float3 sum = 0f;
+            for (int sample = 0; sample < k_Fineness * k_Fineness; sample++)
+            {
+                sum += Seen(
+                    Index(k_Fineness * (k % Width) + sample % k_Fineness, k_Fineness * (k / Width) + sample / k_Fineness), paper, sheets);
+            }
+
+            int3 shown = (int3)math.round(255f * Shading.ToEncoded(sum / (k_Fineness * k_Fineness)));
+            pixels[k] = new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
+        }
+
+        return pixels;
+    }
+
+    private float3 Seen(int index, float3 paper, List<GlassSample> sheets)
+    {
+        float3 light = math.select(m_Lights[index], paper, float.IsPositiveInfinity(m_Depths[index]));
+        sheets.Clear();
+        for (int k = m_Newest[index]; k != k_None; k = m_Glass[k].Next)
+        {
+            if (m_Glass[k].Depth < m_Depths[index])
+                sheets.Add(m_Glass[k]);
+        }
+
+        sheets.Sort((one, other) => other.Depth.CompareTo(one.Depth));
+        foreach (GlassSample sheet in sheets)
+            light = math.lerp(light, sheet.Light.xyz, sheet.Light.w);
+        return light;
+    }
+
+    private int Index(int x, int y) => y * k_Fineness * Width + x;
+
+    /// <summary>What is seen through at a sample.</summary>
+    /// <param name="Depth">Distance from the viewer.</param>
+    /// <param name="Light">Linear light, and the opacity.</param>
+    /// <param name="Surface">Whose it is.</param>
+    /// <param name="Next">The one that was added before, at the same sample.</param>
+    private readonly record struct GlassSample(float Depth, float4 Light, int Surface, int Next);
+}

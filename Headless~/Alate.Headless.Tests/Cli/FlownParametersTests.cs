@@ -1,0 +1,86 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
+using Alate.Cli;
+using Alate.Cli.Parameters;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests.Cli
+{
+    public sealed class FlownParametersTests
+    {
+        private static readonly FieldInfo[] s_Sliders = new[] { typeof(SpeciesSize), typeof(SpeciesBeat), typeof(SpeciesWave), typeof(SpeciesStiffness) }
+            .SelectMany(group => group.GetFields(BindingFlags.Public | BindingFlags.Instance)).ToArray();
+
+        [Test]
+        public void EverySlider_HasItsName_InTheInspectorsOrder()
+        {
+            Assert.That(FlownParameters.OfSpecies.Select(parameter => parameter.Name), Is.EqualTo(s_Sliders.Select(field => Hyphenated(field.Name))));
+        }
+
+        [Test]
+        public void EverySlider_KeepsItsRange()
+        {
+            foreach (FieldInfo field in s_Sliders)
+            {
+                var range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
+                FlownParameter parameter = FlownParameters.OfSpecies.Single(known => known.Name == Hyphenated(field.Name));
+                if (range != null)
+                    Assert.That((parameter.Min, parameter.Max), Is.EqualTo(((double)range.min, (double)range.max)), field.Name);
+            }
+        }
+
+        [Test]
+        public void EverySlider_IsAFieldOfItsOwn()
+        {
+            var species = ScriptableObject.CreateInstance<WingSpecies>();
+            foreach (FlownParameter parameter in FlownParameters.OfSpecies)
+                parameter.Of(species) = 0f;
+            for (int k = 0; k < FlownParameters.OfSpecies.Count; k++)
+            {
+                FlownParameters.OfSpecies[k].Of(species) = 1f;
+                Assert.That(FlownParameters.OfSpecies.Count(parameter => parameter.Of(species) == 1f), Is.EqualTo(k + 1));
+            }
+
+            Object.DestroyImmediate(species);
+        }
+
+        [TestCase("Chord Delay")]
+        [TestCase("chord_delay")]
+        [TestCase("chordDelay")]
+        public void ANumber_IsFound_HoweverItsNameIsWritten(string name)
+        {
+            Assert.That(FlownParameters.Find(name).Name, Is.EqualTo("chord-delay"));
+        }
+
+        [Test]
+        public void AnUnknownNumber_IsRefused_WithAllThereAre()
+        {
+            UserException problem = Assert.Throws<UserException>(() => FlownParameters.Find("charm"));
+
+            Assert.That(problem.Message, Does.Contain("charm"));
+            foreach (FlownParameter parameter in FlownParameters.All)
+                Assert.That(problem.Message, Does.Contain(parameter.Name));
+        }
+
+        [Test]
+        public void TheOtherWing_IsMovedAlong_ByTheSameFactorOrDifference()
+        {
+            List<WingSpecies> wings = Species.Find("swallowtail").Wings.Select(wing => wing.CreateSpecies()).ToList();
+            float range = wings[1].Beat.flapRange / wings[0].Beat.flapRange, mean = wings[1].Beat.meanFlap - wings[0].Beat.meanFlap;
+
+            FlownParameters.Find("flap-range").Set(wings, 60f);
+            FlownParameters.Find("mean-flap").Set(wings, -20f);
+
+            Assert.That(wings[0].Beat.flapRange, Is.EqualTo(60f));
+            Assert.That(wings[1].Beat.flapRange, Is.EqualTo(60f * range).Within(1e-3f));
+            Assert.That(wings[0].Beat.meanFlap, Is.EqualTo(-20f));
+            Assert.That(wings[1].Beat.meanFlap, Is.EqualTo(-20f + mean).Within(1e-3f));
+            wings.ForEach(Object.DestroyImmediate);
+        }
+
+        private static string Hyphenated(string name) =>
+            string.Concat(name.Select(letter => char.IsUpper(letter) ? "-" + char.ToLowerInvariant(letter) : letter.ToString()));
+    }
+}

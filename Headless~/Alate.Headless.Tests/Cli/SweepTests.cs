@@ -1,0 +1,99 @@
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Xml.Linq;
+using Alate.Cli;
+using Alate.Cli.Flights;
+using Alate.Cli.Parameters;
+using Alate.Cli.Sweeps;
+using NUnit.Framework;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>What a sweep leaves behind.</summary>
+    public sealed class SweepTests
+    {
+        private CommandRun m_Run;
+        private string[][] m_Rows;
+
+        [OneTimeSetUp]
+        public void SweepAFishfly()
+        {
+            m_Run = new CommandRun();
+            int code = m_Run.Run("sweep", "chord-delay", "0", "0.2", "--steps", "3", "--wave", "both", "--out", m_Run.Out);
+            Assert.That(code, Is.Zero, m_Run.Errors);
+            m_Rows = File.ReadAllLines(Path.Combine(m_Run.Out, "sweep.csv")).Select(line => line.Split(',')).ToArray();
+        }
+
+        [OneTimeTearDown]
+        public void RemoveFolder() => m_Run.Dispose();
+
+        [Test]
+        public void Table_HasARowForEachValue_KindOfWing_AndWave()
+        {
+            Assert.That(m_Rows[0].Take(4), Is.EqualTo(new[] { "chord_delay", "wave", "wing", "frequency_hz" }));
+            Assert.That(m_Rows.Skip(1).Select(row => string.Join(' ', row.Take(3))), Is.EqualTo(
+                from wave in new[] { "on", "off" } from value in new[] { "0", "0.1", "0.2" } from wing in new[] { "fore wing", "hind wing" }
+                select $"{value} {wave} {wing}"));
+        }
+
+        [Test]
+        public void TheWave_ChangesTheTwist_AndWithoutItItsDelayDoesNothing()
+        {
+            double[] twist = m_Rows.Skip(1).Where(row => row[2] == "fore wing").Select(row => double.Parse(row[4], CultureInfo.InvariantCulture)).ToArray();
+
+            Assert.That(twist.Take(3), Is.Ordered);
+            Assert.That(twist[2], Is.GreaterThan(1.3 * twist[0]));
+            Assert.That(twist.Skip(3).Distinct().Count(), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Picture_HasAColumnForEachValue_ARowForEachPhase_AndSixCharts()
+        {
+            XElement svg = XElement.Load(Path.Combine(m_Run.Out, "sweep.svg"));
+            XNamespace space = "http://www.w3.org/2000/svg";
+            string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
+
+            Assert.That(svg.Elements(space + "g").Count(), Is.EqualTo(3 * 4 * 2));
+            Assert.That(texts.Where(text => text.EndsWith("°") && !text.Contains(',')).Distinct(), Is.EquivalentTo(new[] { "0°", "90°", "180°", "270°" }));
+            Assert.That(texts, Is.SupersetOf(new[] { "twist, peak to peak, °", "lag of the tip, °", "fore wing", "hind wing", "0.1" }));
+            // Each chart: two kinds of wings with and without the wave; the lift is that of all wings.
+            Assert.That(svg.Elements(space + "path").Count(path => path.Attribute("d").Value.Contains('L')), Is.EqualTo(5 * 4 + 2));
+        }
+
+        [Test]
+        public void Terminal_ShowsTheMeasures()
+        {
+            Assert.That(m_Run.Output, Does.Contain("twist °").And.Contain("0.2, no wave").And.Contain("sweep.svg"));
+        }
+
+        [TestCase(0.25, 4, 5, new[] { 0.25, 0.5, 1.0, 2.0, 4.0 })]
+        [TestCase(4, 0.25, 3, new[] { 4.0, 1.0, 0.25 })]
+        [TestCase(1, 2, 3, new[] { 1.0, 1.5, 2.0 })]
+        public void Values_AreEven_OrOfEqualRatiosOverAWideRange(double from, double to, int steps, double[] expected)
+        {
+            var plan = new SweepPlan(FlownParameters.Find("elasticity"), from, to, steps, new FlightPlan { Species = "fishfly" }, SweepWaves.On);
+
+            Assert.That(plan.Values, Is.EqualTo(expected).Within(1e-9));
+        }
+
+        [Test]
+        public void WholeNumbers_StayWhole()
+        {
+            var plan = new SweepPlan(FlownParameters.Find("substeps-per-beat"), 12, 13, 5, new FlightPlan { Species = "fishfly" }, SweepWaves.On);
+
+            Assert.That(plan.Values, Is.EqualTo(new[] { 12.0, 13.0 }));
+        }
+
+        [TestCase("elasticity", 0, 1)]
+        [TestCase("chord-delay", 0, 3)]
+        [TestCase("pitch", -91, 0)]
+        [TestCase("wind", 1, 1)]
+        public void ValuesThatCannotBe_AreRefused_WithTheParametersName(string parameter, double from, double to)
+        {
+            Assert.That(
+                () => new SweepPlan(FlownParameters.Find(parameter), from, to, 5, new FlightPlan(), SweepWaves.On),
+                Throws.InstanceOf<UserException>().With.Message.Contains(parameter));
+        }
+    }
+}

@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Cli.Flights;
+using Alate.Cli.Parameters;
+using Alate.Cli.Sweeps;
+using NUnit.Framework;
+
+namespace Alate.Tests.Insects
+{
+    /// <summary>The paper's Fig. 14 as numbers: a fishfly from a quarter to four times its elasticity.</summary>
+    public sealed class ElasticitySweepTests
+    {
+        private static readonly Lazy<Sweep> s_Sweep = new Lazy<Sweep>(() => Sweep.Fly(
+            new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, 5, new FlightPlan { Species = "fishfly" }, SweepWaves.Both), _ => { }));
+
+        [Test]
+        public void Values_AreAQuarterToFourTimes()
+        {
+            Assert.That(s_Sweep.Value.With(wave: true).Select(point => point.Value), Is.EqualTo(new[] { 0.25, 0.5, 1, 2, 4 }).Within(1e-6));
+        }
+
+        [Test]
+        public void Twist_FallsAsElasticityRises([Values] bool wave, [Values(0, 1)] int wing) =>
+            AssertFalling(wave, point => point.Summary.Wings[wing].TwistPpDeg);
+
+        [Test]
+        public void CamberByTheLoads_FallsAsElasticityRises([Values] bool wave, [Values(0, 1)] int wing) =>
+            AssertFalling(wave, point => point.LoadCamberPct[wing]);
+
+        [Test]
+        public void LagOfTheTip_FallsAsElasticityRises([Values] bool wave, [Values(0, 1)] int wing) =>
+            AssertFalling(wave, point => point.Summary.Wings[wing].TipLagDeg);
+
+        [Test]
+        public void TipBend_FallsAsElasticityRises([Values] bool wave, [Values(0, 1)] int wing) =>
+            AssertFalling(wave, point => point.Summary.Wings[wing].TipBendPpDeg);
+
+        [Test]
+        public void TheWave_TwistsTheWingMore_AtEveryElasticity()
+        {
+            List<SweepPoint> with = s_Sweep.Value.With(wave: true), without = s_Sweep.Value.With(wave: false);
+            for (int k = 0; k < with.Count; k++)
+                Assert.That(with[k].Summary.Main.TwistPpDeg, Is.GreaterThan(1.2 * without[k].Summary.Main.TwistPpDeg), $"{with[k].Value}");
+        }
+
+        [Test]
+        public void NoWing_FallsBackToItsDrivenPose()
+        {
+            Assert.That(s_Sweep.Value.Points.Select(point => point.Summary.Resets), Is.All.Zero);
+        }
+
+        private static void AssertFalling(bool wave, Func<SweepPoint, double> measure)
+        {
+            double[] values = s_Sweep.Value.With(wave).Select(measure).ToArray();
+            Assert.That(values, Is.Ordered.Descending, string.Join(", ", values));
+            Assert.That(values, Is.Unique);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using System.Collections;
+using System.Linq;
+using Alate.Samples;
+using NUnit.Framework;
+using StandIns;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play.Samples;
+
+public sealed class MonarchSampleTests : SampleFixture<MonarchSample>
+{
+    [UnityTest]
+    public IEnumerator TheMonarch_FliesAtTheSpeedOfTheSlider()
+    {
+        yield return Begin();
+        yield return Frames(60);
+
+        // Eq. 6: at 1.3 of 2 m/s a monarch beats 10.1 times a second.
+        Assert.That(Insects.Single().Frequency, Is.EqualTo(10.085f).Within(0.05f));
+    }
+
+    [UnityTest]
+    public IEnumerator DraggingTheMouse_TurnsTheCamera_AndTheWheelMovesIt()
+    {
+        yield return Begin();
+        var orbit = Sample.GetComponentInChildren<OrbitCamera>();
+        float yaw = orbit.Yaw, distance = orbit.Distance;
+        DrawnScreen.Drag(new Vector2(20f, 0f));
+        DrawnScreen.Scroll(-3f);
+        yield return Frames(3);
+        Assert.That(orbit.Yaw, Is.GreaterThan(yaw));
+        Assert.That(orbit.Distance, Is.LessThan(distance));
+    }
+}

@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using Alate.Samples;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Alate.Tests.Samples;
+
+/// <summary>What the Package Manager imports of each sample.</summary>
+public sealed class SampleFilesTests
+{
+    private static string Root => Path.GetFullPath(Path.Combine(AppContext.BaseDirectory, "../../../../.."));
+
+    private static IEnumerable<string> Samples()
+    {
+        using JsonDocument package = JsonDocument.Parse(File.ReadAllText(Path.Combine(Root, "package.json")));
+        return [.. package.RootElement.GetProperty("samples").EnumerateArray().Select(sample => sample.GetProperty("path").GetString())];
+    }
+
+    [Test]
+    public void EverySampleFolder_IsListed()
+    {
+        IEnumerable<string> folders = Directory.GetDirectories(Path.Combine(Root, "Samples~")).Select(folder => "Samples~/" + Path.GetFileName(folder));
+        Assert.That(Samples(), Is.EquivalentTo(folders));
+    }
+
+    [TestCaseSource(nameof(Samples))]
+    public void EverySample_HasAReadme_AnAssembly_AndASceneWithItsScript(string path)
+    {
+        string folder = Path.Combine(Root, path);
+        Assert.That(File.Exists(Path.Combine(folder, "README.md")), Is.True);
+        string scene = File.ReadAllText(Directory.GetFiles(folder, "*.unity").Single());
+        string script = Regex.Match(scene, @"m_Script: \{fileID: 11500000, guid: (\w+), type: 3\}").Groups[1].Value;
+        string meta = Directory.GetFiles(folder, "*.cs.meta").Single(file => File.ReadAllText(file).Contains(script));
+        string name = Path.GetFileName(meta).Replace(".cs.meta", "");
+        Type type = typeof(MonarchSample).Assembly.GetType("Alate.Samples." + name);
+        Assert.That(type, Is.AssignableTo<MonoBehaviour>());
+        Assert.That(File.ReadAllText(Path.Combine(folder, "README.md")), Does.Contain(Path.GetFileName(Directory.GetFiles(folder, "*.unity").Single())));
+    }
+
+    [TestCaseSource(nameof(Samples))]
+    public void EverySample_StandsAlone_WithThePackage(string path)
+    {
+        string folder = Path.Combine(Root, path);
+        using JsonDocument assembly = JsonDocument.Parse(File.ReadAllText(Directory.GetFiles(folder, "*.asmdef").Single()));
+        Assert.That(assembly.RootElement.GetProperty("references").EnumerateArray().Select(name => name.GetString()), Is.EqualTo(new[] { "Alate" }));
+
+        // All samples are one assembly here: what a file uses must be declared in its own folder.
+        string own = TextOf(folder);
+        foreach (string other in Samples().Where(other => other != path))
+        {
+            foreach (Match declared in Regex.Matches(TextOf(Path.Combine(Root, other)), @"\b(?:class|struct) (\w+)"))
+            {
+                string name = declared.Groups[1].Value;
+                Assert.That(Regex.IsMatch(own, $@"\b(new {name}\b|{name}\.\w)"), Is.False, $"{path} uses {name} of {other}");
+            }
+        }
+    }
+
+    private static string TextOf(string folder) =>
+        string.Concat(Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));
+}

@@ -1,0 +1,65 @@
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using StandIns;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play.Samples;
+
+/// <summary>A sample in an empty scene, as after opening its scene and pressing Play. Whatever it logs as an error fails its test.</summary>
+public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
+{
+    /// <summary>The sample's script, on an object of its own.</summary>
+    protected T Sample { get; private set; }
+
+    protected IEnumerable<InsectWings> Insects => Sample.GetComponentsInChildren<InsectWings>();
+
+    [UnityTest]
+    public IEnumerator RunsHundredsOfFrames_WithBeatingWings_AndLeavesNothing()
+    {
+        int before = Count();
+        yield return Begin();
+        yield return Frames(100);
+        InsectWings[] insects = [.. Insects];
+        Assert.That(insects, Is.Not.Empty);
+        foreach (InsectWings insect in insects)
+            Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);
+        Dictionary<InsectWings, float> phases = insects.ToDictionary(insect => insect, insect => insect.Phase);
+        yield return Frames(3);
+        foreach (InsectWings insect in insects.Where(insect => insect.Detail != WingDetail.Frozen))
+            Assert.That(insect.Phase, Is.Not.EqualTo(phases[insect]), $"the wings of {insect.name} are still");
+        Assert.That(DrawnScreen.Controls, Is.Not.Null);
+        Assert.That(Camera.main != null, Is.True, "there is no camera");
+        Assert.That(WingSystem.ResetCount, Is.Zero);
+        yield return Frames(100);
+
+        Object.Destroy(Sample.gameObject);
+        yield return Frames(2);
+        Assert.That(Count(), Is.EqualTo(before), "something was left behind");
+        Assert.That(WingSystem.InsectCount, Is.Zero);
+    }
+
+    [UnityTest]
+    public IEnumerator BeginsAnew_AfterItWasDestroyed()
+    {
+        yield return Begin();
+        Object.Destroy(Sample.gameObject);
+        yield return Frames(2);
+        yield return Begin();
+        Assert.That(Insects.All(insect => insect.State == InsectState.Ready), Is.True);
+    }
+
+    /// <summary>Adds the script and waits until its insects live.</summary>
+    protected IEnumerator Begin()
+    {
+        Sample = Keep(new GameObject(typeof(T).Name)).AddComponent<T>();
+        for (int frame = 0; frame < 60 && (frame < 3 || Insects.Any(insect => insect.State == InsectState.Waiting)); frame++)
+            yield return null;
+    }
+
+    private static int Count() =>
+        Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length
+        + Resources.FindObjectsOfTypeAll<ScriptableObject>().Length + Resources.FindObjectsOfTypeAll<GameObject>().Length;
+}

@@ -1,0 +1,6 @@
+namespace UnityEditor.SceneManagement;
+
+public static class PrefabStageUtility
+{
+    public static PrefabStage GetCurrentPrefabStage() => StandIns.OpenPrefab.Stage;
+}

@@ -1,0 +1,67 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>
+    /// How an insect's beat differs from its preset's now, for flight controllers; may be changed in every step. What differs from wing to wing stands in
+    /// <see cref="Wing"/>.
+    /// </summary>
+    [Serializable]
+    public struct InsectSteering : IEquatable<InsectSteering>
+    {
+        /// <summary>Factor on the beat's frequency, 0.1 to 4; 1. Seen from the next beat on.</summary>
+        [Range(0.1f, 4f)]
+        [Tooltip("Factor on the frequency of the beat, 0.1 to 4; 1 is the preset's. Seen from the next beat on.")]
+        public float frequencyScale;
+
+        /// <summary>Factor on all amplitudes, 0 to 2; 1. 0 holds the wings still: a glide. Followed over the next beats.</summary>
+        [Range(0f, 2f)]
+        [Tooltip("Factor on the amplitudes of all wings, 0 to 2; 1 is the preset's. 0 holds them still in the middle of their stroke: a glide.")]
+        public float amplitudeScale;
+
+        /// <summary>Degrees by which the middle of the stroke is raised, −60 to 60; 0.</summary>
+        [Range(-60f, 60f)]
+        [Tooltip("Degrees by which the middle of the stroke is raised, -60 to 60; 0 is the preset's. Raised wings make a glide steady.")]
+        public float meanFlap;
+
+        /// <summary>Degrees by which the stroke plane is tilted, nose up positive, −60 to 60; 0.</summary>
+        [Range(-60f, 60f)]
+        [Tooltip("Degrees by which the plane of the stroke is tilted, nose up positive, -60 to 60; 0 is the preset's. Tilts the force forwards and back.")]
+        public float tilt;
+
+        /// <summary>The preset's beat.</summary>
+        public static InsectSteering Default => new InsectSteering { frequencyScale = 1f, amplitudeScale = 1f };
+
+        /// <inheritdoc/>
+        public bool Equals(InsectSteering other) =>
+            frequencyScale == other.frequencyScale && amplitudeScale == other.amplitudeScale && meanFlap == other.meanFlap && tilt == other.tilt;
+
+        /// <inheritdoc/>
+        public override bool Equals(object other) => other is InsectSteering steering && Equals(steering);
+
+        /// <inheritdoc/>
+        public override int GetHashCode() => HashCode.Combine(frequencyScale, amplitudeScale, meanFlap, tilt);
+
+        /// <summary>The same within its ranges; what is no number is the preset's.</summary>
+        internal InsectSteering Clamped() => new InsectSteering
+        {
+            frequencyScale = Clamp(frequencyScale, 0.1f, 4f, 1f),
+            amplitudeScale = Clamp(amplitudeScale, 0f, 2f, 1f),
+            meanFlap = Clamp(meanFlap, -60f, 60f, 0f),
+            tilt = Clamp(tilt, -60f, 60f, 0f),
+        };
+
+        /// <summary>Changes a preset's parameters.</summary>
+        internal void Apply(ref WingParameters parameters)
+        {
+            parameters.maxFrequency *= frequencyScale;
+            parameters.amplitudeScale *= amplitudeScale;
+            parameters.meanFlap += math.radians(meanFlap);
+            parameters.tilt += math.radians(tilt);
+        }
+
+        private static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
+    }
+}

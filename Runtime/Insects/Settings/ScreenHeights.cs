@@ -1,0 +1,52 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Shares of the screen's height, 0 to 1, below which an insect is computed with less detail; 0 never is.</summary>
+    [Serializable]
+    public struct ScreenHeights
+    {
+        /// <summary>Below it <see cref="WingDetail.FewerSubsteps"/>; default 0.2.</summary>
+        [Range(0f, 1f)]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps. 0 never is. Multiplied by the quality settings' LOD bias.")]
+        public float fewerSubstepsBelow;
+
+        /// <summary>Below it <see cref="WingDetail.CoarsePatches"/>; default 0.1.</summary>
+        [Range(0f, 1f)]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with fewer substeps and coarse patches. 0 never is. Multiplied by the quality settings' LOD bias.")]
+        public float coarsePatchesBelow;
+
+        /// <summary>Below it <see cref="WingDetail.WavesOnly"/>; default 0.03.</summary>
+        [Range(0f, 1f)]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with the driven waves alone. 0 never is. Multiplied by the quality settings' LOD bias.")]
+        public float wavesOnlyBelow;
+
+        /// <summary>Below it <see cref="WingDetail.Frozen"/>; default 0.005.</summary>
+        [Range(0f, 1f)]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the wings come to rest. 0 never do. Multiplied by the quality settings' LOD bias.")]
+        public float restBelow;
+
+        /// <summary>The threshold of a level.</summary>
+        internal float Of(WingDetail detail)
+        {
+            switch (detail)
+            {
+                case WingDetail.FewerSubsteps: return fewerSubstepsBelow;
+                case WingDetail.CoarsePatches: return coarsePatchesBelow;
+                case WingDetail.WavesOnly: return wavesOnlyBelow;
+                case WingDetail.Frozen: return restBelow;
+                default: return 1f;
+            }
+        }
+
+        internal ScreenHeights Clamped() => new ScreenHeights
+        {
+            fewerSubstepsBelow = math.saturate(fewerSubstepsBelow),
+            coarsePatchesBelow = math.saturate(coarsePatchesBelow),
+            wavesOnlyBelow = math.saturate(wavesOnlyBelow),
+            restBelow = math.saturate(restBelow),
+        };
+    }
+}

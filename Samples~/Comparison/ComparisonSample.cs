@@ -1,0 +1,112 @@
+using UnityEngine;
+
+namespace Alate.Samples
+{
+    /// <summary>
+    /// One insect in four columns: rigid wings, no deformation wave, the full model, and another elasticity. Sliders tune all columns at once; a blinded study asks which of
+    /// two looks more natural, as the paper's did.
+    /// </summary>
+    [AddComponentMenu("Alate/Samples/Comparison Sample")]
+    [DisallowMultipleComponent]
+    public sealed class ComparisonSample : MonoBehaviour
+    {
+        private const float k_CameraDistance = 7f;
+
+        private Stage m_Stage;
+        private StudyPanel m_Study;
+        private OrbitCamera m_Camera;
+        private Tuning m_Tuning = Tuning.None;
+        private float m_TimeScale = 0.15f;
+        private int m_Species, m_Wanted;
+
+        private void Awake()
+        {
+            m_Camera = OrbitCamera.Create(transform, transform.position, k_CameraDistance);
+            m_Camera.Yaw = 180f;
+            m_Stage = new Stage(transform);
+            m_Study = new StudyPanel(m_Stage);
+            ShowSpecies();
+        }
+
+        private void Update()
+        {
+            if (m_Study.IsLeft || (!m_Study.IsOn && m_Wanted != m_Species))
+                ShowSpecies();
+            if (m_Study.IsOn)
+                m_Study.Update();
+            else
+                m_Stage.Tune(m_Tuning);
+            m_Stage.Step(m_TimeScale * Time.deltaTime);
+        }
+
+        private void OnGUI()
+        {
+            GUILayout.BeginArea(new Rect(10f, 10f, 320f, 420f), GUI.skin.box);
+            if (m_Study.IsOn)
+                m_Study.Draw();
+            else
+                DrawControls();
+            GUILayout.Label($"Time × {m_TimeScale:0.000}");
+            m_TimeScale = Mathf.Pow(10f, GUILayout.HorizontalSlider(Mathf.Log10(m_TimeScale), -3f, 0f));
+            GUILayout.EndArea();
+            foreach (Stand stand in m_Stage.Stands)
+                Label(stand);
+        }
+
+        private void OnDestroy() => m_Stage.Clear();
+
+        private void ShowSpecies()
+        {
+            m_Species = m_Wanted;
+            m_Study.IsLeft = false;
+            m_Stage.Show(Species.All[m_Species], ComparisonColumn.All, m_Tuning);
+        }
+
+        private void DrawControls()
+        {
+            GUILayout.BeginHorizontal();
+            if (GUILayout.Button("<"))
+                m_Wanted = (m_Wanted + Species.All.Count - 1) % Species.All.Count;
+            GUILayout.Label(Species.All[m_Wanted].DisplayName);
+            if (GUILayout.Button(">"))
+                m_Wanted = (m_Wanted + 1) % Species.All.Count;
+            GUILayout.EndHorizontal();
+            m_Tuning.elasticity = Factor("Elasticity", m_Tuning.elasticity, 0.1f, 4f);
+            m_Tuning.delay = Factor("Delay", m_Tuning.delay, 0f, 3f);
+            m_Tuning.amplitude = Factor("Amplitude", m_Tuning.amplitude, 0f, 1.5f);
+            m_Tuning.frequency = Factor("Frequency", m_Tuning.frequency, 0.25f, 4f);
+            GUILayout.Label($"Head wind {m_Tuning.wind:0.0} m/s");
+            m_Tuning.wind = GUILayout.HorizontalSlider(m_Tuning.wind, -3f, 3f);
+            if (GUILayout.Button("Reset sliders"))
+                m_Tuning = Tuning.None;
+            if (GUILayout.Button("Begin study"))
+                m_Study.Begin();
+            GUILayout.Label("1–4: one column alone; 0: all");
+            ReadKeys();
+        }
+
+        private static float Factor(string name, float value, float least, float most)
+        {
+            GUILayout.Label($"{name} × {value:0.00}");
+            return GUILayout.HorizontalSlider(value, least, most);
+        }
+
+        private void ReadKeys()
+        {
+            if (Event.current.type != EventType.KeyDown)
+                return;
+            int number = Event.current.keyCode - KeyCode.Alpha0;
+            if (number >= 0 && number <= m_Stage.Stands.Count)
+                m_Stage.Solo(number - 1);
+        }
+
+        private void Label(Stand stand)
+        {
+            if (!stand.IsShown || m_Study.IsOn)
+                return;
+            Vector3 place = m_Camera.GetComponent<Camera>().WorldToScreenPoint(stand.Place);
+            if (place.z > 0f)
+                GUI.Label(new Rect(place.x - 100f, Screen.height - place.y + 110f, 220f, 60f), $"{stand.Column.Title}\n{stand.Column.Description}");
+        }
+    }
+}

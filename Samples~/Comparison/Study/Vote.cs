@@ -1,0 +1,33 @@
+namespace Alate.Samples
+{
+    /// <summary>One choice between two columns that somebody made.</summary>
+    internal readonly struct Vote
+    {
+        public Vote(string participant, string species, string left, string right, string chosen)
+        {
+            Participant = participant;
+            Species = species;
+            Left = left;
+            Right = right;
+            Chosen = chosen;
+        }
+
+        /// <summary>Whose; a name that says nothing of the person.</summary>
+        public string Participant { get; }
+
+        /// <summary>What was shown.</summary>
+        public string Species { get; }
+
+        /// <summary>The column on the left.</summary>
+        public string Left { get; }
+
+        /// <summary>The column on the right.</summary>
+        public string Right { get; }
+
+        /// <summary>One of the two.</summary>
+        public string Chosen { get; }
+
+        /// <summary>Whether it is about these two columns.</summary>
+        public bool IsBetween(string one, string other) => (Left == one && Right == other) || (Left == other && Right == one);
+    }
+}

@@ -1,0 +1,77 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate.Samples
+{
+    /// <summary>All insects of the catalogue side by side, drawn equally large, in flight on the spot: variants, slow motion and a camera to walk around them.</summary>
+    [AddComponentMenu("Alate/Samples/Insects Sample")]
+    [DisallowMultipleComponent]
+    public sealed class InsectsSample : MonoBehaviour
+    {
+        private const int k_Columns = 3;
+        private const float k_Spacing = 2.2f, k_CameraDistance = 6.5f;
+
+        private static readonly string[] s_Variants = { "Standard", "Biological", "Expressive" };
+
+        private readonly List<ShownInsect> m_Insects = new List<ShownInsect>();
+        private OrbitCamera m_Camera;
+        private SpeciesVariant m_Variant = SpeciesVariant.Expressive;
+        private float m_TimeScale = 0.1f;
+        private bool m_Labels = true;
+
+        private void Awake()
+        {
+            int rows = (Species.All.Count + k_Columns - 1) / k_Columns;
+            for (int k = 0; k < Species.All.Count; k++)
+            {
+                float right = k % k_Columns - 0.5f * (k_Columns - 1), down = k / k_Columns - 0.5f * (rows - 1);
+                m_Insects.Add(new ShownInsect(Species.All[k], transform, k_Spacing * new Vector3(-right, 0f, down)));
+            }
+
+            m_Camera = OrbitCamera.Create(transform, transform.position, k_CameraDistance);
+            m_Camera.Yaw = 180f;
+            m_Camera.Pitch = 40f;
+            Choose(m_Variant);
+        }
+
+        private void Update()
+        {
+            foreach (ShownInsect insect in m_Insects)
+                insect.Step(m_TimeScale * Time.deltaTime);
+        }
+
+        private void OnGUI()
+        {
+            GUILayout.BeginArea(new Rect(10f, 10f, 300f, 190f), GUI.skin.box);
+            GUILayout.Label("Drag to turn, right button to move, wheel to come nearer");
+            var chosen = (SpeciesVariant)GUILayout.Toolbar((int)m_Variant, s_Variants);
+            GUILayout.Label($"Time × {m_TimeScale:0.000}");
+            m_TimeScale = Mathf.Pow(10f, GUILayout.HorizontalSlider(Mathf.Log10(m_TimeScale), -3f, 0f));
+            m_Labels = GUILayout.Toggle(m_Labels, "Names");
+            GUILayout.EndArea();
+            if (m_Labels)
+            {
+                foreach (ShownInsect insect in m_Insects)
+                    Label(insect);
+            }
+
+            // At the end, so that all of one event sees the same insects.
+            if (chosen != m_Variant)
+                Choose(chosen);
+        }
+
+        private void Choose(SpeciesVariant variant)
+        {
+            m_Variant = variant;
+            foreach (ShownInsect insect in m_Insects)
+                insect.Show(variant);
+        }
+
+        private void Label(ShownInsect insect)
+        {
+            Vector3 place = m_Camera.GetComponent<Camera>().WorldToScreenPoint(insect.Place);
+            if (place.z > 0f)
+                GUI.Label(new Rect(place.x - 90f, Screen.height - place.y + 60f, 240f, 40f), insect.Label);
+        }
+    }
+}

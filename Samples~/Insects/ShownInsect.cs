@@ -1,0 +1,63 @@
+using UnityEngine;
+
+namespace Alate.Samples
+{
+    /// <summary>One species in its place: made anew for each variant, in flight at two thirds of its full drive.</summary>
+    internal sealed class ShownInsect
+    {
+        private const float k_WingLength = 0.8f, k_ShareOfFullSpeed = 0.65f;
+
+        private readonly SpeciesDefinition m_Species;
+        private readonly Transform m_Place;
+        private InsectWings m_Insect;
+
+        /// <param name="species">What is shown.</param>
+        /// <param name="parent">Of its place.</param>
+        /// <param name="place">Below the parent.</param>
+        public ShownInsect(SpeciesDefinition species, Transform parent, Vector3 place)
+        {
+            m_Species = species;
+            m_Place = new GameObject(species.DisplayName).transform;
+            m_Place.SetParent(parent, false);
+            m_Place.localPosition = place;
+        }
+
+        /// <summary>Where it is, world units.</summary>
+        public Vector3 Place => m_Place.position;
+
+        /// <summary>Name, variant and frequency.</summary>
+        public string Label { get; private set; } = "";
+
+        /// <summary>Shows a variant; the standard one where the species does not have it.</summary>
+        public void Show(SpeciesVariant variant)
+        {
+            if (m_Insect != null)
+                Object.Destroy(m_Insect.gameObject);
+            SpeciesVariant shown = Has(variant) ? variant : SpeciesVariant.Standard;
+            m_Insect = InsectFactory.Create(m_Species, shown);
+            m_Insect.transform.SetParent(m_Place, false);
+            float scale = k_WingLength / (m_Insect.Species.WingLength * SpeciesDefinition.UnitsPerMetre);
+            m_Insect.transform.localScale = scale * Vector3.one;
+
+            // It stands still and is told how fast it flies, in the units of the large insect that is drawn.
+            m_Insect.Motion.source = VelocitySource.Script;
+            m_Insect.Velocity = k_ShareOfFullSpeed * m_Insect.Species.Beat.maxSpeed * SpeciesDefinition.UnitsPerMetre * scale * m_Place.forward;
+            m_Insect.UpdateMode = WingUpdateMode.Manual;
+            Label = $"{m_Species.DisplayName}\n{shown}, {m_Insect.Species.Beat.maxFrequency:0.#} Hz";
+        }
+
+        /// <summary>Lets its time go by, seconds.</summary>
+        public void Step(float dt) => m_Insect.Step(dt);
+
+        private bool Has(SpeciesVariant variant)
+        {
+            foreach (SpeciesVariant known in m_Species.Variants)
+            {
+                if (known == variant)
+                    return true;
+            }
+
+            return false;
+        }
+    }
+}

@@ -1,0 +1,99 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate.Samples
+{
+    /// <summary>Hundreds of insects that fly round the camera's point of view, with the level of detail of each shown by its colour, and the time of a frame.</summary>
+    [AddComponentMenu("Alate/Samples/Swarm Sample")]
+    [DisallowMultipleComponent]
+    public sealed class SwarmSample : MonoBehaviour
+    {
+        private const float k_CameraDistance = 9f, k_Smoothing = 0.05f;
+        private const int k_Most = 800;
+
+        private static readonly string[] s_Species = { "monarch", "painted-lichen-moth", "fishfly" };
+
+        // Full, fewer substeps, coarse patches, waves only, frozen.
+        private static readonly Color[] s_Colours =
+        {
+            new Color(1f, 0.45f, 0.4f), new Color(1f, 0.8f, 0.35f), new Color(0.6f, 0.9f, 0.45f), new Color(0.45f, 0.75f, 1f), new Color(0.6f, 0.6f, 0.65f),
+        };
+
+        [SerializeField, Range(1, k_Most)]
+        [Tooltip("Insects, 1 to 800; 300.")]
+        private int m_Count = 300;
+
+        private readonly List<Flyer> m_Flyers = new List<Flyer>();
+        private readonly int[] m_PerDetail = new int[s_Colours.Length];
+        private MaterialPropertyBlock m_Tint;
+        private bool m_ShowsDetail = true, m_UsesDetail = true;
+        private float m_FrameTime;
+
+        /// <summary>How many insects there shall be, 1 to 800.</summary>
+        public int Count
+        {
+            get => m_Count;
+            set => m_Count = Mathf.Clamp(value, 1, k_Most);
+        }
+
+        private void Awake()
+        {
+            m_Tint = new MaterialPropertyBlock();
+            OrbitCamera.Create(transform, transform.position, k_CameraDistance);
+        }
+
+        private void Update()
+        {
+            // A few a frame, so that a thousand new insects are no hitch.
+            for (int made = 0; m_Flyers.Count < m_Count && made < 20; made++)
+                m_Flyers.Add(new Flyer(s_Species[m_Flyers.Count % s_Species.Length], m_Flyers.Count, transform));
+            while (m_Flyers.Count > m_Count)
+            {
+                m_Flyers[m_Flyers.Count - 1].Destroy();
+                m_Flyers.RemoveAt(m_Flyers.Count - 1);
+            }
+
+            System.Array.Clear(m_PerDetail, 0, m_PerDetail.Length);
+            foreach (Flyer flyer in m_Flyers)
+            {
+                flyer.Fly(Time.time);
+                flyer.UsesDetail = m_UsesDetail;
+                int detail = (int)flyer.Detail;
+                m_PerDetail[detail]++;
+                Tint(m_ShowsDetail ? s_Colours[detail] : Color.white);
+                flyer.Tint(m_Tint);
+            }
+
+            m_FrameTime = Mathf.Lerp(m_FrameTime, 1000f * Time.unscaledDeltaTime, m_FrameTime > 0f ? k_Smoothing : 1f);
+        }
+
+        private void OnGUI()
+        {
+            GUILayout.BeginArea(new Rect(10f, 10f, 280f, 320f), GUI.skin.box);
+            GUILayout.Label($"{m_FrameTime:0.0} ms a frame, {WingSystem.InsectCount} insects beat");
+            GUILayout.Label($"Insects: {m_Count}");
+            Count = Mathf.RoundToInt(GUILayout.HorizontalSlider(m_Count, 1f, k_Most));
+            GUILayout.Label($"Time × {Time.timeScale:0.00}");
+            Time.timeScale = GUILayout.HorizontalSlider(Time.timeScale, 0f, 1f);
+            m_UsesDetail = GUILayout.Toggle(m_UsesDetail, "Level of detail");
+            m_ShowsDetail = GUILayout.Toggle(m_ShowsDetail, "Show it by colours");
+            for (int detail = 0; detail < s_Colours.Length; detail++)
+            {
+                GUI.contentColor = m_ShowsDetail ? s_Colours[detail] : Color.white;
+                GUILayout.Label($"{m_PerDetail[detail]} {(WingDetail)detail}{(detail == (int)WingDetail.Frozen ? " or out of sight" : "")}");
+            }
+
+            GUI.contentColor = Color.white;
+            GUILayout.EndArea();
+        }
+
+        private void OnDestroy() => Time.timeScale = 1f;
+
+        // The package's own shader calls it _Color, those of URP and HDRP _BaseColor.
+        private void Tint(Color colour)
+        {
+            m_Tint.SetColor("_Color", colour);
+            m_Tint.SetColor("_BaseColor", colour);
+        }
+    }
+}

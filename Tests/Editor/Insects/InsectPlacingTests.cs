@@ -1,0 +1,158 @@
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor.Tests
+{
+    /// <summary>The menu GameObject > Alate.</summary>
+    public sealed class InsectPlacingTests
+    {
+        private const string k_Home = "Assets/Alate Test Insects";
+
+        private readonly List<GameObject> m_Made = new List<GameObject>();
+
+        private static IEnumerable<string> Names => Species.Names;
+
+        [TearDown]
+        public void TakeAllAway()
+        {
+            foreach (GameObject made in m_Made)
+            {
+                if (made != null)
+                    Object.DestroyImmediate(made);
+            }
+
+            m_Made.Clear();
+            Selection.activeObject = null;
+            AssetDatabase.DeleteAsset(k_Home);
+            Undo.ClearAll();
+        }
+
+        [Test]
+        public void EverySpecies_IsAnInstanceOfAPrefab_WhosePartsAreAllSaved([ValueSource(nameof(Names))] string name)
+        {
+            GameObject insect = Place(name);
+            SpeciesDefinition species = Species.Find(name);
+            Assert.That(PrefabUtility.IsPartOfPrefabInstance(insect), Is.True);
+            Assert.That(insect.activeSelf, Is.True);
+            Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/{species.DisplayName}/{species.DisplayName}.prefab") != null, Is.True);
+
+            var wings = insect.GetComponent<InsectWings>();
+            Assert.That(wings.Wings, Has.Count.EqualTo(2 * species.Wings.Count));
+            Assert.That(InsectStatus.Of(wings).Problem.IsProblem, Is.False, InsectStatus.Of(wings).Problem.Message);
+            foreach (Object part in PartsOf(insect))
+                AssertIsSaved(part, name);
+            foreach (Wing wing in wings.Wings)
+                AssertIsSaved(wing.Skeleton, name);
+            AssertIsSaved(wings.Species, name);
+        }
+
+        [Test]
+        public void PaintedWings_AreSavedAsPictures()
+        {
+            GameObject insect = Place("monarch");
+            Texture picture = insect.GetComponent<InsectWings>().Wings[0].Renderer.sharedMaterial.mainTexture;
+            Assert.That(AssetDatabase.GetAssetPath(picture), Does.EndWith(".png"));
+            Assert.That(picture.width, Is.GreaterThan(16));
+            Assert.That(picture.wrapMode, Is.EqualTo(TextureWrapMode.Clamp));
+        }
+
+        [Test]
+        public void TheInsect_LiesUnderItsParent_WithANameOfItsOwn_AndIsSelected()
+        {
+            var parent = new GameObject("meadow") { layer = 5 };
+            m_Made.Add(parent);
+            parent.transform.position = new Vector3(1f, 2f, 3f);
+            GameObject first = Place("firefly", parent), second = Place("firefly", parent);
+
+            Assert.That(first.transform.parent, Is.SameAs(parent.transform));
+            Assert.That(first.transform.localPosition, Is.EqualTo(Vector3.zero));
+            Assert.That(first.layer, Is.EqualTo(5));
+            Assert.That(second.name, Is.Not.EqualTo(first.name).And.StartsWith("Firefly"));
+            Assert.That(Selection.activeGameObject, Is.SameAs(second));
+        }
+
+        [Test]
+        public void Undo_TakesTheInsectAway_InOneStep_AndTheAssetsStay()
+        {
+            var before = new GameObject("before");
+            m_Made.Add(before);
+            GameObject insect = Place("firefly");
+            Object part = PartsOf(insect).First();
+            Undo.PerformUndo();
+
+            Assert.That(insect == null, Is.True);
+            Assert.That(before != null, Is.True);
+            Assert.That(part != null, Is.True);
+        }
+
+        [Test]
+        public void ASecondInsect_IsMadeOfTheSameAssets_AsTheUserLeftThem()
+        {
+            var first = Place("firefly").GetComponent<InsectWings>();
+            first.Species.Beat.maxFrequency = 33f;
+            var second = Place("firefly").GetComponent<InsectWings>();
+
+            Assert.That(second.Species, Is.SameAs(first.Species));
+            Assert.That(second.Species.Beat.maxFrequency, Is.EqualTo(33f));
+            Assert.That(PartsOf(second.gameObject), Is.EqualTo(PartsOf(first.gameObject)));
+        }
+
+        [Test]
+        public void WithoutThePrefab_WhatIsLeftOfTheAssets_IsUsedAgain()
+        {
+            WingSpecies tuned = Place("firefly").GetComponent<InsectWings>().Species;
+            AssetDatabase.DeleteAsset($"{k_Home}/Firefly/Firefly.prefab");
+            Assert.That(Place("firefly").GetComponent<InsectWings>().Species, Is.SameAs(tuned));
+        }
+
+        [Test]
+        public void PresetsOfAllVariants_AreSaved()
+        {
+            Place("firefly");
+            foreach (string variant in new[] { "", " Biological", " Expressive" })
+            {
+                string path = $"{k_Home}/Firefly/Firefly Hind Wing Preset{variant}.asset";
+                Assert.That(AssetDatabase.LoadAssetAtPath<WingSpecies>(path) != null, Is.True, path);
+            }
+        }
+
+        [Test]
+        public void NothingIsSaved_OutsideOfAssets([Values("Packages/com.alate.insect-wings", "Library", "AssetsToo")] string folder)
+        {
+            Assert.That(() => new InsectAssets(folder), Throws.ArgumentException.With.Message.Contains(folder).And.Message.Contains("read-only"));
+        }
+
+        [Test]
+        public void TheSelectedFolder_IsThatOfTheSelectedAsset_OrAssets()
+        {
+            GameObject insect = Place("firefly");
+            Assert.That(AssetFolder.Of(PartsOf(insect).First()), Is.EqualTo(k_Home + "/Firefly"));
+            Assert.That(AssetFolder.Of(insect), Is.EqualTo("Assets"));
+            Assert.That(AssetFolder.Of(null), Is.EqualTo("Assets"));
+        }
+
+        private GameObject Place(string species, GameObject parent = null)
+        {
+            GameObject made = new InsectPlacing(k_Home).Place(species, parent);
+            m_Made.Add(made);
+            return made;
+        }
+
+        private static IEnumerable<Object> PartsOf(GameObject insect)
+        {
+            foreach (MeshFilter filter in insect.GetComponentsInChildren<MeshFilter>(true))
+                yield return filter.sharedMesh;
+            foreach (MeshRenderer renderer in insect.GetComponentsInChildren<MeshRenderer>(true))
+                yield return renderer.sharedMaterial;
+        }
+
+        private static void AssertIsSaved(Object part, string name)
+        {
+            Assert.That(part != null, Is.True, "a part of the " + name + " is missing");
+            Assert.That(AssetDatabase.GetAssetPath(part), Does.StartWith(k_Home + "/"), part.name);
+        }
+    }
+}

@@ -1,0 +1,178 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Alate.Tests.Play
+{
+    public sealed class FactoryTests : PlayFixture
+    {
+        private static IEnumerable<string> Names => Alate.Species.Names;
+
+        [UnityTest]
+        public IEnumerator EverySpecies_ComesReady_WithAllItsWingsBeating([ValueSource(nameof(Names))] string name)
+        {
+            SpeciesDefinition species = Alate.Species.Find(name);
+            InsectWings insect = Made(name);
+            yield return Frames(2);
+            Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);
+            Assert.That(insect.Wings, Has.Count.EqualTo(2 * species.Wings.Count));
+
+            Vector3[][] before = Tips(insect);
+            yield return Frames(4);
+            Vector3[][] after = Tips(insect);
+            for (int wing = 0; wing < before.Length; wing++)
+            {
+                float moved = (after[wing][0] - before[wing][0]).magnitude;
+                Assert.That(moved, Is.GreaterThan(1e-3f * BoundsSize(insect)), $"wing {wing} of the {name} is still");
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator LeftAndRightWing_AreMirrorImages([ValueSource(nameof(Names))] string name)
+        {
+            InsectWings insect = Made(name);
+            yield return Frames(7);
+
+            Vector3[][] tips = Tips(insect);
+            for (int wing = 0; wing < tips.Length; wing += 2)
+            {
+                Assert.That(insect.Wings[wing].Side, Is.EqualTo(WingSide.Right));
+                Assert.That(insect.Wings[wing + 1].Side, Is.EqualTo(WingSide.Left));
+                for (int chain = 0; chain < tips[wing].Length; chain++)
+                {
+                    Assert.That(tips[wing][chain].x, Is.GreaterThan(0f), "the right wing is on the left");
+                    Vector3 mirrored = Vector3.Scale(tips[wing + 1][chain], new Vector3(-1f, 1f, 1f));
+                    Assert.That((mirrored - tips[wing][chain]).magnitude, Is.LessThan(1e-3f * BoundsSize(insect)));
+                }
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator InsectsOfOneSpecies_ShareEverythingButTheirLivingMeshes()
+        {
+            InsectWings one = Made("swallowtail"), two = Made("swallowtail");
+            Assert.That(InsectKits.Count, Is.EqualTo(1));
+            for (int wing = 0; wing < one.Wings.Count; wing++)
+            {
+                Assert.That(two.Wings[wing].Skeleton, Is.SameAs(one.Wings[wing].Skeleton));
+                Assert.That(two.Wings[wing].Species, Is.SameAs(one.Wings[wing].Species));
+                Assert.That(two.Wings[wing].Renderer.sharedMaterial, Is.SameAs(one.Wings[wing].Renderer.sharedMaterial));
+            }
+
+            Assert.That(BodyOf(two), Is.SameAs(BodyOf(one)));
+            yield return Frames(2);
+            Assert.That(Shown(two, 0), Is.Not.SameAs(Shown(one, 0)));
+            two.enabled = one.enabled = false;
+            Assert.That(Shown(two, 0), Is.SameAs(Shown(one, 0)));
+        }
+
+        [UnityTest]
+        public IEnumerator WithTheLastInsect_AllThatItWasMadeOfGoes()
+        {
+            int before = Count();
+            InsectWings one = Made("fishfly"), two = Made("fishfly"), other = Made("monarch");
+            yield return Frames(3);
+            Assert.That(Count(), Is.GreaterThan(before));
+
+            Object.Destroy(one.gameObject);
+            Object.Destroy(other.gameObject);
+            yield return Frames(2);
+            Assert.That(two.State, Is.EqualTo(InsectState.Ready));
+            Assert.That(BodyOf(two) != null, Is.True, "the body's mesh went with the first of two");
+            Object.Destroy(two.gameObject);
+            yield return Frames(2);
+            Assert.That(Count(), Is.EqualTo(before));
+        }
+
+        [UnityTest]
+        public IEnumerator AClone_LivesOn_WhenTheOriginalIsGone()
+        {
+            InsectWings original = Made("monarch");
+            yield return Frames(2);
+            InsectWings clone = Keep(Object.Instantiate(original.gameObject)).GetComponent<InsectWings>();
+            Object.Destroy(original.gameObject);
+            yield return Frames(3);
+
+            Assert.That(clone.State, Is.EqualTo(InsectState.Ready), clone.Problem.Message);
+            Assert.That(clone.Frequency, Is.GreaterThan(0f));
+        }
+
+        [UnityTest]
+        public IEnumerator APooledInsect_KeepsWhatItIsMadeOf()
+        {
+            InsectWings insect = Made("monarch");
+            yield return Frames(2);
+            insect.gameObject.SetActive(false);
+            yield return Frames(2);
+            insect.gameObject.SetActive(true);
+            yield return Frames(2);
+            Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);
+        }
+
+        [UnityTest]
+        public IEnumerator ThePartsOfAnInsect_AreNeverSaved()
+        {
+            InsectWings insect = Made("firefly");
+            yield return null;
+            foreach (Object part in new Object[] { BodyOf(insect), insect.Species, insect.Wings[0].Skeleton, insect.Wings[0].Renderer.sharedMaterial })
+                Assert.That(part.hideFlags, Is.EqualTo(HideFlags.HideAndDontSave), part.name);
+        }
+
+        [UnityTest]
+        public IEnumerator VariantAndPreset_AreThoseAskedFor()
+        {
+            InsectWings soft = Made("painted-lichen-moth", SpeciesVariant.Expressive);
+            InsectWings printed = Made("painted-lichen-moth", SpeciesVariant.Standard, ModelPreset.Paper);
+            yield return null;
+            Assert.That(soft.Species.Stiffness.elasticity, Is.LessThan(printed.Species.Stiffness.elasticity));
+            Assert.That(printed.Species.Wave.chordDelay, Is.EqualTo(1f));
+            Assert.That(BodyOf(printed), Is.SameAs(BodyOf(soft)), "variants differ in their presets alone");
+        }
+
+        [Test]
+        public void WhatIsNotInTheCatalogue_IsRefusedByName_AndNothingIsLeft()
+        {
+            int before = Count();
+            Assert.That(() => InsectFactory.Create("dragon"), Throws.ArgumentException.With.Message.Contains("dragon").And.Message.Contains("monarch"));
+            Assert.That(() => InsectFactory.Create("monarch", SpeciesVariant.Biological),
+                Throws.ArgumentException.With.Message.Contains("Biological").And.Message.Contains("Standard"));
+            Assert.That(() => InsectFactory.Create((SpeciesDefinition)null), Throws.ArgumentNullException);
+            Assert.That(Count(), Is.EqualTo(before));
+        }
+
+        private InsectWings Made(string name, SpeciesVariant variant = SpeciesVariant.Standard, ModelPreset preset = ModelPreset.Physical)
+        {
+            InsectWings insect = InsectFactory.Create(name, variant, preset);
+            Keep(insect.gameObject);
+            insect.Quality.culling = WingCulling.AlwaysSimulate;
+            return insect;
+        }
+
+        // Where the ends of all chains are, wing by wing.
+        private static Vector3[][] Tips(InsectWings insect)
+        {
+            var tips = new Vector3[insect.Wings.Count][];
+            for (int wing = 0; wing < tips.Length; wing++)
+            {
+                WingSkeleton skeleton = insect.Wings[wing].Skeleton;
+                tips[wing] = new Vector3[skeleton.Chains.Length];
+                for (int chain = 0; chain < tips[wing].Length; chain++)
+                    tips[wing][chain] = insect.JointPosition(wing, chain, skeleton.JointsPerChain - 1);
+            }
+
+            return tips;
+        }
+
+        private static float BoundsSize(InsectWings insect) => insect.BoundsOf(0).size.magnitude;
+
+        private static Mesh BodyOf(InsectWings insect) => insect.transform.Find("Body").GetComponent<MeshFilter>().sharedMesh;
+
+        private static int Count() =>
+            Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length
+            + Resources.FindObjectsOfTypeAll<WingSkeleton>().Length + Resources.FindObjectsOfTypeAll<WingSpecies>().Length;
+    }
+}
