@@ -21,7 +21,7 @@ namespace Alate.Editor
             public static readonly GUIContent Triangles = new GUIContent("Triangles", "Triangles of the mesh, 50 to 200000; it gets exactly so many.");
             public static readonly GUIContent Length = new GUIContent("Length", "From hinge to tip in the mesh, scene units, above 0.");
             public static readonly GUIContent Leading = new GUIContent("Leading Edge", "The side of the picture on which the leading edge lies.");
-            public static readonly GUIContent HasHinge = new GUIContent("Set Hinge", "Say where the wing turns. Else that is where its veins meet, or a guess.");
+            public static readonly GUIContent HasHinge = new GUIContent("Set Hinge", "Say where the wing turns. Without it the hinge lies where the veins meet, or is guessed.");
             public static readonly GUIContent Hinge = new GUIContent("Hinge", "Pixels from the picture's top left corner, y down. A click in the picture sets it.");
         }
 

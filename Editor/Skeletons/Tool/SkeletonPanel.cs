@@ -20,7 +20,7 @@ namespace Alate.Editor
             public static readonly GUIContent Labels = new GUIContent("Labels", "Number chains and joints.");
             public static readonly GUIContent Beat = new GUIContent("Show beat (K)", "Show the wing in level flight, at the phase below.");
             public static readonly GUIContent Phase = new GUIContent("Phase", "Share of the beat; 0 is the top of the stroke.");
-            public static readonly GUIContent Select = new GUIContent("Select", "Select the joints that it is about, and show the place.");
+            public static readonly GUIContent Select = new GUIContent("Select", "Select the joints concerned, and show the place.");
 
             public static readonly GUIContent[] Modes =
             {

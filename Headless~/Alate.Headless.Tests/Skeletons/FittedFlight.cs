@@ -33,10 +33,8 @@ namespace Alate.Tests
         public WingDeformation ByHand { get; }
         public WingDeformation Fitted { get; }
 
-        private WingSurface Surface => m_Mesh.ToWingSurface(m_Wing.Name);
-
-        // What a user says: the side of the body, and as many chains and joints as the author's.
-        private static SkeletonFitSettings Hints(SpeciesWing wing)
+        /// <summary>What a user says: the side of the body, and as many chains and joints as the author has.</summary>
+        public static SkeletonFitSettings Hints(SpeciesWing wing)
         {
             SkeletonFitSettings hints = SkeletonFitSettings.Default;
             hints.bodySide = Vector3.left;
@@ -44,6 +42,8 @@ namespace Alate.Tests
             hints.jointsPerChain = wing.JointsPerChain;
             return hints;
         }
+
+        private WingSurface Surface => m_Mesh.ToWingSurface(m_Wing.Name);
 
         private WingRig Bake(WingSkeleton skeleton) => WingRig.Bake(skeleton, Surface, WingRigSettings.Default);
 

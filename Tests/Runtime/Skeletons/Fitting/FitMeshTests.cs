@@ -100,7 +100,7 @@ namespace Alate.Tests
         [Test]
         public void AStronglyCurvedWing_SaysSo_AndStillFits()
         {
-            SkeletonFit fit = SkeletonFitter.Fit(new PolarWing { aspect = 0.9, bend = -1.5 }.Mesh(4), Hints());
+            SkeletonFit fit = SkeletonFitter.Fit(new PolarWing { aspect = 0.9, camber = -3.0 }.Mesh(4), Hints());
 
             Assert.That(fit.Warns(SkeletonFitWarningKind.StronglyCurved), Is.True);
             Assert.That(fit.Skeleton.Validate(), Is.Empty);

@@ -1,0 +1,110 @@
+using System.Collections.Generic;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    /// <summary>The automatic skeleton of every species' wings, next to the one that its author made.</summary>
+    public sealed class SpeciesFitTests
+    {
+        private const int k_Moves = 3;
+
+        /// <summary>Difference of camber that nobody sees, of the chord.</summary>
+        private const double k_UnseenCamber = 0.015;
+
+        private static IEnumerable<TestCaseData> Wings()
+        {
+            foreach (SpeciesDefinition species in Species.All)
+            {
+                foreach (SpeciesWing wing in species.Wings)
+                    yield return new TestCaseData(wing).SetArgDisplayNames(species.Name, wing.Name);
+            }
+        }
+
+        [TestCaseSource(nameof(Wings))]
+        public void ItsChains_LieInsideTheWing_AlongTheLeadingEdge(SpeciesWing wing)
+        {
+            SkeletonFit fit = SkeletonFitter.Fit(Surface(wing, wing.TriangleCount), FittedFlight.Hints(wing));
+            var measure = new FitMeasure(fit.Skeleton, fit.Outline);
+
+            Assert.That(fit.Skeleton.Validate(), Is.Empty);
+            Assert.That(fit.Warnings, Is.Empty);
+            Assert.That(measure.Outside(), Is.LessThan(0.01));
+            Assert.That(measure.OffLeadingEdge(), Is.LessThan(0.03));
+        }
+
+        [TestCaseSource(nameof(Wings))]
+        public void AnotherPlaceSizeSideAndTriangulation_GiveTheSame(SpeciesWing wing)
+        {
+            SkeletonFitSettings hints = FittedFlight.Hints(wing);
+            SkeletonFit fit = SkeletonFitter.Fit(Surface(wing, wing.TriangleCount), hints);
+            var measure = new FitMeasure(fit.Skeleton, fit.Outline);
+            for (int seed = 1; seed <= k_Moves; seed++)
+            {
+                var move = new WingMove(seed);
+                SkeletonFitSettings moved = hints;
+                moved.bodySide = move.Direction(hints.bodySide.Value);
+                moved.forward = move.Direction(hints.forward.Value);
+                moved.up = move.Direction(Vector3.up);
+
+                WingSurface split = Split(Surface(wing, wing.TriangleCount), seed), finer = Surface(wing, wing.TriangleCount * (seed + 4) / 4);
+                WingSkeleton same = SkeletonFitter.Fit(move.Surface(split), moved).Skeleton;
+                WingSkeleton near = SkeletonFitter.Fit(move.Surface(finer), moved).Skeleton;
+
+                Assert.That(measure.Apart(same, move.Point, move.Scale), Is.LessThan(0.01), $"move {seed}");
+                Assert.That(measure.Apart(near, move.Point, move.Scale), Is.LessThan(0.03), $"move {seed}, a finer mesh, whose outline is a little another");
+            }
+        }
+
+        [TestCaseSource(nameof(Wings))]
+        public void Flown_ItTwistsBowsAndStretches_AsTheAuthorsDoes(SpeciesWing wing)
+        {
+            // The author's chains follow the fin's rays, which fan out farther than an outline tells.
+            bool isFin = wing.Name == "fin";
+            double twist = isFin ? 0.4 : 0.25, camber = isFin ? 1.1 : 0.25;
+            var flight = new FittedFlight(wing);
+            WingDeformation hand = flight.ByHand, fitted = flight.Fitted;
+
+            TestContext.Progress.WriteLine(
+                $"{wing.Name}: twist {math.degrees(hand.TwistRange):F1}° → {math.degrees(fitted.TwistRange):F1}°, "
+                + $"camber {100f * Camber(hand):F1} % → {100f * Camber(fitted):F1} %, "
+                + $"largest stretch {100f * hand.StretchMax:F1} % → {100f * fitted.StretchMax:F1} %");
+            Assert.That(fitted.TwistRange, Is.EqualTo(hand.TwistRange).Within(twist * hand.TwistRange), "twist");
+            Assert.That(Camber(fitted), Is.EqualTo(Camber(hand)).Within(System.Math.Max(camber * Camber(hand), k_UnseenCamber)), "camber");
+            Assert.That(fitted.StretchMax, Is.LessThan(1.25f * hand.StretchMax).And.LessThan(0.06f), "largest stretch");
+        }
+
+        private static float Camber(in WingDeformation beat) => beat.CamberMax - beat.CamberMin;
+
+        // The same surface and outline of more triangles: many are split in three at a random place.
+        private static WingSurface Split(WingSurface surface, int seed)
+        {
+            var random = new System.Random(seed);
+            var positions = new List<Vector3>(surface.positions);
+            var triangles = new List<int>();
+            for (int k = 0; k < surface.triangles.Length; k += 3)
+            {
+                int a = surface.triangles[k], b = surface.triangles[k + 1], c = surface.triangles[k + 2];
+                float u = (float)random.NextDouble(), v = (1f - u) * (float)random.NextDouble();
+                if (random.Next(2) == 0 || u * v * (1f - u - v) < 1e-3f)
+                {
+                    triangles.AddRange([a, b, c]);
+                    continue;
+                }
+
+                triangles.AddRange([a, b, positions.Count, b, c, positions.Count, c, a, positions.Count]);
+                positions.Add(u * positions[a] + v * positions[b] + (1f - u - v) * positions[c]);
+            }
+
+            return new WingSurface { name = surface.name, positions = positions.ToArray(), triangles = triangles.ToArray() };
+        }
+
+        private static WingSurface Surface(SpeciesWing wing, int triangles)
+        {
+            SurfaceMesh mesh = wing.IsFilled
+                ? WingMesher.Fill(wing.Contour, wing.Scallops, triangles, 1f) : WingMesher.Strips(wing.Contour, triangles);
+            return mesh.ToWingSurface(wing.Name);
+        }
+    }
+}
