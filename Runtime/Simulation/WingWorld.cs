@@ -178,7 +178,7 @@ namespace Alate
         /// <summary>Schedules the steps that are due on each clock, in one job.</summary>
         internal JobHandle ScheduleStep(in StepPlan plan, JobHandle after = default)
         {
-            m_Pending = JobHandle.CombineDependencies(m_Pending, after);
+            m_Pending = Behind(after);
             if (plan.IsEmpty || Count == 0)
                 return m_Pending;
             Settle();
@@ -209,7 +209,7 @@ namespace Alate
         internal JobHandle ScheduleSkin(float4 alpha, bool4 clocks, JobHandle after = default)
         {
             CheckNotDisposed();
-            m_Pending = JobHandle.CombineDependencies(m_Pending, after);
+            m_Pending = Behind(after);
             if (Count == 0)
                 return m_Pending;
             Settle();
@@ -275,6 +275,8 @@ namespace Alate
             m_Packs.Dispose();
             m_Arrays.Dispose();
         }
+
+        private JobHandle Behind(JobHandle after) => after == default ? m_Pending : JobHandle.CombineDependencies(m_Pending, after);
 
         private void Settle() => m_Arrays.Settle(m_Packs.Packs, m_Entries);
 

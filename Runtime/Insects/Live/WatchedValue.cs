@@ -3,8 +3,8 @@ namespace Alate
     /// <summary>What is read of an asset, kept while somebody looks at it.</summary>
     internal abstract class WatchedValue
     {
-        /// <summary>Frames without a look after which a value is let go: insects that are only disabled for a moment find it again.</summary>
-        private const int k_Patience = 60;
+        /// <summary>Frames without a look after which a value is let go: in slow motion steps are many frames apart, and insects may be disabled for a moment.</summary>
+        private const int k_Patience = 600;
 
         private int m_FramesUnused;
 

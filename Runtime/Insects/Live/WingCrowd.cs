@@ -60,7 +60,7 @@ namespace Alate
             using (SystemMarkers.fixedStep.Auto())
             {
                 Wait();
-                Tune();
+                Tune(WingClock.Fixed, WingClock.Fixed);
                 Sense(WingClock.Fixed, WingClock.Fixed);
                 Schedule(m_Pacer.FixedStep(dt));
                 JobHandle.ScheduleBatchedJobs();
@@ -80,7 +80,7 @@ namespace Alate
                     m_WindZones.Doubt();
                 }
 
-                Tune();
+                Tune(WingClock.Frame, WingClock.Unscaled);
                 Watch(dt, unscaledDt);
                 ChooseDetail();
                 Sense(WingClock.Frame, WingClock.Unscaled);
@@ -131,13 +131,17 @@ namespace Alate
             SystemCounter.resets.Set(0);
         }
 
-        private void Tune()
+        private void Tune(WingClock first, WingClock second)
         {
             using (SystemMarkers.tune.Auto())
             {
                 m_Species.Refresh();
                 foreach (LiveInsect live in Insects)
-                    live.Tune(World, m_Species);
+                {
+                    WingClock clock = live.Clock;
+                    if (clock == first || clock == second)
+                        live.Tune(World, m_Species);
+                }
             }
         }
 

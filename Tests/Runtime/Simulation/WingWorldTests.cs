@@ -1,6 +1,7 @@
 using System;
 using NUnit.Framework;
 using Unity.Collections;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace Alate.Tests
@@ -239,6 +240,36 @@ namespace Alate.Tests
                     joints[joint] = flown.Reading.JointPosition(joint / 5, joint % 5);
                 return joints;
             }
+        }
+
+        [Test]
+        public void JobsOfOthers_AreWaitedFor_AlsoWhereNothingIsToDo([Values] bool withWings, [Values] bool skin)
+        {
+            using (var world = new WingWorld())
+            using (var numbers = new NativeArray<int>(1, Allocator.TempJob))
+            {
+                if (withWings)
+                {
+                    WingRig rig = Monarch.Rig();
+                    world.Add(rig, Monarch.Parameters);
+                    rig.Release();
+                }
+
+                JobHandle other = new CountJob { numbers = numbers }.Schedule();
+                JobHandle last = skin ? world.ScheduleSkin(1f, other) : world.ScheduleStep(0f, other);
+                last.Complete();
+
+                Assert.That(other.IsCompleted, Is.True);
+                Assert.That(() => numbers[0], Throws.Nothing);
+                world.Complete();
+            }
+        }
+
+        private struct CountJob : IJob
+        {
+            public NativeArray<int> numbers;
+
+            public void Execute() => numbers[0]++;
         }
     }
 }
