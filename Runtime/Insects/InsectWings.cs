@@ -68,7 +68,7 @@ namespace Alate
         public float StartPhase
         {
             get => m_StartPhase;
-            set => m_StartPhase = Mathf.Clamp(value, 0f, 360f);
+            set => m_StartPhase = float.IsNaN(value) ? 0f : Mathf.Clamp(value, 0f, 360f);
         }
 
         /// <summary>How the beat differs from the preset's now; for flight controllers.</summary>
@@ -206,7 +206,7 @@ namespace Alate
 
         private void OnValidate()
         {
-            m_StartPhase = Mathf.Clamp(m_StartPhase, 0f, 360f);
+            StartPhase = m_StartPhase;
             foreach (Wing wing in m_Wings)
                 wing?.FillIn();
             m_Steering = m_Steering.Clamped();

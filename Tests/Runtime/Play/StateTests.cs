@@ -304,5 +304,29 @@ namespace Alate.Tests.Play
             if (type != LogType.Log)
                 m_Warnings.Add(text);
         }
+
+        [UnityTest]
+        public IEnumerator AnErrorWhileItIsBuilt_IsToldOnce_AndTheMeshesComeBack()
+        {
+            InsectWings patient = Hatch(null, "patient");
+            patient.enabled = false;
+            var world = new WingWorld();
+            world.Dispose();
+            var population = new Population(world, new SpeciesWatch());
+            LogAssert.Expect(LogType.Exception, new Regex("ObjectDisposedException"));
+            LogAssert.Expect(LogType.Warning, new Regex("'patient'.*an error came up.*disable and enable"));
+
+            population.Enter(patient);
+            population.Turn();
+            population.Turn();
+
+            Assert.That(patient.State, Is.EqualTo(InsectState.Failed));
+            Assert.That(patient.Problem.Message, Does.Contain("ObjectDisposedException").And.Contain("'patient'"));
+            Assert.That(Shown(patient, 0), Is.SameAs(WingMesh));
+            population.End();
+            patient.enabled = true;
+            yield return Frames(3);
+            Assert.That(patient.State, Is.EqualTo(InsectState.Ready));
+        }
     }
 }
