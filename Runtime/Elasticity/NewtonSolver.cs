@@ -15,12 +15,12 @@ namespace Alate
             public int newton;
 
             /// <summary>
-            /// Done when no joint moves further in an iteration, wing lengths. What remains is about thirty times its square.
+            /// Done when no joint moves further in an iteration, wing lengths. What remains is at most some hundred times its square.
             /// </summary>
             public float tolerance;
 
             /// <summary>What a substep uses: the minimum to 1e-4 L.</summary>
-            public static Limits Default => new Limits { newton = 4, tolerance = 1e-3f };
+            public static Limits Default => new Limits { newton = 4, tolerance = 7e-4f };
         }
 
         /// <summary>Armijo: the share of the predicted decrease that a step must bring.</summary>

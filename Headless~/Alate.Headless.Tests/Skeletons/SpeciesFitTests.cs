@@ -10,9 +10,6 @@ namespace Alate.Tests
     {
         private const int k_Moves = 3;
 
-        /// <summary>Difference of camber that nobody sees, of the chord.</summary>
-        private const double k_UnseenCamber = 0.015;
-
         private static IEnumerable<TestCaseData> Wings()
         {
             foreach (SpeciesDefinition species in Species.All)
@@ -53,16 +50,14 @@ namespace Alate.Tests
                 WingSkeleton near = SkeletonFitter.Fit(move.Surface(finer), moved).Skeleton;
 
                 Assert.That(measure.Apart(same, move.Point, move.Scale), Is.LessThan(0.01), $"move {seed}");
-                Assert.That(measure.Apart(near, move.Point, move.Scale), Is.LessThan(0.03), $"move {seed}, a finer mesh, whose outline is a little another");
+                Assert.That(measure.Apart(near, move.Point, move.Scale, 1), Is.LessThan(0.01), $"move {seed}, a finer mesh");
+                Assert.That(measure.Apart(near, move.Point, move.Scale), Is.LessThan(0.03), $"move {seed}, a finer mesh, along whose rounder edge joints lie elsewhere");
             }
         }
 
         [TestCaseSource(nameof(Wings))]
         public void Flown_ItTwistsBowsAndStretches_AsTheAuthorsDoes(SpeciesWing wing)
         {
-            // The author's chains follow the fin's rays, which fan out farther than an outline tells.
-            bool isFin = wing.Name == "fin";
-            double twist = isFin ? 0.4 : 0.25, camber = isFin ? 1.1 : 0.25;
             var flight = new FittedFlight(wing);
             WingDeformation hand = flight.ByHand, fitted = flight.Fitted;
 
@@ -70,9 +65,9 @@ namespace Alate.Tests
                 $"{wing.Name}: twist {math.degrees(hand.TwistRange):F1}° → {math.degrees(fitted.TwistRange):F1}°, "
                 + $"camber {100f * Camber(hand):F1} % → {100f * Camber(fitted):F1} %, "
                 + $"largest stretch {100f * hand.StretchMax:F1} % → {100f * fitted.StretchMax:F1} %");
-            Assert.That(fitted.TwistRange, Is.EqualTo(hand.TwistRange).Within(twist * hand.TwistRange), "twist");
-            Assert.That(Camber(fitted), Is.EqualTo(Camber(hand)).Within(System.Math.Max(camber * Camber(hand), k_UnseenCamber)), "camber");
-            Assert.That(fitted.StretchMax, Is.LessThan(1.25f * hand.StretchMax).And.LessThan(0.06f), "largest stretch");
+            Assert.That(fitted.TwistRange, Is.EqualTo(hand.TwistRange).Within(25).Percent, "twist");
+            Assert.That(Camber(fitted), Is.EqualTo(Camber(hand)).Within(25).Percent, "camber");
+            Assert.That(fitted.StretchMax, Is.EqualTo(hand.StretchMax).Within(25).Percent.And.LessThan(0.06f), "largest stretch");
         }
 
         private static float Camber(in WingDeformation beat) => beat.CamberMax - beat.CamberMin;

@@ -21,7 +21,11 @@ namespace Alate
         private const double k_Unminded = 0.01;
 
         /// <summary>Weight of the distance where the path turns in, as the bone cannot stay outside the wing.</summary>
-        private const double k_HollowWeight = 2.0;
+        private const double k_HollowWeight = 4.0;
+
+        /// <summary>Weight of the distance at the root, where a wing hardly moves; it rises to 1 over the inner third.</summary>
+        private const double k_RootWeight = 0.4;
+        private const double k_Inner = 1.0 / 3.0;
 
         /// <summary>Root, joints and tip on the path.</summary>
         /// <param name="path">At least two points.</param>
@@ -95,8 +99,9 @@ namespace Alate
             PlanPoint start = places[from], end = places[to];
             for (int k = from + step; k < to; k += step)
             {
-                double weight = Polygon.DoubledArea(start, places[k], end) > 0.0 ? k_HollowWeight * k_HollowWeight : 1.0;
-                farthest = Math.Max(farthest, weight * PlanPoint.DistanceSquared(places[k], start, end));
+                bool isHollow = Polygon.DoubledArea(start, places[k], end) > 0.0;
+                double weight = isHollow ? k_HollowWeight : Math.Min(1.0, k_RootWeight + (1.0 - k_RootWeight) * k / (k_Inner * places.Length));
+                farthest = Math.Max(farthest, weight * weight * PlanPoint.DistanceSquared(places[k], start, end));
             }
 
             double cost = farthest / k_Unminded + k_LengthShare * Math.Sqrt((end - start).LengthSquared);

@@ -14,7 +14,7 @@ namespace Alate
         private const double k_Outside = 0.01;
 
         /// <summary>How much of the way from its level line to a straight line a chain is drawn; wings jointed by hand have straight ones.</summary>
-        private const double k_Straightness = 0.6;
+        private const double k_Straightness = 0.55;
 
         /// <summary>How far any of these straight lines may stray from the wing before all chains keep to their level lines, wing reaches.</summary>
         private const double k_Stray = 0.03;

@@ -5,7 +5,7 @@ namespace Alate
 {
     /// <summary>
     /// Shares the fan out among the chains: evenly, except that the chain closest to a tail goes into it, and that no other ends at a tail
-    /// or in a cleft.
+    /// or in a cleft. Where the margin tells the rays of a fan, chains run along rays.
     /// </summary>
     internal sealed class FanShares
     {
@@ -26,7 +26,10 @@ namespace Alate
                 AddClosed(marks, cleft, null);
             m_Closed.Sort();
             tails.Sort((a, b) => a.from.CompareTo(b.from));
-            Share(marks, tails);
+            if (marks.Rays.Count > 0)
+                ShareRays(marks.Rays);
+            else
+                Share(marks, tails);
         }
 
         /// <summary>The share of the fan before a chain: 0 for the first, 1 for the last, rising.</summary>
@@ -68,6 +71,20 @@ namespace Alate
 
             m_Shares[last] = 1.0;
             Fill(before, last);
+        }
+
+        // Evenly by the number of rays; along rays where there are enough.
+        private void ShareRays(IReadOnlyList<double> rays)
+        {
+            int last = m_Shares.Length - 1;
+            for (int i = 0; i <= last; i++)
+            {
+                double at = (double)i * (rays.Count - 1) / last;
+                if (rays.Count > last)
+                    at = Math.Round(at);
+                int ray = Math.Min((int)at, rays.Count - 2);
+                m_Shares[i] = m_Margin.ShareAt(rays[ray] + (rays[ray + 1] - rays[ray]) * (at - ray));
+            }
         }
 
         private void Fill(int before, int after)

@@ -12,6 +12,8 @@ namespace Alate
             this.to = to;
         }
 
+        public double Length => to - from;
+
         public bool Holds(double s) => s > from && s < to;
 
         public bool Overlaps(in OutlineStretch other) => from < other.to && to > other.from;

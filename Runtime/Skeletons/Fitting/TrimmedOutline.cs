@@ -72,9 +72,15 @@ namespace Alate
         /// <summary>Cuts off one more tail, with all that lies on it.</summary>
         public void Cut(OutlineStretch tail)
         {
-            m_Tails.RemoveAll(other => other.Overlaps(tail));
-            m_Clefts.RemoveAll(other => other.Overlaps(tail));
+            Restore(tail);
             m_Tails.Add(tail);
+        }
+
+        /// <summary>Takes a stretch as it is, with all that lies on it.</summary>
+        public void Restore(OutlineStretch stretch)
+        {
+            m_Tails.RemoveAll(other => other.Overlaps(stretch));
+            m_Clefts.RemoveAll(other => other.Overlaps(stretch));
         }
 
         // Stretches whose ends lie close together: the longest first, none within another.

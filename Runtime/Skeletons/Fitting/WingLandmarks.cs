@@ -20,7 +20,7 @@ namespace Alate
         /// The tip is where the outline touches the outermost of the spirals ln r + c·angle = const about the base: the farthest place,
         /// of nearly equally far ones one closer to the leading edge. This is c.
         /// </summary>
-        private const double k_Spiral = 0.45;
+        private const double k_Spiral = 0.36;
 
         /// <summary>Standard deviation of the tip's place, wing reaches, up to which it is clear; a round wing has about 0.06.</summary>
         private const double k_ClearTip = 0.075;
@@ -48,6 +48,15 @@ namespace Alate
             Base = (outline.At(LeadingRoot) + outline.At(TrailingRoot)) * 0.5;
             Trimmed = new TrimmedOutline(outline, LeadingRoot, TrailingRoot);
             Tip = FindTip(out double spread);
+            Rays = FindRays();
+            if (Rays.Count > 0)
+            {
+                Tip = Rays[0];
+                Last = Rays[Rays.Count - 1];
+                Trimmed.Restore(new OutlineStretch(Tip, Last));
+                return;
+            }
+
             Last = FindLast();
             if (spread > k_ClearTip)
             {
@@ -61,15 +70,17 @@ namespace Alate
         /// <summary>The outline without its tails.</summary>
         public TrimmedOutline Trimmed { get; }
 
+        /// <summary>The ends of the rays of a fan, along the outline; none on other wings.</summary>
+        public IReadOnlyList<double> Rays { get; }
+
         /// <summary>Where the leading edge begins.</summary>
         public double LeadingRoot { get; }
 
-        /// <summary>Where the leading edge ends.</summary>
+        /// <summary>Where the leading edge ends: at the wing's tip, or at the first ray.</summary>
         public double Tip { get; }
 
         /// <summary>Whether a chain that ends there is not too long to be the last.</summary>
-        public bool IsLastInReach(PlanPoint end) =>
-            (end - Base).LengthSquared <= k_MostReach * k_MostReach * (m_Outline.At(Tip) - Base).LengthSquared;
+        public bool IsLastInReach(PlanPoint end) => IsInReach(end, m_Outline.At(Tip));
 
         /// <summary>Where the last chain ends.</summary>
         public double Last { get; }
@@ -79,6 +90,8 @@ namespace Alate
 
         /// <summary>The middle of the base.</summary>
         public PlanPoint Base { get; }
+
+        private bool IsInReach(PlanPoint end, PlanPoint tip) => (end - Base).LengthSquared <= k_MostReach * k_MostReach * (tip - Base).LengthSquared;
 
         // The first place from the anchor that lies too far out along the span or too far from another place.
         private double BaseEnd(double sign, PlanPoint other, double width)
@@ -125,6 +138,15 @@ namespace Alate
 
             return SoftMaximum.Find(
                 from, to, steps, k_TipSharpness, s => values[(int)Math.Round((s - from) / (to - from) * steps)], out spread);
+        }
+
+        // Without the last ones where they reach too far.
+        private List<double> FindRays()
+        {
+            List<double> rays = MarginRays.Find(m_Outline, LeadingRoot, TrailingRoot, Tip);
+            while (rays.Count > 0 && !IsInReach(m_Outline.At(rays[rays.Count - 1]), m_Outline.At(rays[0])))
+                rays.RemoveAt(rays.Count - 1);
+            return rays;
         }
 
         private double FindLast()

@@ -151,7 +151,7 @@ namespace Alate.Tests
             var triangles = new int[3 * (k_Corners - 1)];
             for (int k = 0; k < k_Corners; k++)
             {
-                float angle = Mathf.PI * (0.5f - (float)k / (k_Corners - 1)), radius = Mathf.Exp(-0.45f * angle);
+                float angle = Mathf.PI * (0.5f - (float)k / (k_Corners - 1)), radius = Mathf.Exp(-0.36f * angle);
                 positions[k + 1] = radius * new Vector3(Mathf.Cos(angle), 0f, Mathf.Sin(angle));
                 for (int corner = 0; corner < 3 && k > 0; corner++)
                     triangles[3 * (k - 1) + corner] = corner == 0 ? 0 : k + corner - 1;

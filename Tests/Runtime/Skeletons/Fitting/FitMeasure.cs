@@ -72,10 +72,10 @@ namespace Alate.Tests
         }
 
         /// <summary>Largest distance between the joints of two skeletons, over the span of the first.</summary>
-        public double Apart(WingSkeleton other, Func<Vector3, Vector3> place, double scale)
+        public double Apart(WingSkeleton other, Func<Vector3, Vector3> place, double scale, int firstChain = 0)
         {
             double apart = 0.0;
-            for (int i = 0; i < m_Skeleton.ChainCount; i++)
+            for (int i = firstChain; i < m_Skeleton.ChainCount; i++)
             {
                 for (int j = 0; j < m_Skeleton.JointsPerChain; j++)
                     apart = Math.Max(apart, math.distance((float3)place(m_Skeleton.GetJoint(i, j)), (float3)other.GetJoint(i, j)));
