@@ -95,7 +95,7 @@ namespace Alate.Tests.Inspectors
             InsectWings insect = Insect();
             Open(insect);
             ExpandAll();
-            Assert.That(DrawnInspector.Of(m_Editor).Control("Waves Only Below").Value, Is.EqualTo("0.03"));
+            Assert.That(DrawnInspector.Of(m_Editor).Control("Waves Only Below").Value, Is.EqualTo("0.03 of 0 to 1"));
 
             insect.Quality.levelOfDetail = false;
 

@@ -31,7 +31,7 @@ namespace Alate.Tests
                     worst = Math.Min(worst, TriangleSmoothing.Quality(mesh.points[a], mesh.points[b], mesh.points[c]));
                 }
 
-                Assert.That(worst, Is.GreaterThan(0.29), "1 is equilateral; a right-angled triangle with an angle of 10° has 0.296; of 4000 wings the worst had 0.45");
+                Assert.That(worst, Is.GreaterThan(0.4), "1 is equilateral; a right-angled triangle with an angle of 15° has 0.43");
                 Assert.That(sum, Is.EqualTo(ClosedPath.Area(mesh.points[..rim])).Within(1e-9 * sum));
             }).QuickCheckThrowOnFailure();
         }

@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Linq;
+using System.Reflection;
 using StandIns;
 using UnityEngine;
 
@@ -36,7 +37,10 @@ internal static class DrawnProperty
 
         var line = new Rect(position.x, position.y, position.width, k_Line);
         bool hasChildren = property.Node.Children != null && property.propertyType == SerializedPropertyType.Generic;
-        if (GuiPage.Needed.Add(hasChildren ? ControlKind.Foldout : ControlKind.Field, line, label, ValueOf(property)))
+        var range = property.Node.Field?.GetCustomAttribute<RangeAttribute>();
+        if (range != null && !hasChildren)
+            Slide(line, property, range.min, range.max, label);
+        else if (GuiPage.Needed.Add(hasChildren ? ControlKind.Foldout : ControlKind.Field, line, label, ValueOf(property)))
             property.isExpanded = !property.isExpanded;
         if (!IsOpen(property, includeChildren))
             return false;
@@ -54,7 +58,8 @@ internal static class DrawnProperty
     {
         if (property.propertyType is not (SerializedPropertyType.Float or SerializedPropertyType.Integer))
             throw new InvalidOperationException($"'{property.propertyPath}' is no number to slide.");
-        GuiPage.Needed.Add(ControlKind.Field, position, label, $"{ValueOf(property)} of {left} to {right}");
+        string value = property.hasMultipleDifferentValues ? ValueOf(property) : $"{ValueOf(property)} of {left} to {right}";
+        GuiPage.Needed.Add(ControlKind.Field, position, label, value);
     }
 
     private static bool IsOpen(SerializedProperty property, bool includeChildren) =>
