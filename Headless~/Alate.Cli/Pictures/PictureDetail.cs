@@ -22,8 +22,8 @@ internal sealed record PictureDetail(
     float LeastParted, int LeastTriangles, float Softness, float PatternStep, float VertexStep, float LightStep, float RimStep, int ColourStep,
     int GlassStep, int WingColours, int BodyColours, float Alike, float Fineness, float Slack, float TestFineness)
 {
-    /// <summary>For large pictures: about 300 kB a pose.</summary>
-    public static readonly PictureDetail Fine = new(1.6f, 6000, 0.5f, 0.05f, 0.012f, 0.05f, 0.03f, 5, 10, 0, 0, 0f, 5f, 0f, 1.5f);
+    /// <summary>For large pictures: about 100 kB a pose.</summary>
+    public static readonly PictureDetail Fine = new(1.6f, 6000, 0.5f, 0.05f, 0.012f, 0.05f, 0.03f, 5, 10, 0, 0, 0f, 5f, 0.8f, 1.5f);
 
     /// <summary>For a few poses of middle size: about 40 kB a pose.</summary>
     public static readonly PictureDetail Medium = new(5f, 0, 0.5f, 0.02f, 0.02f, 0.15f, 1f, 5, 25, 5, 3, 0.12f, 2.5f, 1.6f, 1.5f);

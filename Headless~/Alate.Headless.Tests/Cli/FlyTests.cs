@@ -66,7 +66,7 @@ namespace Alate.Tests.Cli
 
             Assert.That(labels, Is.EqualTo(Enumerable.Range(0, 12).Select(k => $"{30 * k}°")));
             Assert.That(svg.Descendants(space + "g").Select(panel => panel.Elements(space + "path").Count()), Is.All.GreaterThan(20));
-            Assert.That(new FileInfo(file).Length, Is.LessThan(2_000_000));
+            Assert.That(new FileInfo(file).Length, Is.LessThan(1_500_000));
         }
 
         [Test]
