@@ -12,9 +12,9 @@ namespace Alate
         /// <summary>The elasticity of the last of <see cref="All"/>, as a factor on the species': soft enough that the eye sees it.</summary>
         public const float OtherElasticity = 0.25f;
 
-        readonly Action<WingSpecies> m_Change;
+        private readonly Action<WingSpecies> m_Change;
 
-        ComparisonColumn(string name, string title, string description, Action<WingSpecies> change)
+        private ComparisonColumn(string name, string title, string description, Action<WingSpecies> change)
         {
             Name = name;
             Title = title;
@@ -112,14 +112,14 @@ namespace Alate
         /// <inheritdoc/>
         public override string ToString() => Title;
 
-        static void MakeRigid(WingSpecies species)
+        private static void MakeRigid(WingSpecies species)
         {
             StopWave(species);
             species.Wave.rootShare = 1f;
             species.Stiffness.jointLimit = 0f;
         }
 
-        static void StopWave(WingSpecies species)
+        private static void StopWave(WingSpecies species)
         {
             species.Wave.chordDelay = 0f;
             species.Wave.spanDelay = 0f;

@@ -9,7 +9,7 @@ namespace Alate
     {
         [SerializeField]
         [Tooltip("Called at the start of each beat of the first wing, at the end of the frame; for sound and the like.")]
-        UnityEvent m_OnWingBeat = new UnityEvent();
+        private UnityEvent m_OnWingBeat = new UnityEvent();
 
         /// <summary>Raised at the start of each beat of the first wing, once a frame at most, after the meshes were deformed.</summary>
         public event Action<InsectWings> WingBeat;

@@ -17,32 +17,32 @@ namespace Alate
     {
         [SerializeField]
         [Tooltip("The preset: how the wings are driven and how stiff they are. None: a monarch's.")]
-        WingSpecies m_Species;
+        private WingSpecies m_Species;
 
         [SerializeField]
         [Tooltip("The wings, one entry each. Find Wings fills the list.")]
-        List<Wing> m_Wings = new List<Wing>();
+        private List<Wing> m_Wings = new List<Wing>();
 
         [SerializeField]
         [Tooltip("When the wings are stepped. Fixed Update: with the physics. Update: each frame. Unscaled Time: also while the game is paused. Manual: by InsectWings.Step.")]
-        WingUpdateMode m_UpdateMode;
+        private WingUpdateMode m_UpdateMode;
 
         [SerializeField]
         [Range(0f, 360f)]
         [Tooltip("Degrees of the beat at which the wings start, 0 to 360; 0 is the top of the stroke. Give the insects of a swarm different ones.")]
-        float m_StartPhase;
+        private float m_StartPhase;
 
         [SerializeField]
-        InsectSteering m_Steering = InsectSteering.Default;
+        private InsectSteering m_Steering = InsectSteering.Default;
 
         [SerializeField]
-        InsectMotion m_Motion = InsectMotion.Default;
+        private InsectMotion m_Motion = InsectMotion.Default;
 
         [SerializeField]
-        InsectAir m_Air = InsectAir.Default;
+        private InsectAir m_Air = InsectAir.Default;
 
         [SerializeField]
-        InsectQuality m_Quality = InsectQuality.Default;
+        private InsectQuality m_Quality = InsectQuality.Default;
 
         // Found, not chosen: it must not follow into a clone, nor stay when the insect changes its carrier.
         private Rigidbody m_Carrier;

@@ -7,7 +7,7 @@ namespace Alate
     /// <summary>The catalogue of species this package can make by itself.</summary>
     public static class Species
     {
-        static readonly SpeciesDefinition[] s_All =
+        private static readonly SpeciesDefinition[] s_All =
         {
             SpeciesMonarch.Define(),
             SpeciesSwallowtail.Define(),
@@ -52,7 +52,7 @@ namespace Alate
         /// <summary>A monarch's wing by <see cref="ModelPreset.Physical"/>.</summary>
         public static WingSpecies Monarch() => Find("monarch").Wings[0].CreateSpecies();
 
-        static string Plain(string name)
+        private static string Plain(string name)
         {
             var plain = new StringBuilder();
             foreach (var letter in name ?? "")

@@ -5,11 +5,11 @@ namespace Alate
     /// <summary>
     /// A firefly of the kind of Photinus pyralis. Its hind wings beat; the elytra, its hardened fore wings, are held open and still, and belong to the body.
     /// </summary>
-    static class SpeciesFirefly
+    internal static class SpeciesFirefly
     {
-        static readonly double[] s_Span = { 0, 0.7, 1.6, 2.8, 4.2, 5.6, 7.0, 8.2, 9.2, 9.8, 10.0 };
-        static readonly double[] s_Leading = { 0.3, 0.46, 0.62, 0.78, 0.9, 0.95, 0.9, 0.68, 0.24, -0.28, -0.62 };
-        static readonly double[] s_Trailing = { -0.95, -2.0, -2.75, -3.2, -3.35, -3.25, -2.95, -2.5, -1.95, -1.4, -1.08 };
+        private static readonly double[] s_Span = { 0, 0.7, 1.6, 2.8, 4.2, 5.6, 7.0, 8.2, 9.2, 9.8, 10.0 };
+        private static readonly double[] s_Leading = { 0.3, 0.46, 0.62, 0.78, 0.9, 0.95, 0.9, 0.68, 0.24, -0.28, -0.62 };
+        private static readonly double[] s_Trailing = { -0.95, -2.0, -2.75, -3.2, -3.35, -3.25, -2.95, -2.5, -1.95, -1.4, -1.08 };
 
         public static SpeciesDefinition Define()
         {
@@ -24,7 +24,7 @@ namespace Alate
             return new SpeciesDefinition("firefly", "Firefly", new[] { wing }, FireflyBody.Create(wing), Sources());
         }
 
-        static WingPattern Pattern(WingOutline outline)
+        private static WingPattern Pattern(WingOutline outline)
         {
             var veins = new VeinFan(outline, 0.55).Add(0.40, 0.455, 0.53, 0.62, 0.70, 0.80)
                 .Fork(2, 0.6, 0.575).Fork(3, 0.55, 0.655).Fork(4, 0.5, 0.745).Cross(1, 0.45).Cross(2, 0.5).Cross(3, 0.42);
@@ -38,7 +38,7 @@ namespace Alate
             };
         }
 
-        static void Author(WingSpecies species)
+        private static void Author(WingSpecies species)
         {
             species.Size.wingLength = 0.010f;
             species.Size.wingMass = 0.139e-6f;
@@ -50,13 +50,13 @@ namespace Alate
             species.Stiffness.elasticity = 2f;
         }
 
-        static void Quicken(WingSpecies species)
+        private static void Quicken(WingSpecies species)
         {
             species.Beat.maxFrequency = 62f;
             species.Beat.frequencyFloor = 1f;
         }
 
-        static void Soften(WingSpecies species)
+        private static void Soften(WingSpecies species)
         {
             species.Wave.chordDelay = 0.22f;
             species.Wave.spanDelay = 0.45f;
@@ -66,7 +66,7 @@ namespace Alate
             species.SubstepsPerBeat = 48;
         }
 
-        static SpeciesSource[] Sources()
+        private static SpeciesSource[] Sources()
         {
             const SpeciesVariant biological = SpeciesVariant.Biological;
             const SpeciesVariant expressive = SpeciesVariant.Expressive;

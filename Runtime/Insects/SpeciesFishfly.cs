@@ -3,14 +3,14 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>A fishfly of the kind of Chauliodes: four long wings of one beat, that do not overlap when spread.</summary>
-    static class SpeciesFishfly
+    internal static class SpeciesFishfly
     {
-        static readonly double[] s_ForeSpan = { 0, 2.5, 6, 12, 18, 24, 29, 33, 35.6, 37.0, 37.6 };
-        static readonly double[] s_ForeLeading = { 0.6, 1.5, 2.4, 3.7, 4.9, 6.0, 6.6, 6.4, 5.5, 4.2, 3.1 };
-        static readonly double[] s_ForeTrailing = { -1.5, -2.6, -3.5, -4.4, -4.9, -4.8, -4.1, -2.7, -1.1, 0.3, 1.4 };
-        static readonly double[] s_HindSpan = { 0, 1.6, 4, 8, 13, 18, 23, 28, 31.4, 33.2, 34 };
-        static readonly double[] s_HindLeading = { 0.5, 0.6, 0.5, 0.1, -0.4, -1.0, -1.8, -3.0, -4.4, -5.8, -6.8 };
-        static readonly double[] s_HindTrailing = { -1.8, -5.6, -9.2, -11.6, -12.4, -12.4, -12.0, -11.0, -9.6, -8.2, -7.2 };
+        private static readonly double[] s_ForeSpan = { 0, 2.5, 6, 12, 18, 24, 29, 33, 35.6, 37.0, 37.6 };
+        private static readonly double[] s_ForeLeading = { 0.6, 1.5, 2.4, 3.7, 4.9, 6.0, 6.6, 6.4, 5.5, 4.2, 3.1 };
+        private static readonly double[] s_ForeTrailing = { -1.5, -2.6, -3.5, -4.4, -4.9, -4.8, -4.1, -2.7, -1.1, 0.3, 1.4 };
+        private static readonly double[] s_HindSpan = { 0, 1.6, 4, 8, 13, 18, 23, 28, 31.4, 33.2, 34 };
+        private static readonly double[] s_HindLeading = { 0.5, 0.6, 0.5, 0.1, -0.4, -1.0, -1.8, -3.0, -4.4, -5.8, -6.8 };
+        private static readonly double[] s_HindTrailing = { -1.8, -5.6, -9.2, -11.6, -12.4, -12.4, -12.0, -11.0, -9.6, -8.2, -7.2 };
 
         public static SpeciesDefinition Define()
         {
@@ -19,7 +19,7 @@ namespace Alate
             return new SpeciesDefinition("fishfly", "Fishfly", new[] { fore, hind }, FishflyBody.Create(fore, hind), Sources());
         }
 
-        static SpeciesWing ForeWing()
+        private static SpeciesWing ForeWing()
         {
             var outline = WingOutline.FromMillimetres(s_ForeSpan, s_ForeLeading, s_ForeTrailing);
             return new SpeciesWing("fore wing", outline, Author)
@@ -31,7 +31,7 @@ namespace Alate
             }.With(SpeciesVariant.Biological, Steady).With(SpeciesVariant.Expressive, Soften);
         }
 
-        static SpeciesWing HindWing()
+        private static SpeciesWing HindWing()
         {
             var outline = WingOutline.FromMillimetres(s_HindSpan, s_HindLeading, s_HindTrailing);
             return new SpeciesWing("hind wing", outline, AuthorHind)
@@ -43,7 +43,7 @@ namespace Alate
             }.With(SpeciesVariant.Biological, SteadyAndLate).With(SpeciesVariant.Expressive, SoftenHind);
         }
 
-        static WingPattern Pattern(WingOutline outline)
+        private static WingPattern Pattern(WingOutline outline)
         {
             var veins = new VeinFan(outline, 0.6).Add(0.40, 0.45, 0.48, 0.515, 0.56, 0.61, 0.67, 0.74, 0.82)
                 .Fork(2, 0.7, 0.497).Fork(3, 0.62, 0.538).Fork(4, 0.6, 0.585).Fork(5, 0.6, 0.64).Fork(6, 0.6, 0.705).Fork(7, 0.55, 0.78);
@@ -64,7 +64,7 @@ namespace Alate
             };
         }
 
-        static void Author(WingSpecies species)
+        private static void Author(WingSpecies species)
         {
             species.Size.wingLength = 0.0376f;
             species.Size.wingMass = 3.62e-6f;
@@ -76,22 +76,22 @@ namespace Alate
             species.Stiffness.elasticity = 0.5f;
         }
 
-        static void AuthorHind(WingSpecies species)
+        private static void AuthorHind(WingSpecies species)
         {
             Author(species);
             species.Size.wingLength = 0.034f;
             species.Size.wingMass = 3.77e-6f;
         }
 
-        static void Steady(WingSpecies species) => species.Beat.frequencyFloor = 1f;
+        private static void Steady(WingSpecies species) => species.Beat.frequencyFloor = 1f;
 
-        static void SteadyAndLate(WingSpecies species)
+        private static void SteadyAndLate(WingSpecies species)
         {
             Steady(species);
             species.Beat.phaseLead = -40f;
         }
 
-        static void Soften(WingSpecies species)
+        private static void Soften(WingSpecies species)
         {
             species.Wave.chordDelay = 0.12f;
             species.Wave.spanDelay = 0.5f;
@@ -101,13 +101,13 @@ namespace Alate
             species.SubstepsPerBeat = 48;
         }
 
-        static void SoftenHind(WingSpecies species)
+        private static void SoftenHind(WingSpecies species)
         {
             Soften(species);
             species.Beat.phaseLead = -30f;
         }
 
-        static SpeciesSource[] Sources()
+        private static SpeciesSource[] Sources()
         {
             const string film = "A. Smith, film at 3200 frames/s, North Carolina Museum of Natural Sciences 2020";
             const SpeciesVariant biological = SpeciesVariant.Biological;

@@ -5,14 +5,14 @@ namespace Alate
     /// <summary>
     /// The monarch, Danaus plexippus. Its fore and hind wing move as one (Dudley 2002) and are one wing here, as in the paper.
     /// </summary>
-    static class SpeciesMonarch
+    internal static class SpeciesMonarch
     {
-        const double k_LastTipSpan = 26.9;
+        private const double k_LastTipSpan = 26.9;
 
-        static readonly double[] s_Span = { 0, 4.5, 9.0, 13.4, 17.9, 22.4, 26.9, 31.3, 35.8, 40.3, 44.8, 49.2, 53.7, 58.2, 61.0 };
-        static readonly double[] s_Leading = { 0.3, 2.3, 4.0, 5.3, 6.6, 7.7, 8.8, 9.7, 10.3, 10.7, 10.8, 10.8, 10.9, 9.6, 7.6 };
+        private static readonly double[] s_Span = { 0, 4.5, 9.0, 13.4, 17.9, 22.4, 26.9, 31.3, 35.8, 40.3, 44.8, 49.2, 53.7, 58.2, 61.0 };
+        private static readonly double[] s_Leading = { 0.3, 2.3, 4.0, 5.3, 6.6, 7.7, 8.8, 9.7, 10.3, 10.7, 10.8, 10.8, 10.9, 9.6, 7.6 };
 
-        static readonly double[] s_Trailing =
+        private static readonly double[] s_Trailing =
         {
             -1.4, -4.6, -9.3, -14.4, -19.6, -24.7, -27.8, -25.4, -21.1, -16.1, -8.1, -4.6, -1.8, 2.2, 4.3,
         };
@@ -31,7 +31,7 @@ namespace Alate
             return new SpeciesDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(wing), Sources());
         }
 
-        static void Soften(WingSpecies species)
+        private static void Soften(WingSpecies species)
         {
             species.Wave.chordDelay = 0.22f;
             species.Wave.spanDelay = 0.25f;
@@ -42,7 +42,7 @@ namespace Alate
             species.SubstepsPerBeat = 48;
         }
 
-        static SpeciesSource[] Sources()
+        private static SpeciesSource[] Sources()
         {
             const string measured = "Kang, Sridhar et al. 2020, measured on monarchs";
             return new[]

@@ -3,11 +3,11 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>The painted lichen moth, Hypoprepia fucosa. Its fore and hind wing are hooked to each other and are one wing here, as the monarch's are.</summary>
-    static class SpeciesPaintedLichenMoth
+    internal static class SpeciesPaintedLichenMoth
     {
-        static readonly double[] s_Span = { 0, 0.9, 2.0, 3.6, 5.2, 6.8, 8.2, 9.4, 10.3, 11.0, 12.0, 12.9, 13.6, 14.0 };
-        static readonly double[] s_Leading = { 0.25, 0.7, 1.25, 1.95, 2.55, 3.05, 3.4, 3.6, 3.7, 3.75, 3.65, 3.25, 2.55, 1.7 };
-        static readonly double[] s_Trailing = { -0.6, -2.9, -5.1, -7.1, -7.9, -7.9, -7.3, -6.1, -4.4, -2.6, -1.7, -0.9, 0.1, 0.9 };
+        private static readonly double[] s_Span = { 0, 0.9, 2.0, 3.6, 5.2, 6.8, 8.2, 9.4, 10.3, 11.0, 12.0, 12.9, 13.6, 14.0 };
+        private static readonly double[] s_Leading = { 0.25, 0.7, 1.25, 1.95, 2.55, 3.05, 3.4, 3.6, 3.7, 3.75, 3.65, 3.25, 2.55, 1.7 };
+        private static readonly double[] s_Trailing = { -0.6, -2.9, -5.1, -7.1, -7.9, -7.9, -7.3, -6.1, -4.4, -2.6, -1.7, -0.9, 0.1, 0.9 };
 
         public static SpeciesDefinition Define()
         {
@@ -23,7 +23,7 @@ namespace Alate
                 "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), Sources());
         }
 
-        static void Author(WingSpecies species)
+        private static void Author(WingSpecies species)
         {
             species.Size.wingLength = 0.014f;
             species.Size.wingMass = 0.84e-6f;
@@ -34,7 +34,7 @@ namespace Alate
             species.Stiffness.elasticity = 1.8f;
         }
 
-        static void Soften(WingSpecies species)
+        private static void Soften(WingSpecies species)
         {
             species.Wave.chordDelay = 0.28f;
             species.Wave.spanDelay = 0.35f;
@@ -46,7 +46,7 @@ namespace Alate
             species.SubstepsPerBeat = 48;
         }
 
-        static SpeciesSource[] Sources()
+        private static SpeciesSource[] Sources()
         {
             const SpeciesVariant expressive = SpeciesVariant.Expressive;
             return new[]

@@ -3,17 +3,17 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>A snailfish of the kind of Liparis, whose broad pectoral fins beat like wings, in water.</summary>
-    static class SpeciesSnailfish
+    internal static class SpeciesSnailfish
     {
         /// <summary>Shares of the margin between which the rays end; the sixth ray is the fin's tip.</summary>
-        const double k_FirstTip = 0.2387, k_LastTip = 0.8827;
+        private const double k_FirstTip = 0.2387, k_LastTip = 0.8827;
 
-        static readonly double[] s_Span = { 0, 2, 5, 9, 13, 17, 21, 24.5, 27.4, 29.3, 30 };
-        static readonly double[] s_Leading = { 2.5, 4.2, 6.6, 9.4, 11.8, 13.4, 13.8, 12.8, 10.2, 6.6, 3.6 };
-        static readonly double[] s_Trailing = { -8.0, -11.8, -15.4, -18.0, -18.8, -17.8, -15.2, -11.8, -7.6, -3.4, -0.4 };
+        private static readonly double[] s_Span = { 0, 2, 5, 9, 13, 17, 21, 24.5, 27.4, 29.3, 30 };
+        private static readonly double[] s_Leading = { 2.5, 4.2, 6.6, 9.4, 11.8, 13.4, 13.8, 12.8, 10.2, 6.6, 3.6 };
+        private static readonly double[] s_Trailing = { -8.0, -11.8, -15.4, -18.0, -18.8, -17.8, -15.2, -11.8, -7.6, -3.4, -0.4 };
 
         /// <summary>Depths of the hollows between the rays, wing lengths: the lower rays stand free.</summary>
-        static readonly double[] s_Hollows = { 0.012, 0.013, 0.014, 0.016, 0.018, 0.021, 0.024, 0.028, 0.033, 0.04, 0.048, 0.056, 0.06, 0.056 };
+        private static readonly double[] s_Hollows = { 0.012, 0.013, 0.014, 0.016, 0.018, 0.021, 0.024, 0.028, 0.033, 0.04, 0.048, 0.056, 0.06, 0.056 };
 
         public static SpeciesDefinition Define()
         {
@@ -31,7 +31,7 @@ namespace Alate
         }
 
         /// <summary>Tips of rays on the margin, each at an end of a hollow.</summary>
-        static double[] RayTips()
+        private static double[] RayTips()
         {
             var tips = new double[s_Hollows.Length + 1];
             for (var ray = 0; ray < tips.Length; ray++)
@@ -43,7 +43,7 @@ namespace Alate
         }
 
         /// <summary>A chain along every second ray.</summary>
-        static ChainPath[] Chains()
+        private static ChainPath[] Chains()
         {
             var tips = RayTips();
             var chains = new ChainPath[tips.Length / 2 + 1];
@@ -55,7 +55,7 @@ namespace Alate
             return chains;
         }
 
-        static void Author(WingSpecies species)
+        private static void Author(WingSpecies species)
         {
             species.Size.wingLength = 0.030f;
             species.Size.wingMass = 0.2e-3f;
@@ -73,7 +73,7 @@ namespace Alate
             species.Options.coefficients = CoefficientSet.FlatPlate;
         }
 
-        static void Soften(WingSpecies species)
+        private static void Soften(WingSpecies species)
         {
             species.Wave.chordDelay = 0.22f;
             species.Wave.spanDelay = 0.3f;
@@ -82,7 +82,7 @@ namespace Alate
             species.SubstepsPerBeat = 48;
         }
 
-        static SpeciesSource[] Sources()
+        private static SpeciesSource[] Sources()
         {
             return new[]
             {

@@ -6,23 +6,23 @@ namespace Alate
     /// A swallowtail of the kind of Papilio. It flies mainly by its fore wings; the tailed hind wings follow with a smaller amplitude, a little later, so that the
     /// wave runs on from the fore to the hind wing and its front edge stays beneath the fore wing's rear edge.
     /// </summary>
-    static class SpeciesSwallowtail
+    internal static class SpeciesSwallowtail
     {
-        static readonly double[] s_ForeSpan = { 0, 4, 9, 15, 21, 26.5, 30.5, 33.5, 37, 40.5, 43, 44.4, 45 };
-        static readonly double[] s_ForeLeading = { 0.8, 3.2, 5.8, 8.6, 11.2, 13.4, 14.8, 15.7, 16.5, 16.9, 16.6, 15.9, 15.0 };
-        static readonly double[] s_ForeTrailing = { -1.2, -2.6, -3.9, -5.2, -6.4, -7.2, -7.4, -5.8, -0.6, 5.6, 9.9, 12.2, 13.4 };
+        private static readonly double[] s_ForeSpan = { 0, 4, 9, 15, 21, 26.5, 30.5, 33.5, 37, 40.5, 43, 44.4, 45 };
+        private static readonly double[] s_ForeLeading = { 0.8, 3.2, 5.8, 8.6, 11.2, 13.4, 14.8, 15.7, 16.5, 16.9, 16.6, 15.9, 15.0 };
+        private static readonly double[] s_ForeTrailing = { -1.2, -2.6, -3.9, -5.2, -6.4, -7.2, -7.4, -5.8, -0.6, 5.6, 9.9, 12.2, 13.4 };
 
-        static readonly double[] s_HindSpan = { 0, 1.2, 3, 6, 9.5, 12.5, 15.5, 17.6, 18.8, 19.8, 20.8, 21.8, 22.8, 24.2, 26.5, 29, 31.4, 33.2, 34 };
+        private static readonly double[] s_HindSpan = { 0, 1.2, 3, 6, 9.5, 12.5, 15.5, 17.6, 18.8, 19.8, 20.8, 21.8, 22.8, 24.2, 26.5, 29, 31.4, 33.2, 34 };
 
-        static readonly double[] s_HindLeading = { 0.6, 1.4, 2.0, 2.2, 2.0, 1.6, 1.0, 0.5, 0.2, -0.1, -0.4, -0.8, -1.1, -1.7, -2.8, -4.4, -6.4, -8.8, -10.4 };
+        private static readonly double[] s_HindLeading = { 0.6, 1.4, 2.0, 2.2, 2.0, 1.6, 1.0, 0.5, 0.2, -0.1, -0.4, -0.8, -1.1, -1.7, -2.8, -4.4, -6.4, -8.8, -10.4 };
 
-        static readonly double[] s_HindTrailing =
+        private static readonly double[] s_HindTrailing =
         {
             -1.8, -7.0, -15.5, -24.5, -30.5, -32.8, -33.0, -34.6, -40.0, -45.4, -47.0, -45.8, -39.0, -32.6, -28.6, -24.2, -19.4, -15.0, -12.2,
         };
 
         /// <summary>The middle of the tail's root, wing lengths: the chain of the tail goes through it.</summary>
-        static readonly (double X, double Z) s_TailRoot = (0.597, -0.955);
+        private static readonly (double X, double Z) s_TailRoot = (0.597, -0.955);
 
         public static SpeciesDefinition Define()
         {
@@ -31,7 +31,7 @@ namespace Alate
             return new SpeciesDefinition("swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), Sources());
         }
 
-        static SpeciesWing ForeWing()
+        private static SpeciesWing ForeWing()
         {
             var outline = WingOutline.FromMillimetres(s_ForeSpan, s_ForeLeading, s_ForeTrailing);
             return new SpeciesWing("fore wing", outline, AuthorFore)
@@ -43,7 +43,7 @@ namespace Alate
             }.With(SpeciesVariant.Expressive, Soften);
         }
 
-        static SpeciesWing HindWing()
+        private static SpeciesWing HindWing()
         {
             var outline = WingOutline.FromMillimetres(s_HindSpan, s_HindLeading, s_HindTrailing);
             return new SpeciesWing("hind wing", outline, AuthorHind)
@@ -60,7 +60,7 @@ namespace Alate
             }.With(SpeciesVariant.Expressive, SoftenHind);
         }
 
-        static void AuthorFore(WingSpecies species)
+        private static void AuthorFore(WingSpecies species)
         {
             species.Size.wingLength = 0.045f;
             species.Size.wingMass = 12.4e-6f;
@@ -71,7 +71,7 @@ namespace Alate
             species.Wave.chordDelay = 0.1f;
         }
 
-        static void AuthorHind(WingSpecies species)
+        private static void AuthorHind(WingSpecies species)
         {
             AuthorFore(species);
             species.Size.wingLength = 0.034f;
@@ -82,7 +82,7 @@ namespace Alate
             species.Beat.phaseLead = -24f;
         }
 
-        static void Soften(WingSpecies species)
+        private static void Soften(WingSpecies species)
         {
             species.Wave.chordDelay = 0.14f;
             species.Wave.spanDelay = 0.2f;
@@ -93,14 +93,14 @@ namespace Alate
             species.SubstepsPerBeat = 48;
         }
 
-        static void SoftenHind(WingSpecies species)
+        private static void SoftenHind(WingSpecies species)
         {
             Soften(species);
             species.Beat.meanFlap = 6f;
             species.Beat.phaseLead = -28f;
         }
 
-        static SpeciesSource[] Sources()
+        private static SpeciesSource[] Sources()
         {
             const SpeciesVariant expressive = SpeciesVariant.Expressive;
             return new[]

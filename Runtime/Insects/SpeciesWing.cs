@@ -10,10 +10,10 @@ namespace Alate
     /// </summary>
     public sealed class SpeciesWing
     {
-        const int k_Chains = 5;
+        private const int k_Chains = 5;
 
-        readonly List<SpeciesVariant> m_Variants = new List<SpeciesVariant> { SpeciesVariant.Standard };
-        readonly List<Action<WingSpecies>> m_Changes = new List<Action<WingSpecies>>();
+        private readonly List<SpeciesVariant> m_Variants = new List<SpeciesVariant> { SpeciesVariant.Standard };
+        private readonly List<Action<WingSpecies>> m_Changes = new List<Action<WingSpecies>>();
 
         /// <param name="name">What the wing is called.</param>
         /// <param name="outline">The measured outline.</param>

@@ -12,27 +12,27 @@ namespace Alate
     public sealed class WingSpecies : ScriptableObject
     {
         /// <summary>Least speed of the wing tip that the reference frequency counts with, as a share of u_max: a wing that hardly flaps stays finite in stiffness.</summary>
-        const float k_LeastTipSpeed = 0.1f;
+        private const float k_LeastTipSpeed = 0.1f;
 
         [SerializeField]
-        SpeciesSize m_Size = WingSpeciesPresets.MonarchSize;
+        private SpeciesSize m_Size = WingSpeciesPresets.MonarchSize;
 
         [SerializeField]
-        SpeciesBeat m_Beat = WingSpeciesPresets.MonarchBeat;
+        private SpeciesBeat m_Beat = WingSpeciesPresets.MonarchBeat;
 
         [SerializeField]
-        SpeciesWave m_Wave = WingSpeciesPresets.PhysicalWave;
+        private SpeciesWave m_Wave = WingSpeciesPresets.PhysicalWave;
 
         [SerializeField]
-        SpeciesStiffness m_Stiffness = WingSpeciesPresets.Stiffness;
+        private SpeciesStiffness m_Stiffness = WingSpeciesPresets.Stiffness;
 
         [SerializeField]
         [Range(WingParameters.MinSubsteps, WingParameters.MaxSubsteps)]
         [Tooltip("Substeps of one beat; 24. 12 is the cheapest that holds; soft wings want 48.")]
-        int m_SubstepsPerBeat = WingParameters.DefaultSubsteps;
+        private int m_SubstepsPerBeat = WingParameters.DefaultSubsteps;
 
         [SerializeField]
-        ModelOptions m_Options = ModelOptions.Physical;
+        private ModelOptions m_Options = ModelOptions.Physical;
 
         /// <summary>Sizes and masses of the real insect, and the fluid.</summary>
         public ref SpeciesSize Size => ref m_Size;
@@ -128,7 +128,7 @@ namespace Alate
             }
         }
 
-        void OnValidate()
+        private void OnValidate()
         {
             m_Size.wingLength = math.clamp(m_Size.wingLength, 5e-4f, 1f);
             m_Size.wingMass = math.clamp(m_Size.wingMass, 1e-9f, 1f);

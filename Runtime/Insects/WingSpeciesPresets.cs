@@ -1,7 +1,7 @@
 namespace Alate
 {
     /// <summary>The numbers every preset starts from, and those in which the two readings of the paper differ.</summary>
-    static class WingSpeciesPresets
+    internal static class WingSpeciesPresets
     {
         /// <summary>λ of a monarch: the trailing edge of a measured butterfly lags by 10 to 40°, not by Eq. 2's half beat.</summary>
         public const float k_MonarchChordDelay = 0.15f;

@@ -10,7 +10,7 @@ namespace Alate
         /// <summary>The field of <see cref="WingParameters"/> that a range is about.</summary>
         public delegate ref float Field(ref WingParameters parameters);
 
-        const float k_QuarterTurn = 0.5f * math.PI, k_Turn = 2f * math.PI, k_Degree = math.PI / 180f;
+        private const float k_QuarterTurn = 0.5f * math.PI, k_Turn = 2f * math.PI, k_Degree = math.PI / 180f;
 
         internal static readonly WingParameterRange[] s_All =
         {
@@ -48,7 +48,7 @@ namespace Alate
             new WingParameterRange("phaseLead", "radians", -k_Turn, 0f, k_Turn, (ref WingParameters p) => ref p.phaseLead),
         };
 
-        WingParameterRange(string name, string unit, float minimum, float preset, float maximum, Field field)
+        private WingParameterRange(string name, string unit, float minimum, float preset, float maximum, Field field)
         {
             Name = name;
             Unit = unit;

@@ -16,21 +16,21 @@ namespace Alate
 
         [SerializeField]
         [Tooltip("The point that is looked at, world units.")]
-        Vector3 m_Target;
+        private Vector3 m_Target;
 
         [SerializeField]
         [Range(k_LeastDistance, k_MostDistance)]
         [Tooltip("World units from the camera to the point.")]
-        float m_Distance = 3f;
+        private float m_Distance = 3f;
 
         [SerializeField]
         [Tooltip("Degrees to the side the camera looks to; 0 looks along Z.")]
-        float m_Yaw = 145f;
+        private float m_Yaw = 145f;
 
         [SerializeField]
         [Range(-k_SteepestPitch, k_SteepestPitch)]
         [Tooltip("Degrees the camera looks down.")]
-        float m_Pitch = 25f;
+        private float m_Pitch = 25f;
 
         /// <summary>The point that is looked at, world units.</summary>
         public Vector3 Target

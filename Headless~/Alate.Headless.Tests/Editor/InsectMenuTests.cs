@@ -1,10 +1,10 @@
 using System.Linq;
 using System.Reflection;
+using Alate.Editor;
 using NUnit.Framework;
 using StandIns;
 using UnityEditor;
 using UnityEngine;
-using Alate.Editor;
 using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Editor;

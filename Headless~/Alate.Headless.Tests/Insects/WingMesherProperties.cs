@@ -10,7 +10,7 @@ namespace Alate.Tests
 {
     public sealed class WingMesherProperties
     {
-        static Arbitrary<(WingOutline Outline, int Count)> Wings { get; } = Arb.From(
+        private static Arbitrary<(WingOutline Outline, int Count)> Wings { get; } = Arb.From(
             from landmarks in Gen.Choose(2, 12)
             from seed in Gen.Choose(0, int.MaxValue - 1)
             from count in Gen.Frequency((3, Gen.Choose(WingMesher.MinTriangles, 400)), (1, Gen.Choose(400, 13000)))
@@ -56,7 +56,7 @@ namespace Alate.Tests
             Assert.That(WingMesher.Strips(wing.Outline, count).TriangleCount, Is.EqualTo(count));
         }
 
-        static WingOutline RandomOutline(int landmarks, System.Random random)
+        private static WingOutline RandomOutline(int landmarks, System.Random random)
         {
             var span = new double[landmarks];
             var leading = new double[landmarks];
@@ -72,7 +72,7 @@ namespace Alate.Tests
             return random.Next(2) == 0 ? outline : outline.Smoothed();
         }
 
-        static double SignedArea(SurfaceMesh surface, int triangle)
+        private static double SignedArea(SurfaceMesh surface, int triangle)
         {
             var (a, b, c) = (Corner(0), Corner(1), Corner(2));
             return 0.5 * (((double)b.z - a.z) * ((double)c.x - a.x) - ((double)b.x - a.x) * ((double)c.z - a.z));
@@ -80,7 +80,7 @@ namespace Alate.Tests
             Vector3 Corner(int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
         }
 
-        static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
+        private static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
         {
             var uses = new Dictionary<(int Low, int High), int>();
             for (var corner = 0; corner < surface.triangles.Length; corner++)

@@ -11,7 +11,7 @@ namespace Alate
     {
         // Serialised, so that a clone knows it too.
         [SerializeField, HideInInspector]
-        string m_Species;
+        private string m_Species;
 
         internal string Species
         {

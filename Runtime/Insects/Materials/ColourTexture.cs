@@ -5,10 +5,10 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Paints the vertex colours of a surface into a picture for its texture coordinates, for shaders that show no vertex colours.</summary>
-    static class ColourTexture
+    internal static class ColourTexture
     {
         /// <summary>How far colours run on beyond the parts of the picture that are used, pixels: filtering and small mipmaps reach there.</summary>
-        const int k_Bleed = 4;
+        private const int k_Bleed = 4;
 
         /// <summary>The picture, row by row from v = 0.</summary>
         /// <param name="surface">With colours and texture coordinates.</param>
@@ -41,7 +41,7 @@ namespace Alate
             return pixels;
         }
 
-        static void PaintTriangle(SurfaceMesh surface, int corner, int size, Color32[] pixels, bool[] isPainted)
+        private static void PaintTriangle(SurfaceMesh surface, int corner, int size, Color32[] pixels, bool[] isPainted)
         {
             int i = surface.triangles[corner], j = surface.triangles[corner + 1], k = surface.triangles[corner + 2];
             float2 a = size * (float2)surface.uvs[i], b = size * (float2)surface.uvs[j], c = size * (float2)surface.uvs[k];
@@ -69,7 +69,7 @@ namespace Alate
         }
 
         // One pixel outwards from all that is painted.
-        static void Spread(int size, Color32[] pixels, bool[] isPainted)
+        private static void Spread(int size, Color32[] pixels, bool[] isPainted)
         {
             var before = (bool[])isPainted.Clone();
             for (var pixel = 0; pixel < pixels.Length; pixel++)
@@ -92,15 +92,15 @@ namespace Alate
             }
         }
 
-        static Color32 Mix(Color32 a, Color32 b, Color32 c, float3 shares)
+        private static Color32 Mix(Color32 a, Color32 b, Color32 c, float3 shares)
         {
             var mixed = shares.x * Numbers(a) + shares.y * Numbers(b) + shares.z * Numbers(c);
             var rounded = (int4)math.round(math.clamp(mixed, 0f, 255f));
             return new Color32((byte)rounded.x, (byte)rounded.y, (byte)rounded.z, (byte)rounded.w);
         }
 
-        static float4 Numbers(Color32 colour) => new float4(colour.r, colour.g, colour.b, colour.a);
+        private static float4 Numbers(Color32 colour) => new float4(colour.r, colour.g, colour.b, colour.a);
 
-        static float Cross(float2 a, float2 b) => a.x * b.y - a.y * b.x;
+        private static float Cross(float2 a, float2 b) => a.x * b.y - a.y * b.x;
     }
 }

@@ -4,12 +4,12 @@ using UnityEngine.Rendering;
 namespace Alate
 {
     /// <summary>Writes a look into the properties of each shader that is used: their names and keywords are those the shaders' own inspectors set.</summary>
-    static class LookProperties
+    internal static class LookProperties
     {
-        const float k_Through = 0.5f, k_WingGloss = 0.06f, k_BodyGloss = 0.14f, k_Smoothness = 0.35f;
+        private const float k_Through = 0.5f, k_WingGloss = 0.06f, k_BodyGloss = 0.14f, k_Smoothness = 0.35f;
 
         /// <summary>Bodies that are partly clear are drawn before the wings, which are blended over them.</summary>
-        const int k_ClearBodyQueue = (int)RenderQueue.Transparent - 1;
+        private const int k_ClearBodyQueue = (int)RenderQueue.Transparent - 1;
 
         public static void Write(Material material, in SurfaceLook look)
         {
@@ -36,7 +36,7 @@ namespace Alate
             }
         }
 
-        static void WriteOwn(Material material, in SurfaceLook look)
+        private static void WriteOwn(Material material, in SurfaceLook look)
         {
             material.SetTexture("_MainTex", look.Texture);
             material.SetFloat("_VertexColours", look.Texture == null ? 1f : 0f);
@@ -47,7 +47,7 @@ namespace Alate
             WriteBlend(material, look, BlendMode.One);
         }
 
-        static void WriteUniversal(Material material, in SurfaceLook look)
+        private static void WriteUniversal(Material material, in SurfaceLook look)
         {
             material.SetTexture("_BaseMap", look.Texture);
             material.SetColor("_BaseColor", Color.white);
@@ -59,7 +59,7 @@ namespace Alate
             EnableIf(look.IsTranslucent, material, "_SURFACE_TYPE_TRANSPARENT");
         }
 
-        static void WriteHighDefinition(Material material, in SurfaceLook look)
+        private static void WriteHighDefinition(Material material, in SurfaceLook look)
         {
             material.SetTexture("_BaseColorMap", look.Texture);
             material.SetColor("_BaseColor", Color.white);
@@ -81,7 +81,7 @@ namespace Alate
             EnableIf(look.IsTranslucent, material, "_SURFACE_TYPE_TRANSPARENT");
         }
 
-        static void WriteStandard(Material material, in SurfaceLook look)
+        private static void WriteStandard(Material material, in SurfaceLook look)
         {
             const float fade = 2f;
             material.SetTexture("_MainTex", look.Texture);
@@ -91,14 +91,14 @@ namespace Alate
             EnableIf(look.IsTranslucent, material, "_ALPHABLEND_ON");
         }
 
-        static void WriteBlend(Material material, in SurfaceLook look, BlendMode source)
+        private static void WriteBlend(Material material, in SurfaceLook look, BlendMode source)
         {
             material.SetFloat("_SrcBlend", (float)(look.IsTranslucent ? source : BlendMode.One));
             material.SetFloat("_DstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
             material.SetFloat("_ZWrite", look.WritesDepth ? 1f : 0f);
         }
 
-        static void EnableIf(bool isOn, Material material, string keyword)
+        private static void EnableIf(bool isOn, Material material, string keyword)
         {
             if (isOn)
             {

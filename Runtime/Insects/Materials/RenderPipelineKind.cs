@@ -1,7 +1,7 @@
 namespace Alate
 {
     /// <summary>Which render pipeline draws the scene, as far as materials differ.</summary>
-    enum RenderPipelineKind
+    internal enum RenderPipelineKind
     {
         /// <summary>No pipeline asset is set.</summary>
         BuiltIn,

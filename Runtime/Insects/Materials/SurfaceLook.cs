@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>What a material shall look like, whatever the shader.</summary>
-    readonly struct SurfaceLook
+    internal readonly struct SurfaceLook
     {
         public SurfaceLook(Texture2D texture, bool isThin, bool isTranslucent)
         {

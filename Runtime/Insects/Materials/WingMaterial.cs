@@ -15,10 +15,10 @@ namespace Alate
         /// <summary>Pixels along the longer side of a texture, unless asked otherwise.</summary>
         public const int DefaultTextureSize = 512;
 
-        const int k_LeastSize = 16, k_MostSize = 8192;
+        private const int k_LeastSize = 16, k_MostSize = 8192;
 
         /// <summary>A wing without colours of its own.</summary>
-        static readonly Color s_Membrane = new Color(0.84f, 0.79f, 0.66f);
+        private static readonly Color s_Membrane = new Color(0.84f, 0.79f, 0.66f);
 
         /// <summary>
         /// The shader for the pipeline that draws now: built-in: <see cref="ShaderName"/>, then Standard; URP: <see cref="ShaderName"/>, then Universal Render
@@ -127,7 +127,7 @@ namespace Alate
             return material;
         }
 
-        static Shader RequireShader()
+        private static Shader RequireShader()
         {
             var shader = FindShader();
             return shader != null
@@ -137,7 +137,7 @@ namespace Alate
                     + "Project Settings > Graphics > Always Included Shaders.");
         }
 
-        static Texture2D ToTexture(string name, Color32[] pixels, int width, int height, bool keepPixels)
+        private static Texture2D ToTexture(string name, Color32[] pixels, int width, int height, bool keepPixels)
         {
             var texture = new Texture2D(width, height, TextureFormat.RGBA32, true) { name = name, wrapMode = TextureWrapMode.Clamp };
             texture.SetPixels32(pixels);
@@ -145,9 +145,9 @@ namespace Alate
             return texture;
         }
 
-        static bool HasClearPixels(Color32[] colours) => Array.Exists(colours, colour => colour.a < byte.MaxValue);
+        private static bool HasClearPixels(Color32[] colours) => Array.Exists(colours, colour => colour.a < byte.MaxValue);
 
-        static void CheckSize(int size)
+        private static void CheckSize(int size)
         {
             if (size < k_LeastSize || size > k_MostSize)
             {
@@ -155,7 +155,7 @@ namespace Alate
             }
         }
 
-        static void Free(UnityEngine.Object made)
+        private static void Free(UnityEngine.Object made)
         {
             if (Application.isPlaying)
             {

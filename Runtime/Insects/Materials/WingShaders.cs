@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace Alate
 {
     /// <summary>Finds a shader that the active render pipeline can draw wings with.</summary>
-    static class WingShaders
+    internal static class WingShaders
     {
         /// <summary>The package's own, which shows vertex colours.</summary>
         public const string Own = "Alate/Wing";
@@ -15,7 +15,7 @@ namespace Alate
         public const string Standard = "Standard";
 
         /// <summary>Where the package's shader lies in a Resources folder, which every player build takes along.</summary>
-        const string k_OwnResource = "Alate/Wing";
+        private const string k_OwnResource = "Alate/Wing";
 
         /// <summary>The pipeline that draws now.</summary>
         public static RenderPipelineKind ActivePipeline

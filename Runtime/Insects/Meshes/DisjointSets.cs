@@ -3,7 +3,7 @@ namespace Alate
     /// <summary>Numbers from 0 that are joined into sets, in close to linear time.</summary>
     internal readonly struct DisjointSets
     {
-        readonly int[] m_Parents;
+        private readonly int[] m_Parents;
 
         public DisjointSets(int count)
         {

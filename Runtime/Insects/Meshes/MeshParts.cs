@@ -70,7 +70,7 @@ namespace Alate
             return pieces;
         }
 
-        static MeshSelection Connected(Mesh mesh, Vector3 point)
+        private static MeshSelection Connected(Mesh mesh, Vector3 point)
         {
             if (float.IsNaN(point.x + point.y + point.z) || float.IsInfinity(point.x + point.y + point.z))
                 throw new ArgumentException($"The point {point} on mesh '{mesh.name}' is not finite.");
@@ -96,7 +96,7 @@ namespace Alate
         }
 
         /// <summary>The first corner of the triangle nearest to the point.</summary>
-        static int Nearest(int[] corners, Vector3[] positions, Vector3 point)
+        private static int Nearest(int[] corners, Vector3[] positions, Vector3 point)
         {
             var nearest = 0;
             var least = float.PositiveInfinity;
@@ -114,7 +114,7 @@ namespace Alate
             return nearest;
         }
 
-        static int[] AllCorners(Mesh mesh)
+        private static int[] AllCorners(Mesh mesh)
         {
             var corners = new List<int>();
             for (var submesh = 0; submesh < mesh.subMeshCount; submesh++)
@@ -128,7 +128,7 @@ namespace Alate
             return corners.ToArray();
         }
 
-        static int[] Corners(Mesh mesh, int submesh)
+        private static int[] Corners(Mesh mesh, int submesh)
         {
             if (submesh < 0 || submesh >= mesh.subMeshCount)
                 throw new ArgumentException($"Mesh '{mesh.name}' has no submesh {submesh}: it has {mesh.subMeshCount}, numbered from 0.");
@@ -153,6 +153,6 @@ namespace Alate
                 throw new ArgumentException($"Mesh '{mesh.name}' is not readable: turn on Read/Write in its import settings.");
         }
 
-        static T[] Pick<T>(T[] all, int[] places) => all.Length == 0 ? Array.Empty<T>() : Array.ConvertAll(places, place => all[place]);
+        private static T[] Pick<T>(T[] all, int[] places) => all.Length == 0 ? Array.Empty<T>() : Array.ConvertAll(places, place => all[place]);
     }
 }

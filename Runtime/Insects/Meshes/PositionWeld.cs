@@ -12,13 +12,13 @@ namespace Alate
     internal static class PositionWeld
     {
         // Shares of the largest coordinate: some roundings of a float (6e-8 each), and what is still far below any detail of a mesh.
-        const double k_Near = 5e-7;
-        const double k_Cell = 2e-6;
+        private const double k_Near = 5e-7;
+        private const double k_Cell = 2e-6;
 
         // Keeps cell borders away from the plane of symmetry, where vertices crowd.
-        const double k_Shift = 0.381966;
+        private const double k_Shift = 0.381966;
 
-        const int k_Bits = 21;
+        private const int k_Bits = 21;
 
         public static void Join(Vector3[] positions, int[] used, DisjointSets sets)
         {
@@ -43,7 +43,7 @@ namespace Alate
             }
         }
 
-        static void Enter(Dictionary<long, int> first, long key, int vertex, DisjointSets sets)
+        private static void Enter(Dictionary<long, int> first, long key, int vertex, DisjointSets sets)
         {
             if (first.TryGetValue(key, out var other))
                 sets.Join(vertex, other);
@@ -51,14 +51,14 @@ namespace Alate
                 first.Add(key, vertex);
         }
 
-        static (long low, long high) Cells(double coordinate, double scale)
+        private static (long low, long high) Cells(double coordinate, double scale)
         {
             var place = coordinate * scale + k_Shift;
             const double reach = 0.5 * k_Near / k_Cell;
             return ((long)Math.Floor(place - reach), (long)Math.Floor(place + reach));
         }
 
-        static long Key(long x, long y, long z)
+        private static long Key(long x, long y, long z)
         {
             const long k_Mask = (1L << k_Bits) - 1;
             var packed = (x & k_Mask) << (2 * k_Bits) | (y & k_Mask) << k_Bits | (z & k_Mask);
@@ -67,7 +67,7 @@ namespace Alate
             return unchecked(packed * -7046029254386353131L);
         }
 
-        static double LargestCoordinate(Vector3[] positions, int[] used)
+        private static double LargestCoordinate(Vector3[] positions, int[] used)
         {
             var largest = 0f;
             foreach (var vertex in used)
@@ -81,6 +81,6 @@ namespace Alate
             return largest;
         }
 
-        static bool IsFinite(Vector3 p) => !float.IsNaN(p.x + p.y + p.z) && !float.IsInfinity(p.x + p.y + p.z);
+        private static bool IsFinite(Vector3 p) => !float.IsNaN(p.x + p.y + p.z) && !float.IsInfinity(p.x + p.y + p.z);
     }
 }

@@ -55,7 +55,7 @@ namespace Alate
         /// <summary>The groups of levels of detail above a renderer, which conversion may change.</summary>
         public static IReadOnlyList<LODGroup> DetailGroups(SkinnedMeshRenderer source) => source.GetComponentsInParent<LODGroup>(true);
 
-        static SkinnedWingResult Convert(SkinnedMeshRenderer source, Transform insect, TriangleSet triangles)
+        private static SkinnedWingResult Convert(SkinnedMeshRenderer source, Transform insect, TriangleSet triangles)
         {
             var mesh = source.sharedMesh;
             var bones = new WingBones(source, insect);
@@ -88,14 +88,14 @@ namespace Alate
             return result;
         }
 
-        static Mesh Body(Mesh mesh, TriangleSet wings)
+        private static Mesh Body(Mesh mesh, TriangleSet wings)
         {
             var body = WingMeshCut.Without(mesh, wings.Has);
             body.name = $"{mesh.name} Body";
             return body;
         }
 
-        static Transform Check(SkinnedMeshRenderer source, Transform insect)
+        private static Transform Check(SkinnedMeshRenderer source, Transform insect)
         {
             if (source == null)
                 throw new ArgumentNullException(nameof(source));
@@ -107,7 +107,7 @@ namespace Alate
             return source.transform.parent != null ? source.transform.parent : source.transform;
         }
 
-        static void CheckBone(SkinnedMeshRenderer source, WingBones bones, Matrix4x4[] binds, int bone)
+        private static void CheckBone(SkinnedMeshRenderer source, WingBones bones, Matrix4x4[] binds, int bone)
         {
             if (bone < 0)
                 return;

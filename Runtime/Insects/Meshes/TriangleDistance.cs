@@ -19,10 +19,10 @@ namespace Alate
             return Mathf.Min(ToEdge(point, a, b), Mathf.Min(ToEdge(point, b, c), ToEdge(point, c, a)));
         }
 
-        static bool IsOver(Vector3 point, Vector3 from, Vector3 to, Vector3 normal) =>
+        private static bool IsOver(Vector3 point, Vector3 from, Vector3 to, Vector3 normal) =>
             Vector3.Dot(Vector3.Cross(to - from, point - from), normal) >= 0f;
 
-        static float ToEdge(Vector3 point, Vector3 from, Vector3 to)
+        private static float ToEdge(Vector3 point, Vector3 from, Vector3 to)
         {
             var edge = to - from;
             var length = edge.sqrMagnitude;

@@ -7,9 +7,9 @@ namespace Alate
     /// <summary>Some of the triangles of a mesh, by submesh.</summary>
     internal sealed class TriangleSet
     {
-        readonly Mesh m_Mesh;
-        readonly int[][] m_Corners;
-        readonly bool[][] m_Has;
+        private readonly Mesh m_Mesh;
+        private readonly int[][] m_Corners;
+        private readonly bool[][] m_Has;
 
         /// <summary>None of the triangles of a readable mesh.</summary>
         public TriangleSet(Mesh mesh)

@@ -8,7 +8,7 @@ namespace Alate
     public static class WingFinder
     {
         // Area over that of the largest named part from which a named part is a wing, not a screw called "wing".
-        const float k_SmallestNamed = 0.05f;
+        private const float k_SmallestNamed = 0.05f;
 
         /// <summary>The wings that plain renderers draw, ordered fore right, fore left, hind right, hind left.</summary>
         /// <remarks>
@@ -52,7 +52,7 @@ namespace Alate
             return found;
         }
 
-        static List<WingCandidate> Choose(List<Renderer> renderers, Transform root)
+        private static List<WingCandidate> Choose(List<Renderer> renderers, Transform root)
         {
             var candidates = new List<WingCandidate>();
             foreach (var renderer in renderers)

@@ -1,7 +1,7 @@
 namespace Alate
 {
     /// <summary>Where one chain of a skeleton runs: from the base to its tip on the margin, straight or by way of a place inside the wing.</summary>
-    readonly struct ChainPath
+    internal readonly struct ChainPath
     {
         /// <param name="tip">The tip on the margin: share of its length from the leading corner of the base, 0 to 1.</param>
         /// <param name="via">A place on the way, wing lengths; null for a straight chain.</param>

@@ -6,12 +6,12 @@ namespace Alate
     /// Where the stations of an even mesh lie and into how many pieces each one's chord is cut, so that pieces are as long as stations are apart and the
     /// triangles between the stations, c_k + c_(k+1) for each strip, come to an exact number.
     /// </summary>
-    static class ChordSegments
+    internal static class ChordSegments
     {
-        const double k_PointedChord = 1e-6;
+        private const double k_PointedChord = 1e-6;
 
         /// <summary>Width of the outermost strip of a rounded tip over that of the others: a wider one would cut the round off.</summary>
-        const double k_CapStrip = 0.35;
+        private const double k_CapStrip = 0.35;
 
         public static int[] For(WingOutline outline, int triangleCount, out double[] spans)
         {
@@ -40,7 +40,7 @@ namespace Alate
             return count;
         }
 
-        static double[] Stations(WingOutline outline, int triangleCount)
+        private static double[] Stations(WingOutline outline, int triangleCount)
         {
             var spacing = Math.Sqrt(2 * outline.Area / triangleCount);
             var strips = Math.Clamp((int)Math.Round(1 / spacing), 2, triangleCount / 2 - 1);
@@ -55,7 +55,7 @@ namespace Alate
             return spans;
         }
 
-        static double[] IdealSegments(double[] chords, int triangleCount)
+        private static double[] IdealSegments(double[] chords, int triangleCount)
         {
             var weighted = 0.0;
             for (var k = 0; k < chords.Length; k++)
@@ -66,7 +66,7 @@ namespace Alate
             return Array.ConvertAll(chords, chord => chord * triangleCount / weighted);
         }
 
-        static void MakeExact(int[] segments, double[] ideal, int triangleCount)
+        private static void MakeExact(int[] segments, double[] ideal, int triangleCount)
         {
             var missing = triangleCount - CountTriangles(segments);
             if (missing % 2 != 0)
@@ -84,7 +84,7 @@ namespace Alate
             }
         }
 
-        static int StationFarthestFromIdeal(int[] segments, double[] ideal, int sign)
+        private static int StationFarthestFromIdeal(int[] segments, double[] ideal, int sign)
         {
             var best = -1;
             for (var k = 1; k + 1 < segments.Length; k++)
@@ -101,6 +101,6 @@ namespace Alate
             double Shortfall(int k) => sign * (ideal[k] - segments[k]) / Math.Max(1, ideal[k]);
         }
 
-        static bool IsEnd(int station, int count) => station == 0 || station == count - 1;
+        private static bool IsEnd(int station, int count) => station == 0 || station == count - 1;
     }
 }

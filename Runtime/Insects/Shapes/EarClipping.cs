@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>Cuts a simple polygon into triangles that use its corners only, none of them flat.</summary>
-    static class EarClipping
+    internal static class EarClipping
     {
         /// <summary>Three corner indices a triangle, one triangle fewer than two less than the corners; clockwise as the polygon is.</summary>
         public static List<int> Triangles(IReadOnlyList<PlanPoint> polygon)
@@ -38,7 +38,7 @@ namespace Alate
             return triangles;
         }
 
-        static bool IsEar(IReadOnlyList<PlanPoint> polygon, List<int> left, int at)
+        private static bool IsEar(IReadOnlyList<PlanPoint> polygon, List<int> left, int at)
         {
             var a = polygon[left[Before(left, at)]];
             var b = polygon[left[at]];
@@ -66,10 +66,10 @@ namespace Alate
         }
 
         /// <summary>Positive where the way from a over b to c turns clockwise.</summary>
-        static double Turn(PlanPoint a, PlanPoint b, PlanPoint c) => PlanPoint.Cross(c - a, b - a);
+        private static double Turn(PlanPoint a, PlanPoint b, PlanPoint c) => PlanPoint.Cross(c - a, b - a);
 
-        static int Before(List<int> left, int at) => at == 0 ? left.Count - 1 : at - 1;
+        private static int Before(List<int> left, int at) => at == 0 ? left.Count - 1 : at - 1;
 
-        static int After(List<int> left, int at) => at == left.Count - 1 ? 0 : at + 1;
+        private static int After(List<int> left, int at) => at == left.Count - 1 ? 0 : at + 1;
     }
 }

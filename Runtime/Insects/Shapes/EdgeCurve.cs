@@ -7,13 +7,13 @@ namespace Alate
     /// One edge of a wing as a function of span: straight between its landmarks, or the monotone cubic of Fritsch and Carlson (1980) through
     /// them, which nowhere leaves the band between two neighbouring landmarks.
     /// </summary>
-    sealed class EdgeCurve
+    internal sealed class EdgeCurve
     {
-        readonly double[] m_Spans;
-        readonly double[] m_Values;
-        readonly double[] m_Slopes;
+        private readonly double[] m_Spans;
+        private readonly double[] m_Values;
+        private readonly double[] m_Slopes;
 
-        EdgeCurve(double[] spans, double[] values, double[] slopes)
+        private EdgeCurve(double[] spans, double[] values, double[] slopes)
         {
             m_Spans = spans;
             m_Values = values;
@@ -46,14 +46,14 @@ namespace Alate
             return m_Values[interval] + t * (first + t * (3 * rise - 2 * first - second + t * (first + second - 2 * rise)));
         }
 
-        int IntervalOf(double span)
+        private int IntervalOf(double span)
         {
             var found = Array.BinarySearch(m_Spans, span);
             var interval = found >= 0 ? found : ~found - 1;
             return Math.Clamp(interval, 0, m_Spans.Length - 2);
         }
 
-        static double[] MonotoneSlopes(double[] spans, double[] values)
+        private static double[] MonotoneSlopes(double[] spans, double[] values)
         {
             var last = spans.Length - 1;
             var secants = new double[last];
@@ -78,7 +78,7 @@ namespace Alate
             return slopes;
         }
 
-        static void LimitToMonotone(double secant, ref double first, ref double second)
+        private static void LimitToMonotone(double secant, ref double first, ref double second)
         {
             if (secant == 0)
             {

@@ -6,19 +6,19 @@ namespace Alate
     /// <summary>
     /// A snailfish's fin, drawn for this package: jelly-like skin that light passes, stiffer rays that end free of it, blotches across them and a pale hem.
     /// </summary>
-    sealed class FinPattern : WingPattern
+    internal sealed class FinPattern : WingPattern
     {
-        const double k_RayHalfWidth = 0.011, k_LeastFeature = 0.3, k_HemWidth = 0.035;
-        const double k_BlotchLength = 0.23, k_BlotchBend = 0.35;
+        private const double k_RayHalfWidth = 0.011, k_LeastFeature = 0.3, k_HemWidth = 0.035;
+        private const double k_BlotchLength = 0.23, k_BlotchBend = 0.35;
 
-        static readonly Color s_Skin = new Color(0.93f, 0.72f, 0.66f, 0.55f);
-        static readonly Color s_Root = new Color(0.80f, 0.47f, 0.43f, 0.9f);
-        static readonly Color s_Ray = new Color(0.60f, 0.30f, 0.30f, 0.95f);
-        static readonly Color s_Blotch = new Color(0.66f, 0.38f, 0.40f, 0.8f);
-        static readonly Color s_Hem = new Color(0.98f, 0.87f, 0.82f, 0.5f);
+        private static readonly Color s_Skin = new Color(0.93f, 0.72f, 0.66f, 0.55f);
+        private static readonly Color s_Root = new Color(0.80f, 0.47f, 0.43f, 0.9f);
+        private static readonly Color s_Ray = new Color(0.60f, 0.30f, 0.30f, 0.95f);
+        private static readonly Color s_Blotch = new Color(0.66f, 0.38f, 0.40f, 0.8f);
+        private static readonly Color s_Hem = new Color(0.98f, 0.87f, 0.82f, 0.5f);
 
-        readonly VeinFan m_Rays;
-        readonly StrokeSet m_Hem = new StrokeSet();
+        private readonly VeinFan m_Rays;
+        private readonly StrokeSet m_Hem = new StrokeSet();
 
         /// <param name="outline">The outline to draw into.</param>
         /// <param name="rays">The rays.</param>

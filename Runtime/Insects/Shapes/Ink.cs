@@ -5,9 +5,9 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>What patterns are drawn with: shapes with soft edges, each a share from 0 outside to 1 inside.</summary>
-    static class Ink
+    internal static class Ink
     {
-        const int k_EdgeSamples = 96;
+        private const int k_EdgeSamples = 96;
 
         /// <summary>1 within the limit, 0 beyond it, with a soft step of the given width.</summary>
         public static float Within(double distance, double limit, double softness)
@@ -85,7 +85,7 @@ namespace Alate
             return extended;
         }
 
-        static (double X, double Z) Beyond(List<double> points, int before, int end, double by)
+        private static (double X, double Z) Beyond(List<double> points, int before, int end, double by)
         {
             var x = points[end] - points[before];
             var z = points[end + 1] - points[before + 1];

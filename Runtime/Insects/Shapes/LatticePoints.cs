@@ -4,26 +4,26 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>Points of a lattice of equilateral triangles that lie inside a polygon, away from its rim, an exact number of them.</summary>
-    sealed class LatticePoints
+    internal sealed class LatticePoints
     {
         /// <summary>Least distance from the rim over the lattice's spacing: nearer points would make flat triangles.</summary>
-        const double k_Clearance = 0.55;
+        private const double k_Clearance = 0.55;
 
         /// <summary>Distance from a row over the spacing up to which the rim is looked at.</summary>
-        const double k_Sight = 1.0;
+        private const double k_Sight = 1.0;
 
-        const double k_Shrink = 0.985;
+        private const double k_Shrink = 0.985;
 
-        readonly IReadOnlyList<PlanPoint> m_Polygon;
-        readonly double m_Spacing;
-        readonly PlanPoint m_Low;
-        readonly PlanPoint m_High;
-        readonly List<PlanPoint> m_Points = new List<PlanPoint>();
+        private readonly IReadOnlyList<PlanPoint> m_Polygon;
+        private readonly double m_Spacing;
+        private readonly PlanPoint m_Low;
+        private readonly PlanPoint m_High;
+        private readonly List<PlanPoint> m_Points = new List<PlanPoint>();
 
         /// <summary>[point] Squared distance from the rim, as far as it was seen.</summary>
-        readonly List<double> m_Distances = new List<double>();
+        private readonly List<double> m_Distances = new List<double>();
 
-        LatticePoints(IReadOnlyList<PlanPoint> polygon, double spacing)
+        private LatticePoints(IReadOnlyList<PlanPoint> polygon, double spacing)
         {
             m_Polygon = polygon;
             m_Spacing = spacing;
@@ -52,7 +52,7 @@ namespace Alate
             return lattice.Farthest(count);
         }
 
-        void Collect()
+        private void Collect()
         {
             var height = m_Spacing * Math.Sqrt(0.75);
             var rows = (int)Math.Ceiling((m_High.z - m_Low.z) / height);
@@ -71,7 +71,7 @@ namespace Alate
             }
         }
 
-        void FindNear(double z, List<int> near)
+        private void FindNear(double z, List<int> near)
         {
             near.Clear();
             var sight = k_Sight * m_Spacing;
@@ -84,7 +84,7 @@ namespace Alate
             }
         }
 
-        void Consider(PlanPoint point, List<int> near)
+        private void Consider(PlanPoint point, List<int> near)
         {
             var inside = false;
             var least = double.PositiveInfinity;
@@ -103,7 +103,7 @@ namespace Alate
             }
         }
 
-        PlanPoint[] Farthest(int count)
+        private PlanPoint[] Farthest(int count)
         {
             var order = new int[m_Points.Count];
             for (var k = 0; k < order.Length; k++)
@@ -117,6 +117,6 @@ namespace Alate
             return Array.ConvertAll(kept, k => m_Points[k]);
         }
 
-        PlanPoint End(int side) => m_Polygon[side + 1 == m_Polygon.Count ? 0 : side + 1];
+        private PlanPoint End(int side) => m_Polygon[side + 1 == m_Polygon.Count ? 0 : side + 1];
     }
 }

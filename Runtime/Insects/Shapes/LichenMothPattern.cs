@@ -7,20 +7,20 @@ namespace Alate
     /// A painted lichen moth's colours, drawn for this package: grey stripes along a fore wing that turns from yellow to orange red, and a pink hind wing with a
     /// grey border. Laid by eye into the outline of the couple.
     /// </summary>
-    sealed class LichenMothPattern : WingPattern
+    internal sealed class LichenMothPattern : WingPattern
     {
-        const double k_Tornus = 0.77, k_TipStart = 0.83, k_SeamStart = -0.03, k_SeamSlope = -0.27, k_BorderWidth = 0.085, k_SeamHalfWidth = 0.006;
-        const double k_VeinHalfWidth = 0.004, k_LeastFeature = 0.3;
+        private const double k_Tornus = 0.77, k_TipStart = 0.83, k_SeamStart = -0.03, k_SeamSlope = -0.27, k_BorderWidth = 0.085, k_SeamHalfWidth = 0.006;
+        private const double k_VeinHalfWidth = 0.004, k_LeastFeature = 0.3;
 
-        static readonly Color s_Yellow = new Color(0.95f, 0.76f, 0.30f);
-        static readonly Color s_Red = new Color(0.90f, 0.36f, 0.18f);
-        static readonly Color s_Grey = new Color(0.32f, 0.31f, 0.34f);
-        static readonly Color s_Pink = new Color(0.94f, 0.60f, 0.55f);
-        static readonly Color s_PinkBase = new Color(0.96f, 0.72f, 0.62f);
+        private static readonly Color s_Yellow = new Color(0.95f, 0.76f, 0.30f);
+        private static readonly Color s_Red = new Color(0.90f, 0.36f, 0.18f);
+        private static readonly Color s_Grey = new Color(0.32f, 0.31f, 0.34f);
+        private static readonly Color s_Pink = new Color(0.94f, 0.60f, 0.55f);
+        private static readonly Color s_PinkBase = new Color(0.96f, 0.72f, 0.62f);
 
-        readonly WingOutline m_Outline;
-        readonly VeinFan m_Veins;
-        readonly StrokeSet m_HindMargin = new StrokeSet();
+        private readonly WingOutline m_Outline;
+        private readonly VeinFan m_Veins;
+        private readonly StrokeSet m_HindMargin = new StrokeSet();
 
         /// <param name="outline">The outline of the couple.</param>
         public LichenMothPattern(WingOutline outline)
@@ -44,7 +44,7 @@ namespace Alate
             return Color.Lerp(colour, s_Grey, seamLine);
         }
 
-        Color ForeWing(double span, double across, double blend)
+        private Color ForeWing(double span, double across, double blend)
         {
             var colour = Color.Lerp(s_Yellow, s_Red, Ink.Within(-span, -0.52, 0.55));
             var costa = Ink.Within(across, 0.15 + 0.03 * span, blend);
@@ -53,7 +53,7 @@ namespace Alate
             return Color.Lerp(colour, s_Grey, Math.Max(costa, Math.Max(middle, inner)));
         }
 
-        Color HindWing(double span, double forward, double softness)
+        private Color HindWing(double span, double forward, double softness)
         {
             var colour = Color.Lerp(s_Pink, s_PinkBase, Ink.Within(Math.Sqrt(span * span + forward * forward), 0.25, 0.3));
             var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);

@@ -7,13 +7,13 @@ namespace Alate
     /// A clear wing: a tinted membrane that lets things behind it show through, and opaque veins that thin out towards the margin. Opacity is in the
     /// colour's alpha; a material that ignores alpha shows a pale membrane.
     /// </summary>
-    sealed class MembranePattern : WingPattern
+    internal sealed class MembranePattern : WingPattern
     {
-        const double k_LeastFeature = 0.3, k_RimWidth = 0.008, k_ThinnestShare = 0.45, k_CrossShare = 0.6, k_Stem = 0.1;
+        private const double k_LeastFeature = 0.3, k_RimWidth = 0.008, k_ThinnestShare = 0.45, k_CrossShare = 0.6, k_Stem = 0.1;
 
-        readonly VeinFan m_Veins;
-        readonly StrokeSet m_Rim = new StrokeSet();
-        readonly StrokeSet m_Costa = new StrokeSet();
+        private readonly VeinFan m_Veins;
+        private readonly StrokeSet m_Rim = new StrokeSet();
+        private readonly StrokeSet m_Costa = new StrokeSet();
 
         /// <param name="outline">The outline to draw into.</param>
         /// <param name="veins">The veins.</param>

@@ -9,17 +9,17 @@ namespace Alate
     /// </summary>
     public sealed class MonarchPattern : WingPattern
     {
-        const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.055, k_SpotRadius = 0.0115;
-        const double k_MarginStart = 0.93, k_MarginEnd = 0.4;
-        const double k_LeastFeature = 0.35;
+        private const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.055, k_SpotRadius = 0.0115;
+        private const double k_MarginStart = 0.93, k_MarginEnd = 0.4;
+        private const double k_LeastFeature = 0.35;
 
-        static readonly Color s_Ground = new Color(0.90f, 0.44f, 0.08f);
-        static readonly Color s_Base = new Color(0.72f, 0.31f, 0.06f);
-        static readonly Color s_Dark = new Color(0.09f, 0.06f, 0.055f);
-        static readonly Color s_Spot = new Color(0.97f, 0.94f, 0.87f);
-        static readonly Color s_Window = new Color(0.96f, 0.66f, 0.34f);
+        private static readonly Color s_Ground = new Color(0.90f, 0.44f, 0.08f);
+        private static readonly Color s_Base = new Color(0.72f, 0.31f, 0.06f);
+        private static readonly Color s_Dark = new Color(0.09f, 0.06f, 0.055f);
+        private static readonly Color s_Spot = new Color(0.97f, 0.94f, 0.87f);
+        private static readonly Color s_Window = new Color(0.96f, 0.66f, 0.34f);
 
-        static readonly double[][] s_Veins =
+        private static readonly double[][] s_Veins =
         {
             new[] { 0.01, 0.002, 0.12, 0.04, 0.25, 0.07, 0.5, 0.1, 0.75, 0.15 },
             new[] { 0.01, -0.002, 0.22, 0.014, 0.46, 0.022 },
@@ -43,15 +43,15 @@ namespace Alate
             new[] { 0.06, -0.06, 0.13, -0.18, 0.18, -0.28 },
         };
 
-        static readonly double[] s_Windows =
+        private static readonly double[] s_Windows =
         {
             0.72, 0.122, 0.03, 0.012, 0.76, 0.08, 0.035, 0.013, 0.745, 0.04, 0.035, 0.012, 0.86, 0.112, 0.018, 0.01, 0.88, 0.075, 0.018, 0.01,
             0.85, 0.035, 0.018, 0.01,
         };
 
-        readonly StrokeSet m_Veins = new StrokeSet();
-        readonly StrokeSet m_ThinRim = new StrokeSet();
-        readonly StrokeSet m_Margin = new StrokeSet();
+        private readonly StrokeSet m_Veins = new StrokeSet();
+        private readonly StrokeSet m_ThinRim = new StrokeSet();
+        private readonly StrokeSet m_Margin = new StrokeSet();
 
         /// <summary>Lays the pattern into an outline.</summary>
         public MonarchPattern(WingOutline outline)
@@ -87,12 +87,12 @@ namespace Alate
             return Color.Lerp(colour, s_Spot, Ink.Within(spot, k_SpotRadius, 0.5 * softness));
         }
 
-        static float Apex(double span, double forward, double softness)
+        private static float Apex(double span, double forward, double softness)
         {
             return Ink.Within(0.63 + 0.8 * (0.13 - forward) - span, 0, 2 * softness);
         }
 
-        static float Windows(double span, double forward, double softness)
+        private static float Windows(double span, double forward, double softness)
         {
             var inside = 0f;
             for (var i = 0; i < s_Windows.Length; i += 4)

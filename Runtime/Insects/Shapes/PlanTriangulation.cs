@@ -7,18 +7,18 @@ namespace Alate
     /// A triangulation of a polygon in plan that takes further points inside it and stays the constrained Delaunay triangulation of them all (Lawson 1977):
     /// among all triangulations that keep the polygon's edges it is the one whose smallest angles are largest. Triangles face up.
     /// </summary>
-    sealed class PlanTriangulation
+    internal sealed class PlanTriangulation
     {
-        const int k_Border = -1;
+        private const int k_Border = -1;
 
-        readonly List<PlanPoint> m_Points;
-        readonly List<int> m_Corners = new List<int>();
+        private readonly List<PlanPoint> m_Points;
+        private readonly List<int> m_Corners = new List<int>();
 
         /// <summary>[3 t + k] The triangle across the edge from corner k to corner k + 1 of triangle t.</summary>
-        readonly List<int> m_Neighbours = new List<int>();
+        private readonly List<int> m_Neighbours = new List<int>();
 
-        readonly Stack<int> m_Suspects = new Stack<int>();
-        int m_Last;
+        private readonly Stack<int> m_Suspects = new Stack<int>();
+        private int m_Last;
 
         /// <param name="polygon">Corners of a simple polygon, clockwise when seen with x to the right and z up.</param>
         public PlanTriangulation(IReadOnlyList<PlanPoint> polygon)
@@ -85,7 +85,7 @@ namespace Alate
             MakeDelaunay();
         }
 
-        List<int>[] Fans()
+        private List<int>[] Fans()
         {
             var fans = new List<int>[m_Points.Count];
             for (var corner = 0; corner < m_Corners.Count; corner++)
@@ -96,13 +96,13 @@ namespace Alate
             return fans;
         }
 
-        double DoubledArea(int triangle) =>
+        private double DoubledArea(int triangle) =>
             DoubledArea(m_Points[m_Corners[3 * triangle]], m_Points[m_Corners[3 * triangle + 1]], m_Points[m_Corners[3 * triangle + 2]]);
 
         /// <summary>Positive where a, b, c run clockwise, so that their triangle faces up.</summary>
-        static double DoubledArea(PlanPoint a, PlanPoint b, PlanPoint c) => PlanPoint.Cross(c - a, b - a);
+        private static double DoubledArea(PlanPoint a, PlanPoint b, PlanPoint c) => PlanPoint.Cross(c - a, b - a);
 
-        void Connect()
+        private void Connect()
         {
             var open = new Dictionary<(int, int), int>();
             for (var corner = 0; corner < m_Corners.Count; corner++)
@@ -121,7 +121,7 @@ namespace Alate
             }
         }
 
-        int Find(PlanPoint point)
+        private int Find(PlanPoint point)
         {
             var triangle = m_Last;
             for (var step = 0; step <= m_Corners.Count; step++)
@@ -145,7 +145,7 @@ namespace Alate
         }
 
         /// <summary>The edge with the point most behind it, or −1 when the point lies in the triangle.</summary>
-        int Towards(int triangle, PlanPoint point)
+        private int Towards(int triangle, PlanPoint point)
         {
             var worst = -1;
             var least = 0.0;
@@ -163,7 +163,7 @@ namespace Alate
         }
 
         /// <summary>A concave rim can stop the walk on its far side.</summary>
-        int FindAmongAll(PlanPoint point)
+        private int FindAmongAll(PlanPoint point)
         {
             for (var triangle = 0; 3 * triangle < m_Corners.Count; triangle++)
             {
@@ -176,7 +176,7 @@ namespace Alate
             throw new ArgumentException($"The point ({point.x}, {point.z}) lies outside the polygon.");
         }
 
-        void Split(int triangle, int point)
+        private void Split(int triangle, int point)
         {
             var first = 3 * triangle;
             var a = m_Corners[first];
@@ -198,7 +198,7 @@ namespace Alate
             m_Suspects.Push(3 * third);
         }
 
-        void Redirect(int triangle, int from, int to)
+        private void Redirect(int triangle, int from, int to)
         {
             if (triangle == k_Border)
             {
@@ -208,7 +208,7 @@ namespace Alate
             m_Neighbours[m_Neighbours.IndexOf(from, 3 * triangle, 3)] = to;
         }
 
-        void MakeDelaunay()
+        private void MakeDelaunay()
         {
             while (m_Suspects.Count > 0)
             {
@@ -227,7 +227,7 @@ namespace Alate
             }
         }
 
-        bool IsBetterFlipped(int edge, int back)
+        private bool IsBetterFlipped(int edge, int back)
         {
             var a = m_Points[m_Corners[edge]];
             var b = m_Points[m_Corners[Next(edge)]];
@@ -243,11 +243,11 @@ namespace Alate
         }
 
         /// <summary>Cotangent of the angle at the apex; the edge is Delaunay where the two opposite cotangents do not add up to less than zero.</summary>
-        static double Cotangent(PlanPoint a, PlanPoint apex, PlanPoint b) =>
+        private static double Cotangent(PlanPoint a, PlanPoint apex, PlanPoint b) =>
             PlanPoint.Dot(a - apex, b - apex) / Math.Abs(PlanPoint.Cross(a - apex, b - apex));
 
         /// <summary>Turns the diagonal of the two triangles at an edge.</summary>
-        void Flip(int edge, int back)
+        private void Flip(int edge, int back)
         {
             var one = edge / 3;
             var other = back / 3;
@@ -270,7 +270,7 @@ namespace Alate
             }
         }
 
-        void Set(int triangle, int a, int b, int c, int acrossAb, int acrossBc, int acrossCa)
+        private void Set(int triangle, int a, int b, int c, int acrossAb, int acrossBc, int acrossCa)
         {
             m_Corners[3 * triangle] = a;
             m_Corners[3 * triangle + 1] = b;
@@ -280,6 +280,6 @@ namespace Alate
             m_Neighbours[3 * triangle + 2] = acrossCa;
         }
 
-        static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
+        private static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
     }
 }

@@ -4,10 +4,10 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>A polyline in the plane of the wing, walked by its arc length.</summary>
-    sealed class PlanarPath
+    internal sealed class PlanarPath
     {
-        readonly List<(double X, double Z)> m_Points = new List<(double X, double Z)>();
-        readonly List<double> m_Distances = new List<double>();
+        private readonly List<(double X, double Z)> m_Points = new List<(double X, double Z)>();
+        private readonly List<double> m_Distances = new List<double>();
 
         public double Length => m_Distances.Count == 0 ? 0 : m_Distances[m_Distances.Count - 1];
 

@@ -3,10 +3,10 @@ using System;
 namespace Alate
 {
     /// <summary>Fills a rim with an exact number of nearly equilateral triangles.</summary>
-    static class RimFill
+    internal static class RimFill
     {
-        const int k_Relaxations = 4;
-        const double k_Widen = 1.05;
+        private const int k_Relaxations = 4;
+        private const double k_Widen = 1.05;
 
         /// <summary>A triangulation with b corners on its rim and i points inside has b + 2 i − 2 triangles, whatever it looks like.</summary>
         public static PlanTriangulation Triangulate(WingRim rim, int triangleCount)
@@ -34,7 +34,7 @@ namespace Alate
             return triangulation;
         }
 
-        static double Area(PlanPoint[] polygon)
+        private static double Area(PlanPoint[] polygon)
         {
             var doubled = 0.0;
             for (var k = 0; k < polygon.Length; k++)

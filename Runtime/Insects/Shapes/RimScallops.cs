@@ -7,13 +7,13 @@ namespace Alate
     /// Scallops of a margin: hollows between points that stay on the outline, as between the veins of a hind wing or the rays of a fin. The points lie evenly
     /// along a part of the margin.
     /// </summary>
-    sealed class RimScallops
+    internal sealed class RimScallops
     {
-        const int k_StepsPerHollow = 24;
+        private const int k_StepsPerHollow = 24;
 
-        readonly double m_From;
-        readonly double m_To;
-        readonly double[] m_Depths;
+        private readonly double m_From;
+        private readonly double m_To;
+        private readonly double[] m_Depths;
 
         /// <param name="from">Where the first hollow begins: share of the margin's length from the leading corner of the base, 0 to 1.</param>
         /// <param name="to">Where the last hollow ends.</param>
@@ -40,7 +40,7 @@ namespace Alate
             return stretches;
         }
 
-        static void Append(List<PlanarPath> stretches, PlanarPath margin, double from, double to, double depth)
+        private static void Append(List<PlanarPath> stretches, PlanarPath margin, double from, double to, double depth)
         {
             if (to <= from)
             {
@@ -62,7 +62,7 @@ namespace Alate
             stretches.Add(stretch);
         }
 
-        static (double X, double Z) Inward(PlanarPath margin, double distance, double reach)
+        private static (double X, double Z) Inward(PlanarPath margin, double distance, double reach)
         {
             var (x0, z0) = margin.At(Math.Max(0, distance - reach));
             var (x1, z1) = margin.At(Math.Min(margin.Length, distance + reach));

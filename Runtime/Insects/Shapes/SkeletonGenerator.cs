@@ -10,7 +10,7 @@ namespace Alate
     public static class SkeletonGenerator
     {
         /// <summary>Even steps of span in which an edge is walked to measure its arc length, here to 3·10⁻⁵ of it.</summary>
-        const int k_EdgeSteps = 400;
+        private const int k_EdgeSteps = 400;
 
         /// <summary>Makes a skeleton.</summary>
         /// <param name="outline">The wing's contour.</param>
@@ -53,7 +53,7 @@ namespace Alate
             return Make(paths, jointsPerChain, scale, side);
         }
 
-        static WingSkeleton Make(PlanarPath[] paths, int jointsPerChain, float scale, WingSide side)
+        private static WingSkeleton Make(PlanarPath[] paths, int jointsPerChain, float scale, WingSide side)
         {
             var sign = side == WingSide.Right ? 1f : -1f;
             var made = Array.ConvertAll(paths, path => new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) });
@@ -65,7 +65,7 @@ namespace Alate
             return skeleton;
         }
 
-        static Vector3[] JointsAlong(PlanarPath path, int count, float scale, float sign)
+        private static Vector3[] JointsAlong(PlanarPath path, int count, float scale, float sign)
         {
             var joints = new Vector3[count];
             for (var j = 0; j < count; j++)
@@ -77,12 +77,12 @@ namespace Alate
             return joints;
         }
 
-        static (double X, double Z) Root(WingOutline outline, int chain, int chains)
+        private static (double X, double Z) Root(WingOutline outline, int chain, int chains)
         {
             return (0, outline.LeadingAt(0) - outline.ChordAt(0) * chain / (chains - 1));
         }
 
-        static PlanarPath LeadingEdge(WingOutline outline)
+        private static PlanarPath LeadingEdge(WingOutline outline)
         {
             var path = new PlanarPath();
             for (var step = 0; step <= k_EdgeSteps; step++)
@@ -94,7 +94,7 @@ namespace Alate
             return path;
         }
 
-        static PlanarPath TipAndTrailingEdge(WingOutline outline, double lastTipSpan)
+        private static PlanarPath TipAndTrailingEdge(WingOutline outline, double lastTipSpan)
         {
             var path = new PlanarPath();
             path.Add(1, outline.LeadingAt(1));
@@ -107,7 +107,7 @@ namespace Alate
             return path;
         }
 
-        static void Check(WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale)
+        private static void Check(WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale)
         {
             if (outline == null)
             {

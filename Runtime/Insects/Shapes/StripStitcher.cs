@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Joins rows of vertices, each running from leading to trailing edge, by strips of triangles that face up.</summary>
-    static class StripStitcher
+    internal static class StripStitcher
     {
         public static int CountVertices(int[] segments)
         {
@@ -32,7 +32,7 @@ namespace Alate
             return triangles;
         }
 
-        static int StitchStrip(Vector3[] positions, int inner, int innerPieces, int outer, int outerPieces, int[] triangles, int corner)
+        private static int StitchStrip(Vector3[] positions, int inner, int innerPieces, int outer, int outerPieces, int[] triangles, int corner)
         {
             var a = inner;
             var b = outer;
@@ -49,6 +49,6 @@ namespace Alate
             return corner;
         }
 
-        static float SquaredDistance(Vector3[] positions, int a, int b) => (positions[a] - positions[b]).sqrMagnitude;
+        private static float SquaredDistance(Vector3[] positions, int a, int b) => (positions[a] - positions[b]).sqrMagnitude;
     }
 }

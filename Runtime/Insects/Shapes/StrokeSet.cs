@@ -4,9 +4,9 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>Polylines in the plane of the wing, asked for the distance to the nearest of them.</summary>
-    sealed class StrokeSet
+    internal sealed class StrokeSet
     {
-        readonly List<(double X0, double Z0, double X1, double Z1, double Start)> m_Segments =
+        private readonly List<(double X0, double Z0, double X1, double Z1, double Start)> m_Segments =
             new List<(double X0, double Z0, double X1, double Z1, double Start)>();
 
         /// <summary>Adds a polyline given as x, z, x, z, …; Start of its segments counts on from <paramref name="start"/>.</summary>
@@ -43,6 +43,6 @@ namespace Alate
             return nearest;
         }
 
-        static double Hypotenuse(double a, double b) => Math.Sqrt(a * a + b * b);
+        private static double Hypotenuse(double a, double b) => Math.Sqrt(a * a + b * b);
     }
 }

@@ -84,6 +84,6 @@ namespace Alate
             return mesh;
         }
 
-        static Vector3 MirrorX(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
+        private static Vector3 MirrorX(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
     }
 }

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>The colours that a swallowtail's fore and hind wings share.</summary>
-    static class SwallowtailColours
+    internal static class SwallowtailColours
     {
         public static readonly Color Yellow = new Color(0.96f, 0.80f, 0.33f);
         public static readonly Color Pale = new Color(0.97f, 0.87f, 0.52f);

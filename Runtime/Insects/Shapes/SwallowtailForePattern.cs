@@ -6,22 +6,22 @@ namespace Alate
     /// <summary>
     /// A swallowtail's fore wing, drawn for this package: yellow between black veins, a dusky base, bars across the cell and a black border with yellow spots.
     /// </summary>
-    sealed class SwallowtailForePattern : WingPattern
+    internal sealed class SwallowtailForePattern : WingPattern
     {
-        const double k_VeinHalfWidth = 0.0045, k_LeastFeature = 0.35, k_BorderWidth = 0.155, k_Scallop = 0.014, k_SpotSpacing = 0.082;
-        const double k_CostaWidth = 0.014, k_Beyond = 0.3, k_LastSpot = 0.57;
+        private const double k_VeinHalfWidth = 0.0045, k_LeastFeature = 0.35, k_BorderWidth = 0.155, k_Scallop = 0.014, k_SpotSpacing = 0.082;
+        private const double k_CostaWidth = 0.014, k_Beyond = 0.3, k_LastSpot = 0.57;
 
-        static readonly double[][] s_Bars =
+        private static readonly double[][] s_Bars =
         {
             new[] { 0.36, 0.215, 0.385, 0.13 },
             new[] { 0.53, 0.29, 0.55, 0.20 },
             new[] { 0.60, 0.315, 0.615, 0.26 },
         };
 
-        readonly VeinFan m_Veins;
-        readonly StrokeSet m_Border = new StrokeSet();
-        readonly StrokeSet m_Costa = new StrokeSet();
-        readonly StrokeSet m_Bars = new StrokeSet();
+        private readonly VeinFan m_Veins;
+        private readonly StrokeSet m_Border = new StrokeSet();
+        private readonly StrokeSet m_Costa = new StrokeSet();
+        private readonly StrokeSet m_Bars = new StrokeSet();
 
         /// <param name="outline">The outline to draw into.</param>
         public SwallowtailForePattern(WingOutline outline)

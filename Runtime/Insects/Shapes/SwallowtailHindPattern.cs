@@ -7,25 +7,25 @@ namespace Alate
     /// A swallowtail's hind wing, drawn for this package: yellow between black veins, a black border dusted with blue, yellow crescents at the margin, a black
     /// tail, and a red eye near the body.
     /// </summary>
-    sealed class SwallowtailHindPattern : WingPattern
+    internal sealed class SwallowtailHindPattern : WingPattern
     {
-        const double k_VeinHalfWidth = 0.006, k_LeastFeature = 0.35, k_RimWidth = 0.018;
-        const double k_BorderWidth = 0.17, k_Beyond = 0.3, k_CrescentSpacing = 0.125;
-        const double k_BeltWidth = 0.085, k_Scallop = 0.014, k_SpotSpacing = 0.128, k_BeltLength = 0.77;
-        const double k_EyeSpan = 0.345, k_EyeForward = -0.84, k_EyeRadius = 0.066, k_TailRoot = -0.99;
+        private const double k_VeinHalfWidth = 0.006, k_LeastFeature = 0.35, k_RimWidth = 0.018;
+        private const double k_BorderWidth = 0.17, k_Beyond = 0.3, k_CrescentSpacing = 0.125;
+        private const double k_BeltWidth = 0.085, k_Scallop = 0.014, k_SpotSpacing = 0.128, k_BeltLength = 0.77;
+        private const double k_EyeSpan = 0.345, k_EyeForward = -0.84, k_EyeRadius = 0.066, k_TailRoot = -0.99;
 
         /// <summary>Where the blue spots lie.</summary>
-        static readonly double[] s_Belt =
+        private static readonly double[] s_Belt =
         {
             0.815, -0.31, 0.805, -0.40, 0.775, -0.49, 0.73, -0.575, 0.675, -0.65, 0.61, -0.715, 0.54, -0.76, 0.47, -0.785, 0.40, -0.79, 0.33, -0.78, 0.22, -0.75,
         };
 
-        readonly VeinFan m_Veins;
-        readonly StrokeSet m_Belt = new StrokeSet();
-        readonly StrokeSet m_Foot = new StrokeSet();
-        readonly StrokeSet m_Border = new StrokeSet();
-        readonly StrokeSet m_Rim = new StrokeSet();
-        readonly StrokeSet m_InnerMargin = new StrokeSet();
+        private readonly VeinFan m_Veins;
+        private readonly StrokeSet m_Belt = new StrokeSet();
+        private readonly StrokeSet m_Foot = new StrokeSet();
+        private readonly StrokeSet m_Border = new StrokeSet();
+        private readonly StrokeSet m_Rim = new StrokeSet();
+        private readonly StrokeSet m_InnerMargin = new StrokeSet();
 
         /// <param name="outline">The outline to draw into.</param>
         public SwallowtailHindPattern(WingOutline outline)
@@ -57,7 +57,7 @@ namespace Alate
             return Color.Lerp(colour, SwallowtailColours.Black, rim);
         }
 
-        float Border(double span, double forward, double softness)
+        private float Border(double span, double forward, double softness)
         {
             var belt = m_Belt.Distance(span, forward, out var along);
             var inner = k_BeltWidth + k_Scallop * Math.Cos(2 * Math.PI * along / k_SpotSpacing);
@@ -65,7 +65,7 @@ namespace Alate
             return Math.Max(Ink.Within(belt, inner, softness), Ink.Within(margin, k_BorderWidth, softness));
         }
 
-        float Crescents(double span, double forward, double softness)
+        private float Crescents(double span, double forward, double softness)
         {
             var edge = m_Border.Distance(span, forward, out var along);
             var foot = m_Foot.Distance(span, forward, out var onFoot);
@@ -74,7 +74,7 @@ namespace Alate
             return Math.Max(outer, lower);
         }
 
-        static Color Eye(Color colour, double span, double forward, double softness)
+        private static Color Eye(Color colour, double span, double forward, double softness)
         {
             var x = span - k_EyeSpan;
             var z = forward - k_EyeForward;

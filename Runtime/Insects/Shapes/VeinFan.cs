@@ -7,16 +7,16 @@ namespace Alate
     /// Veins of a wing or rays of a fin: curves from the base to the margin, their forks, and cross veins between neighbours. They are laid out by shares of the
     /// margin, so that they fit whatever outline they are drawn into.
     /// </summary>
-    sealed class VeinFan
+    internal sealed class VeinFan
     {
-        const int k_Steps = 20;
+        private const int k_Steps = 20;
 
-        readonly WingOutline m_Outline;
-        readonly PlanarPath m_Margin;
-        readonly double m_Gather;
-        readonly List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)> m_Veins = new List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)>();
-        readonly StrokeSet m_Strokes = new StrokeSet();
-        readonly StrokeSet m_Crosses = new StrokeSet();
+        private readonly WingOutline m_Outline;
+        private readonly PlanarPath m_Margin;
+        private readonly double m_Gather;
+        private readonly List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)> m_Veins = new List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)>();
+        private readonly StrokeSet m_Strokes = new StrokeSet();
+        private readonly StrokeSet m_Crosses = new StrokeSet();
 
         /// <param name="outline">The outline to draw into.</param>
         /// <param name="gather">How closely veins follow the leading edge before they turn to their tips: 0 runs straight, 1 along the edge.</param>
@@ -73,13 +73,13 @@ namespace Alate
         /// <summary>Distance to the nearest cross vein.</summary>
         public double CrossDistance(double span, double forward) => m_Crosses.Distance(span, forward, out _);
 
-        PlanPoint On(int vein, double t)
+        private PlanPoint On(int vein, double t)
         {
             var (root, bend, tip) = m_Veins[vein];
             return At(root, bend, tip, t);
         }
 
-        PlanPoint Nearest(int vein, PlanPoint point)
+        private PlanPoint Nearest(int vein, PlanPoint point)
         {
             const int samples = 64;
             var nearest = On(vein, 0);
@@ -92,13 +92,13 @@ namespace Alate
             return nearest;
         }
 
-        PlanPoint OnMargin(double share)
+        private PlanPoint OnMargin(double share)
         {
             var (x, z) = m_Margin.At(m_Margin.Length * share);
             return new PlanPoint(x, z);
         }
 
-        static double[] Curve(PlanPoint root, PlanPoint bend, PlanPoint tip)
+        private static double[] Curve(PlanPoint root, PlanPoint bend, PlanPoint tip)
         {
             var points = new double[2 * (k_Steps + 1)];
             for (var step = 0; step <= k_Steps; step++)
@@ -111,7 +111,7 @@ namespace Alate
             return points;
         }
 
-        static PlanPoint At(PlanPoint root, PlanPoint bend, PlanPoint tip, double t) =>
+        private static PlanPoint At(PlanPoint root, PlanPoint bend, PlanPoint tip, double t) =>
             root * ((1 - t) * (1 - t)) + bend * (2 * t * (1 - t)) + tip * (t * t);
     }
 }

@@ -82,13 +82,13 @@ namespace Alate
             return Surface(outline, positions, triangulation.Corners.ToArray(), scale);
         }
 
-        static SurfaceMesh Mesh(WingOutline outline, double[] spans, int[] segments, float scale)
+        private static SurfaceMesh Mesh(WingOutline outline, double[] spans, int[] segments, float scale)
         {
             var positions = StationVertices(outline, spans, segments, scale);
             return Surface(outline, positions, StripStitcher.Stitch(positions, segments), scale);
         }
 
-        static SurfaceMesh Surface(WingOutline outline, Vector3[] positions, int[] triangles, float scale)
+        private static SurfaceMesh Surface(WingOutline outline, Vector3[] positions, int[] triangles, float scale)
         {
             var normals = new Vector3[positions.Length];
             Array.Fill(normals, new Vector3(0f, 1f, 0f));
@@ -101,7 +101,7 @@ namespace Alate
             };
         }
 
-        static Vector3[] StationVertices(WingOutline outline, double[] spans, int[] segments, float scale)
+        private static Vector3[] StationVertices(WingOutline outline, double[] spans, int[] segments, float scale)
         {
             var positions = new Vector3[StripStitcher.CountVertices(segments)];
             var vertex = 0;
@@ -120,14 +120,14 @@ namespace Alate
             return positions;
         }
 
-        static Vector2[] TextureCoordinates(WingOutline outline, Vector3[] positions, float scale)
+        private static Vector2[] TextureCoordinates(WingOutline outline, Vector3[] positions, float scale)
         {
             var rear = (float)outline.Rear;
             var depth = (float)(outline.Front - outline.Rear);
             return Array.ConvertAll(positions, p => new Vector2(p.x / scale, (p.z / scale - rear) / depth));
         }
 
-        static void Check(WingOutline outline, int triangleCount)
+        private static void Check(WingOutline outline, int triangleCount)
         {
             if (outline == null)
             {

@@ -9,14 +9,14 @@ namespace Alate
     /// </summary>
     public sealed class WingOutline
     {
-        const int k_CapPanels = 64, k_PinchSteps = 16;
+        private const int k_CapPanels = 64, k_PinchSteps = 16;
 
-        readonly double[] m_Spans;
-        readonly EdgeCurve m_Leading;
-        readonly EdgeCurve m_Trailing;
-        readonly double m_CapStart;
+        private readonly double[] m_Spans;
+        private readonly EdgeCurve m_Leading;
+        private readonly EdgeCurve m_Trailing;
+        private readonly double m_CapStart;
 
-        WingOutline(double[] spans, EdgeCurve leading, EdgeCurve trailing, double capStart, double length)
+        private WingOutline(double[] spans, EdgeCurve leading, EdgeCurve trailing, double capStart, double length)
         {
             m_Spans = spans;
             m_Leading = leading;
@@ -91,7 +91,7 @@ namespace Alate
         /// <summary>The chord at a span from 0 to 1, wing lengths.</summary>
         public double ChordAt(double span) => Math.Max(0, LeadingAt(span) - TrailingAt(span));
 
-        bool IsPinched(WingOutline smooth)
+        private bool IsPinched(WingOutline smooth)
         {
             for (var i = 0; i + 1 < m_Spans.Length; i++)
             {
@@ -108,14 +108,14 @@ namespace Alate
             return false;
         }
 
-        double Cap(double span, double edge)
+        private double Cap(double span, double edge)
         {
             var middle = 0.5 * (m_Leading.At(span) + m_Trailing.At(span));
             var into = Math.Min(1, (span - m_CapStart) / (1 - m_CapStart));
             return middle + (edge - middle) * Math.Sqrt(1 - into * into);
         }
 
-        double MeasureArea()
+        private double MeasureArea()
         {
             var area = 0.0;
             for (var i = 0; i + 1 < m_Spans.Length; i++)
@@ -134,9 +134,9 @@ namespace Alate
             return area;
         }
 
-        static double[] Scaled(double[] values, double length) => Array.ConvertAll(values, value => value / length);
+        private static double[] Scaled(double[] values, double length) => Array.ConvertAll(values, value => value / length);
 
-        static void CheckLandmarks(double[] span, double[] leading, double[] trailing)
+        private static void CheckLandmarks(double[] span, double[] leading, double[] trailing)
         {
             if (span == null || leading == null || trailing == null)
             {
@@ -162,6 +162,6 @@ namespace Alate
             }
         }
 
-        static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
+        private static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
     }
 }

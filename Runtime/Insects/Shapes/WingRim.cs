@@ -7,14 +7,14 @@ namespace Alate
     /// The closed rim of a right wing in plan, wing lengths: from the leading corner of the base along the leading edge around the tip, back along the trailing
     /// edge, and home along the base. It is kept as smooth stretches; where two of them meet is a corner, which a mesh keeps.
     /// </summary>
-    sealed class WingRim
+    internal sealed class WingRim
     {
         /// <summary>Steps along each edge; they crowd at the tip, where a rounded edge falls steeply.</summary>
-        const int k_EdgeSteps = 1200;
+        private const int k_EdgeSteps = 1200;
 
-        readonly List<PlanarPath> m_Stretches = new List<PlanarPath>();
+        private readonly List<PlanarPath> m_Stretches = new List<PlanarPath>();
 
-        WingRim()
+        private WingRim()
         {
         }
 
@@ -78,7 +78,7 @@ namespace Alate
         /// <summary>The margin alone: from the leading corner of the base around the tip to the trailing one.</summary>
         public static PlanarPath Margin(WingOutline outline) => PlanarPath.Join(Margins(outline));
 
-        static PlanarPath[] Margins(WingOutline outline)
+        private static PlanarPath[] Margins(WingOutline outline)
         {
             var leading = Edge(outline.LeadingAt, false);
             var trailing = Edge(outline.TrailingAt, true);
@@ -87,7 +87,7 @@ namespace Alate
                 : new[] { leading, PlanarPath.Line(leading.At(leading.Length), trailing.At(0)), trailing };
         }
 
-        static PlanarPath Edge(Func<double, double> edge, bool isInward)
+        private static PlanarPath Edge(Func<double, double> edge, bool isInward)
         {
             var path = new PlanarPath();
             for (var step = 0; step <= k_EdgeSteps; step++)

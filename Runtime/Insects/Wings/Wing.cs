@@ -9,53 +9,53 @@ namespace Alate
     {
         [SerializeField]
         [Tooltip("The mesh renderer that draws this wing. Several wings may share one.")]
-        MeshRenderer m_Renderer;
+        private MeshRenderer m_Renderer;
 
         [SerializeField]
         [Tooltip("Which part of the mesh is the wing. Whole Mesh: all of it. Submesh: the triangles of one material. Connected Part: what hangs together with the triangle nearest to the point.")]
-        WingPart m_Part;
+        private WingPart m_Part;
 
         [SerializeField]
         [Tooltip("Number of the submesh that is the wing, from 0. Only with Submesh.")]
-        int m_Submesh;
+        private int m_Submesh;
 
         [SerializeField]
         [Tooltip("A point on the wing, in the mesh's own units. Only with Connected Part.")]
-        Vector3 m_Point;
+        private Vector3 m_Point;
 
         [SerializeField]
         [Tooltip("The wing's radial joint chains, in the space of the mesh. None: they are laid out by themselves when play begins.")]
-        WingSkeleton m_Skeleton;
+        private WingSkeleton m_Skeleton;
 
         [SerializeField]
         [Tooltip("The side of the body that the wing is on.")]
-        WingSide m_Side;
+        private WingSide m_Side;
 
         [SerializeField]
         [Tooltip("Fore wing (or the only pair) or hind wing.")]
-        WingPair m_Pair;
+        private WingPair m_Pair;
 
         [SerializeField]
         [Tooltip("A preset of this wing's own; none takes the insect's. For hind wings that are built or driven differently.")]
-        WingSpecies m_Species;
+        private WingSpecies m_Species;
 
         [SerializeField]
         [Range(0f, 2f)]
         [Tooltip("Factor on the amplitudes, 0 to 2; 1 is the preset's. 0 holds the wing still in the middle of its stroke; beat one side harder to roll.")]
-        float m_AmplitudeScale = 1f;
+        private float m_AmplitudeScale = 1f;
 
         [SerializeField]
         [Range(-180f, 180f)]
         [Tooltip("Degrees of the beat by which this wing is ahead of the insect, -180 to 180; 0 beats with it. Added to the preset's own lead.")]
-        float m_PhaseLead;
+        private float m_PhaseLead;
 
         // False in the first entry that the inspector adds to an empty list: that is all zeros, whatever is written above.
         [SerializeField, HideInInspector]
-        bool m_IsFilledIn = true;
+        private bool m_IsFilledIn = true;
 
         // The authored mesh while the wing lives: a clone made meanwhile finds it here even when the original is gone.
         [SerializeField, HideInInspector]
-        Mesh m_Authored;
+        private Mesh m_Authored;
 
         /// <summary>The mesh to give back; null while the wing does not live.</summary>
         internal Mesh Authored

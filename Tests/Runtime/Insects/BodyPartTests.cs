@@ -142,12 +142,12 @@ namespace Alate.Tests
             }
         }
 
-        static SurfaceMesh Mesh(BodyPart part)
+        private static SurfaceMesh Mesh(BodyPart part)
         {
             return new SurfaceMesh { positions = part.Positions, normals = part.Normals, triangles = part.Triangles };
         }
 
-        static float DistanceTo(Vector3[] curve, Vector3 place)
+        private static float DistanceTo(Vector3[] curve, Vector3 place)
         {
             var nearest = float.MaxValue;
             for (var k = 0; k <= 400; k++)

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Alate.Tests
 {
     /// <summary>The closed pieces of a mesh, and what lies inside them.</summary>
-    static class BodyPieces
+    internal static class BodyPieces
     {
         /// <summary>For each piece the first corners of its triangles.</summary>
         public static List<List<int>> Of(SurfaceMesh mesh)
@@ -89,7 +89,7 @@ namespace Alate.Tests
             return angle / (4 * Math.PI);
         }
 
-        static int Root(int[] parents, int vertex)
+        private static int Root(int[] parents, int vertex)
         {
             while (parents[vertex] != vertex)
             {

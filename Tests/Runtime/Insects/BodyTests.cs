@@ -7,11 +7,11 @@ namespace Alate.Tests
 {
     public sealed class BodyTests
     {
-        const float k_Millimetres = 1000f;
+        private const float k_Millimetres = 1000f;
 
-        static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => Species.All;
 
-        static SurfaceMesh BodyOf(SpeciesDefinition species) => species.Body.CreateSurface(k_Millimetres);
+        private static SurfaceMesh BodyOf(SpeciesDefinition species) => species.Body.CreateSurface(k_Millimetres);
 
         [TestCaseSource(nameof(All))]
         public void EveryEdge_IsSharedByTwoTriangles_ThatRunItBothWays(SpeciesDefinition species)
@@ -156,7 +156,7 @@ namespace Alate.Tests
             Assert.That(second.normals[0].magnitude, Is.EqualTo(1f).Within(1e-4f));
         }
 
-        static bool AreTwins(SurfaceMesh body, int vertex, int twin)
+        private static bool AreTwins(SurfaceMesh body, int vertex, int twin)
         {
             return (Mirrored(body.positions[vertex]) - body.positions[twin]).magnitude < 1e-4f
                 && (Mirrored(body.normals[vertex]) - body.normals[twin]).magnitude < 1e-2f
@@ -164,9 +164,9 @@ namespace Alate.Tests
                 && body.colours[vertex].Equals(body.colours[twin]);
         }
 
-        static Vector3 Mirrored(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
+        private static Vector3 Mirrored(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
 
-        static (int X, int Y, int Z) Cell(Vector3 place)
+        private static (int X, int Y, int Z) Cell(Vector3 place)
         {
             return ((int)Math.Round(1e4 * place.x), (int)Math.Round(1e4 * place.y), (int)Math.Round(1e4 * place.z));
         }

@@ -7,9 +7,9 @@ namespace Alate.Tests
 {
     public sealed class ColourTextureTests
     {
-        const int k_Size = 512;
+        private const int k_Size = 512;
 
-        static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => Species.All;
 
         [TestCaseSource(nameof(All))]
         public void TheTextureOfABody_HasTheColoursOfItsTriangles_AtTheirPlacesInIt(SpeciesDefinition species)
@@ -70,7 +70,7 @@ namespace Alate.Tests
             Assert.That(() => ColourTexture.Paint(Square(0f, 1f, default), 0), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
 
-        static SurfaceMesh Square(float from, float to, Color32 colour)
+        private static SurfaceMesh Square(float from, float to, Color32 colour)
         {
             return new SurfaceMesh
             {
@@ -82,19 +82,19 @@ namespace Alate.Tests
             };
         }
 
-        static float Area(Vector2 a, Vector2 b, Vector2 c)
+        private static float Area(Vector2 a, Vector2 b, Vector2 c)
         {
             return 0.5f * k_Size * k_Size * Math.Abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
         }
 
-        static Color Mean(Color a, Color b, Color c)
+        private static Color Mean(Color a, Color b, Color c)
         {
             return new Color((a.r + b.r + c.r) / 3f, (a.g + b.g + c.g) / 3f, (a.b + b.b + c.b) / 3f, (a.a + b.a + c.a) / 3f);
         }
 
-        static float Spread(Color a, Color b, Color c) => Math.Max(Difference(a, b), Math.Max(Difference(b, c), Difference(c, a)));
+        private static float Spread(Color a, Color b, Color c) => Math.Max(Difference(a, b), Math.Max(Difference(b, c), Difference(c, a)));
 
-        static float Difference(Color a, Color b)
+        private static float Difference(Color a, Color b)
         {
             return Math.Max(Math.Max(Math.Abs(a.r - b.r), Math.Abs(a.g - b.g)), Math.Max(Math.Abs(a.b - b.b), Math.Abs(a.a - b.a)));
         }

@@ -7,7 +7,7 @@ namespace Alate.Tests
 {
     public sealed class ComparisonColumnTests
     {
-        WingSpecies m_Full, m_Copy;
+        private WingSpecies m_Full, m_Copy;
 
         [SetUp]
         public void CreateSpecies()

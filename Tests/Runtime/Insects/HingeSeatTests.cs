@@ -7,9 +7,9 @@ namespace Alate.Tests
 {
     public sealed class HingeSeatTests
     {
-        const float k_Millimetres = 1000f;
+        private const float k_Millimetres = 1000f;
 
-        static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => Species.All;
 
         [TestCaseSource(nameof(All))]
         public void AWingAtRest_PassesThroughNoPartOfTheBody(SpeciesDefinition species)
@@ -81,7 +81,7 @@ namespace Alate.Tests
         }
 
         // To the nearest triangle, measured at seven points of each: the triangles near a hinge are small.
-        static float DistanceToSkin(SurfaceMesh body, Vector3 point)
+        private static float DistanceToSkin(SurfaceMesh body, Vector3 point)
         {
             var nearest = float.MaxValue;
             for (var corner = 0; corner < body.triangles.Length; corner += 3)

@@ -6,11 +6,11 @@ namespace Alate.Tests
 {
     public sealed class SkeletonGeneratorTests
     {
-        const double k_LastTipSpan = 26.9 / 61.0;
+        private const double k_LastTipSpan = 26.9 / 61.0;
 
-        static WingOutline Outline => Species.Find("monarch").Wings[0].Outline;
+        private static WingOutline Outline => Species.Find("monarch").Wings[0].Outline;
 
-        WingSkeleton m_Skeleton;
+        private WingSkeleton m_Skeleton;
 
         [TearDown]
         public void DestroySkeleton()

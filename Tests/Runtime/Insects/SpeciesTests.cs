@@ -7,7 +7,7 @@ namespace Alate.Tests
 {
     public sealed class SpeciesTests
     {
-        static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => Species.All;
 
         [TestCase("monarch")]
         [TestCase("Monarch")]
@@ -137,7 +137,7 @@ namespace Alate.Tests
             }
         }
 
-        static float LargestSpan(SurfaceMesh surface)
+        private static float LargestSpan(SurfaceMesh surface)
         {
             var largest = 0f;
             foreach (var position in surface.positions)

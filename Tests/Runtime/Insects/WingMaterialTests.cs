@@ -7,7 +7,7 @@ namespace Alate.Tests
 {
     public sealed class WingMaterialTests
     {
-        static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => Species.All;
 
         [TestCase(null, RenderPipelineKind.BuiltIn)]
         [TestCase("UniversalRenderPipelineAsset", RenderPipelineKind.Universal)]

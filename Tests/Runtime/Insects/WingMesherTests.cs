@@ -7,7 +7,7 @@ namespace Alate.Tests
 {
     public sealed class WingMesherTests
     {
-        static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
+        private static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
 
         [Test]
         public void Grid_SpreadsItsVerticesEvenly_FromLeadingToTrailingEdge()
@@ -139,7 +139,7 @@ namespace Alate.Tests
             Assert.That(() => WingMesher.Strips(Monarch.Contour, count), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
 
-        static double Area(SurfaceMesh surface)
+        private static double Area(SurfaceMesh surface)
         {
             var area = 0.0;
             for (var t = 0; t < surface.TriangleCount; t++)
@@ -150,7 +150,7 @@ namespace Alate.Tests
             return area;
         }
 
-        static double SmallestTriangle(SurfaceMesh surface)
+        private static double SmallestTriangle(SurfaceMesh surface)
         {
             var smallest = double.MaxValue;
             for (var t = 0; t < surface.TriangleCount; t++)
@@ -161,13 +161,13 @@ namespace Alate.Tests
             return smallest;
         }
 
-        static double SignedArea(SurfaceMesh surface, int triangle)
+        private static double SignedArea(SurfaceMesh surface, int triangle)
         {
             var origin = Corner(surface, triangle, 0);
             return 0.5 * Vector3.Cross(Corner(surface, triangle, 1) - origin, Corner(surface, triangle, 2) - origin).y;
         }
 
-        static List<double> SmallestAngles(SurfaceMesh surface)
+        private static List<double> SmallestAngles(SurfaceMesh surface)
         {
             var angles = new List<double>();
             for (var t = 0; t < surface.TriangleCount; t++)
@@ -187,7 +187,7 @@ namespace Alate.Tests
             return angles;
         }
 
-        static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
+        private static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
         {
             var uses = new Dictionary<(int Low, int High), int>();
             for (var corner = 0; corner < surface.triangles.Length; corner++)
@@ -202,6 +202,6 @@ namespace Alate.Tests
             return uses;
         }
 
-        static Vector3 Corner(SurfaceMesh surface, int triangle, int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
+        private static Vector3 Corner(SurfaceMesh surface, int triangle, int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
     }
 }

@@ -5,7 +5,7 @@ namespace Alate.Tests
 {
     public sealed class WingOutlineTests
     {
-        static WingOutline Monarch => Species.Find("monarch").Wings[0].Outline;
+        private static WingOutline Monarch => Species.Find("monarch").Wings[0].Outline;
 
         [Test]
         public void AMonarchsWing_HasTheMeasuredArea()
@@ -110,7 +110,7 @@ namespace Alate.Tests
             Assert.That(() => WingOutline.FromMillimetres(null, new[] { 1.0 }, new[] { 0.0 }), Throws.ArgumentNullException);
         }
 
-        static void AssertBetween(double value, double a, double b)
+        private static void AssertBetween(double value, double a, double b)
         {
             Assert.That(value, Is.InRange(Math.Min(a, b) - 1e-12, Math.Max(a, b) + 1e-12));
         }

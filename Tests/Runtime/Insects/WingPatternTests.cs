@@ -5,7 +5,7 @@ namespace Alate.Tests
 {
     public sealed class WingPatternTests
     {
-        static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
+        private static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
 
         [Test]
         public void AMonarch_IsOrangeInside_AndDarkAtItsMargin()

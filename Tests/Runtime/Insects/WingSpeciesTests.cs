@@ -6,7 +6,7 @@ namespace Alate.Tests
 {
     public sealed class WingSpeciesTests
     {
-        WingSpecies m_Species;
+        private WingSpecies m_Species;
 
         [SetUp]
         public void CreateSpecies() => m_Species = ScriptableObject.CreateInstance<WingSpecies>();

@@ -36,7 +36,7 @@ namespace Alate
             }
         }
 
-        static HashSet<Renderer> LowerLevels(Transform root)
+        private static HashSet<Renderer> LowerLevels(Transform root)
         {
             var lower = new HashSet<Renderer>();
             var best = new HashSet<Renderer>();
@@ -51,7 +51,7 @@ namespace Alate
             return lower;
         }
 
-        static bool IsShown(Renderer renderer, Transform root)
+        private static bool IsShown(Renderer renderer, Transform root)
         {
             if (!renderer.enabled)
                 return false;

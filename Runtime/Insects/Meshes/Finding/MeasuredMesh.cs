@@ -7,14 +7,14 @@ namespace Alate
     internal sealed class MeasuredMesh
     {
         // Area over that of the largest sheet from which a piece can be a wing of its own, not a vein or a speck.
-        const float k_SmallestPiece = 0.1f;
+        private const float k_SmallestPiece = 0.1f;
 
-        const int k_Several = -1;
+        private const int k_Several = -1;
 
-        readonly Mesh m_Mesh;
-        readonly Matrix4x4 m_ToInsect;
-        readonly Vector3[] m_Positions;
-        int[] m_Owners;
+        private readonly Mesh m_Mesh;
+        private readonly Matrix4x4 m_ToInsect;
+        private readonly Vector3[] m_Positions;
+        private int[] m_Owners;
 
         public MeasuredMesh(Mesh mesh, Matrix4x4 toInsect)
         {
@@ -78,10 +78,10 @@ namespace Alate
             };
         }
 
-        WingShape Shape(WingPart part, int submesh) =>
+        private WingShape Shape(WingPart part, int submesh) =>
             WingShape.Of(m_Positions, MeshParts.Select(m_Mesh, part, submesh, Vector3.zero), m_ToInsect);
 
-        int SubmeshOf(MeshSelection piece)
+        private int SubmeshOf(MeshSelection piece)
         {
             if (SubmeshCount == 1)
                 return 0;
@@ -91,7 +91,7 @@ namespace Alate
         }
 
         // The submesh that each vertex belongs to.
-        int[] Owners()
+        private int[] Owners()
         {
             const int k_None = -2;
             var owners = new int[m_Positions.Length];

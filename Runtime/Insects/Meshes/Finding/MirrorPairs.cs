@@ -7,13 +7,13 @@ namespace Alate
     internal static class MirrorPairs
     {
         // Differences allowed between the two: of area, and of place and size over the side of a square of that area.
-        const float k_Area = 0.2f;
-        const float k_Place = 0.25f;
+        private const float k_Area = 0.2f;
+        private const float k_Place = 0.25f;
 
         // Area over that of the largest pair from which a pair is wings, not leaves of the antennae or tails.
-        const float k_SmallestPair = 0.2f;
+        private const float k_SmallestPair = 0.2f;
 
-        const int k_Most = 2;
+        private const int k_Most = 2;
 
         /// <summary>The members of the largest pairs, two pairs at most.</summary>
         public static List<WingCandidate> Of(List<WingCandidate> candidates)
@@ -38,7 +38,7 @@ namespace Alate
             return found;
         }
 
-        static WingCandidate Nearest(WingCandidate one, List<WingCandidate> others)
+        private static WingCandidate Nearest(WingCandidate one, List<WingCandidate> others)
         {
             WingCandidate nearest = null;
             var least = k_Place;
@@ -57,7 +57,7 @@ namespace Alate
             return nearest;
         }
 
-        static float Distance(WingShape one, WingShape other)
+        private static float Distance(WingShape one, WingShape other)
         {
             var apart = Vector3.Scale(one.centroid, new Vector3(-1f, 1f, 1f)) - other.centroid;
             var larger = one.bounds.size - other.bounds.size;

@@ -22,7 +22,7 @@ namespace Alate
             return words;
         }
 
-        static bool IsBreak(string name, int at)
+        private static bool IsBreak(string name, int at)
         {
             char before = name[at - 1], here = name[at];
             if (char.IsLetter(before) != char.IsLetter(here))

@@ -6,7 +6,7 @@ namespace Alate
     /// <summary>What the names around a renderer say: its own, its mesh's, those of its parents and of its materials.</summary>
     internal sealed class RendererNames
     {
-        readonly List<Material> m_Materials = new List<Material>();
+        private readonly List<Material> m_Materials = new List<Material>();
 
         public RendererNames(Renderer renderer, Mesh mesh, Transform root)
         {
@@ -33,7 +33,7 @@ namespace Alate
         public WingName Material(int submesh) =>
             WingName.Read(submesh < m_Materials.Count && m_Materials[submesh] != null ? m_Materials[submesh].name : null);
 
-        void Take(WingName name, bool isOwn)
+        private void Take(WingName name, bool isOwn)
         {
             IsWing |= isOwn ? name.IsWing : name.IsPlainWing;
             IsCase |= name.IsCase;

@@ -6,12 +6,12 @@ namespace Alate
     /// <summary>Goes through the parts of a renderer's mesh that may each be one wing.</summary>
     internal sealed class WingCandidates
     {
-        readonly Renderer m_Renderer;
-        readonly RendererNames m_Names;
-        readonly MeasuredMesh m_Mesh;
-        readonly List<WingCandidate> m_Found = new List<WingCandidate>();
+        private readonly Renderer m_Renderer;
+        private readonly RendererNames m_Names;
+        private readonly MeasuredMesh m_Mesh;
+        private readonly List<WingCandidate> m_Found = new List<WingCandidate>();
 
-        WingCandidates(Renderer renderer, Mesh mesh, Transform root)
+        private WingCandidates(Renderer renderer, Mesh mesh, Transform root)
         {
             m_Renderer = renderer;
             m_Names = new RendererNames(renderer, mesh, root);
@@ -28,7 +28,7 @@ namespace Alate
             return candidates.m_Found;
         }
 
-        void Collect()
+        private void Collect()
         {
             var drawn = new List<int>();
             for (var submesh = 0; submesh < m_Mesh.SubmeshCount; submesh++)
@@ -47,7 +47,7 @@ namespace Alate
         }
 
         /// <summary>The mesh is all wing, or nothing is known of it.</summary>
-        void CollectAll(List<int> drawn, bool isNamed)
+        private void CollectAll(List<int> drawn, bool isNamed)
         {
             var whole = m_Mesh.Whole();
             var pieces = Pieces(-1, isNamed && whole.Side == null);
@@ -64,7 +64,7 @@ namespace Alate
         }
 
         /// <summary>Some materials are called wings.</summary>
-        void CollectSubmeshes(List<int> wings)
+        private void CollectSubmeshes(List<int> wings)
         {
             foreach (var submesh in wings)
             {
@@ -77,7 +77,7 @@ namespace Alate
             }
         }
 
-        List<MeasuredPiece> Pieces(int submesh, bool guess)
+        private List<MeasuredPiece> Pieces(int submesh, bool guess)
         {
             if (!m_Mesh.IsReadable)
                 return guess ? m_Mesh.Halves(submesh) : new List<MeasuredPiece>();
@@ -85,7 +85,7 @@ namespace Alate
         }
 
         // Each submesh is a wing of one side, and there is one on either.
-        bool IsOnBothSides(List<int> submeshes, bool isNamed)
+        private bool IsOnBothSides(List<int> submeshes, bool isNamed)
         {
             var shapes = submeshes.ConvertAll(m_Mesh.Submesh);
             return shapes.TrueForAll(shape => shape.Side != null && (isNamed || shape.isSheet))
@@ -93,10 +93,10 @@ namespace Alate
                 && shapes.Exists(shape => shape.Side == WingSide.Right);
         }
 
-        void AddPieces(List<MeasuredPiece> pieces, bool isNamed) =>
+        private void AddPieces(List<MeasuredPiece> pieces, bool isNamed) =>
             pieces.ForEach(piece => Add(WingPart.ConnectedPart, piece.submesh, piece.point, piece.shape, isNamed));
 
-        void Add(WingPart part, int submesh, Vector3 point, WingShape shape, bool isNamed)
+        private void Add(WingPart part, int submesh, Vector3 point, WingShape shape, bool isNamed)
         {
             var material = submesh < 0 ? default : m_Names.Material(submesh);
             m_Found.Add(new WingCandidate

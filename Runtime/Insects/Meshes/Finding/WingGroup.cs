@@ -7,10 +7,10 @@ namespace Alate
     internal static class WingGroup
     {
         // A sheet belongs to a larger one if this share of its plan lies over the larger one's box …
-        const float k_Inside = 0.9f;
+        private const float k_Inside = 0.9f;
 
         // … and their middles are nearer to each other, along the body, than this share of the larger one's length.
-        const float k_Apart = 0.2f;
+        private const float k_Apart = 0.2f;
 
         /// <summary>The number of wings that the pieces are on the side that has more.</summary>
         public static int Count(List<MeasuredPiece> pieces)
@@ -46,14 +46,14 @@ namespace Alate
             return largest.Count;
         }
 
-        static bool Belongs(WingShape part, WingShape whole)
+        private static bool Belongs(WingShape part, WingShape whole)
         {
             var apart = Mathf.Abs(part.centroid.z - whole.centroid.z);
             return apart <= k_Apart * whole.bounds.size.z
                 && Inside(part, whole, 0) >= k_Inside && Inside(part, whole, 2) >= k_Inside;
         }
 
-        static float Inside(WingShape part, WingShape whole, int axis)
+        private static float Inside(WingShape part, WingShape whole, int axis)
         {
             var low = Mathf.Max(part.bounds.min[axis], whole.bounds.min[axis]);
             var common = Mathf.Min(part.bounds.max[axis], whole.bounds.max[axis]) - low;

@@ -3,10 +3,10 @@ namespace Alate
     /// <summary>What a name says about a wing: that it is one, its side, its pair.</summary>
     internal readonly struct WingName
     {
-        readonly WingWord m_Meaning;
-        readonly bool m_IsKnown;
+        private readonly WingWord m_Meaning;
+        private readonly bool m_IsKnown;
 
-        WingName(WingWord meaning, bool isKnown)
+        private WingName(WingWord meaning, bool isKnown)
         {
             m_Meaning = meaning;
             m_IsKnown = isKnown;
@@ -53,6 +53,6 @@ namespace Alate
             return new WingName(meaning, isKnown);
         }
 
-        bool Has(WingWord any) => (m_Meaning & any) != 0;
+        private bool Has(WingWord any) => (m_Meaning & any) != 0;
     }
 }

@@ -24,7 +24,7 @@ namespace Alate
             return b.shape.area.CompareTo(a.shape.area);
         }
 
-        static void Assign(List<WingCandidate> wings, WingSide side)
+        private static void Assign(List<WingCandidate> wings, WingSide side)
         {
             var own = wings.FindAll(wing => wing.Side == side);
             var count = WingGroup.Divide(own.ConvertAll(wing => wing.shape), out var groups);

@@ -7,13 +7,13 @@ namespace Alate
     internal readonly struct WingShape
     {
         // Area on one side of the middle plane from which a part belongs to that side.
-        const float k_OneSide = 0.8f;
+        private const float k_OneSide = 0.8f;
 
         // Mean share of a triangle that faces across the sheet: 1 in a plane, 0.64 in a tube, 0.5 in a ball. Cambered wings have above 0.9.
-        const float k_Facing = 0.8f;
+        private const float k_Facing = 0.8f;
 
         // Smallest side over middle side of a box where only that is known.
-        const float k_BoxThickness = 0.2f;
+        private const float k_BoxThickness = 0.2f;
 
         /// <summary>Area of all triangles.</summary>
         public readonly float area;
@@ -30,7 +30,7 @@ namespace Alate
         /// <summary>It is thin and mostly even, as wings are and bodies and legs are not.</summary>
         public readonly bool isSheet;
 
-        WingShape(float area, Vector3 centroid, Bounds bounds, float rightShare, bool isSheet)
+        private WingShape(float area, Vector3 centroid, Bounds bounds, float rightShare, bool isSheet)
         {
             this.area = area;
             this.centroid = centroid;
@@ -97,7 +97,7 @@ namespace Alate
             return new WingShape(sides[1] * sides[2], bounds.center, bounds, right, sides[0] < k_BoxThickness * sides[1]);
         }
 
-        static bool IsSheet(Vector3[] points, int[] triangles, float area, Vector3 axis)
+        private static bool IsSheet(Vector3[] points, int[] triangles, float area, Vector3 axis)
         {
             var facing = 0f;
             for (var corner = 0; corner < triangles.Length; corner += 3)
@@ -106,7 +106,7 @@ namespace Alate
         }
 
         /// <summary>The direction that most of the area faces, by squaring the matrix until only its largest axis is left.</summary>
-        static Vector3 MainAxis(float3x3 normals)
+        private static Vector3 MainAxis(float3x3 normals)
         {
             for (var step = 0; step < 6; step++)
             {
@@ -120,12 +120,12 @@ namespace Alate
             return math.normalize(axis);
         }
 
-        static float3x3 Square(float3 v) => new float3x3(v * v.x, v * v.y, v * v.z);
+        private static float3x3 Square(float3 v) => new float3x3(v * v.x, v * v.y, v * v.z);
 
-        static Vector3 Middle(Vector3[] points, int[] triangles, int corner) =>
+        private static Vector3 Middle(Vector3[] points, int[] triangles, int corner) =>
             (points[triangles[corner]] + points[triangles[corner + 1]] + points[triangles[corner + 2]]) / 3f;
 
-        static Vector3 AreaNormal(Vector3[] points, int[] triangles, int corner)
+        private static Vector3 AreaNormal(Vector3[] points, int[] triangles, int corner)
         {
             var origin = points[triangles[corner]];
             return 0.5f * Vector3.Cross(points[triangles[corner + 1]] - origin, points[triangles[corner + 2]] - origin);

@@ -6,9 +6,9 @@ namespace Alate
     /// <summary>The words that tell wings in the names of objects, bones, meshes and materials.</summary>
     internal static class WingWords
     {
-        const int k_LongestAbbreviation = 2;
+        private const int k_LongestAbbreviation = 2;
 
-        static readonly Dictionary<string, WingWord> s_Meanings = Meanings(
+        private static readonly Dictionary<string, WingWord> s_Meanings = Meanings(
             (WingWord.Wing, "wing wings fin fins"),
             (WingWord.Left, "left l"),
             (WingWord.Right, "right r"),
@@ -43,7 +43,7 @@ namespace Alate
         }
 
         // A compound of known words. Abbreviations are trusted only before or behind a compound that names a wing.
-        static bool Divide(string word, int start, WingWord before, bool isAbbreviated, out WingWord meaning)
+        private static bool Divide(string word, int start, WingWord before, bool isAbbreviated, out WingWord meaning)
         {
             meaning = before;
             if (start == word.Length)
@@ -61,7 +61,7 @@ namespace Alate
             return false;
         }
 
-        static Dictionary<string, WingWord> Meanings(params (WingWord Meaning, string Words)[] groups)
+        private static Dictionary<string, WingWord> Meanings(params (WingWord Meaning, string Words)[] groups)
         {
             var meanings = new Dictionary<string, WingWord>(StringComparer.Ordinal);
             foreach (var (meaning, words) in groups)

@@ -23,7 +23,7 @@ namespace Alate
         }
 
         // Between two frames their differences are mixed; before the first they grow from nothing, behind the last they stay.
-        void Blend(Mesh mesh, int shape, float weight)
+        private void Blend(Mesh mesh, int shape, float weight)
         {
             var frames = mesh.GetBlendShapeFrameCount(shape);
             var next = 0;
@@ -37,7 +37,7 @@ namespace Alate
                 Add(mesh, shape, next - 1, 1f - share);
         }
 
-        void Add(Mesh mesh, int shape, int frame, float share)
+        private void Add(Mesh mesh, int shape, int frame, float share)
         {
             var moves = new Vector3[mesh.vertexCount];
             var turns = new Vector3[mesh.vertexCount];

@@ -27,7 +27,7 @@ namespace Alate
             });
         }
 
-        static void Change(LODGroup group, Action<List<Renderer>> change)
+        private static void Change(LODGroup group, Action<List<Renderer>> change)
         {
             var levels = group.GetLODs();
             for (var level = 0; level < levels.Length; level++)

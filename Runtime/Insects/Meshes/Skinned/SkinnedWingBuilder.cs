@@ -6,12 +6,12 @@ namespace Alate
     /// <summary>Makes the mesh and the object of one wing.</summary>
     internal sealed class SkinnedWingBuilder
     {
-        readonly SkinnedMeshRenderer m_Source;
-        readonly string m_Name;
+        private readonly SkinnedMeshRenderer m_Source;
+        private readonly string m_Name;
 
         // The submeshes of the source that the wing has triangles of, and their corners.
-        readonly List<int> m_Places = new List<int>();
-        readonly List<int[]> m_Corners = new List<int[]>();
+        private readonly List<int> m_Places = new List<int>();
+        private readonly List<int[]> m_Corners = new List<int[]>();
 
         public SkinnedWingBuilder(SkinnedMeshRenderer source, SkinnedWing wing, bool namesPair)
         {
@@ -50,7 +50,7 @@ namespace Alate
         }
 
         // Materials beyond the last submesh are drawn over it, so they go where it goes.
-        Material[] Materials(Material[] all)
+        private Material[] Materials(Material[] all)
         {
             var last = m_Source.sharedMesh.subMeshCount - 1;
             var own = m_Places.ConvertAll(submesh => submesh < all.Length ? all[submesh] : null);

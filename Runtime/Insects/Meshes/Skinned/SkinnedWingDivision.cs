@@ -7,19 +7,19 @@ namespace Alate
     /// <summary>Divides the wing triangles of a skinned mesh into wings, each with the bone that carries it.</summary>
     internal sealed class SkinnedWingDivision
     {
-        const int k_NoBone = -1;
+        private const int k_NoBone = -1;
 
         // Share of the weight in a connected part from which the bones of either pair make it a fore and a hind wing.
-        const float k_Pair = 0.2f;
+        private const float k_Pair = 0.2f;
 
-        readonly TriangleSet m_Wings;
-        readonly WingBones m_Bones;
-        readonly Vector3[] m_Positions;
-        readonly Matrix4x4 m_ToInsect;
-        readonly DisjointSets m_Sets;
-        readonly Dictionary<int, Part> m_Parts = new Dictionary<int, Part>();
+        private readonly TriangleSet m_Wings;
+        private readonly WingBones m_Bones;
+        private readonly Vector3[] m_Positions;
+        private readonly Matrix4x4 m_ToInsect;
+        private readonly DisjointSets m_Sets;
+        private readonly Dictionary<int, Part> m_Parts = new Dictionary<int, Part>();
 
-        SkinnedWingDivision(TriangleSet wings, WingBones bones, Vector3[] positions, Matrix4x4 toInsect)
+        private SkinnedWingDivision(TriangleSet wings, WingBones bones, Vector3[] positions, Matrix4x4 toInsect)
         {
             m_Wings = wings;
             m_Bones = bones;
@@ -40,7 +40,7 @@ namespace Alate
             return division.Merge();
         }
 
-        void MeasureParts()
+        private void MeasureParts()
         {
             foreach (var part in m_Wings.Divide((a, b, c) => m_Sets.Find(a)))
             {
@@ -51,7 +51,7 @@ namespace Alate
         }
 
         // Parts of one side that one bone carries move as one: membrane and veins, or a thin wing's two faces.
-        List<SkinnedWing> Merge()
+        private List<SkinnedWing> Merge()
         {
             var merged = new Dictionary<(int Bone, WingSide Side), List<int>[]>();
             foreach (var piece in m_Wings.Divide(PieceOf))
@@ -71,7 +71,7 @@ namespace Alate
             return wings;
         }
 
-        (int Set, WingSide Side, WingPair Pair) PieceOf(int a, int b, int c)
+        private (int Set, WingSide Side, WingPair Pair) PieceOf(int a, int b, int c)
         {
             var set = m_Sets.Find(a);
             var part = m_Parts[set];
@@ -80,7 +80,7 @@ namespace Alate
             return (set, side, part.hasBothPairs ? PairOf(new[] { a, b, c }) : WingPair.Fore);
         }
 
-        SkinnedWing Made(int bone, int[][] submeshes)
+        private SkinnedWing Made(int bone, int[][] submeshes)
         {
             var name = bone == k_NoBone ? default : m_Bones.Name(bone);
             var shape = WingShape.Of(m_Positions, MeshSelection.Of(Flat(submeshes)), m_ToInsect);
@@ -88,7 +88,7 @@ namespace Alate
             return new SkinnedWing { bone = bone, submeshes = submeshes, place = place };
         }
 
-        int Carrier(int[] corners)
+        private int Carrier(int[] corners)
         {
             if (!m_Bones.IsSkinned)
                 return k_NoBone;
@@ -96,9 +96,9 @@ namespace Alate
             return m_Bones[heaviest] == null ? heaviest : m_Bones.RootOf(heaviest);
         }
 
-        WingPair PairOf(int[] corners) => m_Bones.Name(Heaviest(Weights(corners))).Pair ?? WingPair.Fore;
+        private WingPair PairOf(int[] corners) => m_Bones.Name(Heaviest(Weights(corners))).Pair ?? WingPair.Fore;
 
-        bool HasBothPairs(int[] corners)
+        private bool HasBothPairs(int[] corners)
         {
             float fore = 0f, hind = 0f;
             var weights = Weights(corners);
@@ -111,7 +111,7 @@ namespace Alate
             return Mathf.Min(fore, hind) > k_Pair * corners.Length;
         }
 
-        float[] Weights(int[] corners)
+        private float[] Weights(int[] corners)
         {
             var sums = new float[m_Bones.Count];
             if (m_Bones.IsSkinned)
@@ -123,7 +123,7 @@ namespace Alate
             return sums;
         }
 
-        static int Heaviest(float[] weights)
+        private static int Heaviest(float[] weights)
         {
             var heaviest = 0;
             for (var bone = 1; bone < weights.Length; bone++)
@@ -131,7 +131,7 @@ namespace Alate
             return heaviest;
         }
 
-        static int[] Flat(int[][] submeshes)
+        private static int[] Flat(int[][] submeshes)
         {
             var all = new List<int>();
             foreach (var own in submeshes)
@@ -139,7 +139,7 @@ namespace Alate
             return all.ToArray();
         }
 
-        struct Part
+        private struct Part
         {
             /// <summary>None if it reaches over both sides.</summary>
             public WingSide? side;

@@ -6,10 +6,10 @@ namespace Alate
     /// <summary>What became of a skinned renderer whose wings are plain renderers now.</summary>
     public sealed class SkinnedWingResult
     {
-        readonly Mesh m_Original;
-        readonly bool m_WasEnabled;
-        readonly IReadOnlyList<LODGroup> m_Groups;
-        bool m_IsRestored;
+        private readonly Mesh m_Original;
+        private readonly bool m_WasEnabled;
+        private readonly IReadOnlyList<LODGroup> m_Groups;
+        private bool m_IsRestored;
 
         internal SkinnedWingResult(
             SkinnedMeshRenderer source, IReadOnlyList<MeshRenderer> wings, IReadOnlyList<Mesh> wingMeshes, Mesh bodyMesh)

@@ -5,12 +5,12 @@ namespace Alate
     /// <summary>Which triangles of a skinned mesh are wings.</summary>
     internal sealed class SkinnedWings
     {
-        readonly SkinnedMeshRenderer m_Source;
-        readonly Mesh m_Mesh;
-        readonly Transform m_Insect;
-        readonly RendererNames m_Names;
+        private readonly SkinnedMeshRenderer m_Source;
+        private readonly Mesh m_Mesh;
+        private readonly Transform m_Insect;
+        private readonly RendererNames m_Names;
 
-        SkinnedWings(SkinnedMeshRenderer source, Transform insect)
+        private SkinnedWings(SkinnedMeshRenderer source, Transform insect)
         {
             m_Source = source;
             m_Mesh = source.sharedMesh;
@@ -54,19 +54,19 @@ namespace Alate
             return System.Array.Exists(source.bones, bone => bone != null && WingName.Read(bone.name).NamesWing);
         }
 
-        void AddNamed(TriangleSet found)
+        private void AddNamed(TriangleSet found)
         {
             found.Add((submesh, a, b, c) => m_Names.IsWing || m_Names.Material(submesh).IsWing);
         }
 
-        void AddMovedByWingBones(TriangleSet found)
+        private void AddMovedByWingBones(TriangleSet found)
         {
             var bones = new WingBones(m_Source, m_Insect);
             if (bones.IsSkinned)
                 found.Add((submesh, a, b, c) => bones.IsWing(a, b, c));
         }
 
-        void AddMirrored(TriangleSet found)
+        private void AddMirrored(TriangleSet found)
         {
             foreach (var candidate in MirrorPairs.Of(WingCandidates.Of(m_Source, m_Mesh, m_Insect)))
                 found.Add(candidate.part, candidate.submesh, candidate.point);

@@ -6,9 +6,9 @@ namespace Alate
     /// <summary>The bones of a skinned mesh: their weights at its vertices, and which of them are called wings.</summary>
     internal sealed class WingBones
     {
-        readonly Transform[] m_Bones;
-        readonly BoneWeight[] m_Weights;
-        readonly WingName[] m_Names;
+        private readonly Transform[] m_Bones;
+        private readonly BoneWeight[] m_Weights;
+        private readonly WingName[] m_Names;
 
         /// <param name="source">A renderer with a readable mesh.</param>
         /// <param name="insect">Above all of its bones; its name does not count.</param>
@@ -64,11 +64,11 @@ namespace Alate
         }
 
         // Bones above without a side move both wings, those without a pair move fore and hind wing.
-        static bool IsSameWing(WingName above, WingName below) =>
+        private static bool IsSameWing(WingName above, WingName below) =>
             above.NamesWing && above.Side != null && above.Side == below.Side && above.Pair == below.Pair;
 
         // Of objects above that are no bones, such as the rig, only those with a side speak for a wing.
-        static WingName NameOf(Transform bone, Transform insect, Transform[] bones)
+        private static WingName NameOf(Transform bone, Transform insect, Transform[] bones)
         {
             for (var place = bone; place != null && place != insect; place = place.parent)
             {
@@ -80,16 +80,16 @@ namespace Alate
             return default;
         }
 
-        float WingWeight(int vertex)
+        private float WingWeight(int vertex)
         {
             var weights = m_Weights[vertex];
             return WingWeight(weights.boneIndex0, weights.weight0) + WingWeight(weights.boneIndex1, weights.weight1)
                 + WingWeight(weights.boneIndex2, weights.weight2) + WingWeight(weights.boneIndex3, weights.weight3);
         }
 
-        float WingWeight(int bone, float weight) => bone < m_Names.Length && m_Names[bone].NamesWing ? weight : 0f;
+        private float WingWeight(int bone, float weight) => bone < m_Names.Length && m_Names[bone].NamesWing ? weight : 0f;
 
-        static void Add(int bone, float weight, float[] sums)
+        private static void Add(int bone, float weight, float[] sums)
         {
             if (bone < sums.Length)
                 sums[bone] += weight;

@@ -8,7 +8,7 @@ namespace Alate
     /// <summary>Makes meshes of some of another's triangles.</summary>
     internal static class WingMeshCut
     {
-        const int k_Channels = 8;
+        private const int k_Channels = 8;
 
         /// <summary>
         /// A mesh of these triangles alone, moved by a matrix; colours and texture coordinates are kept, weights are not.
@@ -89,20 +89,20 @@ namespace Alate
             return rest;
         }
 
-        static Vector4 Tangent(Vector4 tangent, Matrix4x4 matrix, float hand)
+        private static Vector4 Tangent(Vector4 tangent, Matrix4x4 matrix, float hand)
         {
             Vector4 moved = matrix.MultiplyVector(tangent).normalized;
             moved.w = tangent.w * hand;
             return moved;
         }
 
-        static void Turn(int[] corners)
+        private static void Turn(int[] corners)
         {
             for (var corner = 0; corner < corners.Length; corner += 3)
                 (corners[corner + 1], corners[corner + 2]) = (corners[corner + 2], corners[corner + 1]);
         }
 
-        static void CopyColours(Mesh from, Mesh to, int[] vertices)
+        private static void CopyColours(Mesh from, Mesh to, int[] vertices)
         {
             if (!from.HasVertexAttribute(VertexAttribute.Color))
                 return;
@@ -112,7 +112,7 @@ namespace Alate
                 to.colors = Pick(from.colors, vertices);
         }
 
-        static void CopyCoordinates(Mesh from, Mesh to, int[] vertices, int channel)
+        private static void CopyCoordinates(Mesh from, Mesh to, int[] vertices, int channel)
         {
             var attribute = VertexAttribute.TexCoord0 + channel;
             if (!from.HasVertexAttribute(attribute))
@@ -134,6 +134,6 @@ namespace Alate
             }
         }
 
-        static T[] Pick<T>(T[] all, int[] vertices) => Array.ConvertAll(vertices, vertex => all[vertex]);
+        private static T[] Pick<T>(T[] all, int[] vertices) => Array.ConvertAll(vertices, vertex => all[vertex]);
     }
 }

@@ -8,7 +8,7 @@ namespace Alate
     /// One closed piece of a body, millimetres: triangles that face outwards, smooth normals, and texture coordinates from 0 to 1 of the piece itself, u around it
     /// (0 on its upper line, 1 on its lower one, the same on both sides, so that no seam is needed) and v along it.
     /// </summary>
-    sealed class BodyPart
+    internal sealed class BodyPart
     {
         public Vector3[] Positions { get; private set; }
 
@@ -60,7 +60,7 @@ namespace Alate
             return new BodyPart { Positions = Positions, Normals = normals, Uvs = Uvs, Triangles = Triangles, Extent = Extent };
         }
 
-        static double Volume(Vector3[] positions, int[] triangles)
+        private static double Volume(Vector3[] positions, int[] triangles)
         {
             var volume = 0.0;
             var origin = positions[0];
@@ -74,7 +74,7 @@ namespace Alate
             return volume / 6;
         }
 
-        static Vector3[] SmoothNormals(Vector3[] positions, IReadOnlyList<int> triangles)
+        private static Vector3[] SmoothNormals(Vector3[] positions, IReadOnlyList<int> triangles)
         {
             var normals = new Vector3[positions.Length];
             for (var corner = 0; corner < triangles.Count; corner += 3)
@@ -91,7 +91,7 @@ namespace Alate
             return Array.ConvertAll(normals, normal => normal / normal.magnitude);
         }
 
-        static int[] Turned(int[] triangles)
+        private static int[] Turned(int[] triangles)
         {
             var turned = (int[])triangles.Clone();
             for (var corner = 0; corner < turned.Length; corner += 3)
@@ -103,6 +103,6 @@ namespace Alate
             return turned;
         }
 
-        static Vector3 MirrorX(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
+        private static Vector3 MirrorX(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
     }
 }

@@ -5,10 +5,10 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Gathers the parts of a body and joins them to one mesh. Whatever is added comes out the same on both sides.</summary>
-    sealed class BodyParts
+    internal sealed class BodyParts
     {
-        readonly List<BodyPatch> m_Patches = new List<BodyPatch>();
-        readonly List<Vector2> m_Extents = new List<Vector2>();
+        private readonly List<BodyPatch> m_Patches = new List<BodyPatch>();
+        private readonly List<Vector2> m_Extents = new List<Vector2>();
 
         /// <summary>Adds a part of the middle, itself symmetric.</summary>
         public BodyPatch Add(BodyPart part, BodyPaint paint) => Add(part, paint, false);
@@ -40,7 +40,7 @@ namespace Alate
             return mesh.ToSurface();
         }
 
-        BodyPatch Add(BodyPart part, BodyPaint paint, bool isPair)
+        private BodyPatch Add(BodyPart part, BodyPaint paint, bool isPair)
         {
             m_Patches.Add(new BodyPatch(part, paint, isPair, m_Extents.Count));
             m_Extents.Add(part.Extent);
@@ -48,7 +48,7 @@ namespace Alate
         }
 
         // A part of the middle is painted as its right half everywhere.
-        static Color32[] Colours(BodyPatch patch)
+        private static Color32[] Colours(BodyPatch patch)
         {
             var part = patch.Part;
             var colours = new Color32[part.Positions.Length];
@@ -68,13 +68,13 @@ namespace Alate
             return colours;
         }
 
-        sealed class Gathering
+        private sealed class Gathering
         {
-            readonly List<Vector3> m_Positions = new List<Vector3>();
-            readonly List<Vector3> m_Normals = new List<Vector3>();
-            readonly List<Vector2> m_Uvs = new List<Vector2>();
-            readonly List<Color32> m_Colours = new List<Color32>();
-            readonly List<int> m_Triangles = new List<int>();
+            private readonly List<Vector3> m_Positions = new List<Vector3>();
+            private readonly List<Vector3> m_Normals = new List<Vector3>();
+            private readonly List<Vector2> m_Uvs = new List<Vector2>();
+            private readonly List<Color32> m_Colours = new List<Color32>();
+            private readonly List<int> m_Triangles = new List<int>();
 
             public void Append(BodyPart part, Color32[] colours, Rect shelf)
             {

@@ -1,7 +1,7 @@
 namespace Alate
 {
     /// <summary>A part in its place on a body: how it is painted, whether it has a twin on the left, and which patch of the texture it takes.</summary>
-    sealed class BodyPatch
+    internal sealed class BodyPatch
     {
         public BodyPatch(BodyPart part, BodyPaint paint, bool isPair, int shelf)
         {

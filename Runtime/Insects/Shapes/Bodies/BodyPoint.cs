@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>A place on the right side of a body, as its colouring sees it.</summary>
-    readonly struct BodyPoint
+    internal readonly struct BodyPoint
     {
         public BodyPoint(Vector3 place, Vector3 normal, Vector2 uv)
         {

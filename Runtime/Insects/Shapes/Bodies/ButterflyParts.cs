@@ -5,10 +5,10 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>What the bodies of butterflies share: a head with eyes, palps and a rolled tongue, clubbed antennae, folded legs, a segmented abdomen.</summary>
-    static class ButterflyParts
+    internal static class ButterflyParts
     {
-        const float k_TongueTurns = 2.6f;
-        const int k_TongueRings = 44;
+        private const float k_TongueTurns = 2.6f;
+        private const int k_TongueRings = 44;
 
         /// <summary>A round head with large eyes and two palps that stand before it.</summary>
         public static void AddHead(BodyParts parts, Vector3 centre, float radius, BodyPaint face, BodyPaint eye)

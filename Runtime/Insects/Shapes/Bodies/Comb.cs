@@ -4,9 +4,9 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Teeth or bristles in rows along an antenna.</summary>
-    static class Comb
+    internal static class Comb
     {
-        static readonly Vector3 s_Up = new Vector3(0f, 1f, 0f);
+        private static readonly Vector3 s_Up = new Vector3(0f, 1f, 0f);
 
         /// <param name="curve">The right antenna: a Bezier curve, millimetres.</param>
         /// <param name="teeth">Teeth of a row, evenly spaced.</param>

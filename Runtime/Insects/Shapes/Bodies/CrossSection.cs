@@ -7,7 +7,7 @@ namespace Alate
     /// A slice across a part of a body, millimetres: two half ellipses, one above and one below the centre, bent up in the middle by an arch. Flat and arched
     /// it is a slice of a shell, thin and high one of a fin.
     /// </summary>
-    readonly struct CrossSection
+    internal readonly struct CrossSection
     {
         public CrossSection(Vector3 centre, float halfWidth, float above, float below, float arch = 0f)
         {

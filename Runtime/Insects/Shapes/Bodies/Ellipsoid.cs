@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>An ellipsoid whose poles lie before and behind its centre: heads, eyes, knobs.</summary>
-    static class Ellipsoid
+    internal static class Ellipsoid
     {
         /// <param name="centre">Millimetres.</param>
         /// <param name="radii">Right, up and ahead, millimetres.</param>

@@ -7,20 +7,20 @@ namespace Alate
     /// A firefly's body, 12 mm long: a flat shield with a dark spot covers the head, dark wing cases with pale rims are held open and up, ahead of the beating
     /// wings, and the last rings of the soft abdomen are the lantern. Proportions chosen by us, after the look of Photinus.
     /// </summary>
-    static class FireflyBody
+    internal static class FireflyBody
     {
-        const float k_AbdomenRings = 7f, k_LanternStart = 5f, k_CaseLength = 8.6f;
+        private const float k_AbdomenRings = 7f, k_LanternStart = 5f, k_CaseLength = 8.6f;
 
-        static readonly Color32 s_Brown = new Color32(58, 45, 38, 255);
-        static readonly Color32 s_Case = new Color32(52, 42, 38, 255);
-        static readonly Color32 s_CaseInside = new Color32(112, 92, 76, 255);
-        static readonly Color32 s_Rim = new Color32(214, 188, 128, 255);
-        static readonly Color32 s_Rose = new Color32(212, 112, 86, 255);
-        static readonly Color32 s_Eye = new Color32(24, 22, 24, 255);
-        static readonly Color32 s_Lantern = new Color32(236, 246, 148, 255);
-        static readonly Color32 s_LanternEdge = new Color32(206, 206, 118, 255);
+        private static readonly Color32 s_Brown = new Color32(58, 45, 38, 255);
+        private static readonly Color32 s_Case = new Color32(52, 42, 38, 255);
+        private static readonly Color32 s_CaseInside = new Color32(112, 92, 76, 255);
+        private static readonly Color32 s_Rim = new Color32(214, 188, 128, 255);
+        private static readonly Color32 s_Rose = new Color32(212, 112, 86, 255);
+        private static readonly Color32 s_Eye = new Color32(24, 22, 24, 255);
+        private static readonly Color32 s_Lantern = new Color32(236, 246, 148, 255);
+        private static readonly Color32 s_LanternEdge = new Color32(206, 206, 118, 255);
 
-        static readonly CrossSection[] s_Thorax =
+        private static readonly CrossSection[] s_Thorax =
         {
             new CrossSection(new Vector3(0f, 0f, 2.6f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0f, 2.1f), 1.05f, 0.7f, 0.85f),
@@ -30,7 +30,7 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.1f, -2.7f), 0f, 0f, 0f),
         };
 
-        static readonly CrossSection[] s_Abdomen =
+        private static readonly CrossSection[] s_Abdomen =
         {
             new CrossSection(new Vector3(0f, -0.1f, -1.3f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, -0.1f, -2f), 1.25f, 0.7f, 0.8f),
@@ -40,16 +40,16 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.5f, -8.6f), 0f, 0f, 0f),
         };
 
-        static readonly Vector3 s_CaseBase = new Vector3(0.95f, 0.95f, 1.75f);
-        static readonly Vector3 s_CaseAlong = k_CaseLength * new Vector3(0.76f, 0.6f, 0.25f);
-        static readonly Vector3 s_CaseUp = new Vector3(-0.55f, 0.75f, 0.2f);
+        private static readonly Vector3 s_CaseBase = new Vector3(0.95f, 0.95f, 1.75f);
+        private static readonly Vector3 s_CaseAlong = k_CaseLength * new Vector3(0.76f, 0.6f, 0.25f);
+        private static readonly Vector3 s_CaseUp = new Vector3(-0.55f, 0.75f, 0.2f);
 
-        static readonly Vector3[] s_Antenna =
+        private static readonly Vector3[] s_Antenna =
         {
             new Vector3(0.35f, -0.35f, 4.3f), new Vector3(0.9f, 0.1f, 5.8f), new Vector3(2f, 0.5f, 7.2f), new Vector3(3.4f, 0.4f, 8f),
         };
 
-        static readonly Vector3[][] s_Legs =
+        private static readonly Vector3[][] s_Legs =
         {
             new[]
             {
@@ -70,7 +70,7 @@ namespace Alate
 
         public static InsectBody Create(SpeciesWing wing) => new InsectBody(parts => Build(parts, HingeSeat.Of(wing)));
 
-        static void Build(BodyParts parts, HingeSeat seat)
+        private static void Build(BodyParts parts, HingeSeat seat)
         {
             parts.Add(seat.Press(Trunk.Through(s_Thorax, 18, 20)), (in BodyPoint point) => s_Brown);
             parts.Add(Trunk.Through(s_Abdomen, 36, 16, ButterflyParts.Rings(k_AbdomenRings, 0.08f)), Lit);
@@ -85,7 +85,7 @@ namespace Alate
         }
 
         // A half disc: straight behind, round in front.
-        static BodyPart Shield()
+        private static BodyPart Shield()
         {
             return Shell.Along(
                 new Vector3(0f, 0.55f, 1.85f), new Vector3(0f, -0.35f, 3.3f), new Vector3(0f, 1f, 0f),
@@ -93,7 +93,7 @@ namespace Alate
         }
 
         // Nearly as wide as long sides can be, rounded at the end.
-        static BodyPart Case()
+        private static BodyPart Case()
         {
             return Shell.Along(
                 s_CaseBase, s_CaseAlong, s_CaseUp,
@@ -101,13 +101,13 @@ namespace Alate
         }
 
         // Eleven short pieces, thickest at their ends.
-        static float Beaded(float t)
+        private static float Beaded(float t)
         {
             var within = 11f * t % 1f;
             return (0.13f - 0.05f * t) * (0.82f + 0.3f * within);
         }
 
-        static Color32 Lit(in BodyPoint point)
+        private static Color32 Lit(in BodyPoint point)
         {
             var ring = k_AbdomenRings * point.Along;
             var furrow = 0.5f * Tint.Below(0.82f, ring % 1f, 0.2f);
@@ -116,7 +116,7 @@ namespace Alate
             return Tint.Mix(lantern, skin, Tint.Below(ring, k_LanternStart, 0.25f));
         }
 
-        static Color32 Spotted(in BodyPoint point)
+        private static Color32 Spotted(in BodyPoint point)
         {
             var across = point.Place.x;
             var ahead = point.Place.z - 3.1f;
@@ -126,7 +126,7 @@ namespace Alate
             return Tint.Mix(Tint.Mix(s_Rim, s_Rose, rose), s_Eye, spot);
         }
 
-        static Color32 Rimmed(in BodyPoint point)
+        private static Color32 Rimmed(in BodyPoint point)
         {
             var rim = Tint.Below(Mathf.Abs(point.Around - 0.5f), 0.1f, 0.1f);
             var face = point.Around < 0.5f ? s_Case : s_CaseInside;

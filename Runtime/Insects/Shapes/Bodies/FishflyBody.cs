@@ -7,18 +7,18 @@ namespace Alate
     /// A fishfly's body, 33 mm long without the antennae: a flat head, a square fore thorax like a neck, and a long soft abdomen. The antennae are combs, as
     /// those of a male Chauliodes. Dull brown with ochre. Proportions chosen by us.
     /// </summary>
-    static class FishflyBody
+    internal static class FishflyBody
     {
-        const float k_AbdomenRings = 9f;
-        const int k_Teeth = 26;
+        private const float k_AbdomenRings = 9f;
+        private const int k_Teeth = 26;
 
-        static readonly Color32 s_Brown = new Color32(92, 76, 60, 255);
-        static readonly Color32 s_Ochre = new Color32(186, 158, 112, 255);
-        static readonly Color32 s_Dark = new Color32(48, 40, 34, 255);
-        static readonly Color32 s_Skin = new Color32(134, 116, 92, 255);
-        static readonly Color32 s_Eye = new Color32(34, 30, 30, 255);
+        private static readonly Color32 s_Brown = new Color32(92, 76, 60, 255);
+        private static readonly Color32 s_Ochre = new Color32(186, 158, 112, 255);
+        private static readonly Color32 s_Dark = new Color32(48, 40, 34, 255);
+        private static readonly Color32 s_Skin = new Color32(134, 116, 92, 255);
+        private static readonly Color32 s_Eye = new Color32(34, 30, 30, 255);
 
-        static readonly CrossSection[] s_Thorax =
+        private static readonly CrossSection[] s_Thorax =
         {
             new CrossSection(new Vector3(0f, 0f, 5.6f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0.1f, 4.8f), 1.7f, 1.5f, 1.5f),
@@ -29,7 +29,7 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.2f, -5.4f), 0f, 0f, 0f),
         };
 
-        static readonly CrossSection[] s_Prothorax =
+        private static readonly CrossSection[] s_Prothorax =
         {
             new CrossSection(new Vector3(0f, 0f, 4.2f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0.05f, 4.8f), 1.5f, 0.95f, 1.05f),
@@ -39,7 +39,7 @@ namespace Alate
             new CrossSection(new Vector3(0f, 0.35f, 9.4f), 0f, 0f, 0f),
         };
 
-        static readonly CrossSection[] s_Head =
+        private static readonly CrossSection[] s_Head =
         {
             new CrossSection(new Vector3(0f, 0.3f, 8.4f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0.3f, 9.2f), 1.45f, 0.9f, 0.95f),
@@ -49,7 +49,7 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.2f, 13.1f), 0f, 0f, 0f),
         };
 
-        static readonly CrossSection[] s_Abdomen =
+        private static readonly CrossSection[] s_Abdomen =
         {
             new CrossSection(new Vector3(0f, -0.1f, -3.4f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, -0.1f, -4.6f), 1.5f, 1.25f, 1.4f),
@@ -59,12 +59,12 @@ namespace Alate
             new CrossSection(new Vector3(0f, -2.2f, -20f), 0f, 0f, 0f),
         };
 
-        static readonly Vector3[] s_Antenna =
+        private static readonly Vector3[] s_Antenna =
         {
             new Vector3(0.75f, 0.75f, 11.8f), new Vector3(1.8f, 2.2f, 15.5f), new Vector3(5f, 2.4f, 20f), new Vector3(8.6f, 1.2f, 23f),
         };
 
-        static readonly Vector3[][] s_Legs =
+        private static readonly Vector3[][] s_Legs =
         {
             new[]
             {
@@ -88,7 +88,7 @@ namespace Alate
             return new InsectBody(parts => Build(parts, HingeSeat.Of(fore), HingeSeat.Of(hind)));
         }
 
-        static void Build(BodyParts parts, HingeSeat fore, HingeSeat hind)
+        private static void Build(BodyParts parts, HingeSeat fore, HingeSeat hind)
         {
             parts.Add(hind.Press(fore.Press(Trunk.Through(s_Thorax, 26, 20))), Marked);
             parts.Add(Trunk.Through(s_Prothorax, 14, 18), Marked);
@@ -102,10 +102,10 @@ namespace Alate
         }
 
         // Longest in the middle of the antenna.
-        static float ToothLength(float t) => 1.5f * (float)Math.Pow(Math.Sin(Math.PI * (0.12 + 0.82 * t)), 0.6);
+        private static float ToothLength(float t) => 1.5f * (float)Math.Pow(Math.Sin(Math.PI * (0.12 + 0.82 * t)), 0.6);
 
         // Ochre lines along the middle of head and thorax, and dark flecks beside them.
-        static Color32 Marked(in BodyPoint point)
+        private static Color32 Marked(in BodyPoint point)
         {
             var line = Tint.Below(point.Place.x, 0.22f, 0.25f) * Tint.Below(point.Around, 0.5f, 0.3f);
             var fleck = 0.7f * Tint.Below(Mathf.Abs(point.Place.x - 0.9f), 0.3f, 0.3f) * Tint.Below(point.Around, 0.5f, 0.2f);
@@ -113,7 +113,7 @@ namespace Alate
             return Tint.Mix(Tint.Mix(Tint.Mix(s_Brown, s_Dark, fleck), s_Skin, side), s_Ochre, line);
         }
 
-        static Color32 Soft(in BodyPoint point)
+        private static Color32 Soft(in BodyPoint point)
         {
             var plate = Tint.Below(point.Around, 0.42f, 0.2f) * Tint.Below(k_AbdomenRings * point.Along % 1f, 0.72f, 0.3f);
             return Tint.Mix(s_Skin, s_Brown, plate);

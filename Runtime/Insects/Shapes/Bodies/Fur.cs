@@ -6,13 +6,13 @@ using Random = Unity.Mathematics.Random;
 namespace Alate
 {
     /// <summary>Hair and scales that stand off a part: slim pyramids that lean back.</summary>
-    sealed class Fur
+    internal sealed class Fur
     {
         /// <summary>How far a hair is rooted in the skin, of its length.</summary>
-        const float k_Root = 0.15f;
+        private const float k_Root = 0.15f;
 
         /// <summary>Share of the skin's normal in a hair's own, so that fur is lit as the round body it grows on; below 1, so that normals still point outwards.</summary>
-        const float k_SkinNormal = 0.6f;
+        private const float k_SkinNormal = 0.6f;
 
         /// <summary>Hairs on the right side; the left has as many.</summary>
         public int Count { get; set; }
@@ -57,7 +57,7 @@ namespace Alate
         }
 
         // Sums of the areas of the right half's triangles, as far as hair grows on them.
-        double[] Areas(BodyPart skin)
+        private double[] Areas(BodyPart skin)
         {
             var sums = new double[skin.Triangles.Length / 3];
             var sum = 0.0;
@@ -78,7 +78,7 @@ namespace Alate
             return sums;
         }
 
-        static BodyPoint Root(BodyPart skin, int corner, ref Random random)
+        private static BodyPoint Root(BodyPart skin, int corner, ref Random random)
         {
             float u = random.NextFloat(), v = random.NextFloat();
             if (u + v > 1f)
@@ -96,7 +96,7 @@ namespace Alate
                 w * skin.Uvs[a] + u * skin.Uvs[b] + v * skin.Uvs[c]);
         }
 
-        void Add(Pyramids hairs, in BodyPoint root, ref Random random)
+        private void Add(Pyramids hairs, in BodyPoint root, ref Random random)
         {
             var length = Length * random.NextFloat(0.67f, 1.33f);
             var jitter = new Vector3(random.NextFloat(-1f, 1f), random.NextFloat(-1f, 1f), random.NextFloat(-1f, 1f));

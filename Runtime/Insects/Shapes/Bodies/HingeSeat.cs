@@ -7,18 +7,18 @@ namespace Alate
     /// The flat area of a body's side on which a wing sits: within it the skin is moved to the plane of the hinge, around it the move fades out. So the root of the wing
     /// lies on the skin, neither in the air nor inside.
     /// </summary>
-    sealed class HingeSeat
+    internal sealed class HingeSeat
     {
         /// <summary>How far the skin stays inside the plane of the hinge, of the hinge's distance from the middle.</summary>
-        const float k_Inset = 0.003f;
+        private const float k_Inset = 0.003f;
 
         /// <summary>Flat skin all round the root, of the root's length: wider than the triangles are, which span the edge of the flat area.</summary>
-        const float k_Margin = 0.22f;
+        private const float k_Margin = 0.22f;
 
-        readonly Vector3 m_Hinge;
-        readonly float m_Front, m_Rear, m_HalfHeight, m_Fade;
+        private readonly Vector3 m_Hinge;
+        private readonly float m_Front, m_Rear, m_HalfHeight, m_Fade;
 
-        HingeSeat(Vector3 hinge, float front, float rear, float halfHeight, float fade)
+        private HingeSeat(Vector3 hinge, float front, float rear, float halfHeight, float fade)
         {
             m_Hinge = hinge;
             m_Front = front;
@@ -45,7 +45,7 @@ namespace Alate
         /// <summary>Whether a place is on or near the seat, where hair would grow through the wing.</summary>
         public bool Covers(Vector3 place) => Away(place) < 0.5;
 
-        Vector3 Move(Vector3 place)
+        private Vector3 Move(Vector3 place)
         {
             var away = Away(place);
             var target = (1f - k_Inset) * m_Hinge.x;
@@ -62,7 +62,7 @@ namespace Alate
         }
 
         // From the flat area, in widths of the fade.
-        double Away(Vector3 place)
+        private double Away(Vector3 place)
         {
             var beyond = Math.Max(0f, Math.Max(place.z - m_Front, m_Rear - place.z));
             var above = Math.Max(0f, Math.Abs(place.y - m_Hinge.y) - m_HalfHeight);

@@ -9,7 +9,7 @@ namespace Alate
     /// </summary>
     public sealed class InsectBody
     {
-        readonly Lazy<SurfaceMesh> m_Millimetres;
+        private readonly Lazy<SurfaceMesh> m_Millimetres;
 
         internal InsectBody(Action<BodyParts> build)
         {
@@ -34,7 +34,7 @@ namespace Alate
             };
         }
 
-        static SurfaceMesh Build(Action<BodyParts> build)
+        private static SurfaceMesh Build(Action<BodyParts> build)
         {
             var parts = new BodyParts();
             build(parts);

@@ -6,17 +6,17 @@ namespace Alate
     /// A monarch's body, 29 mm long: black, with white dots on head and thorax, a paler belly, and four legs, since a monarch folds its fore legs away. Proportions
     /// chosen by us.
     /// </summary>
-    static class MonarchBody
+    internal static class MonarchBody
     {
-        const float k_DotRadius = 0.42f, k_AbdomenRings = 8f;
+        private const float k_DotRadius = 0.42f, k_AbdomenRings = 8f;
 
-        static readonly Color32 s_Black = new Color32(36, 32, 32, 255);
-        static readonly Color32 s_Fur = new Color32(52, 44, 42, 255);
-        static readonly Color32 s_Belly = new Color32(108, 92, 80, 255);
-        static readonly Color32 s_Eye = new Color32(58, 34, 24, 255);
-        static readonly Color32 s_Dot = new Color32(240, 234, 222, 255);
+        private static readonly Color32 s_Black = new Color32(36, 32, 32, 255);
+        private static readonly Color32 s_Fur = new Color32(52, 44, 42, 255);
+        private static readonly Color32 s_Belly = new Color32(108, 92, 80, 255);
+        private static readonly Color32 s_Eye = new Color32(58, 34, 24, 255);
+        private static readonly Color32 s_Dot = new Color32(240, 234, 222, 255);
 
-        static readonly CrossSection[] s_Thorax =
+        private static readonly CrossSection[] s_Thorax =
         {
             new CrossSection(new Vector3(0f, 0.1f, 4.5f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0.15f, 3.7f), 1.25f, 1.2f, 1.35f),
@@ -27,7 +27,7 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.4f, -4.6f), 0f, 0f, 0f),
         };
 
-        static readonly CrossSection[] s_Abdomen =
+        private static readonly CrossSection[] s_Abdomen =
         {
             new CrossSection(new Vector3(0f, -0.2f, -2.4f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, -0.3f, -3.6f), 1.25f, 1.3f, 1.45f),
@@ -38,12 +38,12 @@ namespace Alate
             new CrossSection(new Vector3(0f, -2.1f, -22.4f), 0f, 0f, 0f),
         };
 
-        static readonly Vector3[] s_Antenna =
+        private static readonly Vector3[] s_Antenna =
         {
             new Vector3(0.45f, 1.1f, 5.7f), new Vector3(1.6f, 2.9f, 9f), new Vector3(3.6f, 4.2f, 13f), new Vector3(5.6f, 4.4f, 17f),
         };
 
-        static readonly Vector3[][] s_Legs =
+        private static readonly Vector3[][] s_Legs =
         {
             new[]
             {
@@ -57,7 +57,7 @@ namespace Alate
             },
         };
 
-        static readonly Vector3[] s_Dots =
+        private static readonly Vector3[] s_Dots =
         {
             new Vector3(1.45f, 1.25f, 2.9f), new Vector3(1.75f, -0.6f, 2.5f), new Vector3(2f, -1f, 0.6f), new Vector3(1.85f, -1.1f, -1.5f),
             new Vector3(1.5f, 1.6f, -1.7f), new Vector3(1f, -1.7f, 2.3f), new Vector3(0.75f, 1f, 4.7f), new Vector3(0.5f, 0.2f, 3.9f),
@@ -66,7 +66,7 @@ namespace Alate
 
         public static InsectBody Create(SpeciesWing wing) => new InsectBody(parts => Build(parts, HingeSeat.Of(wing)));
 
-        static void Build(BodyParts parts, HingeSeat seat)
+        private static void Build(BodyParts parts, HingeSeat seat)
         {
             var thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 22, 24)), Dotted);
             var fur = new Fur { Count = 110, Length = 0.7f, Radius = 0.09f, Seed = 11, Where = place => place.y > 1.2f || place.y < -1.4f };
@@ -78,7 +78,7 @@ namespace Alate
             ButterflyParts.AddLegs(parts, s_Legs, 0.24f, (in BodyPoint point) => s_Black);
         }
 
-        static Color32 Dotted(in BodyPoint point)
+        private static Color32 Dotted(in BodyPoint point)
         {
             var share = 0f;
             foreach (var dot in s_Dots)
@@ -89,7 +89,7 @@ namespace Alate
             return Tint.Mix(s_Black, s_Dot, share);
         }
 
-        static Color32 Segmented(in BodyPoint point)
+        private static Color32 Segmented(in BodyPoint point)
         {
             var within = k_AbdomenRings * point.Along % 1f;
             var isBelow = Tint.Below(0.62f, point.Around, 0.2f);

@@ -6,19 +6,19 @@ namespace Alate
     /// A painted lichen moth's body, 10 mm long: short and plump, the thorax covered with long hair in the stripes of the wings (yellow, rose and slate), thread-like
     /// antennae with fine bristles. Proportions chosen by us.
     /// </summary>
-    static class PaintedLichenMothBody
+    internal static class PaintedLichenMothBody
     {
-        const float k_AbdomenRings = 7f;
-        const int k_Bristles = 18;
+        private const float k_AbdomenRings = 7f;
+        private const int k_Bristles = 18;
 
-        static readonly Color32 s_Rose = new Color32(222, 104, 84, 255);
-        static readonly Color32 s_Yellow = new Color32(238, 190, 92, 255);
-        static readonly Color32 s_Slate = new Color32(86, 82, 88, 255);
-        static readonly Color32 s_Pale = new Color32(250, 222, 168, 255);
-        static readonly Color32 s_Eye = new Color32(26, 24, 26, 255);
-        static readonly Color32 s_Leg = new Color32(96, 84, 82, 255);
+        private static readonly Color32 s_Rose = new Color32(222, 104, 84, 255);
+        private static readonly Color32 s_Yellow = new Color32(238, 190, 92, 255);
+        private static readonly Color32 s_Slate = new Color32(86, 82, 88, 255);
+        private static readonly Color32 s_Pale = new Color32(250, 222, 168, 255);
+        private static readonly Color32 s_Eye = new Color32(26, 24, 26, 255);
+        private static readonly Color32 s_Leg = new Color32(96, 84, 82, 255);
 
-        static readonly CrossSection[] s_Thorax =
+        private static readonly CrossSection[] s_Thorax =
         {
             new CrossSection(new Vector3(0f, 0.1f, 2.5f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0.1f, 2f), 0.75f, 0.65f, 0.75f),
@@ -28,7 +28,7 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.1f, -2.3f), 0f, 0f, 0f),
         };
 
-        static readonly CrossSection[] s_Abdomen =
+        private static readonly CrossSection[] s_Abdomen =
         {
             new CrossSection(new Vector3(0f, 0f, -1.2f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, -0.05f, -1.9f), 0.9f, 0.8f, 0.9f),
@@ -38,12 +38,12 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.5f, -6.8f), 0f, 0f, 0f),
         };
 
-        static readonly Vector3[] s_Antenna =
+        private static readonly Vector3[] s_Antenna =
         {
             new Vector3(0.3f, 0.5f, 3f), new Vector3(1f, 1.3f, 4.2f), new Vector3(2.6f, 1.7f, 5.6f), new Vector3(4.6f, 1.1f, 6.2f),
         };
 
-        static readonly Vector3[][] s_Legs =
+        private static readonly Vector3[][] s_Legs =
         {
             new[]
             {
@@ -64,7 +64,7 @@ namespace Alate
 
         public static InsectBody Create(SpeciesWing wing) => new InsectBody(parts => Build(parts, HingeSeat.Of(wing)));
 
-        static void Build(BodyParts parts, HingeSeat seat)
+        private static void Build(BodyParts parts, HingeSeat seat)
         {
             var thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 16, 18)), Striped);
             var coat = new Fur
@@ -81,7 +81,7 @@ namespace Alate
             ButterflyParts.AddLegs(parts, s_Legs, 0.13f, (in BodyPoint point) => s_Leg);
         }
 
-        static void AddHead(BodyParts parts)
+        private static void AddHead(BodyParts parts)
         {
             var head = parts.Add(Ellipsoid.Around(new Vector3(0f, 0.1f, 2.75f), new Vector3(0.72f, 0.66f, 0.7f), 8, 14), Striped);
             var tuft = new Fur { Count = 36, Length = 0.42f, Radius = 0.07f, Seed = 59, Lay = new Vector3(0f, 0.6f, 0.2f), Where = place => place.y > 0.2f };
@@ -96,16 +96,16 @@ namespace Alate
         }
 
         // The wings' stripes run on over the back: slate in the middle, then rose, yellow at the shoulders, slate below.
-        static Color32 Striped(in BodyPoint point)
+        private static Color32 Striped(in BodyPoint point)
         {
             var back = Tint.Mix(s_Slate, s_Rose, Tint.Below(0.22f, point.Place.x, 0.15f));
             var shoulder = Tint.Mix(back, s_Yellow, Tint.Below(0.62f, point.Place.x, 0.15f));
             return Tint.Mix(shoulder, s_Slate, Tint.Below(point.Place.y, -0.35f, 0.3f));
         }
 
-        static Color32 Shaggy(in BodyPoint point) => Tint.Mix(Striped(point), s_Pale, 0.45f * Tint.Grain(point.Place));
+        private static Color32 Shaggy(in BodyPoint point) => Tint.Mix(Striped(point), s_Pale, 0.45f * Tint.Grain(point.Place));
 
-        static Color32 Ringed(in BodyPoint point)
+        private static Color32 Ringed(in BodyPoint point)
         {
             var furrow = 0.5f * Tint.Below(0.8f, k_AbdomenRings * point.Along % 1f, 0.2f);
             var rose = Tint.Mix(Tint.Mix(s_Rose, s_Yellow, 0.35f), s_Slate, furrow);

@@ -5,11 +5,11 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Hairs and bristles: closed pyramids of four triangles, gathered to one part.</summary>
-    sealed class Pyramids
+    internal sealed class Pyramids
     {
-        readonly List<Vector3> m_Positions = new List<Vector3>();
-        readonly List<Vector2> m_Uvs = new List<Vector2>();
-        readonly List<int> m_Triangles = new List<int>();
+        private readonly List<Vector3> m_Positions = new List<Vector3>();
+        private readonly List<Vector2> m_Uvs = new List<Vector2>();
+        private readonly List<int> m_Triangles = new List<int>();
 
         /// <summary>Adds one.</summary>
         /// <param name="root">Middle of its base, millimetres.</param>

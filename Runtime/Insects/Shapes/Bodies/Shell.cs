@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>A thin arched plate, such as a beetle's wing case or the shield over its head.</summary>
-    static class Shell
+    internal static class Shell
     {
         /// <summary>A plate that is pointed, or rounded, at both ends.</summary>
         /// <param name="start">Where the plate begins, millimetres.</param>
@@ -35,7 +35,7 @@ namespace Alate
             return Tube.Along(sections, sides, upright);
         }
 
-        static Vector3 Upright(Vector3 up, Vector3 along)
+        private static Vector3 Upright(Vector3 up, Vector3 along)
         {
             var across = up - along * (Vector3.Dot(up, along) / along.sqrMagnitude);
             return across / across.magnitude;

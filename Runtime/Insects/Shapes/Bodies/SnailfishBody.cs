@@ -7,20 +7,20 @@ namespace Alate
     /// A snailfish, 98 mm long: shaped as a tadpole, soft and rose, with a broad blunt head, small eyes, a short gill slit above the fins' base, a sucking disc
     /// under the throat, and back and belly fins that run into the tail. Proportions chosen by us, after the look of Liparis.
     /// </summary>
-    static class SnailfishBody
+    internal static class SnailfishBody
     {
-        const int k_Rays = 16;
+        private const int k_Rays = 16;
 
-        static readonly Color32 s_Rose = new Color32(226, 168, 158, 255);
-        static readonly Color32 s_Pale = new Color32(244, 214, 204, 255);
-        static readonly Color32 s_Back = new Color32(198, 132, 130, 255);
-        static readonly Color32 s_Line = new Color32(140, 82, 84, 255);
-        static readonly Color32 s_Fin = new Color32(236, 184, 176, 150);
-        static readonly Color32 s_Ray = new Color32(206, 138, 134, 200);
-        static readonly Color32 s_Iris = new Color32(196, 176, 132, 255);
-        static readonly Color32 s_Pupil = new Color32(24, 22, 28, 255);
+        private static readonly Color32 s_Rose = new Color32(226, 168, 158, 255);
+        private static readonly Color32 s_Pale = new Color32(244, 214, 204, 255);
+        private static readonly Color32 s_Back = new Color32(198, 132, 130, 255);
+        private static readonly Color32 s_Line = new Color32(140, 82, 84, 255);
+        private static readonly Color32 s_Fin = new Color32(236, 184, 176, 150);
+        private static readonly Color32 s_Ray = new Color32(206, 138, 134, 200);
+        private static readonly Color32 s_Iris = new Color32(196, 176, 132, 255);
+        private static readonly Color32 s_Pupil = new Color32(24, 22, 28, 255);
 
-        static readonly CrossSection[] s_Trunk =
+        private static readonly CrossSection[] s_Trunk =
         {
             new CrossSection(new Vector3(0f, -1.6f, 25f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, -1.2f, 23.4f), 5f, 3.4f, 3f),
@@ -35,11 +35,11 @@ namespace Alate
             new CrossSection(new Vector3(0f, 0.6f, -67f), 0f, 0f, 0f),
         };
 
-        static readonly Vector3 s_Eye = new Vector3(6.9f, 4.3f, 16.8f);
+        private static readonly Vector3 s_Eye = new Vector3(6.9f, 4.3f, 16.8f);
 
         public static InsectBody Create(SpeciesWing fin) => new InsectBody(parts => Build(parts, HingeSeat.Of(fin)));
 
-        static void Build(BodyParts parts, HingeSeat seat)
+        private static void Build(BodyParts parts, HingeSeat seat)
         {
             parts.Add(seat.Press(Trunk.Through(s_Trunk, 46, 26)), Skin);
             parts.Add(Fin(-4f, -68f, 0.4f, 7f, 1f), Rayed);
@@ -51,7 +51,7 @@ namespace Alate
         }
 
         // A blade over or under the body's middle line, as high as the body there and a rim of its own.
-        static BodyPart Fin(float front, float rear, float thickness, float height, float side)
+        private static BodyPart Fin(float front, float rear, float thickness, float height, float side)
         {
             var keys = new[]
             {
@@ -65,13 +65,13 @@ namespace Alate
             return Trunk.Through(keys, 64, 8);
         }
 
-        static CrossSection Blade(float z, float thickness, float height, float side)
+        private static CrossSection Blade(float z, float thickness, float height, float side)
         {
             const float inside = 0.5f;
             return new CrossSection(new Vector3(0f, 0.6f, z), thickness, side > 0f ? height : inside, side > 0f ? inside : height);
         }
 
-        static BodyPart TailFin()
+        private static BodyPart TailFin()
         {
             var keys = new[]
             {
@@ -84,16 +84,16 @@ namespace Alate
             return Trunk.Through(keys, 14, 8);
         }
 
-        static BodyPart Disc() => Ellipsoid.Around(new Vector3(0f, -7.9f, 11f), new Vector3(4f, 1.2f, 4.2f), 10, 18);
+        private static BodyPart Disc() => Ellipsoid.Around(new Vector3(0f, -7.9f, 11f), new Vector3(4f, 1.2f, 4.2f), 10, 18);
 
-        static BodyPart Nostril()
+        private static BodyPart Nostril()
         {
             var place = new Vector3(3.1f, 2.4f, 21.4f);
             var curve = new[] { place, place + new Vector3(0.1f, 0.4f, 0.3f), place + new Vector3(0.2f, 0.8f, 0.6f), place + new Vector3(0.3f, 1.1f, 0.9f) };
             return Stalk.Along(curve, t => 0.55f - 0.15f * t, 3, 8);
         }
 
-        static Color32 Skin(in BodyPoint point)
+        private static Color32 Skin(in BodyPoint point)
         {
             var place = point.Place;
             var skin = Tint.Mix(s_Back, s_Rose, Tint.Below(0.16f, point.Around, 0.3f));
@@ -107,13 +107,13 @@ namespace Alate
             return Tint.Mix(skin, s_Line, 0.85f * Math.Max(mouth, gill));
         }
 
-        static Color32 Rayed(in BodyPoint point)
+        private static Color32 Rayed(in BodyPoint point)
         {
             var ray = Math.Abs(k_Rays * point.Along % 1f - 0.5f);
             return Tint.Mix(s_Fin, s_Ray, 0.8f * Tint.Below(ray, 0.2f, 0.3f));
         }
 
-        static Color32 Eye(in BodyPoint point)
+        private static Color32 Eye(in BodyPoint point)
         {
             var outward = point.Place - s_Eye;
             var away = Mathf.Sqrt((outward.y - 0.3f) * (outward.y - 0.3f) + (outward.z - 0.3f) * (outward.z - 0.3f));

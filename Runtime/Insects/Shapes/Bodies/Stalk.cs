@@ -5,16 +5,16 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Thin round parts: antennae, palps and bristles along a cubic Bezier curve, legs along their joints.</summary>
-    static class Stalk
+    internal static class Stalk
     {
         /// <summary>Where the pieces of a leg begin to bend, of their length, on either side of a joint.</summary>
-        const float k_Bend = 0.14f;
+        private const float k_Bend = 0.14f;
 
         /// <summary>Points of a bend.</summary>
-        const int k_BendPoints = 3;
+        private const int k_BendPoints = 3;
 
         /// <summary>Length of the blunt ends over the whole.</summary>
-        const float k_End = 0.004f;
+        private const float k_End = 0.004f;
 
         /// <summary>A stalk along a cubic Bezier curve.</summary>
         /// <param name="curve">Beginning, two control points and end, millimetres.</param>
@@ -70,7 +70,7 @@ namespace Alate
             return s * s * s * curve[0] + 3f * s * s * t * curve[1] + 3f * s * t * t * curve[2] + t * t * t * curve[3];
         }
 
-        static Vector3 Across(Vector3 from, Vector3 to)
+        private static Vector3 Across(Vector3 from, Vector3 to)
         {
             var along = to - from;
             return Math.Abs(along.y) > 0.9f * along.magnitude ? new Vector3(0f, 0f, -1f) : new Vector3(0f, 1f, 0f);

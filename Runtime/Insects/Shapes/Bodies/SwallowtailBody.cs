@@ -6,16 +6,16 @@ namespace Alate
     /// A swallowtail's body, 27 mm long: yellow, with a broad dark stripe along the back and a thin one along the side, short antennae and six legs. Proportions
     /// chosen by us.
     /// </summary>
-    static class SwallowtailBody
+    internal static class SwallowtailBody
     {
-        const float k_AbdomenRings = 8f;
+        private const float k_AbdomenRings = 8f;
 
-        static readonly Color32 s_Dark = new Color32(38, 33, 30, 255);
-        static readonly Color32 s_Yellow = new Color32(226, 196, 112, 255);
-        static readonly Color32 s_PaleHair = new Color32(238, 218, 150, 255);
-        static readonly Color32 s_Eye = new Color32(48, 38, 32, 255);
+        private static readonly Color32 s_Dark = new Color32(38, 33, 30, 255);
+        private static readonly Color32 s_Yellow = new Color32(226, 196, 112, 255);
+        private static readonly Color32 s_PaleHair = new Color32(238, 218, 150, 255);
+        private static readonly Color32 s_Eye = new Color32(48, 38, 32, 255);
 
-        static readonly CrossSection[] s_Thorax =
+        private static readonly CrossSection[] s_Thorax =
         {
             new CrossSection(new Vector3(0f, 0.2f, 4.9f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, 0.2f, 4.1f), 1.3f, 1.2f, 1.4f),
@@ -26,7 +26,7 @@ namespace Alate
             new CrossSection(new Vector3(0f, -0.4f, -4.8f), 0f, 0f, 0f),
         };
 
-        static readonly CrossSection[] s_Abdomen =
+        private static readonly CrossSection[] s_Abdomen =
         {
             new CrossSection(new Vector3(0f, -0.2f, -2.6f), 0f, 0f, 0f),
             new CrossSection(new Vector3(0f, -0.3f, -3.8f), 1.55f, 1.5f, 1.6f),
@@ -37,12 +37,12 @@ namespace Alate
             new CrossSection(new Vector3(0f, -1.7f, -19.8f), 0f, 0f, 0f),
         };
 
-        static readonly Vector3[] s_Antenna =
+        private static readonly Vector3[] s_Antenna =
         {
             new Vector3(0.45f, 1.1f, 6.1f), new Vector3(1.5f, 2.9f, 8.8f), new Vector3(2.9f, 4.3f, 12f), new Vector3(4.6f, 4.7f, 15.4f),
         };
 
-        static readonly Vector3[][] s_Legs =
+        private static readonly Vector3[][] s_Legs =
         {
             new[]
             {
@@ -66,7 +66,7 @@ namespace Alate
             return new InsectBody(parts => Build(parts, HingeSeat.Of(fore), HingeSeat.Of(hind)));
         }
 
-        static void Build(BodyParts parts, HingeSeat fore, HingeSeat hind)
+        private static void Build(BodyParts parts, HingeSeat fore, HingeSeat hind)
         {
             var thorax = parts.Add(hind.Press(fore.Press(Trunk.Through(s_Thorax, 22, 22))), Striped);
             var fur = new Fur { Count = 110, Length = 0.9f, Radius = 0.1f, Seed = 23, Where = place => place.y > 1.3f || place.y < -1.2f };
@@ -78,19 +78,19 @@ namespace Alate
             ButterflyParts.AddLegs(parts, s_Legs, 0.22f, (in BodyPoint point) => s_Dark);
         }
 
-        static Color32 Striped(in BodyPoint point)
+        private static Color32 Striped(in BodyPoint point)
         {
             var back = Tint.Below(point.Place.x, 0.75f, 0.5f) * Tint.Below(-point.Place.y, -0.2f, 0.6f);
             return Tint.Mix(s_Yellow, s_Dark, back);
         }
 
-        static Color32 Haired(in BodyPoint point)
+        private static Color32 Haired(in BodyPoint point)
         {
             var isBack = point.Place.y > 0f && point.Place.x < 0.8f;
             return Tint.Mix(isBack ? s_Dark : s_Yellow, s_PaleHair, (isBack ? 0.3f : 1f) * Tint.Grain(point.Place));
         }
 
-        static Color32 StripedAbdomen(in BodyPoint point)
+        private static Color32 StripedAbdomen(in BodyPoint point)
         {
             var back = Tint.Below(point.Around, 0.3f, 0.12f);
             var side = Tint.Below(Mathf.Abs(point.Around - 0.66f), 0.045f, 0.08f);

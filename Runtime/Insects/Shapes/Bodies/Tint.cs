@@ -5,12 +5,12 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Mixes and soft edges for the colouring of bodies.</summary>
-    static class Tint
+    internal static class Tint
     {
         /// <summary>So large that what is left after the point looks random.</summary>
-        const float k_GrainScale = 9173.7f;
+        private const float k_GrainScale = 9173.7f;
 
-        static readonly float3 s_GrainWaves = new float3(37.1f, 71.3f, 53.9f);
+        private static readonly float3 s_GrainWaves = new float3(37.1f, 71.3f, 53.9f);
 
         /// <summary>From one colour to another, share 0 to 1.</summary>
         public static Color32 Mix(Color32 from, Color32 to, float share)
@@ -31,6 +31,6 @@ namespace Alate
             return math.abs(k_GrainScale * wave % 1f);
         }
 
-        static byte Mix(byte from, byte to, float share) => (byte)Math.Round(from + (to - from) * math.saturate(share));
+        private static byte Mix(byte from, byte to, float share) => (byte)Math.Round(from + (to - from) * math.saturate(share));
     }
 }

@@ -8,10 +8,10 @@ namespace Alate
     /// A smooth, rounded part through a few sections, such as a thorax. The squares of the sizes are interpolated by monotone cubics: near an end
     /// where they fall to 0 that makes a round cap, as of an ellipsoid.
     /// </summary>
-    static class Trunk
+    internal static class Trunk
     {
         /// <summary>How much closer sections lie at the ends, where the outline turns, than in the middle; 0 is even, 1 as on a circle.</summary>
-        const float k_Crowding = 0.6f;
+        private const float k_Crowding = 0.6f;
 
         /// <param name="keys">Three or more; the first and the last are points.</param>
         /// <param name="rings">Pieces along the part.</param>
@@ -49,9 +49,9 @@ namespace Alate
             return sections;
         }
 
-        static float Root(double square) => (float)Math.Sqrt(Math.Max(square, 1e-6));
+        private static float Root(double square) => (float)Math.Sqrt(Math.Max(square, 1e-6));
 
-        static double[] Places(IReadOnlyList<CrossSection> keys)
+        private static double[] Places(IReadOnlyList<CrossSection> keys)
         {
             var places = new double[keys.Count];
             for (var k = 1; k < places.Length; k++)
@@ -62,7 +62,7 @@ namespace Alate
             return Array.ConvertAll(places, place => place / places[places.Length - 1]);
         }
 
-        static EdgeCurve Curve(double[] places, IReadOnlyList<CrossSection> keys, Func<CrossSection, double> value)
+        private static EdgeCurve Curve(double[] places, IReadOnlyList<CrossSection> keys, Func<CrossSection, double> value)
         {
             var values = new double[keys.Count];
             for (var k = 0; k < values.Length; k++)

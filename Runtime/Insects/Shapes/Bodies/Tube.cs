@@ -5,9 +5,9 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Joins cross-sections along a spine to a closed part; the first and the last are points.</summary>
-    static class Tube
+    internal static class Tube
     {
-        static readonly Vector3 s_Up = new Vector3(0f, 1f, 0f);
+        private static readonly Vector3 s_Up = new Vector3(0f, 1f, 0f);
 
         /// <summary>A tube whose sections stand upright at its beginning and turn as little as they can on their way.</summary>
         /// <param name="sections">Two or more.</param>
@@ -51,7 +51,7 @@ namespace Alate
             return BodyPart.Of(positions.ToArray(), uvs.ToArray(), triangles.ToArray(), new Vector2(girth, lengths[lengths.Length - 1]));
         }
 
-        static float[] Lengths(IReadOnlyList<CrossSection> sections)
+        private static float[] Lengths(IReadOnlyList<CrossSection> sections)
         {
             var lengths = new float[sections.Count];
             for (var k = 1; k < lengths.Length; k++)
@@ -62,21 +62,21 @@ namespace Alate
             return lengths;
         }
 
-        static Vector3 Direction(IReadOnlyList<CrossSection> sections, int k)
+        private static Vector3 Direction(IReadOnlyList<CrossSection> sections, int k)
         {
             var before = sections[Math.Max(k - 1, 0)].Centre;
             var after = sections[Math.Min(k + 1, sections.Count - 1)].Centre;
             return (after - before) / (after - before).magnitude;
         }
 
-        static Vector3 Upright(Vector3 up, Vector3 along)
+        private static Vector3 Upright(Vector3 up, Vector3 along)
         {
             var across = up - along * Vector3.Dot(up, along);
             return across / across.magnitude;
         }
 
         // Sines and cosines are taken from one quarter, so that both halves of a section are mirror images to the last bit.
-        static void AppendRing(in CrossSection section, int count, Vector3 right, Vector3 up, List<Vector3> positions)
+        private static void AppendRing(in CrossSection section, int count, Vector3 right, Vector3 up, List<Vector3> positions)
         {
             if (count == 1)
             {
@@ -94,7 +94,7 @@ namespace Alate
         }
 
         // The diagonals of one half are the mirror images of those of the other.
-        static void Bridge(Ring from, Ring to, List<int> triangles)
+        private static void Bridge(Ring from, Ring to, List<int> triangles)
         {
             var sides = Math.Max(from.Count, to.Count);
             for (var side = 0; side < sides; side++)
@@ -121,14 +121,14 @@ namespace Alate
             }
         }
 
-        static void Append(List<int> triangles, int a, int b, int c)
+        private static void Append(List<int> triangles, int a, int b, int c)
         {
             triangles.Add(a);
             triangles.Add(b);
             triangles.Add(c);
         }
 
-        readonly struct Ring
+        private readonly struct Ring
         {
             public Ring(int start, int count)
             {

@@ -5,10 +5,10 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Lays the unrolled parts of a body side by side in the unit square, all to one scale: in shelves, the longest parts first.</summary>
-    static class UvShelves
+    internal static class UvShelves
     {
-        const float k_Gap = 0.006f;
-        const int k_Halvings = 24;
+        private const float k_Gap = 0.006f;
+        private const int k_Halvings = 24;
 
         /// <summary>A rectangle of the unit square for each part.</summary>
         /// <param name="extents">Width and height of each part, any one unit, above 0.</param>
@@ -42,7 +42,7 @@ namespace Alate
             return rectangles;
         }
 
-        static bool TryLay(IReadOnlyList<Vector2> extents, int[] order, float scale, Rect[] rectangles)
+        private static bool TryLay(IReadOnlyList<Vector2> extents, int[] order, float scale, Rect[] rectangles)
         {
             float x = k_Gap, y = k_Gap, shelf = 0f;
             foreach (var part in order)
@@ -67,7 +67,7 @@ namespace Alate
             return true;
         }
 
-        static int Compare(IReadOnlyList<Vector2> extents, int one, int other)
+        private static int Compare(IReadOnlyList<Vector2> extents, int one, int other)
         {
             var byHeight = extents[other].y.CompareTo(extents[one].y);
             return byHeight != 0 ? byHeight : one.CompareTo(other);

@@ -8,7 +8,7 @@ namespace Alate.Tests
     /// <summary>A little insect of game objects with meshes of its own, all of which end with it.</summary>
     public sealed class InsectSketch : IDisposable
     {
-        readonly List<Object> m_Made = new List<Object>();
+        private readonly List<Object> m_Made = new List<Object>();
 
         public InsectSketch()
         {
@@ -69,7 +69,7 @@ namespace Alate.Tests
             m_Made.ForEach(Object.DestroyImmediate);
         }
 
-        MeshRenderer Draw(string path, Mesh mesh, string[] materials)
+        private MeshRenderer Draw(string path, Mesh mesh, string[] materials)
         {
             var renderer = Place(path).gameObject.AddComponent<MeshRenderer>();
             renderer.gameObject.AddComponent<MeshFilter>().sharedMesh = Kept(mesh);
@@ -77,7 +77,7 @@ namespace Alate.Tests
             return renderer;
         }
 
-        T Kept<T>(T made) where T : Object
+        private T Kept<T>(T made) where T : Object
         {
             m_Made.Add(made);
             return made;

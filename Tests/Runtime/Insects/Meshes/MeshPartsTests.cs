@@ -9,7 +9,7 @@ namespace Alate.Tests
 {
     public sealed class MeshPartsTests
     {
-        readonly List<Mesh> m_Meshes = new List<Mesh>();
+        private readonly List<Mesh> m_Meshes = new List<Mesh>();
 
         [TearDown]
         public void DestroyMeshes()
@@ -275,12 +275,12 @@ namespace Alate.Tests
             Assert.That(() => MeshParts.Parts(mesh), Throws.ArgumentException);
         }
 
-        static void Refuses(Mesh mesh, WingPart part, int submesh, string message) =>
+        private static void Refuses(Mesh mesh, WingPart part, int submesh, string message) =>
             Assert.That(() => MeshParts.Select(mesh, part, submesh, Vector3.zero), Throws.ArgumentException.With.Message.EqualTo(message));
 
-        static int[] Corners(MeshSelection selection) => Array.ConvertAll(selection.triangles, place => selection.vertices[place]);
+        private static int[] Corners(MeshSelection selection) => Array.ConvertAll(selection.triangles, place => selection.vertices[place]);
 
-        Mesh Made(MeshSketch sketch)
+        private Mesh Made(MeshSketch sketch)
         {
             m_Meshes.Add(sketch.ToMesh());
             return m_Meshes[m_Meshes.Count - 1];

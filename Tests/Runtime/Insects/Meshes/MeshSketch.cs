@@ -8,7 +8,7 @@ namespace Alate.Tests
     public sealed class MeshSketch
     {
         public readonly List<Vector3> positions = new List<Vector3>();
-        readonly List<List<int>> m_Submeshes = new List<List<int>> { new List<int>() };
+        private readonly List<List<int>> m_Submeshes = new List<List<int>> { new List<int>() };
 
         /// <summary>What is drawn from now on belongs to the next submesh.</summary>
         public MeshSketch NextSubmesh()
@@ -110,7 +110,7 @@ namespace Alate.Tests
             return mesh;
         }
 
-        void Quad(int a, int b, int c, int d)
+        private void Quad(int a, int b, int c, int d)
         {
             var triangles = m_Submeshes[m_Submeshes.Count - 1];
             triangles.AddRange(new[] { a, b, c, a, c, d });

@@ -7,8 +7,8 @@ namespace Alate.Tests
     /// <summary>A skinned insect: bones turned and scaled in all ways, and a renderer that is not where its mesh is drawn.</summary>
     public sealed class SkinnedSketch : IDisposable
     {
-        readonly InsectSketch m_Insect = new InsectSketch();
-        readonly List<Transform> m_Bones = new List<Transform>();
+        private readonly InsectSketch m_Insect = new InsectSketch();
+        private readonly List<Transform> m_Bones = new List<Transform>();
 
         public SkinnedSketch()
         {

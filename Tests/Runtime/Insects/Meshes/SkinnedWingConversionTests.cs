@@ -159,12 +159,12 @@ namespace Alate.Tests
             Assert.That(m_Insect.Root.GetComponentsInChildren<MeshRenderer>(true), Is.Empty);
         }
 
-        void Refuses<T>(SkinnedMeshRenderer source, string message) where T : ArgumentException
+        private void Refuses<T>(SkinnedMeshRenderer source, string message) where T : ArgumentException
         {
             Assert.That(() => SkinnedWingConversion.Convert(source, m_Insect.Root), Throws.InstanceOf<T>().With.Message.Contains(message));
         }
 
-        void MoveOnce(int pose)
+        private void MoveOnce(int pose)
         {
             if (pose > 0)
                 m_Insect.Move(pose);

@@ -10,9 +10,9 @@ namespace Alate.Tests
 {
     public sealed class SkinnedWingResultTests
     {
-        SkinnedSketch m_Insect;
-        SkinnedMeshRenderer m_Source;
-        SkinnedWingResult m_Result;
+        private SkinnedSketch m_Insect;
+        private SkinnedMeshRenderer m_Source;
+        private SkinnedWingResult m_Result;
 
         [SetUp]
         public void MakeAFly()
@@ -180,9 +180,9 @@ namespace Alate.Tests
             Assert.That(mesh == null);
         }
 
-        void Convert() => m_Result = SkinnedWingConversion.Convert(m_Source, m_Insect.Root);
+        private void Convert() => m_Result = SkinnedWingConversion.Convert(m_Source, m_Insect.Root);
 
-        static BoneWeight Weights(Vector3 p)
+        private static BoneWeight Weights(Vector3 p)
         {
             if (Mathf.Abs(p.x) < 0.08f)
                 return SkinnedSketch.One(0);
