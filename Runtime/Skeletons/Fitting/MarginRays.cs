@@ -31,7 +31,6 @@ namespace Alate
         /// <param name="tip">Of the wing.</param>
         public static List<double> Find(ClosedCurve outline, double from, double to, double tip)
         {
-           
             var run = new List<OutlineStretch>();
             foreach (OutlineStretch hollow in Hollows(outline, from, to))
             {

@@ -35,6 +35,9 @@ namespace Alate
         /// <summary>The last chain reaches at most this many times as far as the first, or it would count as the principal one.</summary>
         private const double k_MostReach = 1.3;
 
+        /// <summary>Fewer rays than this are no fan.</summary>
+        private const int k_LeastRays = WingSkeleton.MinChains;
+
         private readonly ClosedCurve m_Outline;
 
         /// <param name="outline">The turned outline.</param>
@@ -140,13 +143,21 @@ namespace Alate
                 from, to, steps, k_TipSharpness, s => values[(int)Math.Round((s - from) / (to - from) * steps)], out spread);
         }
 
-        // Without the last ones where they reach too far.
+        // The most of them of which the last does not reach too far for the first: a fin may begin with short ones, or end with long ones.
         private List<double> FindRays()
         {
             List<double> rays = MarginRays.Find(m_Outline, LeadingRoot, TrailingRoot, Tip);
-            while (rays.Count > 0 && !IsInReach(m_Outline.At(rays[rays.Count - 1]), m_Outline.At(rays[0])))
-                rays.RemoveAt(rays.Count - 1);
-            return rays;
+            int from = 0, count = 0;
+            for (int first = 0; first < rays.Count; first++)
+            {
+                int last = rays.Count - 1;
+                while (!IsInReach(m_Outline.At(rays[last]), m_Outline.At(rays[first])))
+                    last--;
+                if (last - first + 1 > count)
+                    (from, count) = (first, last - first + 1);
+            }
+
+            return count < k_LeastRays ? new List<double>() : rays.GetRange(from, count);
         }
 
         private double FindLast()
