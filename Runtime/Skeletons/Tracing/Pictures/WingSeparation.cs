@@ -29,8 +29,8 @@ namespace Alate
         /// <summary>Shortest wing, pixels.</summary>
         private const int k_ShortestWing = 40;
 
-        /// <summary>A wing is somewhere thicker than this share of its length; lines are not.</summary>
-        private const double k_LeastThickness = 0.02;
+        /// <summary>A wing is thicker than this share of its length over the second share of its area; lines are so only where some of them meet.</summary>
+        private const double k_LeastThickness = 0.02, k_ThickShare = 0.5;
 
         /// <summary>Largest share of the picture that a wing covers; more is a frame or ground that is not plain.</summary>
         private const double k_MostCover = 0.92;
@@ -170,7 +170,12 @@ namespace Alate
         private static bool IsThick(PixelMask mask)
         {
             List<PixelPart> parts = mask.Parts();
-            return parts.Count > 0 && parts[0].ToMask(mask.height).Shrunk(Math.Max(1.0, 0.5 * k_LeastThickness * parts[0].Extent)).Count > 0;
+            if (parts.Count == 0)
+                return false;
+            double radius = Math.Max(1.0, 0.5 * k_LeastThickness * parts[0].Extent);
+            double least = k_ThickShare * parts[0].Count;
+            PixelMask core = parts[0].ToMask(mask.height).Shrunk(radius);
+            return core.Count > least || core.Grown(radius).Count > least;
         }
 
         private static PixelMask Above(PixelPlane excess)
