@@ -35,9 +35,6 @@ namespace Alate
         /// <summary>The last chain reaches at most this many times as far as the first, or it would count as the principal one.</summary>
         private const double k_MostReach = 1.3;
 
-        /// <summary>Fewer rays than this are no fan.</summary>
-        private const int k_LeastRays = WingSkeleton.MinChains;
-
         private readonly ClosedCurve m_Outline;
 
         /// <param name="outline">The turned outline.</param>
@@ -157,7 +154,7 @@ namespace Alate
                     (from, count) = (first, last - first + 1);
             }
 
-            return count < k_LeastRays ? new List<double>() : rays.GetRange(from, count);
+            return count < MarginRays.Least ? new List<double>() : rays.GetRange(from, count);
         }
 
         private double FindLast()

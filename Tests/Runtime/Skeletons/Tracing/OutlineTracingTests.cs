@@ -42,6 +42,17 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void BlackWingOnTransparentBlack_IsToldByItsAlphaAlone()
+        {
+            WingPlace place = DrawnWing.Scalloped().In(300);
+            var picture = new DrawnPicture(300, 300, new UnityEngine.Color32(0, 0, 0, 0));
+
+            PlanPoint[] outline = Trace(picture.Fill(place.Outline, new UnityEngine.Color32(0, 0, 0, 255)));
+
+            Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(k_Bound * place.Length));
+        }
+
+        [Test]
         public void OutlineDrawnWithGaps_IsClosed()
         {
             WingPlace place = DrawnWing.Monarch().In(600);
