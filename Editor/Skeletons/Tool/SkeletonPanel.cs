@@ -72,8 +72,12 @@ namespace Alate.Editor
         private static void LayOut(SkeletonSession session)
         {
             EditOutcome? outcome = SkeletonMakerGui.Draw();
-            if (outcome.HasValue)
-                session.Tell(outcome.Value);
+            if (!outcome.HasValue)
+                return;
+            session.Tell(outcome.Value);
+
+            // A dialog was open meanwhile: what is drawn of this event is out of date.
+            GUIUtility.ExitGUI();
         }
 
         private static void ChooseActive(SkeletonSession session)

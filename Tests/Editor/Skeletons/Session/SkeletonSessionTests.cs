@@ -87,6 +87,23 @@ namespace Alate.Editor.Tests
             Assert.That(m_Session.Overlay.BeatMesh.vertices, Is.Not.EqualTo(before));
         }
 
+        [TestCase(float.NaN)]
+        [TestCase(0f)]
+        [TestCase(float.PositiveInfinity)]
+        public void Beat_OfABrokenPreset_BreaksNothing(float number)
+        {
+            WingSpecies preset = Keep(Species.Monarch());
+            preset.Beat.maxSpeed = number;
+            preset.Beat.flapRange = number;
+            Insect.Species = preset;
+            m_Session.Dispose();
+            m_Session = new SkeletonSession(InsectTargets.Find(new[] { Insect }), m_Undo);
+            m_Session.Overlay.ShowsBeat = true;
+
+            Assert.That(() => m_Session.Place(), Throws.Nothing);
+            Assert.That(m_Session.Overlay.BeatMesh.vertices.All(place => !float.IsNaN(place.x + place.y + place.z)));
+        }
+
         [Test]
         public void Colours_FollowTheSelection()
         {
