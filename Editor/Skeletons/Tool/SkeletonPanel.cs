@@ -50,6 +50,7 @@ namespace Alate.Editor
                 LayOut(session);
             }
 
+            Keys(session);
             if (GUI.changed)
                 SceneView.RepaintAll();
         }
@@ -67,6 +68,14 @@ namespace Alate.Editor
                 EditorGUILayout.HelpBox(session.LastRefusal, MessageType.Warning);
             Pictures(session.Overlay);
             Acts(session);
+        }
+
+        // A click in the panel takes the focus from the scene: the keys go on working, but where text is being typed.
+        private static void Keys(SkeletonSession session)
+        {
+            Event now = Event.current;
+            if (now.type == EventType.KeyDown && !EditorGUIUtility.editingTextField && SkeletonKeys.Press(session, now.keyCode, now.modifiers))
+                now.Use();
         }
 
         private static void LayOut(SkeletonSession session)

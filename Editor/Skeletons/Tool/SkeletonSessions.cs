@@ -19,7 +19,7 @@ namespace Alate.Editor
             Close(Current);
             var listed = new List<SkeletonTarget>(targets);
             foreach (SkeletonTarget target in listed)
-                target.Lock = LockOf(target.Skeleton);
+                target.FindLock = LockOf;
             Current = new SkeletonSession(listed, new EditorUndo());
             SkeletonSettings.Restore(Current);
             Undo.undoRedoPerformed += OnUndo;

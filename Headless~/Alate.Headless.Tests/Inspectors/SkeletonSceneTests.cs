@@ -132,6 +132,38 @@ namespace Alate.Tests.Inspectors
         }
 
         [Test]
+        public void PressOnAnotherHandle_IsLeftToIt()
+        {
+            Event.current = new Event { type = EventType.Layout };
+            m_Gui.OnGUI(m_View, m_Session);
+            HandleUtility.nearestControl = 4711;
+            Event.current = new Event { type = EventType.MouseDown, mousePosition = Pixel(2, 2), clickCount = 1 };
+            m_Gui.OnGUI(m_View, m_Session);
+
+            Assert.That(Event.current.type, Is.EqualTo(EventType.MouseDown));
+            Assert.That(m_Session.Group.SelectedCount, Is.Zero);
+            Event.current = null;
+        }
+
+        [Test]
+        public void ClosedSession_LeavesNoMeshAndNoNativeMemory()
+        {
+            SkeletonSessions.Close(m_Session);
+            int meshes = Resources.FindObjectsOfTypeAll<Mesh>().Length, allocations = NativeMemoryLedger.LiveCount;
+            m_Session = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+            m_Session.Overlay.ShowsBeat = true;
+            m_Session.Overlay.Colours = RigColourMode.Patch;
+            Send(EventType.Repaint, Pixel(1, 1));
+            Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.Length.EqualTo(meshes + 2));
+            Assert.That(NativeMemoryLedger.LiveCount, Is.GreaterThan(allocations));
+
+            SkeletonSessions.Close(m_Session);
+
+            Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.Length.EqualTo(meshes));
+            Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(allocations));
+        }
+
+        [Test]
         public void BoxOverNothing_SelectsWhatItHolds()
         {
             Vector2 corner = new Vector2(-9000f, -9000f);

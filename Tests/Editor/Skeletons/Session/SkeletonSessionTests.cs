@@ -135,6 +135,19 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void WithoutItsMesh_TheWingHasNoWeaknessesEither()
+        {
+            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideActs.By(draft, new[] { new JointIndex(0, 4), new JointIndex(0, 3) }, -0.15f));
+            m_Session.Place();
+            Assert.That(m_Session.Overlay.Problems, Is.Not.Empty);
+
+            m_Session.Overlay.Refresh(new SkeletonTarget(Right.Skeleton, default, null), new JointIndex[0], hurries: false);
+
+            Assert.That(m_Session.Overlay.Problems, Is.Empty);
+            Assert.That(m_Session.Overlay.Refusal, Is.EqualTo("There is no mesh to show the rig on."));
+        }
+
+        [Test]
         public void InvalidSkeleton_ShowsNothing_AndSaysWhy()
         {
             m_Session.Overlay.ShowsBeat = true;
