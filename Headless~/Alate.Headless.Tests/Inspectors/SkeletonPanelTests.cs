@@ -70,6 +70,8 @@ namespace Alate.Tests.Inspectors
             m_Session.Place();
 
             Assert.That(Draw().HelpBoxes, Has.Some.Contains("beside the joints"));
+            Press("Select");
+            Assert.That(m_Session.Group.Active.Selection.Living(), Is.EqualTo(m_Session.Overlay.Problems[0].Joints));
         }
 
         [Test]
