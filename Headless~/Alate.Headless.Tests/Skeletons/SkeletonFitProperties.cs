@@ -57,11 +57,36 @@ namespace Alate.Tests
             }).Check(Config.QuickThrowOnFailure.WithMaxTest(60).WithReplay(1, 1));
         }
 
+        [Test]
+        public void RandomFins_AreFittedAlongTheirRays_WhereverTheyAre()
+        {
+            for (int seed = 0; seed < 40; seed++)
+            {
+                var random = new System.Random(seed);
+                var fin = new RayFin
+                {
+                    rays = random.Next(7, 17),
+                    depth = 0.03 + 0.2 * random.NextDouble(),
+                    first = 0.5 + 0.8 * random.NextDouble(),
+                    last = -0.5 - 0.9 * random.NextDouble(),
+                };
+                var measure = new FitMeasure(SkeletonFitter.Fit(fin.Mesh(seed), Hints()).Skeleton, fin.Outline());
+
+                Assert.That(measure.Outside(), Is.LessThan(0.01), $"outside fin {seed}");
+                Assert.That(measure.OffLeadingEdge(), Is.LessThan(0.03), $"off the leading edge of fin {seed}");
+                CheckMoves(seed, measure, fin.Mesh);
+            }
+        }
+
         private static void CheckMoves(int seed)
         {
             PolarWing wing = RandomWings.Make(seed);
             WingSkeleton skeleton = SkeletonFitter.Fit(wing.Mesh(seed), Hints()).Skeleton;
-            var measure = new FitMeasure(skeleton, wing.Outline());
+            CheckMoves(seed, new FitMeasure(skeleton, wing.Outline()), wing.Mesh);
+        }
+
+        private static void CheckMoves(int seed, FitMeasure measure, System.Func<int, WingSurface> mesh)
+        {
             for (int variant = 1; variant <= 2; variant++)
             {
                 var move = new WingMove(1000 * seed + variant);
@@ -70,7 +95,7 @@ namespace Alate.Tests
                 hints.forward = move.Direction(s_Forward);
                 hints.up = move.Direction(s_Up);
 
-                WingSkeleton moved = SkeletonFitter.Fit(move.Surface(wing.Mesh(1000 * seed + variant)), hints).Skeleton;
+                WingSkeleton moved = SkeletonFitter.Fit(move.Surface(mesh(1000 * seed + variant)), hints).Skeleton;
 
                 Assert.That(moved.Validate(), Is.Empty, $"wing {seed}, variant {variant}");
                 Assert.That(measure.Apart(moved, move.Point, move.Scale), Is.LessThan(0.01), $"wing {seed}, variant {variant}");

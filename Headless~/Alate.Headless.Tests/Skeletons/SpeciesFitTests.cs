@@ -1,4 +1,9 @@
 using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Alate.Cli.Projects;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -61,13 +66,31 @@ namespace Alate.Tests
             var flight = new FittedFlight(wing);
             WingDeformation hand = flight.ByHand, fitted = flight.Fitted;
 
-            TestContext.Progress.WriteLine(
-                $"{wing.Name}: twist {math.degrees(hand.TwistRange):F1}° → {math.degrees(fitted.TwistRange):F1}°, "
-                + $"camber {100f * Camber(hand):F1} % → {100f * Camber(fitted):F1} %, "
-                + $"largest stretch {100f * hand.StretchMax:F1} % → {100f * fitted.StretchMax:F1} %");
             Assert.That(fitted.TwistRange, Is.EqualTo(hand.TwistRange).Within(25).Percent, "twist");
             Assert.That(Camber(fitted), Is.EqualTo(Camber(hand)).Within(25).Percent, "camber");
             Assert.That(fitted.StretchMax, Is.EqualTo(hand.StretchMax).Within(25).Percent.And.LessThan(0.06f), "largest stretch");
+        }
+
+        [Test]
+        public void TheManualsTable_HasTheseNumbers()
+        {
+            double[][] rows = File.ReadLines(Path.Combine(PackageRoot.Find(), "Documentation~", "authoring.md"))
+                .Where(line => line.StartsWith("| ") && line.Contains("° → "))
+                .Select(line => Regex.Matches(line, @"[\d.]+").Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray())
+                .ToArray();
+            SpeciesWing[] wings = Species.All.SelectMany(species => species.Wings).ToArray();
+
+            Assert.That(rows, Has.Length.EqualTo(wings.Length));
+            for (int k = 0; k < wings.Length; k++)
+            {
+                var flight = new FittedFlight(wings[k]);
+                double[] numbers =
+                [
+                    math.degrees(flight.ByHand.TwistRange), math.degrees(flight.Fitted.TwistRange),
+                    100.0 * Camber(flight.ByHand), 100.0 * Camber(flight.Fitted), 100.0 * flight.ByHand.StretchMax, 100.0 * flight.Fitted.StretchMax,
+                ];
+                Assert.That(rows[k], Is.EqualTo(numbers).Within(0.1), $"row {k}, {wings[k].Name}");
+            }
         }
 
         private static float Camber(in WingDeformation beat) => beat.CamberMax - beat.CamberMin;

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 
 namespace Alate
@@ -6,43 +5,46 @@ namespace Alate
     /// <summary>Polylines in the plane of the wing, asked for the distance to the nearest of them.</summary>
     internal sealed class StrokeSet
     {
-        private readonly List<(double X0, double Z0, double X1, double Z1, double Start)> m_Segments =
-            new List<(double X0, double Z0, double X1, double Z1, double Start)>();
+        private readonly List<Stroke> m_Strokes = new List<Stroke>();
+        private StrokeGrid m_Grid;
 
-        /// <summary>Adds a polyline given as x, z, x, z, …; Start of its segments counts on from <paramref name="start"/>.</summary>
+        /// <summary>Adds a polyline given as x, z, x, z, …; the way along it counts on from <paramref name="start"/>.</summary>
         public StrokeSet Add(IReadOnlyList<double> coordinates, double start = 0)
         {
             for (var i = 0; i + 3 < coordinates.Count; i += 2)
             {
-                m_Segments.Add((coordinates[i], coordinates[i + 1], coordinates[i + 2], coordinates[i + 3], start));
-                start += Hypotenuse(coordinates[i + 2] - coordinates[i], coordinates[i + 3] - coordinates[i + 1]);
+                var stroke = new Stroke(coordinates[i], coordinates[i + 1], coordinates[i + 2], coordinates[i + 3], start);
+                m_Strokes.Add(stroke);
+                start += stroke.length;
             }
 
+            m_Grid = null;
             return this;
         }
 
-        /// <summary>Distance to the nearest segment, and how far along its polyline the nearest point lies.</summary>
+        /// <summary>Distance to the nearest stroke, and how far along its polyline the nearest point lies; the largest number without strokes.</summary>
         public double Distance(double x, double z, out double along)
         {
-            var nearest = double.MaxValue;
             along = 0;
-            foreach (var (x0, z0, x1, z1, start) in m_Segments)
+            if (m_Strokes.Count == 0)
             {
-                var dx = x1 - x0;
-                var dz = z1 - z0;
-                var length = Hypotenuse(dx, dz);
-                var t = length > 0 ? Math.Clamp(((x - x0) * dx + (z - z0) * dz) / (length * length), 0, 1) : 0;
-                var distance = Hypotenuse(x - x0 - t * dx, z - z0 - t * dz);
+                return double.MaxValue;
+            }
+
+            m_Grid ??= new StrokeGrid(m_Strokes);
+            var nearest = double.MaxValue;
+            var around = m_Grid.Around(x, z);
+            for (var k = 0; k < around.Count; k++)
+            {
+                var distance = around[k].Distance(x, z, out var here);
                 if (distance < nearest)
                 {
                     nearest = distance;
-                    along = start + t * length;
+                    along = here;
                 }
             }
 
             return nearest;
         }
-
-        private static double Hypotenuse(double a, double b) => Math.Sqrt(a * a + b * b);
     }
 }

@@ -18,6 +18,9 @@ namespace Alate
         /// <summary>Steps in which a straight line is checked.</summary>
         private const double k_CheckStep = 0.005;
 
+        /// <summary>How far outside a line may run, as one along a straight edge does by rounding, wing reaches.</summary>
+        private const double k_Unminded = 0.003;
+
         private readonly ClosedCurve m_Outline;
 
         public InnerPath(ClosedCurve outline)
@@ -46,7 +49,7 @@ namespace Alate
             return Shortest(corners);
         }
 
-        /// <summary>Whether all of a straight line lies inside; its ends may lie on the outline.</summary>
+        /// <summary>Whether all of a straight line lies inside or on the edge.</summary>
         public bool IsInside(PlanPoint a, PlanPoint b)
         {
             double length = Math.Sqrt((b - a).LengthSquared);
@@ -55,12 +58,14 @@ namespace Alate
             {
                 PlanPoint p = a + (b - a) * ((double)k / steps);
                 bool nearEnd = k * k_CheckStep < k_Clearance || (steps - k) * k_CheckStep < k_Clearance;
-                if (!nearEnd && !m_Outline.Contains(p))
+                if (!nearEnd && !m_Outline.Contains(p) && !IsOnEdge(p))
                     return false;
             }
 
             return true;
         }
+
+        private bool IsOnEdge(PlanPoint p) => (m_Outline.At(m_Outline.Nearest(p)) - p).LengthSquared < k_Unminded * k_Unminded;
 
         // Clockwise round the wing, its inside lies to the right.
         private bool TryMoveInside(double s, out PlanPoint moved)

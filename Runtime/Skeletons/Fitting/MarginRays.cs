@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>
-    /// The ends of the rays that hold a fin or a fan, where its margin tells them: it hangs in hollows from one to the next, on both sides of the tip.
+    /// The ends of the rays that hold a fin or a fan, where its margin tells them: it hangs in hollows from one to the next, beginning at the tip or before.
     /// </summary>
     internal static class MarginRays
     {
@@ -15,14 +15,17 @@ namespace Alate
         /// <summary>Shallower ones are not seen, shares of their width.</summary>
         private const double k_Shallowest = 0.025;
 
+        /// <summary>Their mean depth at least, wing reaches; the steps that pixels make are less.</summary>
+        private const double k_MeanDepth = 0.015;
+
         /// <summary>The widest of the hollows has at most this many times the width of the narrowest.</summary>
         private const double k_Likeness = 4.0;
 
         /// <summary>What of a hollow's width may lie between it and the next; a gap as wide as a hollow, to this share, is one without depth.</summary>
         private const double k_Gap = 0.3;
 
-        /// <summary>Hollows there must be; the first begins at the tip or before: a wing whose rear margin is scalloped is no fan.</summary>
-        private const int k_Least = 6;
+        /// <summary>Rays there must be.</summary>
+        public const int Least = 7;
 
         /// <summary>Arc lengths of the rays' ends, in order; none on a wing that is no such fan.</summary>
         /// <param name="outline">The turned outline.</param>
@@ -31,13 +34,12 @@ namespace Alate
         /// <param name="tip">Of the wing.</param>
         public static List<double> Find(ClosedCurve outline, double from, double to, double tip)
         {
-           
             var run = new List<OutlineStretch>();
             foreach (OutlineStretch hollow in Hollows(outline, from, to))
             {
                 if (run.Count > 0 && !TryBridge(run, hollow))
                 {
-                    if (IsFan(run, tip))
+                    if (IsFan(outline, run, tip))
                         break;
                     run.Clear();
                 }
@@ -45,7 +47,7 @@ namespace Alate
                 run.Add(hollow);
             }
 
-            return IsFan(run, tip) ? Ends(run) : new List<double>();
+            return IsFan(outline, run, tip) ? Ends(run) : new List<double>();
         }
 
         // Whether a hollow is the next of the run; one between them that has no depth is added.
@@ -71,8 +73,15 @@ namespace Alate
             return ends;
         }
 
-        private static bool IsFan(List<OutlineStretch> run, double tip) =>
-            run.Count >= k_Least && run[0].from <= tip + 0.5 * run[0].Length;
+        private static bool IsFan(ClosedCurve outline, List<OutlineStretch> run, double tip)
+        {
+            if (run.Count + 1 < Least || run[0].from > tip + 0.5 * run[0].Length)
+                return false;
+            double depth = 0.0;
+            foreach (OutlineStretch hollow in run)
+                depth += Depth(outline, hollow);
+            return depth >= k_MeanDepth * run.Count;
+        }
 
         private static bool IsAlike(List<OutlineStretch> run, OutlineStretch next)
         {
@@ -93,8 +102,9 @@ namespace Alate
             for (int k = 0; k < count;)
             {
                 int next = Next(outline, from, k, Math.Min(k + reach, count));
-                if (next > k + 1 && Depth(outline, from, k, next) > k_Shallowest * (next - k) * outline.Step)
-                    yield return new OutlineStretch(from + k * outline.Step, from + next * outline.Step);
+                var hollow = new OutlineStretch(from + k * outline.Step, from + next * outline.Step);
+                if (Depth(outline, hollow) > k_Shallowest * hollow.Length)
+                    yield return hollow;
                 k = next;
             }
         }
@@ -116,12 +126,12 @@ namespace Alate
             return next;
         }
 
-        private static double Depth(ClosedCurve outline, double from, int first, int last)
+        private static double Depth(ClosedCurve outline, in OutlineStretch hollow)
         {
-            PlanPoint start = outline.At(from + first * outline.Step), end = outline.At(from + last * outline.Step);
+            PlanPoint start = outline.At(hollow.from), end = outline.At(hollow.to);
             double depth = 0.0;
-            for (int k = first + 1; k < last; k++)
-                depth = Math.Max(depth, PlanPoint.DistanceSquared(outline.At(from + k * outline.Step), start, end));
+            for (double s = hollow.from + outline.Step; s < hollow.to; s += outline.Step)
+                depth = Math.Max(depth, PlanPoint.DistanceSquared(outline.At(s), start, end));
             return Math.Sqrt(depth);
         }
     }

@@ -146,6 +146,8 @@ namespace Alate
             List<double> rays = MarginRays.Find(m_Outline, LeadingRoot, TrailingRoot, Tip);
             while (rays.Count > 0 && !IsInReach(m_Outline.At(rays[rays.Count - 1]), m_Outline.At(rays[0])))
                 rays.RemoveAt(rays.Count - 1);
+            if (rays.Count < MarginRays.Least)
+                rays.Clear();
             return rays;
         }
 

@@ -55,6 +55,24 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void AMarginInSteps_AsPixelsMakeIt_MakesNoFan([Values(0.4, 0.8)] double aspect, [Values(80, 200)] int pixels)
+        {
+            var wing = new PolarWing { aspect = aspect };
+            WingSurface stepped = wing.Mesh();
+            for (int k = 0; k < stepped.positions.Length; k++)
+            {
+                Vector3 p = stepped.positions[k] * pixels;
+                stepped.positions[k] = new Vector3(Mathf.Round(p.x), 0f, Mathf.Round(p.z)) / pixels;
+            }
+
+            WingSkeleton expected = SkeletonFitter.Fit(wing.Mesh(), Hints(5)).Skeleton;
+            WingSkeleton skeleton = SkeletonFitter.Fit(stepped, Hints(5)).Skeleton;
+
+            for (int i = 0; i < 5; i++)
+                Assert.That(Vector3.Distance(skeleton.GetJoint(i, 4), expected.GetJoint(i, 4)), Is.LessThan(0.05), $"chain {i}");
+        }
+
+        [Test]
         public void ALastRayLongerThanTheFirstMayBe_IsPassedOver()
         {
             var fin = new RayFin { rays = 9, first = 0.3, last = -1.5 };

@@ -1,0 +1,60 @@
+using System;
+using NUnit.Framework;
+
+namespace Alate.Tests
+{
+    public sealed class StrokeSetTests
+    {
+        [Test]
+        public void TheNearestOfManyStrokes_IsFound_InsideAndOutsideOfTheirCells([Range(1, 8)] int seed)
+        {
+            var random = new Random(seed);
+            var strokes = new Stroke[random.Next(1, 80)];
+            var set = new StrokeSet();
+            for (var k = 0; k < strokes.Length; k++)
+            {
+                double x = random.NextDouble(), z = random.NextDouble() - 0.5, length = k % 5 == 0 ? 0 : 0.2;
+                double endX = x + length * (random.NextDouble() - 0.5), endZ = z + length * (random.NextDouble() - 0.5);
+                strokes[k] = new Stroke(x, z, endX, endZ, k);
+                set.Add(new[] { x, z, endX, endZ }, k);
+            }
+
+            for (var place = 0; place < 2000; place++)
+            {
+                double x = 3 * random.NextDouble() - 1, z = 3 * random.NextDouble() - 1.5;
+                double nearest = double.MaxValue, along = 0;
+                foreach (var stroke in strokes)
+                {
+                    var distance = stroke.Distance(x, z, out var here);
+                    if (distance < nearest)
+                    {
+                        nearest = distance;
+                        along = here;
+                    }
+                }
+
+                Assert.That(set.Distance(x, z, out var found), Is.EqualTo(nearest));
+                Assert.That(found, Is.EqualTo(along));
+            }
+        }
+
+        [Test]
+        public void ADistance_IsThatToTheNearestPointOfTheStroke()
+        {
+            var stroke = new Stroke(1, 0, 3, 0, 0.5);
+
+            Assert.That(stroke.Distance(2, 2, out var along), Is.EqualTo(2));
+            Assert.That(along, Is.EqualTo(1.5));
+            Assert.That(stroke.Distance(0, 1, out along), Is.EqualTo(Math.Sqrt(2)).Within(1e-12));
+            Assert.That(along, Is.EqualTo(0.5));
+            Assert.That(stroke.Distance(6, 4, out along), Is.EqualTo(5));
+            Assert.That(along, Is.EqualTo(2.5));
+        }
+
+        [Test]
+        public void NoStrokes_AreInfinitelyFar()
+        {
+            Assert.That(new StrokeSet().Distance(0, 0, out _), Is.EqualTo(double.MaxValue));
+        }
+    }
+}
