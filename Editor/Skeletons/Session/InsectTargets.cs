@@ -78,8 +78,9 @@ namespace Alate.Editor
             {
                 if (wing == null || wing.Renderer == null || wing.Skeleton == null || targets.Exists(t => t.Skeleton == wing.Skeleton))
                     continue;
-                var target = new SkeletonTarget(wing.Skeleton, SurfaceOf(wing, out _), wing.Renderer.transform)
+                var target = new SkeletonTarget(wing.Skeleton, SurfaceOf(wing, out string without), wing.Renderer.transform)
                 {
+                    WithoutSurface = without,
                     Insect = insect.transform,
                     Species = wing.Species != null ? wing.Species : insect.Species,
                 };

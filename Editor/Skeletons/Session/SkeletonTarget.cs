@@ -22,6 +22,9 @@ namespace Alate.Editor
 
         public bool HasSurface => Surface.positions != null && Surface.positions.Length > 0;
 
+        /// <summary>Why there are no triangles, one sentence; of no meaning where there are.</summary>
+        public string WithoutSurface { get; set; }
+
         public Transform Place { get; }
 
         /// <summary>From the skeleton's space to the world, now.</summary>

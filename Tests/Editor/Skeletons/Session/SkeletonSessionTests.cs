@@ -148,6 +148,16 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void UnreadableMesh_IsSaidToBeThat()
+        {
+            Right.Renderer.GetComponent<MeshFilter>().sharedMesh.UploadMeshData(true);
+            m_Session.Dispose();
+            m_Session = new SkeletonSession(InsectTargets.Find(new[] { Insect }), m_Undo);
+
+            Assert.That(m_Session.Overlay.Refusal, Does.Contain("Read/Write"));
+        }
+
+        [Test]
         public void InvalidSkeleton_ShowsNothing_AndSaysWhy()
         {
             m_Session.Overlay.ShowsBeat = true;
