@@ -92,25 +92,28 @@ namespace Alate.Editor
 
         private void ShowTools()
         {
+            // Another mesh was chosen.
+            if (IsEditing && m_Session.ActiveTarget != m_Rig.Target)
+                m_Session = SkeletonSessions.Open(new[] { m_Rig.Target });
             using (new EditorGUILayout.HorizontalScope())
             {
                 bool edits = GUILayout.Toggle(IsEditing, Content.Edit, EditorStyles.miniButton);
                 if (edits != IsEditing)
                     Edit(edits);
                 if (GUILayout.Button(Content.Mirror, EditorStyles.miniButton))
+                {
                     SaveMirrorImage();
+
+                    // A dialog was open meanwhile: what is drawn of this event is out of date.
+                    GUIUtility.ExitGUI();
+                }
             }
 
-            SkeletonTarget before = m_Rig.Target;
             if (m_Rig.Draw(out RigProblem pressed))
             {
                 Edit(true);
                 SkeletonPanel.Show(m_Session, m_Session.Group.Active, pressed.Joints);
             }
-
-            // Another mesh was chosen.
-            if (before != m_Rig.Target && IsEditing)
-                m_Session = SkeletonSessions.Open(new[] { m_Rig.Target });
         }
 
         private void Edit(bool on)

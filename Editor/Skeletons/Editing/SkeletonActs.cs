@@ -65,6 +65,10 @@ namespace Alate.Editor
         /// <summary>All acts in menu order.</summary>
         public static readonly IReadOnlyList<SkeletonAct> All = Flatten();
 
+        /// <summary>What the Delete key means: of each skeleton chains where whole chains are selected, else rows.</summary>
+        public static readonly SkeletonAct Delete = new SkeletonAct(
+            "Delete Joints", KeyCode.None, false, "Removes the selected chains, or rows.", editing => ForDelete(editing).Run(editing));
+
         /// <summary>The act of a name.</summary>
         /// <exception cref="ArgumentException">There is none.</exception>
         public static SkeletonAct Find(string name)
@@ -90,7 +94,7 @@ namespace Alate.Editor
             return null;
         }
 
-        /// <summary>What the Delete key means: chains where whole chains are selected, else rows.</summary>
+        /// <summary>What the Delete key means for one skeleton.</summary>
         public static SkeletonAct ForDelete(SkeletonEditing editing)
         {
             JointIndex[] selected = editing.Selection.Living();

@@ -44,11 +44,18 @@ namespace Alate.Editor
             foreach ((string from, string to) in s_Sides)
             {
                 int at = name.LastIndexOf(from, System.StringComparison.Ordinal);
-                if (at >= 0)
+                if (at >= 0 && IsWord(name, at, from.Length))
                     return name.Substring(0, at) + to + name.Substring(at + from.Length);
             }
 
             return name + " Mirrored";
+        }
+
+        // "right" names a side neither in "upright" nor in "rightful", and "_R" not in "_Root".
+        private static bool IsWord(string name, int at, int length)
+        {
+            bool begins = at == 0 || !char.IsLower(name[at]) || !char.IsLetter(name[at - 1]);
+            return begins && (at + length == name.Length || !char.IsLower(name[at + length]));
         }
 
         private static readonly (string from, string to)[] s_Sides =

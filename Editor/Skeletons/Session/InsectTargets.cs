@@ -16,7 +16,7 @@ namespace Alate.Editor
             return targets;
         }
 
-        /// <summary>A number that changes with what <see cref="Find"/> would find, but for the content of skeletons and meshes.</summary>
+        /// <summary>A number that changes with what <see cref="Find"/> would find, but for the content of skeletons, meshes and presets.</summary>
         public static int StampOf(IEnumerable<InsectWings> insects)
         {
             int stamp = 17;
@@ -27,9 +27,11 @@ namespace Alate.Editor
                     Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
                     if (mesh == null)
                         continue;
+                    WingSpecies species = wing.Species != null ? wing.Species : insect.Species;
                     int skeleton = wing.Skeleton == null ? 0 : wing.Skeleton.GetHashCode();
                     int part = ((int)wing.Part * 31 + wing.Submesh) * 31 + wing.Point.GetHashCode();
                     stamp = ((stamp * 31 + mesh.GetHashCode()) * 31 + skeleton) * 31 + part + (int)wing.Side * 7 + (int)wing.Pair;
+                    stamp = stamp * 31 + (species == null ? 0 : species.GetHashCode());
                 }
             }
 
@@ -76,8 +78,9 @@ namespace Alate.Editor
             {
                 if (wing == null || wing.Renderer == null || wing.Skeleton == null || targets.Exists(t => t.Skeleton == wing.Skeleton))
                     continue;
-                var target = new SkeletonTarget(wing.Skeleton, SurfaceOf(wing, out _), wing.Renderer.transform)
+                var target = new SkeletonTarget(wing.Skeleton, SurfaceOf(wing, out string without), wing.Renderer.transform)
                 {
+                    WithoutSurface = without,
                     Insect = insect.transform,
                     Species = wing.Species != null ? wing.Species : insect.Species,
                 };

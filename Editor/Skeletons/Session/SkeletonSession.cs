@@ -21,7 +21,7 @@ namespace Alate.Editor
             var all = new List<SkeletonEditing>();
             foreach (SkeletonTarget target in m_Targets)
             {
-                var editing = new SkeletonEditing(JointSelection.Of(target.Skeleton), undo) { Lock = target.Lock };
+                var editing = new SkeletonEditing(JointSelection.Of(target.Skeleton), undo);
                 if (target.HasSurface)
                     editing.Surface = new SnapSurface(target.Surface);
                 all.Add(editing);
@@ -65,6 +65,7 @@ namespace Alate.Editor
                 if (target.Skeleton == null)
                     continue;
                 editing.LocalToWorld = target.LocalToWorld;
+                editing.Lock = target.Lock;
                 editing.Known = target.Known();
                 editing.Twin = target.OtherSide?.Skeleton == null ? null : target.MakeTwin();
 

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Alate.Editor
@@ -21,6 +22,9 @@ namespace Alate.Editor
 
         public bool HasSurface => Surface.positions != null && Surface.positions.Length > 0;
 
+        /// <summary>Why there are no triangles, one sentence; of no meaning where there are.</summary>
+        public string WithoutSurface { get; set; }
+
         public Transform Place { get; }
 
         /// <summary>From the skeleton's space to the world, now.</summary>
@@ -32,8 +36,11 @@ namespace Alate.Editor
         /// <summary>The wing on the other side, where it has a skeleton of its own; else null.</summary>
         public SkeletonTarget OtherSide { get; set; }
 
-        /// <summary>Why the skeleton may not be changed, one sentence; null where it may.</summary>
-        public string Lock { get; set; }
+        /// <summary>Finds out why a skeleton may not be changed, one sentence or null; null where every one may.</summary>
+        public Func<WingSkeleton, string> FindLock { get; set; }
+
+        /// <summary>Why the skeleton may not be changed now, one sentence; null where it may.</summary>
+        public string Lock => FindLock?.Invoke(Skeleton);
 
         /// <summary>The preset by which it beats; null for a monarch.</summary>
         public WingSpecies Species { get; set; }

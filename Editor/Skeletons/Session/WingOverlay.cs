@@ -52,7 +52,7 @@ namespace Alate.Editor
         /// <param name="hurries">While joints are dragged: weaknesses are looked for only where colours need the same work.</param>
         public void Refresh(SkeletonTarget target, IReadOnlyList<JointIndex> selected, bool hurries)
         {
-            Refusal = target.HasSurface ? null : "There is no mesh to show the rig on.";
+            Refusal = target.HasSurface ? null : target.WithoutSurface ?? "There is no mesh to show the rig on.";
             if (!target.HasSurface)
             {
                 Rig = null;

@@ -45,6 +45,9 @@ namespace Alate.Editor
             m_Material.SetFloat("_Cull", (float)CullMode.Off);
             m_Material.SetFloat("_ZWrite", 0f);
             m_Material.SetFloat("_ZTest", (float)CompareFunction.LessEqual);
+
+            // Colours lie in the wing's own surface: a little nearer, so that the two do not flicker.
+            m_Material.SetFloat("_ZBias", -1f);
             return true;
         }
     }

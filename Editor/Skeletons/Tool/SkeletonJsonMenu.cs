@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using UnityEditor;
 
 namespace Alate.Editor
@@ -15,16 +13,8 @@ namespace Alate.Editor
         private static void Import(MenuCommand command)
         {
             string path = EditorUtility.OpenFilePanel(k_Title, "", "json");
-            if (string.IsNullOrEmpty(path))
-                return;
-            string refusal = Try(() =>
-            {
-                var skeleton = (WingSkeleton)command.context;
-                var editing = new SkeletonEditing(JointSelection.Of(skeleton), new EditorUndo()) { Lock = SkeletonSessions.LockOf(skeleton) };
-                editing.Start(out EditStart start);
-                return editing.Commit("Import Skeleton", start, ImportAct.Make(File.ReadAllText(path))).Message;
-            });
-            Tell(refusal);
+            if (!string.IsNullOrEmpty(path))
+                Tell(SkeletonFile.Read((WingSkeleton)command.context, path, new EditorUndo()));
         }
 
         [MenuItem(k_Export)]
@@ -32,26 +22,8 @@ namespace Alate.Editor
         {
             var skeleton = (WingSkeleton)command.context;
             string path = EditorUtility.SaveFilePanel(k_Title, "", skeleton.name, "json");
-            if (string.IsNullOrEmpty(path))
-                return;
-            string refusal = Try(() =>
-            {
-                File.WriteAllText(path, SkeletonJson.Write(skeleton));
-                return null;
-            });
-            Tell(refusal);
-        }
-
-        private static string Try(Func<string> act)
-        {
-            try
-            {
-                return act();
-            }
-            catch (Exception failed) when (failed is IOException || failed is UnauthorizedAccessException || failed is ArgumentException)
-            {
-                return failed.Message;
-            }
+            if (!string.IsNullOrEmpty(path))
+                Tell(SkeletonFile.Write(skeleton, path));
         }
 
         private static void Tell(string refusal)

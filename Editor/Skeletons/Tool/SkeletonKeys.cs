@@ -29,9 +29,11 @@ namespace Alate.Editor
         /// <summary>Whether a command of the editor means something here.</summary>
         public static bool Knows(string command) => Array.IndexOf(s_Commands, command) >= 0;
 
-        /// <summary>Does what a command means, but for framing, which is the window's.</summary>
+        /// <summary>Does what a command means, but for framing, which is the window's. Nothing while the mouse is down.</summary>
         public static void Execute(SkeletonSession session, string command)
         {
+            if (session.Pointer.IsDown)
+                return;
             switch (command)
             {
                 case k_SelectAll:
@@ -45,8 +47,7 @@ namespace Alate.Editor
                     break;
                 case k_Delete:
                 case k_SoftDelete:
-                    if (session.Group.Active != null)
-                        session.Do(SkeletonActs.ForDelete(session.Group.Acting()[0]));
+                    session.Do(SkeletonActs.Delete);
                     break;
             }
         }

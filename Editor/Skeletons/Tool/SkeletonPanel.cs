@@ -50,6 +50,7 @@ namespace Alate.Editor
                 LayOut(session);
             }
 
+            Keys(session);
             if (GUI.changed)
                 SceneView.RepaintAll();
         }
@@ -69,11 +70,23 @@ namespace Alate.Editor
             Acts(session);
         }
 
+        // A click in the panel takes the focus from the scene: the keys go on working, but where text is being typed.
+        private static void Keys(SkeletonSession session)
+        {
+            Event now = Event.current;
+            if (now.type == EventType.KeyDown && !EditorGUIUtility.editingTextField && SkeletonKeys.Press(session, now.keyCode, now.modifiers))
+                now.Use();
+        }
+
         private static void LayOut(SkeletonSession session)
         {
             EditOutcome? outcome = SkeletonMakerGui.Draw();
-            if (outcome.HasValue)
-                session.Tell(outcome.Value);
+            if (!outcome.HasValue)
+                return;
+            session.Tell(outcome.Value);
+
+            // A dialog was open meanwhile: what is drawn of this event is out of date.
+            GUIUtility.ExitGUI();
         }
 
         private static void ChooseActive(SkeletonSession session)

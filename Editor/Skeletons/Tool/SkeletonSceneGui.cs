@@ -10,6 +10,8 @@ namespace Alate.Editor
         private static readonly int s_Hint = "Alate.WingSkeleton".GetHashCode();
 
         private readonly OverlayMaterial m_Material = new OverlayMaterial();
+        private SceneView m_Pressed;
+        private bool m_MenuShown;
 
         /// <summary>Handles one event.</summary>
         public void OnGUI(SceneView view, SkeletonSession session)
@@ -23,13 +25,16 @@ namespace Alate.Editor
                     HandleUtility.AddDefaultControl(id);
                     break;
                 case EventType.MouseDown:
-                    Press(session, now, id);
+                    Press(view, session, now, id);
+                    break;
+                case EventType.ContextClick:
+                    ContextClick(session, now);
                     break;
                 case EventType.MouseDrag when GUIUtility.hotControl == id:
                     session.Tell(session.Pointer.Move(now.mousePosition, RayAt(now), ModeOf(session, now)));
                     now.Use();
                     break;
-                case EventType.MouseUp when GUIUtility.hotControl == id:
+                case EventType.MouseUp when GUIUtility.hotControl == id && now.button == 0:
                     session.Pointer.Release();
                     GUIUtility.hotControl = 0;
                     now.Use();
@@ -46,28 +51,34 @@ namespace Alate.Editor
                     Command(view, session, now);
                     break;
                 case EventType.Repaint:
-                    Draw(session, now);
+                    using (new Handles.DrawingScope(Color.white, Matrix4x4.identity))
+                        Draw(view, session, now);
                     break;
             }
         }
 
         public void Dispose() => m_Material.Dispose();
 
-        private static void Press(SkeletonSession session, Event now, int id)
+        private void Press(SceneView view, SkeletonSession session, Event now, int id)
         {
             bool navigates = now.alt || Tools.viewToolActive;
-            if (now.button == 1 && !navigates && TryChoose(session, now.mousePosition))
-            {
-                SkeletonMenu.Show(session);
-                now.Use();
-                return;
-            }
-
+            m_MenuShown = now.button == 1 && !navigates && TryShowMenu(session, now);
             if (now.button != 0 || navigates || HandleUtility.nearestControl != id)
                 return;
             session.Pointer.Press(Project, now.mousePosition, now.shift || EditorGUI.actionKey, now.clickCount);
             GUIUtility.hotControl = id;
+            m_Pressed = view;
             now.Use();
+        }
+
+        // In Unity 2022.3 the scene view's camera takes the press of the right button before any tool; of the click, this event still tells.
+        private void ContextClick(SkeletonSession session, Event now)
+        {
+            if (m_MenuShown)
+                now.Use();
+            else if (!now.alt)
+                TryShowMenu(session, now);
+            m_MenuShown = false;
         }
 
         private static void Command(SceneView view, SkeletonSession session, Event now)
@@ -92,7 +103,7 @@ namespace Alate.Editor
             now.Use();
         }
 
-        private void Draw(SkeletonSession session, Event now)
+        private void Draw(SceneView view, SkeletonSession session, Event now)
         {
             SkeletonTarget target = session.ActiveTarget;
             if (target != null)
@@ -112,7 +123,7 @@ namespace Alate.Editor
                     editing, editing == session.Group.Active, session.ShowsLabels, over && editing == under ? hovered : (JointIndex?)null);
             }
 
-            if (session.Pointer.Box.HasValue)
+            if (session.Pointer.Box.HasValue && view == m_Pressed)
                 DrawBox(session.Pointer.Box.Value);
         }
 
@@ -124,12 +135,15 @@ namespace Alate.Editor
         }
 
         // A right click means the joint under it, and what is selected if that is among it.
-        private static bool TryChoose(SkeletonSession session, Vector2 pixel)
+        private static bool TryShowMenu(SkeletonSession session, Event now)
         {
-            if (!session.Group.TryNearest(Project, pixel, SkeletonPointer.PickRadius, out SkeletonEditing editing, out JointIndex joint))
+            if (session.Pointer.IsDown || !session.Group.TryNearest(
+                    Project, now.mousePosition, SkeletonPointer.PickRadius, out SkeletonEditing editing, out JointIndex joint))
                 return false;
             if (!editing.Selection.Contains(joint))
                 session.Select(editing, new[] { joint });
+            SkeletonMenu.Show(session);
+            now.Use();
             return true;
         }
 

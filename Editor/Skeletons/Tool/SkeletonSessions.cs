@@ -19,9 +19,10 @@ namespace Alate.Editor
             Close(Current);
             var listed = new List<SkeletonTarget>(targets);
             foreach (SkeletonTarget target in listed)
-                target.Lock = LockOf(target.Skeleton);
+                target.FindLock = LockOf;
             Current = new SkeletonSession(listed, new EditorUndo());
-            Undo.undoRedoPerformed += SceneView.RepaintAll;
+            SkeletonSettings.Restore(Current);
+            Undo.undoRedoPerformed += OnUndo;
             Changed?.Invoke();
             SceneView.RepaintAll();
             return Current;
@@ -32,17 +33,25 @@ namespace Alate.Editor
         {
             if (session == null || session != Current)
                 return;
-            Undo.undoRedoPerformed -= SceneView.RepaintAll;
+            Undo.undoRedoPerformed -= OnUndo;
             Current = null;
+            SkeletonSettings.Keep(session);
             session.Dispose();
             Changed?.Invoke();
+            SceneView.RepaintAll();
+        }
+
+        // What is dragged has just been put back: the rest of the drag would not be recorded.
+        private static void OnUndo()
+        {
+            Current.Pointer.LetGo();
             SceneView.RepaintAll();
         }
 
         /// <summary>Why a skeleton may not be changed; null where it may. Packages from git are overwritten at will, and edits in them are lost.</summary>
         public static string LockOf(WingSkeleton skeleton) =>
             AssetDatabase.Contains(skeleton) && !AssetDatabase.IsOpenForEdit(skeleton)
-                ? $"'{skeleton.name}' cannot be changed where it lies: copy it into your project's Assets first."
+                ? $"'{skeleton.name}' is read-only: check it out, or where it lies in a package, copy it into your project's Assets first."
                 : null;
     }
 }

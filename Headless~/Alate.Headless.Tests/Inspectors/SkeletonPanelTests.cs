@@ -70,6 +70,8 @@ namespace Alate.Tests.Inspectors
             m_Session.Place();
 
             Assert.That(Draw().HelpBoxes, Has.Some.Contains("beside the joints"));
+            Press("Select");
+            Assert.That(m_Session.Group.Active.Selection.Living(), Is.EqualTo(m_Session.Overlay.Problems[0].Joints));
         }
 
         [Test]
@@ -133,6 +135,60 @@ namespace Alate.Tests.Inspectors
         }
 
         [Test]
+        public void AssetOfAPackage_RefusesActs_AndSaysWhatHelps_UntilItMayBeChanged()
+        {
+            ProjectAssets.AddToPackage("Packages/com.example.wings/Wing.asset", Right.Skeleton);
+            try
+            {
+                m_Session.Place();
+                m_Session.Select(m_Session.Group.Active, new[] { new JointIndex(1, 1) });
+                Assert.That(Press("Add Joint Row").HelpBoxes, Has.Some.StartWith("'Right Wing' is read-only: check it out"));
+                Assert.That(Right.Skeleton.JointsPerChain, Is.EqualTo(5));
+            }
+            finally
+            {
+                ProjectAssets.Clear();
+            }
+
+            m_Session.Place();
+            Assert.That(Press("Add Joint Row").HelpBoxes, Is.Empty);
+            Assert.That(Right.Skeleton.JointsPerChain, Is.EqualTo(6));
+        }
+
+        [Test]
+        public void ManyProblems_AreCutShort_AndCounted()
+        {
+            for (int i = 0; i < 5; i++)
+                Right.Skeleton.Chains[i].joints[2] = Right.Skeleton.Chains[i].joints[3] = Right.Skeleton.GetJoint(i, 1);
+            m_Session.Place();
+            int all = Right.Skeleton.Validate().Count + m_Session.Overlay.Problems.Count;
+
+            DrawnInspector page = Draw();
+
+            Assert.That(all, Is.GreaterThan(6));
+            Assert.That(page.Buttons.Count(text => text == "Select"), Is.EqualTo(6));
+            Assert.That(page.Controls.Any(control => control.Text == $"and {all - 6} more"));
+        }
+
+        [Test]
+        public void Keys_WorkInThePanelToo_ButNotWhileTextIsTyped()
+        {
+            Assert.That(Key(KeyCode.K), Is.EqualTo(EventType.Used));
+            Assert.That(m_Session.Overlay.ShowsBeat);
+
+            EditorGUIUtility.editingTextField = true;
+            try
+            {
+                Assert.That(Key(KeyCode.K), Is.EqualTo(EventType.KeyDown));
+                Assert.That(m_Session.Overlay.ShowsBeat);
+            }
+            finally
+            {
+                EditorGUIUtility.editingTextField = false;
+            }
+        }
+
+        [Test]
         public void AssetOfTheProject_CanBeChanged()
         {
             string path = "Assets/Alate Test Locked.asset";
@@ -147,6 +203,20 @@ namespace Alate.Tests.Inspectors
             {
                 AssetDatabase.DeleteAsset(path);
             }
+        }
+
+        private EventType Key(KeyCode key)
+        {
+            EventType left = EventType.Ignore;
+            DrawnInspector.Of(() =>
+            {
+                Event drawn = Event.current, sent = new Event { type = EventType.KeyDown, keyCode = key };
+                Event.current = drawn.type == EventType.Repaint ? sent : drawn;
+                SkeletonPanel.Draw(m_Session);
+                left = sent.type;
+                Event.current = drawn;
+            });
+            return left;
         }
 
         private DrawnInspector Draw() => DrawnInspector.Of(() => SkeletonPanel.Draw(m_Session));

@@ -132,6 +132,38 @@ namespace Alate.Tests.Inspectors
         }
 
         [Test]
+        public void PressOnAnotherHandle_IsLeftToIt()
+        {
+            Event.current = new Event { type = EventType.Layout };
+            m_Gui.OnGUI(m_View, m_Session);
+            HandleUtility.nearestControl = 4711;
+            Event.current = new Event { type = EventType.MouseDown, mousePosition = Pixel(2, 2), clickCount = 1 };
+            m_Gui.OnGUI(m_View, m_Session);
+
+            Assert.That(Event.current.type, Is.EqualTo(EventType.MouseDown));
+            Assert.That(m_Session.Group.SelectedCount, Is.Zero);
+            Event.current = null;
+        }
+
+        [Test]
+        public void ClosedSession_LeavesNoMeshAndNoNativeMemory()
+        {
+            SkeletonSessions.Close(m_Session);
+            int meshes = Resources.FindObjectsOfTypeAll<Mesh>().Length, allocations = NativeMemoryLedger.LiveCount;
+            m_Session = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+            m_Session.Overlay.ShowsBeat = true;
+            m_Session.Overlay.Colours = RigColourMode.Patch;
+            Send(EventType.Repaint, Pixel(1, 1));
+            Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.Length.EqualTo(meshes + 2));
+            Assert.That(NativeMemoryLedger.LiveCount, Is.GreaterThan(allocations));
+
+            SkeletonSessions.Close(m_Session);
+
+            Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.Length.EqualTo(meshes));
+            Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(allocations));
+        }
+
+        [Test]
         public void BoxOverNothing_SelectsWhatItHolds()
         {
             Vector2 corner = new Vector2(-9000f, -9000f);
@@ -160,6 +192,56 @@ namespace Alate.Tests.Inspectors
             Assert.That(ShownMenu.Lines.Where(line => line != ""), Is.EqualTo(SkeletonActs.All.Select(act => act.Title)));
             ShownMenu.Choose("Select Chain (D)");
             Assert.That(m_Session.Group.Active.Selection.Living(), Is.EqualTo(Enumerable.Range(0, 5).Select(j => new JointIndex(3, j))));
+        }
+
+        [Test]
+        public void RightClickThatTheCameraTook_OpensTheMenuToo()
+        {
+            Send(EventType.Used, Pixel(3, 1), button: 1);
+            Assert.That(Send(EventType.ContextClick, Pixel(3, 1), button: 1).type, Is.EqualTo(EventType.Used));
+
+            ShownMenu.Choose("Select Row (Shift+D)");
+            Assert.That(m_Session.Group.Active.Selection.Living(), Is.EqualTo(Enumerable.Range(0, 5).Select(i => new JointIndex(i, 1))));
+            Assert.That(Send(EventType.ContextClick, new Vector2(-9000f, 0f), button: 1).type, Is.EqualTo(EventType.ContextClick));
+        }
+
+        [Test]
+        public void RightClick_OpensOneMenu_WhereBothItsEventsArrive()
+        {
+            Send(EventType.MouseDown, Pixel(3, 1), button: 1);
+            ShownMenu.Clear();
+
+            Assert.That(Send(EventType.ContextClick, Pixel(3, 1), button: 1).type, Is.EqualTo(EventType.Used));
+
+            Assert.That(ShownMenu.Lines, Is.Empty);
+        }
+
+        [Test]
+        public void WhileTheMouseIsDown_OtherButtonsAndCommandsWait()
+        {
+            Click(Pixel(2, 2));
+            Vector2 from = Pixel(2, 2), to = from + new Vector2(50f, 30f);
+            Send(EventType.MouseDown, from);
+            Send(EventType.MouseDrag, to);
+
+            Send(EventType.MouseDown, Pixel(3, 1), button: 1);
+            Send(EventType.MouseUp, Pixel(3, 1), button: 1);
+            Command(EventType.ExecuteCommand, "SelectAll");
+            Command(EventType.ExecuteCommand, "Delete");
+
+            Assert.That(ShownMenu.Lines, Is.Empty);
+            Assert.That(m_Session.Group.SelectedCount, Is.EqualTo(1));
+            Assert.That(Right.Skeleton.JointsPerChain, Is.EqualTo(5));
+            Send(EventType.MouseDrag, from);
+            Assert.That(Vector2.Distance(Pixel(2, 2), from), Is.LessThan(0.5f), "still dragging");
+        }
+
+        [Test]
+        public void Drawing_LeavesTheHandlesOfOthersAsTheyWere()
+        {
+            Handles.color = Color.magenta;
+            Send(EventType.Repaint, Pixel(1, 1));
+            Assert.That(Handles.color, Is.EqualTo(Color.magenta));
         }
 
         [Test]

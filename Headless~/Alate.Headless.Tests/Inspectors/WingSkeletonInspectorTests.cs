@@ -45,6 +45,19 @@ namespace Alate.Tests.Inspectors
         }
 
         [Test]
+        public void UnreadableMesh_IsNamed_AndNoRigIsShown()
+        {
+            Mesh mesh = Right.Renderer.GetComponent<MeshFilter>().sharedMesh;
+            SkeletonMeshMemory.Set(Right.Skeleton, mesh);
+            mesh.UploadMeshData(true);
+
+            DrawnInspector page = Draw();
+
+            Assert.That(page.HelpBoxes, Has.Member($"Mesh '{mesh.name}' is not readable: turn on Read/Write in its import settings."));
+            Assert.That(page.Controls.Any(control => control.Text == "Rig"), Is.False);
+        }
+
+        [Test]
         public void Weakness_IsSelectedInTheSceneView()
         {
             SkeletonMeshMemory.Set(Right.Skeleton, Right.Renderer.GetComponent<MeshFilter>().sharedMesh);

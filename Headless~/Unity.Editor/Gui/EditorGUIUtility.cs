@@ -14,6 +14,7 @@ public sealed class EditorGUIUtility : GUIUtility
     public static bool isProSkin { get; }
     public static float pixelsPerPoint { get; }
     public static bool wideMode { get; set; }
+    public static bool editingTextField { get; set; }
     public static bool hierarchyMode { get; set; }
 
     public static GUIContent IconContent(string name) => throw Absent.Editor;

@@ -104,10 +104,18 @@ namespace Alate.Editor
             var path = new JointPath(m_Start.Chain(m_Joint.chain));
             float distance = path.ClosestTo(origin, direction) - path.DistanceOf(m_Joint.joint);
             EditOutcome outcome = EditOutcome.Success;
+            float scale = ScaleOf(m_Grabbed.LocalToWorld);
             foreach (var (editing, start, joints) in m_Parts)
-                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, SlideActs.By(start.Own, joints, distance)));
+            {
+                float own = distance * (editing == m_Grabbed ? 1f : scale / ScaleOf(editing.LocalToWorld));
+                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, SlideActs.By(start.Own, joints, own)));
+            }
+
             return outcome;
         }
+
+        // World units that a mesh unit is long, on average over all directions.
+        private static float ScaleOf(Matrix4x4 localToWorld) => Mathf.Pow(Mathf.Abs(localToWorld.determinant), 1f / 3f);
 
         private static EditOutcome FirstRefusal(EditOutcome first, EditOutcome next) => first.Done ? next : first;
     }

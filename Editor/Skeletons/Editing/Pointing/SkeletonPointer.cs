@@ -113,6 +113,13 @@ namespace Alate.Editor
             Clear();
         }
 
+        /// <summary>Lets go of everything as it is now, for undo has changed it under the pointer.</summary>
+        public void LetGo()
+        {
+            m_Drag?.End();
+            Clear();
+        }
+
         // The joint that was just taken out is no longer there to be dragged.
         private void Unselect()
         {

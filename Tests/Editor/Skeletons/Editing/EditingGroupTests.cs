@@ -161,6 +161,18 @@ namespace Alate.Editor.Tests
             Assert.That(SkeletonActs.ForDelete(Editing).Name, Is.EqualTo("Remove Joint Row"));
         }
 
+        [Test]
+        public void Delete_MeansOfEachSkeleton_WhatIsSelectedThere()
+        {
+            Editing.Select(SelectActs.Chains(Skeleton, new[] { new JointIndex(1, 0) }));
+            m_Other.Select(new[] { new JointIndex(1, 2) });
+
+            Assert.That(m_Group.Do(SkeletonActs.Delete).Done);
+
+            Assert.That((Skeleton.ChainCount, Skeleton.JointsPerChain), Is.EqualTo((4, 5)));
+            Assert.That((Left.ChainCount, Left.JointsPerChain), Is.EqualTo((5, 4)));
+        }
+
         private void Pair()
         {
             m_Other.Twin = new SkeletonTwin(Skeleton, SkeletonMirror.AcrossX);

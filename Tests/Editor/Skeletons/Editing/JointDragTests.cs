@@ -135,6 +135,40 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void SeveralSkeletons_SlideByTheSameLengthInTheWorld()
+        {
+            SkeletonEditing other = Edit(Left);
+            other.LocalToWorld = Matrix4x4.TRS(new Vector3(5f, 0f, 0f), Quaternion.Euler(0f, 90f, 0f), 2f * Vector3.one);
+            other.Select(new[] { s_Joint });
+            Select((2, 2));
+            Vector3 inner = Skeleton.GetJoint(2, 1), outer = Skeleton.GetJoint(2, 2), otherBefore = Left.GetJoint(2, 2);
+            var drag = new JointDrag(new[] { Editing, other }, Editing, s_Joint, Undo);
+
+            drag.Update(Above(Vector3.Lerp(inner, outer, 0.7f)), DragMode.Chain);
+            drag.End();
+
+            float own = Vector3.Distance(Local(), outer), others = 2f * Vector3.Distance(Left.GetJoint(2, 2), otherBefore);
+            Assert.That(own, Is.GreaterThan(0.02f));
+            Assert.That(others, Is.EqualTo(own).Within(1e-4f));
+        }
+
+        [Test]
+        public void InThePlaneOfTheWing_TheHeightStays_ThoughTheWingIsScaledUnevenly()
+        {
+            Editing.LocalToWorld = Matrix4x4.TRS(Vector3.one, Quaternion.Euler(20f, 30f, 40f), Vector3.one) * Matrix4x4.Scale(new Vector3(1f, 3f, 0.5f));
+            Skeleton.UpAxis = new Vector3(0.2f, 1f, 0.4f);
+            Assert.That(WingAxes.TryMake(Skeleton.SpanAxis, Skeleton.UpAxis, out Unity.Mathematics.float3x3 axes));
+            Vector3 before = Local(), normal = axes.c1;
+            JointDrag drag = Grab(s_Joint);
+
+            drag.Update(Above(World() + new Vector3(0.03f, 0f, 0.02f)), DragMode.WingPlane);
+            drag.End();
+
+            Assert.That(Vector3.Distance(Local(), before), Is.GreaterThan(0.01f));
+            Assert.That(Vector3.Dot(Local() - before, normal), Is.EqualTo(0f).Within(1e-5f));
+        }
+
+        [Test]
         public void FlattenedPlacement_RefusesOrStays_ButNothingBreaks()
         {
             Editing.LocalToWorld = Matrix4x4.Scale(new Vector3(1f, 0f, 0f));

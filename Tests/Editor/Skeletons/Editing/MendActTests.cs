@@ -21,6 +21,16 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void CountOfMost_IsTaken_ThoughTheFirstChainHasAnother()
+        {
+            Skeleton.Chains[0].joints = Skeleton.Chains[0].joints.Take(3).ToArray();
+
+            Assert.That(Do("Mend").Done);
+
+            Assert.That(Skeleton.JointsPerChain, Is.EqualTo(5));
+        }
+
+        [Test]
         public void BrokenJoints_AreLaidOutAnew()
         {
             Skeleton.Chains[2].joints[3] = new Vector3(float.NaN, 0f, 0f);

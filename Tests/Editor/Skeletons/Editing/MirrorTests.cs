@@ -29,6 +29,10 @@ namespace Alate.Editor.Tests
         [TestCase("wing left", "wing right")]
         [TestCase("Wing_L", "Wing_R")]
         [TestCase("Fin", "Fin Mirrored")]
+        [TestCase("Left Field Moth Left Wing", "Left Field Moth Right Wing")]
+        [TestCase("Upright Wing", "Upright Wing Mirrored")]
+        [TestCase("Wing_Root", "Wing_Root Mirrored")]
+        [TestCase("RightWing", "LeftWing")]
         public void Names_ChangeSides(string name, string other) => Assert.That(SkeletonMirror.OtherSide(name), Is.EqualTo(other));
 
         [Test]

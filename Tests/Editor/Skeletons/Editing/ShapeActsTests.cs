@@ -109,6 +109,19 @@ namespace Alate.Editor.Tests
             Assert.That(Do("Smooth").Message, Is.EqualTo("Roots and tips are not smoothed; select joints between them."));
         }
 
+        [Test]
+        public void Smoothing_LeavesTheOutermostChainsOnTheirLines([Values(0, 4)] int chain)
+        {
+            Select((chain, 1), (chain, 2), (chain, 3));
+            Do("Straighten");
+            Do("Space Evenly");
+            Vector3 before = Skeleton.GetJoint(chain, 2);
+
+            Do("Smooth");
+
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(chain, 2), before), Is.LessThan(0.05f * Vector3.Distance(before, Skeleton.GetJoint(chain, 1))));
+        }
+
         private float Unevenness(int chain)
         {
             Vector3[] joints = Skeleton.Chains[chain].joints;

@@ -48,6 +48,20 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void JointsThatSlideTogether_AllGoTheWholeWay_WhereTheyHaveRoom()
+        {
+            Vector3[] before = (Vector3[])Skeleton.Chains[2].joints.Clone();
+            var path = new JointPath(before);
+            float distance = path.DistanceOf(2) - path.DistanceOf(1);
+            Select((2, 1), (2, 2), (2, 3), (2, 4));
+
+            Assert.That(Slide(distance).Done);
+
+            for (int j = 1; j < 5; j++)
+                Assert.That(Vector3.Distance(Skeleton.GetJoint(2, j), path.At(path.DistanceOf(j) + distance)), Is.LessThan(1e-5f));
+        }
+
+        [Test]
         public void Tip_SlidesOnTheLineOfItsBone_BothWays([Values(-0.02f, 0.05f)] float distance)
         {
             Vector3 inner = Skeleton.GetJoint(0, 3), tip = Skeleton.GetJoint(0, 4);

@@ -104,6 +104,18 @@ namespace Alate.Editor.Tests
             Assert.That(best, Is.LessThan(k_Fluent));
         }
 
+        [Test]
+        public void Flight_IsLevel_AtACruisingShareOfThePresetsSpeed()
+        {
+            var monarch = new SpeciesValues(null);
+
+            PreviewFlight flight = PreviewFlight.Of(monarch);
+
+            Assert.That(flight.surroundings.speed, Is.EqualTo(0.65f * monarch.parameters.maxSpeed).Within(1e-5f));
+            Assert.That(-flight.surroundings.wind.z * monarch.wingLength, Is.EqualTo(flight.surroundings.speed).Within(1e-5f));
+            Assert.That(-flight.surroundings.gravity.y * monarch.wingLength, Is.EqualTo(9.81f * monarch.gravityShare).Within(1e-4f));
+        }
+
         private void Bake() => m_Preview.Bake(Skeleton, Surface(), PreviewFlight.Of(new SpeciesValues(null)));
 
         private float TipHeight()

@@ -99,6 +99,10 @@ namespace Alate.Editor.Tests
             Right.Skeleton.Hinge = Vector3.one;
             Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.EqualTo(before));
 
+            Insect.Species = Keep(Species.Monarch());
+            Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.Not.EqualTo(before));
+            Insect.Species = null;
+
             WingSkeleton skeleton = Left.Skeleton;
             Left.Skeleton = null;
             int without = InsectTargets.StampOf(new[] { Insect });
@@ -111,6 +115,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void WhatIsKnown_IsHowTheInsectLies_InTheWingsSpace()
         {
+            Left.Renderer.transform.localRotation = Quaternion.Euler(10f, 40f, -25f);
             SkeletonFitSettings known = Find()[1].Known();
 
             Transform place = Left.Renderer.transform;

@@ -31,6 +31,8 @@ namespace Alate.Editor.Tests
         [TearDown]
         public void Clear()
         {
+            using (var fresh = new SkeletonSession(new SkeletonTarget[0], new SnapshotUndo()))
+                SkeletonSettings.Keep(fresh);
             foreach (Object made in m_Made)
                 Object.DestroyImmediate(made);
             m_Made.Clear();

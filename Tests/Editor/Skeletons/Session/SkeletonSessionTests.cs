@@ -87,6 +87,23 @@ namespace Alate.Editor.Tests
             Assert.That(m_Session.Overlay.BeatMesh.vertices, Is.Not.EqualTo(before));
         }
 
+        [TestCase(float.NaN)]
+        [TestCase(0f)]
+        [TestCase(float.PositiveInfinity)]
+        public void Beat_OfABrokenPreset_BreaksNothing(float number)
+        {
+            WingSpecies preset = Keep(Species.Monarch());
+            preset.Beat.maxSpeed = number;
+            preset.Beat.flapRange = number;
+            Insect.Species = preset;
+            m_Session.Dispose();
+            m_Session = new SkeletonSession(InsectTargets.Find(new[] { Insect }), m_Undo);
+            m_Session.Overlay.ShowsBeat = true;
+
+            Assert.That(() => m_Session.Place(), Throws.Nothing);
+            Assert.That(m_Session.Overlay.BeatMesh.vertices.All(place => !float.IsNaN(place.x + place.y + place.z)));
+        }
+
         [Test]
         public void Colours_FollowTheSelection()
         {
@@ -115,6 +132,29 @@ namespace Alate.Editor.Tests
             m_Undo.Undo();
             m_Session.Place();
             Assert.That(m_Session.Overlay.Problems, Is.Empty);
+        }
+
+        [Test]
+        public void WithoutItsMesh_TheWingHasNoWeaknessesEither()
+        {
+            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideActs.By(draft, new[] { new JointIndex(0, 4), new JointIndex(0, 3) }, -0.15f));
+            m_Session.Place();
+            Assert.That(m_Session.Overlay.Problems, Is.Not.Empty);
+
+            m_Session.Overlay.Refresh(new SkeletonTarget(Right.Skeleton, default, null), new JointIndex[0], hurries: false);
+
+            Assert.That(m_Session.Overlay.Problems, Is.Empty);
+            Assert.That(m_Session.Overlay.Refusal, Is.EqualTo("There is no mesh to show the rig on."));
+        }
+
+        [Test]
+        public void UnreadableMesh_IsSaidToBeThat()
+        {
+            Right.Renderer.GetComponent<MeshFilter>().sharedMesh.UploadMeshData(true);
+            m_Session.Dispose();
+            m_Session = new SkeletonSession(InsectTargets.Find(new[] { Insect }), m_Undo);
+
+            Assert.That(m_Session.Overlay.Refusal, Does.Contain("Read/Write"));
         }
 
         [Test]

@@ -69,6 +69,34 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void Drag_IsOneStep_ThoughTheEditorBeginsAGroupWithEachEvent()
+        {
+            m_Editing.Select(new[] { new JointIndex(2, 2) });
+            WingSkeleton other = Species.Find("monarch").Wings[0].CreateSkeleton(WingSide.Left);
+            try
+            {
+                string before = State(), others = SkeletonText.Of(other);
+                m_Undo.Begin("Move Joints");
+                foreach (WingSkeleton moved in new[] { m_Skeleton, other })
+                {
+                    UnityEditor.Undo.IncrementCurrentGroup();
+                    m_Undo.Record(moved);
+                    moved.Hinge += Vector3.up;
+                }
+
+                m_Undo.End();
+                UnityEditor.Undo.PerformUndo();
+
+                Assert.That(State(), Is.EqualTo(before));
+                Assert.That(SkeletonText.Of(other), Is.EqualTo(others));
+            }
+            finally
+            {
+                Object.DestroyImmediate(other);
+            }
+        }
+
+        [Test]
         public void CancelledDrag_LeavesNothing()
         {
             m_Editing.Select(new[] { new JointIndex(2, 2) });

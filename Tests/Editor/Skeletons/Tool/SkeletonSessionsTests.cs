@@ -55,6 +55,55 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void Settings_AreThereAgain_InTheNextSession()
+        {
+            SkeletonSession first = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+            first.Mode = DragMode.Surface;
+            first.IsSymmetric = true;
+            first.ShowsLabels = false;
+            first.Overlay.ShowsBeat = true;
+            first.Overlay.Phase = 0.7f;
+            first.Overlay.Colours = RigColourMode.JointWeight;
+            SkeletonSessions.Close(first);
+
+            SkeletonSession second = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+
+            Assert.That(second.Mode, Is.EqualTo(DragMode.Surface));
+            Assert.That(second.IsSymmetric);
+            Assert.That(second.ShowsLabels, Is.False);
+            Assert.That(second.Overlay.ShowsBeat);
+            Assert.That(second.Overlay.Phase, Is.EqualTo(0.7f));
+            Assert.That(second.Overlay.Colours, Is.EqualTo(RigColourMode.JointWeight));
+
+            second.Overlay.Colours = null;
+            Assert.That(SkeletonSessions.Open(InsectTargets.Find(new[] { Insect })).Overlay.Colours, Is.Null);
+        }
+
+        [Test]
+        public void UndoneDrag_EndsThere_AndCanBeRedone()
+        {
+            View view = View.FromAbove;
+            SkeletonSession session = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
+            session.Select(session.Group.All[0], new[] { new JointIndex(2, 2) });
+            string before = SkeletonText.Of(Right.Skeleton);
+            Vector2 from = view.Project(session.Group.All[0].LocalToWorld.MultiplyPoint3x4(Right.Skeleton.GetJoint(2, 2)));
+            session.Pointer.Press(view.Project, from, adds: false);
+            session.Pointer.Move(from + new Vector2(40f, 0f), view.Through(from + new Vector2(40f, 0f)), DragMode.Free);
+            string dragged = SkeletonText.Of(Right.Skeleton);
+
+            UnityEditor.Undo.PerformUndo();
+            session.Pointer.Move(from + new Vector2(80f, 0f), view.Through(from + new Vector2(80f, 0f)), DragMode.Free);
+            session.Pointer.Release();
+
+            Assert.That(dragged, Is.Not.EqualTo(before));
+            Assert.That(SkeletonText.Of(Right.Skeleton), Is.EqualTo(before));
+            UnityEditor.Undo.PerformRedo();
+            Assert.That(SkeletonText.Of(Right.Skeleton), Is.EqualTo(dragged));
+            UnityEditor.Undo.PerformUndo();
+            Assert.That(SkeletonText.Of(Right.Skeleton), Is.EqualTo(before));
+        }
+
+        [Test]
         public void ClosingAnEarlierSession_LeavesTheLaterOne()
         {
             SkeletonSession first = SkeletonSessions.Open(InsectTargets.Find(new[] { Insect }));
