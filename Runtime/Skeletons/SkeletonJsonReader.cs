@@ -226,7 +226,7 @@ namespace Alate
             foreach (char character in found)
             {
                 if (char.IsControl(character))
-                    return $"a control character (U+{(int)m_Text[m_Position]:X4})";
+                    return $"a control character (U+{(int)character:X4})";
             }
 
             return $"'{found}'";

@@ -41,11 +41,11 @@ namespace Alate.Tests.Cli
             Assert.That(m_Run.Output, Does.Contain("HingeGuessed"));
         }
 
-        [TestCase("", "")]
-        [TestCase("v 0 0 0\nv 1 0 0\nv 0 0 1\n", "")]
+        [TestCase("", "is empty")]
+        [TestCase("v 0 0 0\nv 1 0 0\nv 0 0 1\n", "no triangles")]
         [TestCase("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", "single triangle")]
-        [TestCase("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 9\n", "9")]
-        [TestCase("hello", "")]
+        [TestCase("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 9\n", "no vertex 9")]
+        [TestCase("hello", "no vertex")]
         public void FileThatIsNoWing_IsRefused(string content, string said) => AssertRefused(m_Run.Write("wing.obj", content), said);
 
         [Test]

@@ -64,8 +64,11 @@ namespace Alate
             List<SkeletonProblem> problems = skeleton.Validate();
             if (problems.Count == 0)
                 return;
+            int chains = skeleton.ChainCount, joints = skeleton.JointsPerChain;
             Destroy(skeleton);
-            throw new ArgumentException($"{name} does not take a skeleton of so many chains and joints: {problems[0].Message}");
+            throw new ArgumentException(
+                $"{name} could not be given a skeleton of {chains} chains of {joints} joints: {problems[0].Message} "
+                + "Another hinge, other counts or the other side for the leading edge may help.");
         }
 
         private static void Destroy(WingSkeleton skeleton)

@@ -140,15 +140,21 @@ namespace Alate
                 from, to, steps, k_TipSharpness, s => values[(int)Math.Round((s - from) / (to - from) * steps)], out spread);
         }
 
-        // Without the last ones where they reach too far.
+        // The most of them of which the last does not reach too far for the first: a fin may begin with short ones, or end with long ones.
         private List<double> FindRays()
         {
             List<double> rays = MarginRays.Find(m_Outline, LeadingRoot, TrailingRoot, Tip);
-            while (rays.Count > 0 && !IsInReach(m_Outline.At(rays[rays.Count - 1]), m_Outline.At(rays[0])))
-                rays.RemoveAt(rays.Count - 1);
-            if (rays.Count < MarginRays.Least)
-                rays.Clear();
-            return rays;
+            int from = 0, count = 0;
+            for (int first = 0; first < rays.Count; first++)
+            {
+                int last = rays.Count - 1;
+                while (!IsInReach(m_Outline.At(rays[last]), m_Outline.At(rays[first])))
+                    last--;
+                if (last - first + 1 > count)
+                    (from, count) = (first, last - first + 1);
+            }
+
+            return count < MarginRays.Least ? new List<double>() : rays.GetRange(from, count);
         }
 
         private double FindLast()

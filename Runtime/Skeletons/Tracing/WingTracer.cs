@@ -7,6 +7,9 @@ namespace Alate
     /// <summary>Makes a mesh and a skeleton from a picture of one wing: its outline, triangles that fill it, and chains along its veins.</summary>
     public static class WingTracer
     {
+        /// <summary>Where less than this share of the wing's rim is clear, the outline is in doubt.</summary>
+        private const double k_ClearRim = 0.9;
+
         /// <summary>Traces a picture.</summary>
         /// <param name="picture">A silhouette, a line drawing or a photo of one wing on plain or transparent ground.</param>
         /// <param name="settings">What is known about the wing and wanted of the mesh.</param>
@@ -30,17 +33,21 @@ namespace Alate
             var skeleton = new TracedSkeleton(fit, outline);
             List<RadialVein> veins = lines.Radial(skeleton.Hinge, skeleton.Length);
             skeleton.Follow(veins);
+            double clear = wing.ClearRim;
+            float confidence = clear < k_ClearRim ? (float)clear * fit.Confidence : fit.Confidence;
             WingPlacement placement = skeleton.Place(picture, settings.length);
             return new WingTrace(
                 placement, Array.ConvertAll(outline, ToPicture), TracedSurface.Make(mesh, placement), skeleton.ToWingSkeleton(placement), skeleton.FollowsVein,
-                veins.ConvertAll(vein => Array.ConvertAll(vein.Path, ToPicture)), fit.Confidence, Warnings(fit, wing));
+                veins.ConvertAll(vein => Array.ConvertAll(vein.Path, ToPicture)), confidence, Warnings(fit, wing, clear));
         }
 
-        private static List<string> Warnings(TracedFit fit, WingSeparation wing)
+        private static List<string> Warnings(TracedFit fit, WingSeparation wing, double clear)
         {
             var warnings = new List<string>(fit.Warnings);
             if (wing.MiddleOfCut != null)
                 warnings.Add("The wing touches the picture's edge; what lies beyond it is missing.");
+            if (clear < k_ClearRim)
+                warnings.Add($"The wing's edge is faint on {Math.Ceiling(100.0 * (1.0 - clear)):F0} % of the outline, which may be wrong there.");
             return warnings;
         }
 

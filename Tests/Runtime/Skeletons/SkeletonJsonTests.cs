@@ -113,6 +113,13 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void AControlCharacter_IsNamedByItsNumber()
+        {
+            foreach (string wrong in new[] { "\a", "ab\a" })
+                Assert.That(Refusal(k_Small.Replace("0.5", wrong)), Does.Contain("found a control character (U+0007)."));
+        }
+
+        [Test]
         public void LinesAreCounted()
         {
             string text = SkeletonJson.Write(TestWings.Fan()).Replace("[0.25, 0, 0]", "[0.25, 0]");

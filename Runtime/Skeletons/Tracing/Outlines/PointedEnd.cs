@@ -3,15 +3,24 @@ using System.Collections.Generic;
 
 namespace Alate
 {
-    /// <summary>Guesses the hinge of a wing from its outline alone: of the two ends of its longest direction, the one that is more pointed.</summary>
+    /// <summary>
+    /// Guesses the hinge of a wing from its outline alone: of the two ends of its longest direction, the one that is more pointed and sees more of the wing;
+    /// wings fan out from their hinges, and from the end of a tail little is seen.
+    /// </summary>
     internal readonly struct PointedEnd
     {
         /// <summary>Confidence that it is the hinge where both ends are alike, and where one is far more pointed.</summary>
         private const double k_EvenConfidence = 0.25, k_PointedConfidence = 0.6;
 
-        /// <summary>Rays by which the room around an end is measured, and their longest reach as a share of the outline's extent.</summary>
-        private const int k_Rays = 72;
+        /// <summary>Rays by which one looks around at an end, and how far the room around it goes, a share of the outline's extent.</summary>
+        private const int k_Rays = 720;
         private const double k_Reach = 0.25;
+
+        /// <summary>The room around an end counts as divided by this power of the share of the wing that is seen from there.</summary>
+        private const double k_SeenPower = 3.0;
+
+        /// <summary>Least share that counts as seen: from the point of a needle one sees nothing.</summary>
+        private const double k_LeastSeen = 0.05;
 
         private PointedEnd(PlanPoint place, double confidence)
         {
@@ -36,23 +45,27 @@ namespace Alate
             }
 
             var rim = new RimLine(outline);
-            double reach = k_Reach * ClosedPath.Extent(outline), room = Room(rim, first, along, reach), other = Room(rim, last, along * -1.0, reach);
+            double room = Room(rim, first, along), other = Room(rim, last, along * -1.0);
             double difference = Math.Abs(room - other) / Math.Max(room, other);
             return new PointedEnd(room <= other ? first : last, k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * difference);
         }
 
-        // Within a circle about an end: the mean square of how far one sees.
-        private static double Room(RimLine rim, PlanPoint end, PlanPoint inward, double reach)
+        // The area within a circle about an end, the larger the less of the whole wing is seen.
+        private static double Room(RimLine rim, PlanPoint end, PlanPoint inward)
         {
-            double sum = 0.0;
+            double reach = k_Reach * ClosedPath.Extent(rim.Points), near = 0.0, all = 0.0;
             PlanPoint from = end + inward * (1e-3 * reach);
             for (int k = 0; k < k_Rays; k++)
             {
-                double angle = 2.0 * Math.PI * k / k_Rays, seen = Math.Min(reach, rim.Meet(from, new PlanPoint(Math.Cos(angle), Math.Sin(angle)), -1, out _));
-                sum += seen * seen;
+                double angle = 2.0 * Math.PI * k / k_Rays, seen = rim.Meet(from, new PlanPoint(Math.Cos(angle), Math.Sin(angle)), -1, out int met);
+                if (met < 0)
+                    continue;
+                near += Math.Min(reach * reach, seen * seen);
+                all += seen * seen;
             }
 
-            return sum;
+            double share = all * Math.PI / k_Rays / ClosedPath.Area(rim.Points);
+            return near / Math.Pow(Math.Min(1.0, Math.Max(k_LeastSeen, share)), k_SeenPower);
         }
 
         // From the second moments of evenly spread places on the outline.

@@ -9,9 +9,6 @@ namespace Alate
         /// <summary>Width of the bell by which noise is smoothed, pixels, and as a share of the longer side where that is more.</summary>
         private const double k_LeastBlur = 0.8, k_BlurShare = 0.0012;
 
-        /// <summary>The rim lies where the contrast to the ground is this share of the highest one nearby: halfway through a blurred edge.</summary>
-        private const float k_EdgeShare = 0.5f;
-
         /// <summary>Contrast of a half transparent pixel must be above this for it to be looked at, shades.</summary>
         private const double k_AlphaNoise = 32.0;
 
@@ -32,8 +29,8 @@ namespace Alate
         /// <summary>Shortest wing, pixels.</summary>
         private const int k_ShortestWing = 40;
 
-        /// <summary>A wing is somewhere thicker than this share of its length; lines are not.</summary>
-        private const double k_LeastThickness = 0.02;
+        /// <summary>A wing is thicker than this share of its length over the second share of its area; lines are so only where some of them meet.</summary>
+        private const double k_LeastThickness = 0.02, k_ThickShare = 0.5;
 
         /// <summary>Largest share of the picture that a wing covers; more is a frame or ground that is not plain.</summary>
         private const double k_MostCover = 0.92;
@@ -41,16 +38,19 @@ namespace Alate
         /// <summary>Width of a line around the picture that is passed over, as a share of the longer side.</summary>
         private const double k_Frame = 0.01;
 
-        private readonly PixelPlane m_Excess;
+        private readonly EdgeContrast m_Contrast;
 
-        private WingSeparation(PixelPlane excess, PixelMask mask)
+        private WingSeparation(EdgeContrast contrast, PixelMask mask)
         {
-            m_Excess = excess;
+            m_Contrast = contrast;
             Mask = mask;
         }
 
         /// <summary>The pixels of the wing, without holes.</summary>
         public PixelMask Mask { get; }
+
+        /// <summary>Share of the wing's rim where it stands out from the ground clearly, 0 to 1.</summary>
+        public double ClearRim => m_Contrast.ClearShareOfRim(Mask);
 
         /// <summary>The middle of where the wing runs out of the picture, pixels, z minus the row; null where it does not.</summary>
         public PlanPoint? MiddleOfCut
@@ -81,14 +81,14 @@ namespace Alate
         {
             double blur = Math.Max(k_LeastBlur, k_BlurShare * Math.Max(picture.Width, picture.Height));
             if (picture.HasTransparentGround)
-                return Of(picture, Excess(picture.Alpha.Blurred(blur), k_AlphaNoise, blur));
+                return Of(picture, new EdgeContrast(picture.Alpha.Blurred(blur), k_AlphaNoise, blur));
             PixelPlane[] channels = { picture.Red.Blurred(blur), picture.Green.Blurred(blur), picture.Blue.Blurred(blur) };
             PlainGround ground = PlainGround.FromBorder(channels);
-            PixelMask spared = Above(Excess(ground.Distance, ground.Noise, blur)).Filled().Grown(4.0 * blur);
+            PixelMask spared = Above(new EdgeContrast(ground.Distance, ground.Noise, blur).excess).Filled().Grown(4.0 * blur);
             // The border alone says little of the middle, where most of the ground may lie.
             if (spared.Count < 0.7 * picture.Width * picture.Height)
                 ground = PlainGround.Outside(spared, channels);
-            return Of(picture, Excess(ground.Distance, ground.Noise, blur));
+            return Of(picture, new EdgeContrast(ground.Distance, ground.Noise, blur));
         }
 
         /// <summary>Above 0 within the wing and below 0 outside, passing through 0 on its rim between the centres of two pixels.</summary>
@@ -100,7 +100,7 @@ namespace Alate
             {
                 for (int column = 0; column < Mask.width; column++)
                 {
-                    float excess = m_Excess[column, row];
+                    float excess = m_Contrast.excess[column, row];
                     field[column, row] = Mask[column, row] ? Math.Max(excess, least) : Math.Min(excess, -least);
                 }
             }
@@ -108,9 +108,9 @@ namespace Alate
             return field;
         }
 
-        private static WingSeparation Of(WorkingPicture picture, PixelPlane excess)
+        private static WingSeparation Of(WorkingPicture picture, EdgeContrast contrast)
         {
-            List<PixelPart> parts = Solid(excess).Parts();
+            List<PixelPart> parts = Solid(contrast.excess).Parts();
             if (parts.Count == 0)
                 throw new FormatException("No wing was found: nothing in the picture stands out from its ground.");
             int length = parts[0].Extent;
@@ -121,19 +121,20 @@ namespace Alate
             }
 
             if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
-                return WithoutFrame(picture, excess);
+                return WithoutFrame(picture, contrast);
             PixelMask mask = parts[0].ToMask(picture.Height);
             if (!IsThick(mask))
                 throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
             int wings = parts.FindAll(part => part.Count > k_OtherWing * parts[0].Count && part.Extent >= k_ShortestWing).Count;
             if (wings > 1)
                 throw new FormatException($"The picture shows {wings} wings or other things of similar size; it must show one wing alone.");
-            return new WingSeparation(excess, mask);
+            return new WingSeparation(contrast, mask);
         }
 
         // A line around the picture encloses everything.
-        private static WingSeparation WithoutFrame(WorkingPicture picture, PixelPlane excess)
+        private static WingSeparation WithoutFrame(WorkingPicture picture, EdgeContrast contrast)
         {
+            PixelPlane excess = contrast.excess;
             int band = 1 + (int)(k_Frame * Math.Max(picture.Width, picture.Height));
             bool hadFrame = false;
             for (int row = 0; row < picture.Height; row++)
@@ -146,17 +147,7 @@ namespace Alate
                 }
             }
 
-            return hadFrame ? Of(picture, excess) : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
-        }
-
-        // How much the contrast of a pixel is above what makes it one of the wing.
-        private static PixelPlane Excess(PixelPlane contrast, double noise, double blur)
-        {
-            PixelPlane highest = contrast.Highest((int)Math.Ceiling(2.5 * blur));
-            var excess = new PixelPlane(contrast.width, contrast.height);
-            for (int k = 0; k < excess.values.Length; k++)
-                excess.values[k] = contrast.values[k] - Math.Max((float)noise, k_EdgeShare * highest.values[k]);
-            return excess;
+            return hadFrame ? Of(picture, contrast) : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
         }
 
         private static PixelMask Solid(PixelPlane excess)
@@ -179,7 +170,12 @@ namespace Alate
         private static bool IsThick(PixelMask mask)
         {
             List<PixelPart> parts = mask.Parts();
-            return parts.Count > 0 && parts[0].ToMask(mask.height).Shrunk(Math.Max(1.0, 0.5 * k_LeastThickness * parts[0].Extent)).Count > 0;
+            if (parts.Count == 0)
+                return false;
+            double radius = Math.Max(1.0, 0.5 * k_LeastThickness * parts[0].Extent);
+            double least = k_ThickShare * parts[0].Count;
+            PixelMask core = parts[0].ToMask(mask.height).Shrunk(radius);
+            return core.Count > least || core.Grown(radius).Count > least;
         }
 
         private static PixelMask Above(PixelPlane excess)

@@ -134,6 +134,27 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ABandWithATwist_TakesNoSkeleton_AndIsToldWhatMayHelp()
+        {
+            var positions = new List<Vector3>();
+            var triangles = new List<int>();
+            for (int k = 0; k < 60; k++)
+            {
+                float angle = 2f * Mathf.PI * k / 60f;
+                var outward = new Vector3(Mathf.Cos(angle), 0f, Mathf.Sin(angle));
+                Vector3 across = 0.3f * (Mathf.Cos(0.5f * angle) * outward + Mathf.Sin(0.5f * angle) * Vector3.up);
+                positions.Add(outward - across);
+                positions.Add(outward + across);
+                int a = 2 * k, c = k < 59 ? a + 2 : 1, d = k < 59 ? a + 3 : 0;
+                triangles.AddRange(new[] { a, a + 1, c, a + 1, d, c });
+            }
+
+            Assert.That(
+                Assert.Throws<ArgumentException>(() => SkeletonFitter.Fit(Of(positions, triangles), SkeletonFitSettings.Default)).Message,
+                Does.StartWith("Mesh 'Test' could not be given a skeleton of 5 chains of 5 joints: Chain ").And.EndsWith("may help."));
+        }
+
+        [Test]
         public void ASingleTriangle_IsNamed()
         {
             Assert.That(

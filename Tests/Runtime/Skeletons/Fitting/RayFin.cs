@@ -19,8 +19,11 @@ namespace Alate.Tests
         public double first = 1.0;
         public double last = -1.1;
 
+        /// <summary>How long the first ray is; the others are 1 long.</summary>
+        public double firstLength = 1.0;
+
         /// <summary>The end of a ray.</summary>
-        public Vector3 End(double ray) => On(first + (last - first) * ray / (rays - 1), 1.0);
+        public Vector3 End(double ray) => On(first + (last - first) * ray / (rays - 1), Length(ray));
 
         /// <summary>The outline from the leading corner of the base.</summary>
         public Vector3[] Outline()
@@ -30,7 +33,7 @@ namespace Alate.Tests
             for (int k = 0; k <= hollows * k_CornersPerHollow; k++)
             {
                 double at = (double)k / k_CornersPerHollow, share = at - System.Math.Floor(at);
-                outline.Add(On(first + (last - first) * at / hollows, 1.0 - 4.0 * depth * share * (1.0 - share)));
+                outline.Add(On(first + (last - first) * at / hollows, Length(at) * (1.0 - 4.0 * depth * share * (1.0 - share))));
             }
 
             outline.Add(new Vector3(0f, 0f, -0.12f));
@@ -56,6 +59,8 @@ namespace Alate.Tests
 
             return new WingSurface { name = "Fin", positions = positions.ToArray(), triangles = triangles.ToArray() };
         }
+
+        private double Length(double ray) => firstLength + (1.0 - firstLength) * System.Math.Min(1.0, ray);
 
         private static Vector3 On(double angle, double length) =>
             new Vector3((float)(length * System.Math.Cos(angle)), 0f, (float)(length * System.Math.Sin(angle)));

@@ -55,6 +55,20 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void AShortFirstRay_IsLeftToTheLeadingEdge(
+            [Values(0.5, 0.6, 0.7)] double length, [Values(9, 13)] int rays, [Values(3, 6)] int chains)
+        {
+            var fin = new RayFin { rays = rays, depth = 0.1, firstLength = length };
+
+            WingSkeleton skeleton = Fit(fin, chains, out _);
+
+            Assert.That(skeleton.Validate(), Is.Empty);
+            Vector3 first = skeleton.GetJoint(0, skeleton.JointsPerChain - 1), last = skeleton.GetJoint(chains - 1, skeleton.JointsPerChain - 1);
+            Assert.That(Vector3.Distance(first, fin.End(1)), Is.LessThan(0.02), "the first chain ends at the first long ray");
+            Assert.That(Vector3.Distance(last, fin.End(rays - 1)), Is.LessThan(0.02));
+        }
+
+        [Test]
         public void AMarginInSteps_AsPixelsMakeIt_MakesNoFan([Values(0.4, 0.8)] double aspect, [Values(80, 200)] int pixels)
         {
             var wing = new PolarWing { aspect = aspect };

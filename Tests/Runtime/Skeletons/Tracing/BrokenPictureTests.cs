@@ -58,7 +58,7 @@ namespace Alate.Tests
 
         [Test]
         public void CheckerBoard_HasNoPlainGround() =>
-            AssertRefused(new DrawnPicture(320, 320, s_White).Shade((x, y) => ((int)(x * 8) + (int)(y * 8)) % 2 * -200f), "");
+            AssertRefused(new DrawnPicture(320, 320, s_White).Shade((x, y) => ((int)(x * 8) + (int)(y * 8)) % 2 * -200f), "No wing");
 
         [TestCase(31, 300)]
         [TestCase(300, 31)]

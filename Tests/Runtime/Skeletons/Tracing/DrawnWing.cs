@@ -63,6 +63,30 @@ namespace Alate.Tests
             return new DrawnWing("fan", outline.ToArray());
         }
 
+        /// <summary>A hind wing with a tail nearly as long as itself.</summary>
+        public static DrawnWing LongTailed()
+        {
+            var outline = new List<Vector2>();
+            for (int k = 0; k <= 90; k++)
+                outline.Add(new Vector2(0.01f * k, (float)(-0.4 * Math.Sin(0.024 * k))));
+            outline.AddRange(new[] { new Vector2(0.94f, -0.85f), new Vector2(0.98f, -0.9f), new Vector2(1.02f, -0.85f), new Vector2(1f, -0.3f) });
+            for (int k = 100; k > 0; k--)
+                outline.Add(new Vector2(0.01f * k, (float)(0.2 * Math.Sin(0.029 * k))));
+            return new DrawnWing("long-tailed", outline.ToArray());
+        }
+
+        /// <summary>With a margin cut in to the middle, like a plume moth's.</summary>
+        public static DrawnWing Cleft()
+        {
+            var outline = new List<Vector2>();
+            for (int k = 0; k <= 95; k++)
+                outline.Add(new Vector2(0.01f * k, (float)(-0.4 * Math.Sin(0.026 * k))));
+            outline.Add(new Vector2(0.5f, 0f));
+            for (int k = 100; k > 0; k--)
+                outline.Add(new Vector2(0.01f * k, (float)(0.3 * Math.Sin(0.023 * k))));
+            return new DrawnWing("cleft", outline.ToArray());
+        }
+
         /// <summary>The outline in a picture, its longer side that many pixels, in the middle and turned by an angle.</summary>
         /// <param name="share">Longer side of the wing's bounds over the picture's side.</param>
         public WingPlace In(int side, float degrees = 0f, bool mirrored = false, float share = 0.86f) =>

@@ -42,6 +42,17 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void BlackWingOnTransparentBlack_IsToldByItsAlphaAlone()
+        {
+            WingPlace place = DrawnWing.Scalloped().In(300);
+            var picture = new DrawnPicture(300, 300, new UnityEngine.Color32(0, 0, 0, 0));
+
+            PlanPoint[] outline = Trace(picture.Fill(place.Outline, new UnityEngine.Color32(0, 0, 0, 255)));
+
+            Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(k_Bound * place.Length));
+        }
+
+        [Test]
         public void OutlineDrawnWithGaps_IsClosed()
         {
             WingPlace place = DrawnWing.Monarch().In(600);
@@ -49,6 +60,28 @@ namespace Alate.Tests
             var white = new UnityEngine.Color32(255, 255, 255, 255);
             foreach (int at in new[] { 100, 300, 500, 700 })
                 picture.Stroke(new[] { place.Outline[at], place.Outline[at] + new UnityEngine.Vector2(2f, 1f) }, 4f, white);
+
+            PlanPoint[] outline = Trace(picture);
+
+            Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(k_Bound * place.Length));
+        }
+
+        [Test]
+        public void DashedOutline_IsClosed_ThoughVeinsMeetInAKnot()
+        {
+            WingPlace place = DrawnWing.Fan().In(600);
+            var black = new UnityEngine.Color32(0, 0, 0, 255);
+            var picture = new DrawnPicture(600, 600, new UnityEngine.Color32(255, 255, 255, 255));
+            var rim = new RimLine(PlanPaths.ToPlan(place.Outline));
+            int dashes = (int)(rim.Length / 30.0);
+            for (int k = 0; k < dashes; k++)
+            {
+                double from = rim.Length * k / dashes;
+                picture.Stroke(Array.ConvertAll(new[] { from, from + 8.0, from + 16.0, from + 22.0 }, at => ToPicture(rim.At(at))), 3f, black);
+            }
+
+            foreach (float angle in new[] { -0.9f, -0.5f, -0.1f, 0.2f, 0.5f })
+                picture.Stroke(place.At(new[] { V(0.02f, 0f), V(0.85f * (float)Math.Cos(angle), 0.85f * (float)Math.Sin(angle)) }), 3f, black);
 
             PlanPoint[] outline = Trace(picture);
 
@@ -107,6 +140,8 @@ namespace Alate.Tests
             WorkingPicture working = WorkingPicture.Of(picture.ToPicture());
             return OutlineFinder.Find(WingSeparation.Of(working), working.Factor);
         }
+
+        private static UnityEngine.Vector2 ToPicture(PlanPoint place) => V((float)place.x, (float)-place.z);
 
         private static UnityEngine.Vector2 V(float x, float y) => new UnityEngine.Vector2(x, y);
     }

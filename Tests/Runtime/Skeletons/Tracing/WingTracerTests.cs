@@ -78,6 +78,47 @@ namespace Alate.Tests
             Assert.That(trace.Warnings, Has.None.Contains("hinge"));
         }
 
+        [TestCase(false)]
+        [TestCase(true)]
+        public void HingeThatIsGuessed_LiesAtTheBase_NotAtThePointOfATailOrOfACleftTip(bool isTailed)
+        {
+            DrawnWing wing = isTailed ? DrawnWing.LongTailed() : DrawnWing.Cleft();
+            foreach (float degrees in new[] { 0f, 25f, -20f })
+            {
+                WingPlace place = wing.In(300, degrees, degrees > 0f);
+
+                WingTrace trace = WingTracer.Trace(place.Draw(DrawnKind.Silhouette).ToPicture(), WingTracingSettings.Default);
+
+                Vector2 hinge = trace.Placement.ToPicture(trace.Skeleton.Hinge);
+                Assert.That((hinge - place.At(Vector2.zero)).magnitude, Is.LessThan(0.1f * place.Length), $"{wing.Name}, {degrees} degrees");
+                Assert.That(trace.Warnings, Has.Some.Contains("hinge is a guess"));
+            }
+        }
+
+        [Test]
+        public void FaintEdge_IsSaidAndLowersTheConfidence()
+        {
+            WingPlace place = DrawnWing.Monarch().In(300);
+            Color32 white = new Color32(255, 255, 255, 255), brown = new Color32(122, 85, 51, 255);
+            var plain = new DrawnPicture(300, 300, white);
+            DrawnPicture spotlight = new DrawnPicture(300, 300, white).Shade((x, y) => -136f * Math.Min(1f, 2f * new Vector2(x - 0.5f, y - 0.5f).magnitude));
+
+            WingTrace clear = WingTracer.Trace(plain.Fill(place.Outline, brown).ToPicture(), WingTracingSettings.Default);
+            WingTrace faint = WingTracer.Trace(spotlight.Fill(place.Outline, brown).ToPicture(), WingTracingSettings.Default);
+
+            Assert.That(clear.Warnings, Has.None.Contains("faint"));
+            Assert.That(faint.Warnings, Has.Some.Contains("faint"));
+            Assert.That(faint.Confidence, Is.LessThan(0.8f * clear.Confidence));
+        }
+
+        [Test]
+        public void ClearEdge_IsNotCalledFaint([Values] DrawnKind kind)
+        {
+            WingTrace trace = WingTracer.Trace(DrawnWing.Tailed().In(200).Draw(kind).ToPicture(), WingTracingSettings.Default);
+
+            Assert.That(trace.Warnings, Has.None.Contains("faint"));
+        }
+
         [Test]
         public void LeadingEdgeBelow_TurnsTheWingOver()
         {
