@@ -55,6 +55,7 @@ public static class BenchmarkSuite
         SubstepBreakdown.Run(report, specimen);
         OnOneCore(() => Crowds(report, specimen, plain));
         SystemFigures.Run(report);
+        AuthoringFigures.Run(report);
     }
 
     private static void Crowds(Report report, Specimen specimen, PlainRig plain)

@@ -12,12 +12,12 @@ namespace Alate
         /// <summary>How far the cells reach beyond the strokes, shares of the longer side.</summary>
         private const double k_Margin = 0.1;
 
-        private readonly IReadOnlyList<Stroke> m_Strokes;
+        private readonly Stroke[] m_Strokes;
         private readonly Stroke[][] m_Found;
         private readonly double m_Left, m_Low, m_Size;
         private readonly int m_Columns, m_Rows;
 
-        public StrokeGrid(IReadOnlyList<Stroke> strokes)
+        public StrokeGrid(Stroke[] strokes)
         {
             m_Strokes = strokes;
             double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
@@ -39,7 +39,7 @@ namespace Alate
         }
 
         /// <summary>Those that may be nearest to a place; all of them outside of the cells.</summary>
-        public IReadOnlyList<Stroke> Around(double x, double z)
+        public Stroke[] Around(double x, double z)
         {
             double column = Math.Floor((x - m_Left) / m_Size), row = Math.Floor((z - m_Low) / m_Size);
             if (!(column >= 0 && column < m_Columns && row >= 0 && row < m_Rows))
@@ -54,7 +54,7 @@ namespace Alate
         // From any place of a cell the nearest stroke is at most a cell's diagonal farther from the middle than the one nearest to that.
         private Stroke[] Find(double middleX, double middleZ)
         {
-            var distances = new double[m_Strokes.Count];
+            var distances = new double[m_Strokes.Length];
             var nearest = double.MaxValue;
             for (var k = 0; k < distances.Length; k++)
             {

@@ -31,10 +31,10 @@ namespace Alate
                 return double.MaxValue;
             }
 
-            m_Grid ??= new StrokeGrid(m_Strokes);
+            m_Grid ??= new StrokeGrid(m_Strokes.ToArray());
             var nearest = double.MaxValue;
             var around = m_Grid.Around(x, z);
-            for (var k = 0; k < around.Count; k++)
+            for (var k = 0; k < around.Length; k++)
             {
                 var distance = around[k].Distance(x, z, out var here);
                 if (distance < nearest)

@@ -47,23 +47,29 @@ namespace Alate
             var across = new PixelPlane(width, height);
             for (int row = 0; row < height; row++)
             {
-                for (int column = 0; column < width; column++)
+                var from = new ReadOnlySpan<float>(values, row * width, width);
+                var into = new Span<float>(across.values, row * width, width);
+                for (int column = 0; column < into.Length; column++)
                 {
-                    float highest = float.MinValue;
-                    for (int near = Math.Max(0, column - radius); near <= Math.Min(width - 1, column + radius); near++)
-                        highest = Math.Max(highest, values[row * width + near]);
-                    across[column, row] = highest;
+                    float highest = from[column];
+                    int last = Math.Min(width - 1, column + radius);
+                    for (int near = Math.Max(0, column - radius); near <= last; near++)
+                        highest = from[near] > highest ? from[near] : highest;
+                    into[column] = highest;
                 }
             }
 
             var both = new PixelPlane(width, height);
             for (int row = 0; row < height; row++)
             {
-                Array.Copy(across.values, row * width, both.values, row * width, width);
-                for (int near = Math.Max(0, row - radius); near <= Math.Min(height - 1, row + radius); near++)
+                var into = new Span<float>(both.values, row * width, width);
+                new ReadOnlySpan<float>(across.values, row * width, width).CopyTo(into);
+                int last = Math.Min(height - 1, row + radius);
+                for (int near = Math.Max(0, row - radius); near <= last; near++)
                 {
-                    for (int column = 0; column < width; column++)
-                        both.values[row * width + column] = Math.Max(both.values[row * width + column], across.values[near * width + column]);
+                    var from = new ReadOnlySpan<float>(across.values, near * width, width);
+                    for (int column = 0; column < into.Length; column++)
+                        into[column] = from[column] > into[column] ? from[column] : into[column];
                 }
             }
 

@@ -72,22 +72,19 @@ namespace Alate
 
         private List<(int Column, int Row)> Sample(Func<int, int, bool> isGround)
         {
-            var all = new List<(int Column, int Row)>();
-            for (int row = 0; row < m_Distance.height; row++)
+            int count = 0;
+            for (int k = 0; k < m_Distance.values.Length; k++)
+                count += isGround(k % m_Distance.width, k / m_Distance.width) ? 1 : 0;
+            int wanted = Math.Min(count, k_MostSamples);
+            var samples = new List<(int Column, int Row)>(wanted);
+            for (int k = 0, passed = 0; samples.Count < wanted; k++)
             {
-                for (int column = 0; column < m_Distance.width; column++)
-                {
-                    if (isGround(column, row))
-                        all.Add((column, row));
-                }
+                int column = k % m_Distance.width, row = k / m_Distance.width;
+                if (isGround(column, row) && passed++ == (int)((long)samples.Count * count / wanted))
+                    samples.Add((column, row));
             }
 
-            if (all.Count <= k_MostSamples)
-                return all;
-            var some = new List<(int Column, int Row)>(k_MostSamples);
-            for (int k = 0; k < k_MostSamples; k++)
-                some.Add(all[(int)((long)k * all.Count / k_MostSamples)]);
-            return some;
+            return samples;
         }
 
         private void Fit(List<(int Column, int Row)> samples)
@@ -129,10 +126,23 @@ namespace Alate
 
         private void MeasureDistances()
         {
+            var squares = new double[m_Distance.width];
             for (int row = 0; row < m_Distance.height; row++)
             {
-                for (int column = 0; column < m_Distance.width; column++)
-                    m_Distance[column, row] = (float)DistanceAt(column, row);
+                Array.Clear(squares, 0, squares.Length);
+                for (int c = 0; c < m_Channels.Length; c++)
+                {
+                    var shades = new ReadOnlySpan<float>(m_Channels[c].values, row * squares.Length, squares.Length);
+                    SmoothSurface.Row ground = m_Surfaces[c].RowAt(row);
+                    for (int column = 0; column < squares.Length; column++)
+                    {
+                        double difference = shades[column] - ground.At(column);
+                        squares[column] += difference * difference;
+                    }
+                }
+
+                for (int column = 0; column < squares.Length; column++)
+                    m_Distance[column, row] = (float)Math.Sqrt(squares[column] / m_Channels.Length);
             }
         }
 

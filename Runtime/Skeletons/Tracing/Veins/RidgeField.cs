@@ -63,22 +63,27 @@ namespace Alate
 
         private static void AddResponse(PixelPlane shades, PixelMask inner, double width, PixelPlane dark, PixelPlane bright)
         {
-            PixelPlane blurred = shades.Blurred(width);
+            float[] blurred = shades.Blurred(width).values;
             float scale = (float)(width * width);
+            int down = shades.width;
             for (int row = 1; row + 1 < shades.height; row++)
             {
                 for (int column = 1; column + 1 < shades.width; column++)
                 {
                     if (!inner[column, row])
                         continue;
-                    float middle = blurred[column, row];
-                    float xx = blurred[column + 1, row] - 2f * middle + blurred[column - 1, row];
-                    float yy = blurred[column, row + 1] - 2f * middle + blurred[column, row - 1];
-                    float xy = 0.25f * (blurred[column + 1, row + 1] - blurred[column - 1, row + 1] - blurred[column + 1, row - 1] + blurred[column - 1, row - 1]);
-                    float mean = 0.5f * (xx + yy), spread = (float)Math.Sqrt(0.25f * (xx - yy) * (xx - yy) + xy * xy);
+                    int k = row * down + column;
+                    float middle = blurred[k];
+                    float xx = blurred[k + 1] - 2f * middle + blurred[k - 1];
+                    float yy = blurred[k + down] - 2f * middle + blurred[k - down];
+                    float xy = 0.25f * (blurred[k + down + 1] - blurred[k - down + 1] - blurred[k + down - 1] + blurred[k - down - 1]);
+                    float mean = 0.5f * (xx + yy), spread = MathF.Sqrt(0.25f * (xx - yy) * (xx - yy) + xy * xy);
                     float high = mean + spread, low = mean - spread;
-                    dark[column, row] = Math.Max(dark[column, row], scale * (high - Math.Abs(low)));
-                    bright[column, row] = Math.Max(bright[column, row], scale * (-low - Math.Abs(high)));
+                    float isDark = scale * (high - Math.Abs(low)), isBright = scale * (-low - Math.Abs(high));
+                    if (isDark > dark.values[k])
+                        dark.values[k] = isDark;
+                    if (isBright > bright.values[k])
+                        bright.values[k] = isBright;
                 }
             }
         }
