@@ -153,7 +153,8 @@ namespace Alate
         private static PixelMask Solid(PixelPlane excess)
         {
             PixelMask mask = Above(excess), filled = mask.Filled();
-            if (mask.Count < k_Solid * filled.Count || !IsThick(filled))
+            bool isThick = IsThick(filled);
+            if (mask.Count < k_Solid * filled.Count || !isThick)
             {
                 foreach ((double share, double gain) in s_Gaps)
                 {
@@ -161,9 +162,11 @@ namespace Alate
                     PixelMask closed = mask.Grown(radius).Filled().Shrunk(radius);
                     filled = closed.Count > gain * filled.Count ? closed : filled;
                 }
+
+                isThick = IsThick(filled);
             }
 
-            return IsThick(filled) ? filled.Shrunk(k_Whisker).Grown(k_Whisker) : filled;
+            return isThick ? filled.Shrunk(k_Whisker).Grown(k_Whisker) : filled;
         }
 
         // Whether it is more than lines.
