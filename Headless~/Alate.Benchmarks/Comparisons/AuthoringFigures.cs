@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using UnityEngine;
+using Object = UnityEngine.Object;
 using Random = System.Random;
 
 namespace Alate.Benchmarks;
@@ -16,8 +17,8 @@ internal static class AuthoringFigures
         WingSurface surface = wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name);
         SkeletonFitSettings hints = SkeletonFitSettings.Default;
         WingPicture picture = Photo(wing.Contour);
-        report.Figure("fit_ms", "skeleton of a monarch's mesh", "ms", Best(() => UnityEngine.Object.DestroyImmediate(SkeletonFitter.Fit(surface, hints).Skeleton)));
-        report.Figure("trace_2000_ms", "tracing a picture of 2000 x 2000", "ms", Best(() => WingTracer.Trace(picture, WingTracingSettings.Default)));
+        report.Figure("fit_ms", "skeleton of a monarch's mesh", "ms", Best(() => Object.DestroyImmediate(SkeletonFitter.Fit(surface, hints).Skeleton)));
+        report.Bounded(Targets.Trace, Best(() => WingTracer.Trace(picture, WingTracingSettings.Default)));
         report.Figure("paint_512_ms", "painting a monarch's texture of 512", "ms", Best(() => wing.Pattern.Paint(wing.Contour, k_TextureSide, k_TextureSide)));
     }
 

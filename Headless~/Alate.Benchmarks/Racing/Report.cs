@@ -41,6 +41,13 @@ internal sealed class Report
             Bound(target, target.Aim), target.Verdict(ratio));
     }
 
+    /// <summary>One figure that has a target by itself.</summary>
+    public void Bounded(Target target, double value)
+    {
+        Content[target.Key] = value;
+        Row($"{target.Title}, {target.Unit}", Number(value), "", "", Bound(target, target.Must), Bound(target, target.Aim), target.Verdict(value));
+    }
+
     /// <summary>One figure that no target goes with.</summary>
     public void Figure(string key, string title, string unit, double value)
     {

@@ -20,28 +20,23 @@ namespace Alate.Tests.Insects
             Assert.That(s_Sweep.Value.With(wave: true).Select(point => point.Value), Is.EqualTo(new[] { 0.25, 0.5, 1, 2, 4 }).Within(1e-6));
         }
 
+        // The hind wing without the wave twists by 12° at most, and most at the middle elasticity, in 96 to 480 substeps alike.
         [TestCase(true, 0)]
         [TestCase(true, 1)]
         [TestCase(false, 0)]
         public void Twist_FallsAsElasticityRises(bool wave, int wing) =>
             AssertFalling(wave, point => point.Summary.Wings[wing].TwistPpDeg);
 
-        [TestCase(true, 0)]
-        [TestCase(true, 1)]
-        [TestCase(false, 0)]
-        public void CamberByTheLoads_FallsAsElasticityRises(bool wave, int wing) =>
+        [Test]
+        public void CamberByTheLoads_FallsAsElasticityRises([Values] bool wave, [Values(0, 1)] int wing) =>
             AssertFalling(wave, point => point.LoadCamberPct[wing]);
 
-        [TestCase(true, 0)]
-        [TestCase(true, 1)]
-        [TestCase(false, 0)]
-        public void LagOfTheTip_FallsAsElasticityRises(bool wave, int wing) =>
+        [Test]
+        public void LagOfTheTip_FallsAsElasticityRises([Values] bool wave, [Values(0, 1)] int wing) =>
             AssertFalling(wave, point => point.Summary.Wings[wing].TipLagDeg);
 
-        [TestCase(true, 0)]
-        [TestCase(true, 1)]
-        [TestCase(false, 0)]
-        public void TipBend_FallsAsElasticityRises(bool wave, int wing) =>
+        [Test]
+        public void TipBend_FallsAsElasticityRises([Values] bool wave, [Values(0, 1)] int wing) =>
             AssertFalling(wave, point => point.Summary.Wings[wing].TipBendPpDeg);
 
         [Test]
@@ -49,7 +44,11 @@ namespace Alate.Tests.Insects
         {
             List<SweepPoint> with = s_Sweep.Value.With(wave: true), without = s_Sweep.Value.With(wave: false);
             for (int k = 0; k < with.Count; k++)
-                Assert.That(with[k].Summary.Main.TwistPpDeg, Is.GreaterThan(1.1 * without[k].Summary.Main.TwistPpDeg), $"{with[k].Value}");
+            {
+                // The softest twists by 68° even without the wave.
+                double least = k == 0 ? 1.1 : 1.2;
+                Assert.That(with[k].Summary.Main.TwistPpDeg, Is.GreaterThan(least * without[k].Summary.Main.TwistPpDeg), $"{with[k].Value}");
+            }
         }
 
         [Test]

@@ -19,6 +19,12 @@ namespace Alate
             m_Margin = margin;
             m_Tails = new OutlineStretch?[chains];
             m_Shares = new double[chains];
+            if (marks.Rays.Count > 0)
+            {
+                ShareRays(marks.Rays);
+                return;
+            }
+
             var tails = new List<OutlineStretch>();
             foreach (OutlineStretch tail in marks.Trimmed.Tails)
                 AddClosed(marks, tail, tails);
@@ -26,10 +32,7 @@ namespace Alate
                 AddClosed(marks, cleft, null);
             m_Closed.Sort();
             tails.Sort((a, b) => a.from.CompareTo(b.from));
-            if (marks.Rays.Count > 0)
-                ShareRays(marks.Rays);
-            else
-                Share(marks, tails);
+            Share(marks, tails);
         }
 
         /// <summary>The share of the fan before a chain: 0 for the first, 1 for the last, rising.</summary>

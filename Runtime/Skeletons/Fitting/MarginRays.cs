@@ -98,10 +98,13 @@ namespace Alate
         // A thread drawn round the wing bridges the hollows.
         private static IEnumerable<OutlineStretch> Hollows(ClosedCurve outline, double from, double to)
         {
-            int count = (int)((to - from) / outline.Step), reach = (int)(k_Longest / outline.Step);
-            for (int k = 0; k < count;)
+            var places = new PlanPoint[1 + (int)((to - from) / outline.Step)];
+            for (int k = 0; k < places.Length; k++)
+                places[k] = outline.At(from + k * outline.Step);
+            int reach = (int)(k_Longest / outline.Step);
+            for (int k = 0; k + 1 < places.Length;)
             {
-                int next = Next(outline, from, k, Math.Min(k + reach, count));
+                int next = Next(places, k, Math.Min(k + reach, places.Length - 1));
                 var hollow = new OutlineStretch(from + k * outline.Step, from + next * outline.Step);
                 if (Depth(outline, hollow) > k_Shallowest * hollow.Length)
                     yield return hollow;
@@ -110,13 +113,13 @@ namespace Alate
         }
 
         // The place seen farthest out.
-        private static int Next(ClosedCurve outline, double from, int at, int last)
+        private static int Next(PlanPoint[] places, int at, int last)
         {
-            PlanPoint here = outline.At(from + at * outline.Step), best = outline.At(from + (at + 1) * outline.Step) - here;
+            PlanPoint best = places[at + 1] - places[at];
             int next = at + 1;
             for (int k = at + 2; k <= last; k++)
             {
-                PlanPoint towards = outline.At(from + k * outline.Step) - here;
+                PlanPoint towards = places[k] - places[at];
                 if (towards.LengthSquared > k_Widest * k_Widest || PlanPoint.Cross(best, towards) <= 0.0)
                     continue;
                 best = towards;
