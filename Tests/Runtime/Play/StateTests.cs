@@ -132,7 +132,7 @@ namespace Alate.Tests.Play
 
             Assert.That(patient.State, Is.EqualTo(fault.state), patient.Problem.Message);
             Assert.That(patient.Problem.Message, Does.Contain(fault.thing).And.Contain(fault.remedy));
-            Assert.That(m_Warnings, Has.Exactly(1).Items);
+            Assert.That(m_Warnings, Has.Count.EqualTo(1));
             Assert.That(m_Warnings[0], Does.Contain("patient"), "the message does not say which insect");
             Assert.That(healthy.State, Is.EqualTo(InsectState.Ready));
             Assert.That(later.State, Is.EqualTo(InsectState.Ready));
@@ -155,7 +155,7 @@ namespace Alate.Tests.Play
             float before = Beats(patient);
             yield return Frames(10);
             Assert.That(Beats(patient), Is.GreaterThan(before + 0.5f));
-            Assert.That(m_Warnings, Has.Exactly(1).Items);
+            Assert.That(m_Warnings, Has.Count.EqualTo(1));
         }
 
         [UnityTest]
@@ -207,7 +207,7 @@ namespace Alate.Tests.Play
             yield return Frames(20);
             Assert.That(insect.State, Is.EqualTo(InsectState.ZeroScale));
             Assert.That(insect.Problem.Message, Does.Contain("patient").And.Contain("scale"));
-            Assert.That(m_Warnings, Has.Exactly(1).Items);
+            Assert.That(m_Warnings, Has.Count.EqualTo(1));
 
             insect.transform.localScale = Vector3.one;
             yield return Frames(3);
@@ -274,7 +274,7 @@ namespace Alate.Tests.Play
 
             Assert.That(patient.State, Is.EqualTo(InsectState.NoSuchPart).Or.EqualTo(InsectState.SkeletonDoesNotFit));
             Assert.That(patient.Problem.Message, Does.Contain("patient").And.Contain(kind));
-            Assert.That(m_Warnings, Has.Exactly(1).Items);
+            Assert.That(m_Warnings, Has.Count.EqualTo(1));
             Assert.That(healthy.State, Is.EqualTo(InsectState.Ready));
         }
 

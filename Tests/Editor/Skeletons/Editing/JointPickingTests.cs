@@ -19,14 +19,18 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
-        public void NearestJoint_IsTheOneThatIsSeenNearest([Random(-100f, 700f, 10)] float x, [Random(-300f, 200f, 3)] float y)
+        public void NearestJoint_IsTheOneThatIsSeenNearest()
         {
-            var pixel = new Vector2(x, y);
+            var random = new System.Random(22);
+            for (int trial = 0; trial < 30; trial++)
+            {
+                var pixel = new Vector2(-100f + 800f * (float)random.NextDouble(), -300f + 500f * (float)random.NextDouble());
 
-            Assert.That(TryPick(pixel, 1e6f, out JointIndex found));
+                Assert.That(TryPick(pixel, 1e6f, out JointIndex found), pixel.ToString());
 
-            float least = JointPicking.All(Skeleton).Min(joint => Vector2.Distance(Pixel(joint), pixel));
-            Assert.That(Vector2.Distance(Pixel(found), pixel), Is.LessThan(least + 2.01f));
+                float least = JointPicking.All(Skeleton).Min(joint => Vector2.Distance(Pixel(joint), pixel));
+                Assert.That(Vector2.Distance(Pixel(found), pixel), Is.LessThan(least + 2.01f), pixel.ToString());
+            }
         }
 
         [Test]
@@ -56,7 +60,7 @@ namespace Alate.Editor.Tests
             Skeleton.Chains[2].joints[2] = new Vector3(0.2f, 5f, 0.4f);
 
             Assert.That(TryPick(Pixel(new JointIndex(2, 2)), 5f, out _), Is.False);
-            Assert.That(JointPicking.Inside(Editing, s_View.Project, Everywhere), Does.Not.Contain(new JointIndex(2, 2)));
+            Assert.That(JointPicking.Inside(Editing, s_View.Project, Everywhere), Has.None.EqualTo(new JointIndex(2, 2)));
         }
 
         [Test]
