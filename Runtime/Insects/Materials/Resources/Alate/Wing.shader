@@ -1,5 +1,5 @@
-// Wings and bodies with vertex colours or a texture, seen from both sides, with light that shines through. Two SubShaders: URP (14 and newer) and the built-in
-// pipeline. HDRP has no SubShader here: Alate.WingMaterial takes HDRP/Lit there.
+// Wings and bodies with vertex colours or a texture, seen from both sides, with light that shines through. Three SubShaders: URP 17.1 and newer, URP 14 to 17.0,
+// and the built-in pipeline. HDRP has no SubShader here: Alate.WingMaterial takes HDRP/Lit there.
 Shader "Alate/Wing"
 {
     Properties
@@ -17,48 +17,16 @@ Shader "Alate/Wing"
         [HideInInspector] _ZWrite ("Depth Write", Float) = 1
     }
 
+    // URP 17.1 renamed the keyword of clustered lights and warns where a shader declares the old one.
     SubShader
     {
         PackageRequirements
         {
-            "com.unity.render-pipelines.universal": "14.0.0"
+            "com.unity.render-pipelines.universal": "17.1.0"
         }
 
         Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
         Cull [_Cull]
-
-        HLSLINCLUDE
-        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
-        #include "../../WingLight.hlsl"
-
-        CBUFFER_START(UnityPerMaterial)
-            float4 _MainTex_ST;
-            half4 _Color;
-            half _VertexColours;
-            half _Through;
-            half _Gloss;
-            half _Shine;
-            half _Cull;
-            half _Translucent;
-            half _SrcBlend;
-            half _DstBlend;
-            half _ZWrite;
-        CBUFFER_END
-
-        TEXTURE2D(_MainTex);
-        SAMPLER(sampler_MainTex);
-
-        half4 Paint(half4 vertexColour, float2 uv)
-        {
-            #ifndef UNITY_COLORSPACE_GAMMA
-            vertexColour.rgb = SRGBToLinear(vertexColour.rgb);
-            #endif
-            half4 paint = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv) * _Color * lerp(half4(1, 1, 1, 1), vertexColour, _VertexColours);
-            paint.a = lerp(1, paint.a, _Translucent);
-            return paint;
-        }
-        ENDHLSL
 
         Pass
         {
@@ -73,81 +41,12 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE
             #pragma multi_compile _ _ADDITIONAL_LIGHTS
-            #pragma multi_compile _ _FORWARD_PLUS _CLUSTER_LIGHT_LOOP
+            #pragma multi_compile _ _CLUSTER_LIGHT_LOOP
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
             #pragma multi_compile_fragment _ _SHADOWS_SOFT
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
-            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
-
-            struct Attributes
-            {
-                float4 position : POSITION;
-                float3 normal : NORMAL;
-                float2 uv : TEXCOORD0;
-                half4 colour : COLOR;
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-            };
-
-            struct Varyings
-            {
-                float4 position : SV_POSITION;
-                float2 uv : TEXCOORD0;
-                float3 normal : TEXCOORD1;
-                float3 place : TEXCOORD2;
-                half4 colour : TEXCOORD3;
-                half fog : TEXCOORD4;
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            Varyings Vertex(Attributes corner)
-            {
-                Varyings v;
-                UNITY_SETUP_INSTANCE_ID(corner);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
-                v.place = TransformObjectToWorld(corner.position.xyz);
-                v.position = TransformWorldToHClip(v.place);
-                v.normal = TransformObjectToWorldNormal(corner.normal);
-                v.uv = TRANSFORM_TEX(corner.uv, _MainTex);
-                v.colour = corner.colour;
-                v.fog = ComputeFogFactor(v.position.z);
-                return v;
-            }
-
-            float3 LightOf(Light light, half3 colour, float3 normal, float3 toEye)
-            {
-                float3 arriving = light.color * (light.distanceAttenuation * light.shadowAttenuation);
-                return AlateWingLight(colour, normal, toEye, light.direction, arriving, _Through, _Gloss, _Shine);
-            }
-
-            half4 Fragment(Varyings v) : SV_Target
-            {
-                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(v);
-                half4 paint = Paint(v.colour, v.uv);
-                half3 colour = paint.rgb * paint.a;
-                float3 toEye = GetWorldSpaceNormalizeViewDir(v.place);
-                float3 normal = AlateFacing(normalize(v.normal), toEye, _Cull < 0.5);
-                float3 sum = colour * lerp(SampleSH(normal), SampleSH(-normal), 0.5 * _Through);
-                sum += LightOf(GetMainLight(TransformWorldToShadowCoord(v.place)), colour, normal, toEye);
-
-                #if defined(_ADDITIONAL_LIGHTS) || defined(_FORWARD_PLUS) || defined(_CLUSTER_LIGHT_LOOP)
-                InputData inputData = (InputData)0;
-                inputData.positionWS = v.place;
-                inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(v.position);
-                #if defined(_FORWARD_PLUS) || defined(_CLUSTER_LIGHT_LOOP)
-                for (uint sun = 0; sun < min(URP_FP_DIRECTIONAL_LIGHTS_COUNT, MAX_VISIBLE_LIGHTS); sun++)
-                {
-                    sum += LightOf(GetAdditionalLight(sun, v.place, half4(1, 1, 1, 1)), colour, normal, toEye);
-                }
-                #endif
-                uint count = GetAdditionalLightsCount();
-                LIGHT_LOOP_BEGIN(count)
-                    sum += LightOf(GetAdditionalLight(lightIndex, v.place, half4(1, 1, 1, 1)), colour, normal, toEye);
-                LIGHT_LOOP_END
-                #endif
-
-                return half4(MixFogColor(half3(sum), half3(unity_FogColor.rgb * paint.a), v.fog), paint.a);
-            }
+            #include "../../Universal/WingForward.hlsl"
             ENDHLSL
         }
 
@@ -159,62 +58,12 @@ Shader "Alate/Wing"
             ColorMask 0
 
             HLSLPROGRAM
+            #pragma target 3.0
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
             #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
-            #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
-            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
-
-            float3 _LightDirection;
-            float3 _LightPosition;
-
-            struct Attributes
-            {
-                float4 position : POSITION;
-                float3 normal : NORMAL;
-                float2 uv : TEXCOORD0;
-                half4 colour : COLOR;
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-            };
-
-            struct Varyings
-            {
-                float4 position : SV_POSITION;
-                float2 uv : TEXCOORD0;
-                half4 colour : TEXCOORD1;
-            };
-
-            Varyings Vertex(Attributes corner)
-            {
-                Varyings v;
-                UNITY_SETUP_INSTANCE_ID(corner);
-                float3 place = TransformObjectToWorld(corner.position.xyz);
-                float3 normal = TransformObjectToWorldNormal(corner.normal);
-                #if _CASTING_PUNCTUAL_LIGHT_SHADOW
-                float3 toLight = normalize(_LightPosition - place);
-                #else
-                float3 toLight = _LightDirection;
-                #endif
-
-                // A wing lit from below is lit: the bias must lead away from the light on either side.
-                normal = _Cull < 0.5 && dot(normal, toLight) < 0 ? -normal : normal;
-                v.position = TransformWorldToHClip(ApplyShadowBias(place, normal, toLight));
-                #if UNITY_REVERSED_Z
-                v.position.z = min(v.position.z, UNITY_NEAR_CLIP_VALUE);
-                #else
-                v.position.z = max(v.position.z, UNITY_NEAR_CLIP_VALUE);
-                #endif
-                v.uv = TRANSFORM_TEX(corner.uv, _MainTex);
-                v.colour = corner.colour;
-                return v;
-            }
-
-            half4 Fragment(Varyings v) : SV_Target
-            {
-                clip(AlateShadowHole(Paint(v.colour, v.uv).a, v.position.xy));
-                return 0;
-            }
+            #include "../../Universal/WingShadow.hlsl"
             ENDHLSL
         }
 
@@ -226,35 +75,110 @@ Shader "Alate/Wing"
             ColorMask R
 
             HLSLPROGRAM
+            #pragma target 3.0
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
+            #include "../../Universal/WingDepth.hlsl"
+            ENDHLSL
+        }
 
-            struct Attributes
-            {
-                float4 position : POSITION;
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-            };
+        Pass
+        {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+            ZWrite On
 
-            struct Varyings
-            {
-                float4 position : SV_POSITION;
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
+            HLSLPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
+            #pragma multi_compile_instancing
+            #include "../../Universal/WingDepthNormals.hlsl"
+            ENDHLSL
+        }
+    }
 
-            Varyings Vertex(Attributes corner)
-            {
-                Varyings v;
-                UNITY_SETUP_INSTANCE_ID(corner);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
-                v.position = TransformObjectToHClip(corner.position.xyz);
-                return v;
-            }
+    // URP 14 to 17.0 know clustered lights as Forward+. All else is as above.
+    SubShader
+    {
+        PackageRequirements
+        {
+            "com.unity.render-pipelines.universal": "[14.0.0,17.1.0)"
+        }
 
-            half4 Fragment(Varyings v) : SV_Target
-            {
-                return v.position.z;
-            }
+        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+        Cull [_Cull]
+
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "UniversalForwardOnly" }
+            Blend [_SrcBlend] [_DstBlend]
+            ZWrite [_ZWrite]
+
+            HLSLPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE
+            #pragma multi_compile _ _ADDITIONAL_LIGHTS
+            #pragma multi_compile _ _FORWARD_PLUS
+            #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
+            #pragma multi_compile_fragment _ _SHADOWS_SOFT
+            #pragma multi_compile_fog
+            #pragma multi_compile_instancing
+            #include "../../Universal/WingForward.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            ZWrite On
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
+            #include "../../Universal/WingShadow.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            ZWrite On
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile_instancing
+            #include "../../Universal/WingDepth.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+            ZWrite On
+
+            HLSLPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
+            #pragma multi_compile_instancing
+            #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
     }
@@ -263,73 +187,6 @@ Shader "Alate/Wing"
     {
         Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
         Cull [_Cull]
-
-        CGINCLUDE
-        #include "UnityCG.cginc"
-        #include "Lighting.cginc"
-        #include "AutoLight.cginc"
-        #include "../../WingLight.hlsl"
-
-        sampler2D _MainTex;
-        float4 _MainTex_ST;
-        half4 _Color;
-        half _VertexColours, _Through, _Gloss, _Shine, _Cull, _Translucent;
-
-        struct Attributes
-        {
-            float4 vertex : POSITION;
-            float3 normal : NORMAL;
-            float2 uv : TEXCOORD0;
-            half4 colour : COLOR;
-            UNITY_VERTEX_INPUT_INSTANCE_ID
-        };
-
-        struct Varyings
-        {
-            float4 pos : SV_POSITION;
-            float2 uv : TEXCOORD0;
-            float3 normal : TEXCOORD1;
-            float3 place : TEXCOORD2;
-            half4 colour : TEXCOORD3;
-            UNITY_FOG_COORDS(4)
-            UNITY_LIGHTING_COORDS(5, 6)
-            UNITY_VERTEX_OUTPUT_STEREO
-        };
-
-        half4 Paint(half4 vertexColour, float2 uv)
-        {
-            #ifndef UNITY_COLORSPACE_GAMMA
-            vertexColour.rgb = GammaToLinearSpace(vertexColour.rgb);
-            #endif
-            half4 paint = tex2D(_MainTex, uv) * _Color * lerp(half4(1, 1, 1, 1), vertexColour, _VertexColours);
-            paint.a = lerp(1, paint.a, _Translucent);
-            return paint;
-        }
-
-        Varyings ToVaryings(Attributes v)
-        {
-            Varyings o;
-            UNITY_INITIALIZE_OUTPUT(Varyings, o);
-            UNITY_SETUP_INSTANCE_ID(v);
-            UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-            o.pos = UnityObjectToClipPos(v.vertex);
-            o.place = mul(unity_ObjectToWorld, v.vertex).xyz;
-            o.normal = UnityObjectToWorldNormal(v.normal);
-            o.uv = TRANSFORM_TEX(v.uv, _MainTex);
-            o.colour = v.colour;
-            UNITY_TRANSFER_FOG(o, o.pos);
-            UNITY_TRANSFER_LIGHTING(o, v.uv);
-            return o;
-        }
-
-        // Of the one light that the pass is for.
-        float3 LightOf(Varyings i, half3 colour, float3 normal, float3 toEye)
-        {
-            UNITY_LIGHT_ATTENUATION(share, i, i.place);
-            float3 toLight = normalize(UnityWorldSpaceLightDir(i.place));
-            return AlateWingLight(colour, normal, toEye, toLight, _LightColor0.rgb * share, _Through, _Gloss, _Shine);
-        }
-        ENDCG
 
         Pass
         {
@@ -345,9 +202,12 @@ Shader "Alate/Wing"
             #pragma multi_compile_fwdbase
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
+            #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
             {
+                // Instanced insects each have their own ambient light.
+                UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
                 half4 paint = Paint(i.colour, i.uv);
                 half3 colour = paint.rgb * paint.a;
@@ -375,6 +235,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fwdadd_fullshadows
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
+            #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
             {
@@ -401,6 +262,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_shadowcaster
             #pragma multi_compile_instancing
+            #include "../../BuiltIn/WingInput.cginc"
 
             struct Shadow
             {

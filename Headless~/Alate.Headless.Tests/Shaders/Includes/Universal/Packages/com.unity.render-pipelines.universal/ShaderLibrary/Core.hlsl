@@ -1,0 +1,70 @@
+// Names and signatures of URP's Core.hlsl and of what it includes, as far as Alate's shader uses them. STANDIN_URP is the version: 1400, 1700 or 1701.
+#ifndef STANDIN_CORE
+#define STANDIN_CORE
+
+#include "../../../../Instancing.hlsl"
+
+#if STANDIN_URP >= 1701
+    // URP defines this keyword's macros then, but warns in every project.
+    #if defined(_FORWARD_PLUS_KEYWORD_DECLARED)
+        #error URP 17.1 and newer warn of the keyword _FORWARD_PLUS
+    #endif
+    #if defined(_CLUSTER_LIGHT_LOOP)
+        #define _ADDITIONAL_LIGHTS 1
+        #define USE_CLUSTER_LIGHT_LOOP 1
+    #else
+        #define USE_CLUSTER_LIGHT_LOOP 0
+    #endif
+    #define STANDIN_CLUSTERS USE_CLUSTER_LIGHT_LOOP
+#else
+    #if defined(_FORWARD_PLUS)
+        #define _ADDITIONAL_LIGHTS 1
+        #define USE_FORWARD_PLUS 1
+    #else
+        #define USE_FORWARD_PLUS 0
+    #endif
+    #define STANDIN_CLUSTERS USE_FORWARD_PLUS
+#endif
+
+#define CBUFFER_START(name) cbuffer name {
+#define CBUFFER_END };
+#define TEXTURE2D(name) Texture2D name
+#define SAMPLER(name) SamplerState name
+#define SAMPLE_TEXTURE2D(name, sampled, uv) name.Sample(sampled, uv)
+#define TRANSFORM_TEX(uv, name) ((uv).xy * name##_ST.xy + name##_ST.zw)
+#define UNITY_REVERSED_Z 1
+#define UNITY_NEAR_CLIP_VALUE 1.0
+
+#define MAX_VISIBLE_LIGHTS 256
+#if STANDIN_CLUSTERS
+float4 _FPParams0;
+#define URP_FP_DIRECTIONAL_LIGHTS_COUNT ((uint)_FPParams0.w)
+#endif
+
+float4x4 unity_ObjectToWorld, unity_MatrixVP;
+float4 unity_FogColor;
+
+struct InputData
+{
+    float3 positionWS;
+    float4 positionCS;
+    float3 normalWS;
+    half3 viewDirectionWS;
+    float4 shadowCoord;
+    half fogCoord;
+    half3 vertexLighting;
+    half3 bakedGI;
+    float2 normalizedScreenSpaceUV;
+    half4 shadowMask;
+};
+
+float3 TransformObjectToWorld(float3 positionOS) { return mul(unity_ObjectToWorld, float4(positionOS, 1)).xyz; }
+float4 TransformWorldToHClip(float3 positionWS) { return mul(unity_MatrixVP, float4(positionWS, 1)); }
+float4 TransformObjectToHClip(float3 positionOS) { return TransformWorldToHClip(TransformObjectToWorld(positionOS)); }
+float3 TransformObjectToWorldNormal(float3 normalOS, bool doNormalize = true) { return normalOS; }
+float3 GetWorldSpaceNormalizeViewDir(float3 positionWS) { return positionWS; }
+float2 GetNormalizedScreenSpaceUV(float4 positionCS) { return positionCS.xy; }
+float ComputeFogFactor(float zPositionCS) { return zPositionCS; }
+float3 MixFogColor(float3 fragColor, float3 fogColor, float fogFactor) { return lerp(fogColor, fragColor, fogFactor); }
+
+#endif

@@ -1,0 +1,34 @@
+// Depth alone: the depth texture, and depth priming.
+#ifndef ALATE_WING_DEPTH
+#define ALATE_WING_DEPTH
+
+#include "WingInput.hlsl"
+
+struct Attributes
+{
+    float4 position : POSITION;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
+struct Varyings
+{
+    float4 position : SV_POSITION;
+    UNITY_VERTEX_OUTPUT_STEREO
+};
+
+Varyings Vertex(Attributes corner)
+{
+    Varyings v = (Varyings)0;
+    UNITY_SETUP_INSTANCE_ID(corner);
+    UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
+    v.position = OnScreen(PlaceOf(corner.position));
+    return v;
+}
+
+half4 Fragment(Varyings v) : SV_Target
+{
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(v);
+    return v.position.z;
+}
+
+#endif
