@@ -53,8 +53,8 @@ namespace Alate
 
         private static InsectWings Share(SpeciesDefinition species, SpeciesVariant variant, ModelPreset preset)
         {
-            InsectKit kit = InsectKits.Take(species.Name);
-            GameObject made = kit.Assemble(kit.SharedPresets(variant, preset));
+            SharedKit kit = InsectKits.Take(species.Name);
+            GameObject made = kit.Assemble(variant, preset);
             made.AddComponent<GeneratedInsect>().Species = species.Name;
             InsectWings insect = Activated(made);
             InsectKits.Return(species.Name);

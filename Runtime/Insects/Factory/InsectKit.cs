@@ -5,15 +5,14 @@ using Object = UnityEngine.Object;
 
 namespace Alate
 {
-    /// <summary>What the insects of one species share, and how an insect is put together of it: meshes, skeletons, materials, and the presets that were asked for.</summary>
+    /// <summary>What the insects of one species share, and how an insect is put together of it: meshes, skeletons and materials.</summary>
     internal sealed class InsectKit
     {
         private const string k_Body = "Body";
         private static readonly WingSide[] s_Sides = { WingSide.Right, WingSide.Left };
 
-        private readonly Dictionary<(SpeciesVariant, ModelPreset), WingSpecies[]> m_Presets = new Dictionary<(SpeciesVariant, ModelPreset), WingSpecies[]>();
-
-        private InsectKit(SpeciesDefinition species)
+        /// <summary>An empty kit, to be filled with parts.</summary>
+        public InsectKit(SpeciesDefinition species)
         {
             Name = species.DisplayName;
             var wings = new List<WingKit>();
@@ -68,20 +67,6 @@ namespace Alate
             }
 
             return made;
-        }
-
-        /// <summary>[wing] Presets that are shared, and hidden as the kit is.</summary>
-        public WingSpecies[] SharedPresets(SpeciesVariant variant, ModelPreset preset)
-        {
-            if (!m_Presets.TryGetValue((variant, preset), out WingSpecies[] shared))
-            {
-                shared = CreatePresets(variant, preset);
-                foreach (WingSpecies made in shared)
-                    made.hideFlags = HideFlags.HideAndDontSave;
-                m_Presets.Add((variant, preset), shared);
-            }
-
-            return shared;
         }
 
         /// <summary>An insect of these parts, inactive: body and wings below a root with <see cref="InsectWings"/>.</summary>
@@ -140,12 +125,6 @@ namespace Alate
                 yield return wing.Mesh;
                 yield return wing.Skeleton;
                 yield return wing.Material;
-            }
-
-            foreach (WingSpecies[] presets in m_Presets.Values)
-            {
-                foreach (WingSpecies preset in presets)
-                    yield return preset;
             }
         }
 

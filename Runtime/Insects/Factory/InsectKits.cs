@@ -3,45 +3,41 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The kits that insects made at run time share, each as long as one of them is there.</summary>
+    /// <summary>Kits that insects made at run time share, each as long as one of them exists.</summary>
     internal static class InsectKits
     {
-        private static readonly Dictionary<string, Entry> s_Entries = new Dictionary<string, Entry>();
+        private static readonly Dictionary<string, SharedKit> s_Kits = new Dictionary<string, SharedKit>();
 
         /// <summary>Kits in use.</summary>
-        public static int Count => s_Entries.Count;
+        public static int Count => s_Kits.Count;
 
         /// <summary>Finds or makes the kit of a species; one user more.</summary>
         /// <param name="species">Its name in the catalogue.</param>
-        public static InsectKit Take(string species)
+        public static SharedKit Take(string species)
         {
-            if (!s_Entries.TryGetValue(species, out Entry entry))
+            if (!s_Kits.TryGetValue(species, out SharedKit kit))
             {
-                entry = new Entry { kit = InsectKit.Make(Species.Find(species)) };
-                entry.kit.Hide();
-                s_Entries.Add(species, entry);
+                kit = SharedKit.Make(Species.Find(species));
+                Remember(kit);
             }
 
-            entry.users++;
-            return entry.kit;
+            kit.Users++;
+            return kit;
         }
 
         /// <summary>One user fewer; the last one frees it.</summary>
         public static void Return(string species)
         {
-            if (!s_Entries.TryGetValue(species, out Entry entry) || --entry.users > 0)
+            if (!s_Kits.TryGetValue(species, out SharedKit kit) || --kit.Users > 0)
                 return;
-            s_Entries.Remove(species);
-            entry.kit.Destroy();
+            s_Kits.Remove(species);
+            kit.Free();
         }
+
+        /// <summary>Lists a kit that was made, or that has survived a recompile.</summary>
+        public static void Remember(SharedKit kit) => s_Kits[kit.Species] = kit;
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        private static void Forget() => s_Entries.Clear();
-
-        private sealed class Entry
-        {
-            public InsectKit kit;
-            public int users;
-        }
+        private static void Forget() => s_Kits.Clear();
     }
 }
