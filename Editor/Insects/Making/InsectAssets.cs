@@ -69,14 +69,14 @@ namespace Alate.Editor
 
         private Material Keep(Material made)
         {
-            var painted = (Texture2D)made.mainTexture;
+            var painted = (Texture2D)made.SurfaceTexture();
             string name = made.name;
             Material kept = Keep<Material>(made);
             if (painted == null)
                 return kept;
             if (ReferenceEquals(kept, made))
             {
-                kept.mainTexture = PictureAsset.Save(painted, $"{m_Folder}/{name}.png");
+                kept.SetSurfaceTexture(PictureAsset.Save(painted, $"{m_Folder}/{name}.png"));
                 EditorUtility.SetDirty(kept);
             }
 

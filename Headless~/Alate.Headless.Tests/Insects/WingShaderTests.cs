@@ -6,6 +6,7 @@ using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine.TestTools;
 
 namespace Alate.Tests.Insects
 {
@@ -13,7 +14,11 @@ namespace Alate.Tests.Insects
     public sealed class WingShaderTests
     {
         [TearDown]
-        public void ForgetShaders() => ProjectShaders.Clear();
+        public void ForgetShaders()
+        {
+            ProjectShaders.Clear();
+            BuiltPlayer.IsRunning = false;
+        }
 
         [Test]
         public void ThePackagesShader_IsFoundInItsResourcesFolder_BeforeAnyOther()
@@ -99,13 +104,60 @@ namespace Alate.Tests.Insects
             WingMaterial.Destroy(monarch);
         }
 
+        [TestCase("HDRP/Lit", true, "_DOUBLESIDED_ON, _SURFACE_TYPE_TRANSPARENT")]
+        [TestCase("Universal Render Pipeline/Lit", true, "_SURFACE_TYPE_TRANSPARENT")]
+        [TestCase("Standard", true, "_ALPHABLEND_ON")]
+        public void InAPlayer_AMaterialWhoseFeaturesMayBeMissing_SaysSoOnce(string shader, bool isThin, string features)
+        {
+            BuiltPlayer.IsRunning = true;
+            Shader added = ProjectShaders.Add(shader);
+            LogAssert.Expect(LogType.Warning, new Regex($"'fore wing'.*{features} of {shader}.*GameObject > Alate"));
+            Material first = WingMaterial.Create(added, "fore wing", new SurfaceLook(null, isThin, true));
+            Material second = WingMaterial.Create(added, "hind wing", new SurfaceLook(null, isThin, true));
+
+            LogAssert.NoUnexpectedReceived();
+            Object.DestroyImmediate(first);
+            Object.DestroyImmediate(second);
+        }
+
+        [Test]
+        public void ThePackagesShader_AndTheEditor_MissNoFeatures()
+        {
+            Material editor = WingMaterial.Create(ProjectShaders.Add("HDRP/Lit"), "wing", new SurfaceLook(null, true, true));
+            BuiltPlayer.IsRunning = true;
+            Material own = WingMaterial.Create(ProjectShaders.Add(WingMaterial.ShaderName), "wing", new SurfaceLook(null, true, true));
+
+            LogAssert.NoUnexpectedReceived();
+            Assert.That(own.shaderKeywords, Is.Empty);
+            Object.DestroyImmediate(editor);
+            Object.DestroyImmediate(own);
+        }
+
+        [TestCase]
+        [TestCase("_MainTex")]
+        [TestCase("_BaseColorMap", "_Color")]
+        public void OfAnUnknownShader_OnlyWhatItHas_IsTouched(params string[] properties)
+        {
+            Shader foreign = ProjectShaders.Add("Foreign/Toon", properties: properties);
+            var texture = new Texture2D(4, 4);
+            Material wing = WingMaterial.Create(foreign, "wing", new SurfaceLook(texture, true, true));
+
+            LogAssert.NoUnexpectedReceived();
+            foreach (string name in properties.Where(name => name != "_Color"))
+                Assert.That(wing.GetTexture(name), Is.SameAs(texture));
+            WingMaterial.Destroy(wing);
+            LogAssert.NoUnexpectedReceived();
+            Assert.That(texture == null, Is.EqualTo(properties.Length > 0), "the texture goes with its material, where that has it");
+            Object.DestroyImmediate(texture);
+        }
+
         [Test]
         public void TheShadersText_HasTheNameAndEveryProperty_ThatTheCodeUses()
         {
             string materials = Path.Combine(PackageRoot(), "Runtime", "Insects", "Materials");
             string shader = File.ReadAllText(Path.Combine(materials, "Resources", "Alate", "Wing.shader"));
             string code = File.ReadAllText(Path.Combine(materials, "LookProperties.cs"));
-            string own = Regex.Match(code, @"void WriteOwn\(.*?\n        }", RegexOptions.Singleline).Value
+            string own = "\"_MainTex\"" + Regex.Match(code, @"void WriteOwn\(.*?\n        }", RegexOptions.Singleline).Value
                 + Regex.Match(code, @"void WriteBlend\(.*?\n        }", RegexOptions.Singleline).Value;
             string[] written = Regex.Matches(own, "\"(_\\w+)\"").Select(match => match.Groups[1].Value).ToArray();
             string properties = Regex.Match(shader, @"\n    Properties\b.*?\n    }", RegexOptions.Singleline).Value;

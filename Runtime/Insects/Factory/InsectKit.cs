@@ -99,8 +99,8 @@ namespace Alate
             foreach (Object part in Parts())
             {
                 part.hideFlags = HideFlags.HideAndDontSave;
-                if (part is Material material && material.mainTexture != null)
-                    material.mainTexture.hideFlags = HideFlags.HideAndDontSave;
+                if (part is Material material && material.SurfaceTexture() is Texture texture && texture != null)
+                    texture.hideFlags = HideFlags.HideAndDontSave;
             }
         }
 
@@ -110,7 +110,7 @@ namespace Alate
             foreach (Object part in Parts())
             {
                 if (part is Material material && material != null)
-                    ObjectEnd.Destroy(material.mainTexture);
+                    ObjectEnd.Destroy(material.SurfaceTexture());
                 ObjectEnd.Destroy(part);
             }
         }

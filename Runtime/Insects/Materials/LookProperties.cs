@@ -38,45 +38,45 @@ namespace Alate
 
         private static void WriteOwn(Material material, in SurfaceLook look)
         {
-            material.SetTexture("_MainTex", look.Texture);
-            material.SetFloat("_VertexColours", look.Texture == null ? 1f : 0f);
-            material.SetFloat("_Through", look.IsThin ? k_Through : 0f);
-            material.SetFloat("_Gloss", look.IsThin ? k_WingGloss : k_BodyGloss);
-            material.SetFloat("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
-            material.SetFloat("_Translucent", look.IsTranslucent ? 1f : 0f);
+            material.SetSurfaceTexture(look.Texture);
+            material.SetFloatIfPresent("_VertexColours", look.Texture == null ? 1f : 0f);
+            material.SetFloatIfPresent("_Through", look.IsThin ? k_Through : 0f);
+            material.SetFloatIfPresent("_Gloss", look.IsThin ? k_WingGloss : k_BodyGloss);
+            material.SetFloatIfPresent("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+            material.SetFloatIfPresent("_Translucent", look.IsTranslucent ? 1f : 0f);
             WriteBlend(material, look, BlendMode.One);
         }
 
         private static void WriteUniversal(Material material, in SurfaceLook look)
         {
-            material.SetTexture("_BaseMap", look.Texture);
-            material.SetColor("_BaseColor", Color.white);
-            material.SetFloat("_Smoothness", k_Smoothness);
-            material.SetFloat("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+            material.SetSurfaceTexture(look.Texture);
+            material.SetSurfaceColour(Color.white);
+            material.SetFloatIfPresent("_Smoothness", k_Smoothness);
+            material.SetFloatIfPresent("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
             material.doubleSidedGI = look.IsThin;
-            material.SetFloat("_Surface", look.IsTranslucent ? 1f : 0f);
+            material.SetFloatIfPresent("_Surface", look.IsTranslucent ? 1f : 0f);
             WriteBlend(material, look, BlendMode.SrcAlpha);
             EnableIf(look.IsTranslucent, material, "_SURFACE_TYPE_TRANSPARENT");
         }
 
         private static void WriteHighDefinition(Material material, in SurfaceLook look)
         {
-            material.SetTexture("_BaseColorMap", look.Texture);
-            material.SetColor("_BaseColor", Color.white);
-            material.SetFloat("_Smoothness", k_Smoothness);
-            material.SetFloat("_DoubleSidedEnable", look.IsThin ? 1f : 0f);
-            material.SetFloat("_CullMode", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
-            material.SetFloat("_CullModeForward", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+            material.SetSurfaceTexture(look.Texture);
+            material.SetSurfaceColour(Color.white);
+            material.SetFloatIfPresent("_Smoothness", k_Smoothness);
+            material.SetFloatIfPresent("_DoubleSidedEnable", look.IsThin ? 1f : 0f);
+            material.SetFloatIfPresent("_CullMode", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
+            material.SetFloatIfPresent("_CullModeForward", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
 
             // The normal of the far side is turned round.
-            material.SetVector("_DoubleSidedConstants", new Vector4(-1f, -1f, -1f, 0f));
+            material.SetVectorIfPresent("_DoubleSidedConstants", new Vector4(-1f, -1f, -1f, 0f));
             material.doubleSidedGI = look.IsThin;
             EnableIf(look.IsThin, material, "_DOUBLESIDED_ON");
-            material.SetFloat("_SurfaceType", look.IsTranslucent ? 1f : 0f);
-            material.SetFloat("_ZTestDepthEqualForOpaque", (float)(look.IsTranslucent ? CompareFunction.LessEqual : CompareFunction.Equal));
-            material.SetFloat("_TransparentZWrite", look.WritesDepth ? 1f : 0f);
-            material.SetFloat("_AlphaSrcBlend", (float)BlendMode.One);
-            material.SetFloat("_AlphaDstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
+            material.SetFloatIfPresent("_SurfaceType", look.IsTranslucent ? 1f : 0f);
+            material.SetFloatIfPresent("_ZTestDepthEqualForOpaque", (float)(look.IsTranslucent ? CompareFunction.LessEqual : CompareFunction.Equal));
+            material.SetFloatIfPresent("_TransparentZWrite", look.WritesDepth ? 1f : 0f);
+            material.SetFloatIfPresent("_AlphaSrcBlend", (float)BlendMode.One);
+            material.SetFloatIfPresent("_AlphaDstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
             WriteBlend(material, look, BlendMode.One);
             EnableIf(look.IsTranslucent, material, "_SURFACE_TYPE_TRANSPARENT");
         }
@@ -84,18 +84,18 @@ namespace Alate
         private static void WriteStandard(Material material, in SurfaceLook look)
         {
             const float fade = 2f;
-            material.SetTexture("_MainTex", look.Texture);
-            material.SetFloat("_Glossiness", k_Smoothness);
-            material.SetFloat("_Mode", look.IsTranslucent ? fade : 0f);
+            material.SetSurfaceTexture(look.Texture);
+            material.SetFloatIfPresent("_Glossiness", k_Smoothness);
+            material.SetFloatIfPresent("_Mode", look.IsTranslucent ? fade : 0f);
             WriteBlend(material, look, BlendMode.SrcAlpha);
             EnableIf(look.IsTranslucent, material, "_ALPHABLEND_ON");
         }
 
         private static void WriteBlend(Material material, in SurfaceLook look, BlendMode source)
         {
-            material.SetFloat("_SrcBlend", (float)(look.IsTranslucent ? source : BlendMode.One));
-            material.SetFloat("_DstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
-            material.SetFloat("_ZWrite", look.WritesDepth ? 1f : 0f);
+            material.SetFloatIfPresent("_SrcBlend", (float)(look.IsTranslucent ? source : BlendMode.One));
+            material.SetFloatIfPresent("_DstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
+            material.SetFloatIfPresent("_ZWrite", look.WritesDepth ? 1f : 0f);
         }
 
         private static void EnableIf(bool isOn, Material material, string keyword)

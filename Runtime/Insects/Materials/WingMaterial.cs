@@ -56,7 +56,7 @@ namespace Alate
             if (wing.Pattern == null)
             {
                 var plain = Create(shader, wing.Name, new SurfaceLook(null, true, false));
-                plain.color = s_Membrane;
+                plain.SetSurfaceColour(s_Membrane);
                 return plain;
             }
 
@@ -112,7 +112,7 @@ namespace Alate
                 return;
             }
 
-            var texture = material.mainTexture;
+            var texture = material.SurfaceTexture();
             Free(material);
             if (texture != null)
             {
@@ -124,6 +124,7 @@ namespace Alate
         {
             var material = new Material(shader) { name = name };
             LookProperties.Write(material, look);
+            ShaderFeatures.Check(material);
             return material;
         }
 

@@ -12,7 +12,7 @@ public class Application
     public static event Action quitting;
 
     public static bool isPlaying => PlayerLoop.IsPlaying;
-    public static bool isEditor => true;
+    public static bool isEditor => !BuiltPlayer.IsRunning;
     public static bool isBatchMode => true;
     public static bool isFocused => true;
     public static int targetFrameRate { get; set; } = -1;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace UnityEngine;
 
@@ -13,7 +14,7 @@ public class Material : Object, ICopyable
     {
         this.shader = shader ?? throw new ArgumentNullException(nameof(shader));
         name = shader.name;
-        color = Color.white;
+        _values.Set(ShaderProperties.MainColour(name), Color.white);
     }
 
     public Material(Material source)
@@ -38,8 +39,8 @@ public class Material : Object, ICopyable
 
     public Color color
     {
-        get => GetColor("_Color");
-        set => SetColor("_Color", value);
+        get => GetColor(ShaderProperties.MainColour(shader.name));
+        set => SetColor(ShaderProperties.MainColour(shader.name), value);
     }
 
     /// <summary>There is no screen to draw on.</summary>
@@ -47,19 +48,31 @@ public class Material : Object, ICopyable
 
     public Texture mainTexture
     {
-        get => GetTexture("_MainTex");
-        set => SetTexture("_MainTex", value);
+        get => GetTexture(ShaderProperties.MainTexture(shader.name));
+        set => SetTexture(ShaderProperties.MainTexture(shader.name), value);
     }
 
-    public bool HasProperty(string name) => _values.Has(name);
-    public Color GetColor(string name) => _values.Get<Color>(name);
-    public void SetColor(string name, Color value) => _values.Set(name, value);
-    public float GetFloat(string name) => _values.Get<float>(name);
-    public void SetFloat(string name, float value) => _values.Set(name, value);
-    public Vector4 GetVector(string name) => _values.Get<Vector4>(name);
-    public void SetVector(string name, Vector4 value) => _values.Set(name, value);
-    public Texture GetTexture(string name) => _values.Get<Texture>(name);
-    public void SetTexture(string name, Texture value) => _values.Set(name, value);
+    /// <summary>Of a shader whose properties are not known, whether one was set.</summary>
+    public bool HasProperty(string name) => shader.Properties?.Contains(name) ?? _values.Has(name);
+
+    public Color GetColor(string name) => Get<Color>("color", name);
+    public void SetColor(string name, Color value) => Set("color", name, value);
+    public float GetFloat(string name) => Get<float>("float or range", name);
+    public void SetFloat(string name, float value) => Set("float or range", name, value);
+    public Vector4 GetVector(string name) => Get<Vector4>("vector", name);
+    public void SetVector(string name, Vector4 value) => Set("vector", name, value);
+    public Texture GetTexture(string name) => Get<Texture>("texture", name);
+    public void SetTexture(string name, Texture value) => Set("texture", name, value);
+
+    public string[] shaderKeywords
+    {
+        get => [.. _keywords];
+        set
+        {
+            _keywords.Clear();
+            _keywords.UnionWith(value);
+        }
+    }
 
     public void EnableKeyword(string keyword) => _keywords.Add(keyword);
     public void DisableKeyword(string keyword) => _keywords.Remove(keyword);
@@ -67,6 +80,24 @@ public class Material : Object, ICopyable
 
     public void SetOverrideTag(string tag, string val) => _tags[tag] = val;
     public string GetTag(string tag, bool searchFallbacks) => _tags.GetValueOrDefault(tag, "");
+
+    private T Get<T>(string kind, string property)
+    {
+        Check(kind, property);
+        return _values.Get<T>(property);
+    }
+
+    private void Set<T>(string kind, string property, T value)
+    {
+        Check(kind, property);
+        _values.Set(property, value);
+    }
+
+    private void Check(string kind, string property)
+    {
+        if (shader.Properties is { } known && !known.Contains(property))
+            Debug.LogError($"Material '{name}' with Shader '{shader.name}' doesn't have a {kind} property '{property}'", this);
+    }
 
     Object ICopyable.Copy() => new Material(this) { name = name + "(Clone)" };
 }

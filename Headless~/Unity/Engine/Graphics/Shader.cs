@@ -17,6 +17,9 @@ public sealed class Shader : Object
     public bool isSupported => true;
     public int renderQueue => 2000;
 
+    /// <summary>Names of the properties; null accepts every name.</summary>
+    internal IReadOnlyCollection<string> Properties { get; private init; }
+
     /// <summary>One of the built-in render pipeline's or of <see cref="ProjectShaders"/>, or null.</summary>
     public static Shader Find(string name)
     {
@@ -36,5 +39,6 @@ public sealed class Shader : Object
         return id;
     }
 
-    internal static Shader Create(string name) => new() { name = name };
+    internal static Shader Create(string name, IReadOnlyCollection<string> properties = null) =>
+        new() { name = name, Properties = properties ?? ShaderProperties.Of(name) };
 }

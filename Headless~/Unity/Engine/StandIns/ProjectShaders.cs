@@ -13,9 +13,10 @@ public static class ProjectShaders
     /// <summary>Adds one.</summary>
     /// <param name="name">As in the shader's first line.</param>
     /// <param name="resource">Its path in a Resources folder; null where it lies elsewhere.</param>
-    public static Shader Add(string name, string resource = null)
+    /// <param name="properties">All that it has; null takes those of Unity's shader of the name, or accepts every one.</param>
+    public static Shader Add(string name, string resource = null, IReadOnlyCollection<string> properties = null)
     {
-        Shader shader = s_ByName[name] = Shader.Create(name);
+        Shader shader = s_ByName[name] = Shader.Create(name, properties);
         if (resource != null)
             s_ByResource[resource] = shader;
         return shader;

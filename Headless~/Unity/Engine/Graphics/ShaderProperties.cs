@@ -1,0 +1,34 @@
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>Which properties Unity's own shaders and the package's have, as far as materials are tested with them; null accepts every name.</summary>
+internal static class ShaderProperties
+{
+    private static readonly Dictionary<string, string[]> s_Known = new()
+    {
+        ["Standard"] = ["_MainTex", "_Color", "_Glossiness", "_Mode", "_SrcBlend", "_DstBlend", "_ZWrite", "_Cutoff", "_Metallic"],
+        ["Universal Render Pipeline/Lit"] =
+        [
+            "_BaseMap", "_BaseColor", "_Smoothness", "_Cull", "_Surface", "_Blend", "_AlphaClip", "_SrcBlend", "_DstBlend", "_ZWrite", "_MainTex", "_Color",
+        ],
+        ["HDRP/Lit"] =
+        [
+            "_BaseColorMap", "_BaseColor", "_Smoothness", "_DoubleSidedEnable", "_CullMode", "_CullModeForward", "_DoubleSidedConstants", "_SurfaceType",
+            "_ZTestDepthEqualForOpaque", "_TransparentZWrite", "_AlphaSrcBlend", "_AlphaDstBlend", "_SrcBlend", "_DstBlend", "_ZWrite", "_MainTex", "_Color",
+        ],
+        ["Alate/Wing"] =
+        [
+            "_MainTex", "_Color", "_VertexColours", "_Through", "_Gloss", "_Shine", "_Cull", "_Translucent", "_SrcBlend", "_DstBlend", "_ZWrite",
+        ],
+    };
+
+    public static IReadOnlyCollection<string> Of(string shader) => s_Known.GetValueOrDefault(shader);
+
+    /// <summary>What Material.mainTexture names: the property marked [MainTexture], or the one of that name.</summary>
+    public static string MainTexture(string shader) =>
+        shader switch { "Universal Render Pipeline/Lit" => "_BaseMap", "HDRP/Lit" => "_BaseColorMap", _ => "_MainTex" };
+
+    /// <summary>What Material.color names, likewise.</summary>
+    public static string MainColour(string shader) => shader is "Universal Render Pipeline/Lit" or "HDRP/Lit" ? "_BaseColor" : "_Color";
+}
