@@ -39,15 +39,12 @@ namespace Alate
         /// <summary>Looks for wind zones again; done by itself when a scene is loaded or an insect starts.</summary>
         public static void FindWindZones() => Crowd?.FindWindZones();
 
-        /// <summary>From the end of the game on, in the editor from that of play, nothing starts any more, and what is destroyed must be so at once.</summary>
-        internal static bool IsQuitting { get; private set; }
-
         internal static WingCrowd Crowd => s_Instance is null ? null : s_Instance.m_Crowd;
 
         /// <summary>An insect wants to live.</summary>
         internal static void Enter(InsectWings insect)
         {
-            if (IsQuitting)
+            if (PlayEnd.HasCome)
                 return;
             if (Crowd == null)
             {
@@ -70,13 +67,19 @@ namespace Alate
                 s_Instance.m_EmptySince = Time.realtimeSinceStartupAsDouble;
         }
 
+        /// <summary>Gives back all meshes and memory before the scenes end.</summary>
+        internal static void EndWithPlay()
+        {
+            if (!(s_Instance is null))
+                s_Instance.End();
+        }
+
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Forget()
         {
             s_Instance = null;
             DetailCameras.Clear();
             Patience = k_Patience;
-            IsQuitting = false;
         }
 
         private void Begin()
@@ -99,12 +102,6 @@ namespace Alate
 
         private void OnDisable() => End();
 
-        private void OnApplicationQuit()
-        {
-            IsQuitting = true;
-            End();
-        }
-
         private void OnSceneLoaded(Scene scene, LoadSceneMode mode) => m_Crowd?.FindWindZones();
 
         private void End()
@@ -114,7 +111,7 @@ namespace Alate
             m_Crowd = null;
             if (ReferenceEquals(s_Instance, this))
                 s_Instance = null;
-            if (!IsQuitting)
+            if (!PlayEnd.HasCome)
                 ObjectEnd.Destroy(gameObject);
         }
     }

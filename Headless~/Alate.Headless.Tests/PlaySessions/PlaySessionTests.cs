@@ -75,6 +75,53 @@ namespace Alate.Tests.PlaySessions
         }
 
         [UnityTest]
+        public IEnumerator LeavingPlay_AfterTheSystemHasGone_LeavesNothingOfGeneratedInsects([Values] bool isRecompiled)
+        {
+            yield return new EnterPlayMode(false);
+            int before = Hidden();
+            WingSystem.Patience = 0f;
+            InsectWings insect = InsectFactory.Create("monarch");
+            yield return null;
+            if (isRecompiled)
+                DomainReload.Run();
+            insect.enabled = false;
+            WingSystem.Patience = 0f;
+            yield return null;
+            yield return null;
+            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(Resources.FindObjectsOfTypeAll<WingSystem>(), Is.Empty);
+            Assert.That(Hidden(), Is.GreaterThan(before));
+
+            yield return new ExitPlayMode();
+            Assert.That(Hidden(), Is.EqualTo(before), "what play no longer ends stays hidden in the editor");
+        }
+
+        [UnityTest]
+        public IEnumerator AfterTheEndOfPlay_NothingStarts()
+        {
+            yield return new EnterPlayMode(false);
+            Application.quitting += StartLate;
+            yield return new ExitPlayMode();
+            Application.quitting -= StartLate;
+            Assert.That(WingSystem.Crowd, Is.Null);
+
+            // A new session is not at its end.
+            yield return new EnterPlayMode(false);
+            InsectWings insect = Make();
+            yield return null;
+            Assert.That(insect.State, Is.EqualTo(InsectState.Ready));
+            yield return new ExitPlayMode();
+        }
+
+        private void StartLate()
+        {
+            Make();
+            Assert.That(WingSystem.Crowd, Is.Null, "an insect started after the end of play");
+        }
+
+        private static int Hidden() => Resources.FindObjectsOfTypeAll<Object>().Count(o => o.hideFlags == HideFlags.HideAndDontSave);
+
+        [UnityTest]
         public IEnumerator InTheEditor_AnInsectDoesNotLive()
         {
             InsectWings insect = Make();

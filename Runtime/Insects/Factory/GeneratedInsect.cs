@@ -20,6 +20,8 @@ namespace Alate
 
         private void Awake() => InsectKits.Take(m_Species);
 
+        private void OnEnable() => PlayEnd.Listen();
+
         private void OnDestroy() => InsectKits.Return(m_Species);
     }
 }

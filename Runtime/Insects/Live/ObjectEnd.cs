@@ -9,7 +9,7 @@ namespace Alate
         {
             if (target == null)
                 return;
-            if (Application.isPlaying && !WingSystem.IsQuitting)
+            if (Application.isPlaying && !PlayEnd.HasCome)
                 Object.Destroy(target);
             else
                 Object.DestroyImmediate(target);

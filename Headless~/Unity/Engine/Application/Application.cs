@@ -31,4 +31,7 @@ public class Application
     }
 
     internal static void ReportQuitting() => quitting?.Invoke();
+
+    /// <summary>Managed listeners go with the domain.</summary>
+    internal static void ForgetListeners() => quitting = null;
 }

@@ -82,6 +82,9 @@ public static class PlayerLoop
         foreach (SceneRecord scene in new List<SceneRecord>(SceneRecord.Loaded))
             scene.Unload();
         SceneRecord.Lasting.Unload();
+
+        // What was destroyed meanwhile waits for the end of a frame that never comes.
+        Doomed.Forget();
         IsPlaying = false;
         NativeMemoryLedger.EndFrame();
         Clock.Reset();

@@ -24,6 +24,7 @@ public static class DomainReload
         foreach (ScriptableObject asset in assets)
             new BehaviourMessages(asset).Send("OnDisable");
 
+        Application.ForgetListeners();
         LoadMethods.Run(RuntimeInitializeLoadType.SubsystemRegistration);
         foreach (MonoBehaviour behaviour in ObjectRegistry.Find<MonoBehaviour>(typeof(MonoBehaviour)))
             LoseUnsaved(behaviour);
