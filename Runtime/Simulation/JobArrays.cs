@@ -185,7 +185,7 @@ namespace Alate
             Free(ref m_Chunks);
             Free(ref m_Bounds);
             if (m_Scratch != null)
-                UnsafeUtility.Free(m_Scratch, Allocator.Persistent);
+                UnsafeUtility.FreeTracked(m_Scratch, Allocator.Persistent);
             m_Scratch = null;
         }
 
@@ -261,10 +261,10 @@ namespace Alate
             if (m_Scratch != null && stride == m_ScratchStride)
                 return;
             if (m_Scratch != null)
-                UnsafeUtility.Free(m_Scratch, Allocator.Persistent);
+                UnsafeUtility.FreeTracked(m_Scratch, Allocator.Persistent);
             m_ScratchSize = grown;
             m_ScratchStride = stride;
-            m_Scratch = (byte*)UnsafeUtility.Malloc(stride * JobsUtility.ThreadIndexCount, JobsUtility.CacheLineSize, Allocator.Persistent);
+            m_Scratch = (byte*)UnsafeUtility.MallocTracked(stride * JobsUtility.ThreadIndexCount, JobsUtility.CacheLineSize, Allocator.Persistent, 0);
             UnsafeUtility.MemClear(m_Scratch, stride * JobsUtility.ThreadIndexCount);
         }
 

@@ -30,7 +30,7 @@ namespace Alate
         public PackMemory(in RigView rig, in ModelOptions options, in WingPacing pacing = default)
         {
             m_Bytes = Layout(rig, null, out _);
-            m_Block = (byte*)UnsafeUtility.Malloc(m_Bytes, 64, Allocator.Persistent);
+            m_Block = (byte*)UnsafeUtility.MallocTracked(m_Bytes, 64, Allocator.Persistent, 0);
             UnsafeUtility.MemClear(m_Block, m_Bytes);
             Layout(rig, m_Block, out view);
             view.options = options;
@@ -104,12 +104,12 @@ namespace Alate
             if (on)
             {
                 long bytes = (long)view.rig.patchCount * sizeof(PatchLoad);
-                view.recordedLoads = (PatchLoad*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
+                view.recordedLoads = (PatchLoad*)UnsafeUtility.MallocTracked(bytes, 64, Allocator.Persistent, 0);
                 UnsafeUtility.MemClear(view.recordedLoads, bytes);
                 return;
             }
 
-            UnsafeUtility.Free(view.recordedLoads, Allocator.Persistent);
+            UnsafeUtility.FreeTracked(view.recordedLoads, Allocator.Persistent);
             view.recordedLoads = null;
         }
 
@@ -118,7 +118,7 @@ namespace Alate
             if (m_Block == null)
                 return;
             Record(false);
-            UnsafeUtility.Free(m_Block, Allocator.Persistent);
+            UnsafeUtility.FreeTracked(m_Block, Allocator.Persistent);
             m_Block = null;
         }
 

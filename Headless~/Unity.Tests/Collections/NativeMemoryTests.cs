@@ -65,6 +65,20 @@ public sealed unsafe class NativeMemoryTests : SafetyFixture
     }
 
     [Test]
+    public void TrackedMemory_IsSeenByLeakDetection_AndHasAFreeOfItsOwn()
+    {
+        int unseen = NativeMemoryLedger.UntrackedCount;
+        void* tracked = UnsafeUtility.MallocTracked(8, 8, Allocator.Persistent, 0), plain = UnsafeUtility.Malloc(8, 8, Allocator.Persistent);
+        Assert.That(NativeMemoryLedger.UntrackedCount, Is.EqualTo(unseen + 1));
+        Assert.That(() => UnsafeUtility.Free(tracked, Allocator.Persistent), Throws.InvalidOperationException);
+        Assert.That(() => UnsafeUtility.FreeTracked(plain, Allocator.Persistent), Throws.InvalidOperationException);
+        Assert.That(() => UnsafeUtility.FreeTracked(tracked, Allocator.TempJob), Throws.InvalidOperationException);
+        UnsafeUtility.FreeTracked(tracked, Allocator.Persistent);
+        UnsafeUtility.Free(plain, Allocator.Persistent);
+        Assert.That(NativeMemoryLedger.UntrackedCount, Is.EqualTo(unseen));
+    }
+
+    [Test]
     public void WriteBeyondTheEnd_IsFoundWhenTheMemoryIsFreed()
     {
         TestBuild.RequireChecks();

@@ -19,7 +19,7 @@ internal static unsafe class NativeHeap
     private const int k_GuardSize = 0;
 #endif
 
-    public static void* Allocate(long size, int alignment, Allocator allocator, Type type, ContainerSafety safety)
+    public static void* Allocate(long size, int alignment, Allocator allocator, Type type, ContainerSafety safety, bool isTracked = true)
     {
         if (allocator is not (Allocator.Temp or Allocator.TempJob or Allocator.Persistent))
             throw new ArgumentException("Allocator must be Temp, TempJob or Persistent", nameof(allocator));
@@ -35,6 +35,7 @@ internal static unsafe class NativeHeap
             allocator = allocator,
             type = type,
             safety = safety,
+            isTracked = isTracked,
             trace = NativeLeakDetection.Mode == NativeLeakDetectionMode.EnabledWithStackTrace ? Environment.StackTrace : null,
         });
         return memory;
@@ -45,6 +46,14 @@ internal static unsafe class NativeHeap
         if (!NativeMemoryLedger.Remove((nint)memory, out var entry))
             throw new InvalidOperationException("This memory is not allocated: it was freed before, or never was allocated here.");
         Release(memory, entry.size);
+    }
+
+    /// <summary>Frees a block of UnsafeUtility, as it was allocated.</summary>
+    public static void Free(void* memory, Allocator allocator, bool isTracked)
+    {
+        if (NativeMemoryLedger.Find((nint)memory) is { } entry && (entry.isTracked != isTracked || entry.allocator != allocator))
+            throw new InvalidOperationException($"{entry.Source} of Allocator.{entry.allocator} must be freed by its own method, with the allocator it was allocated with.");
+        Free(memory);
     }
 
     public static void Release(void* memory, long size)

@@ -15,9 +15,15 @@ public static unsafe class UnsafeUtility
         public T value;
     }
 
-    public static void* Malloc(long size, int alignment, Allocator allocator) => NativeHeap.Allocate(size, alignment, allocator, null, null);
+    /// <summary>Memory that Unity's leak detection does not see.</summary>
+    public static void* Malloc(long size, int alignment, Allocator allocator) => NativeHeap.Allocate(size, alignment, allocator, null, null, isTracked: false);
 
-    public static void Free(void* memory, Allocator allocator) => NativeHeap.Free(memory);
+    public static void Free(void* memory, Allocator allocator) => NativeHeap.Free(memory, allocator, isTracked: false);
+
+    public static void* MallocTracked(long size, int alignment, Allocator allocator, int callstacksToSkip) =>
+        NativeHeap.Allocate(size, alignment, allocator, null, null);
+
+    public static void FreeTracked(void* memory, Allocator allocator) => NativeHeap.Free(memory, allocator, isTracked: true);
 
     public static void MemClear(void* destination, long size) => NativeMemory.Clear(destination, (nuint)size);
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using System.Text;
 using Unity.Collections;
 using Unity.StandIns;
@@ -18,6 +19,9 @@ public static class NativeMemoryLedger
         public Type type;
         public string trace;
         public ContainerSafety safety;
+        public bool isTracked;
+
+        public readonly string Source => type != null ? $"NativeArray<{type.Name}>" : isTracked ? "UnsafeUtility.MallocTracked" : "UnsafeUtility.Malloc";
     }
 
     private static readonly object s_Gate = new();
@@ -31,6 +35,16 @@ public static class NativeMemoryLedger
         {
             lock (s_Gate)
                 return s_Lasting.Count;
+        }
+    }
+
+    /// <summary>Those among them that Unity's leak detection would not see.</summary>
+    public static int UntrackedCount
+    {
+        get
+        {
+            lock (s_Gate)
+                return s_Lasting.Values.Count(entry => !entry.isTracked);
         }
     }
 
@@ -58,8 +72,7 @@ public static class NativeMemoryLedger
         {
             foreach (var entry in s_Lasting.Values)
             {
-                string what = entry.type == null ? "UnsafeUtility.Malloc" : $"NativeArray<{entry.type.Name}>";
-                text.Append(CultureInfo.InvariantCulture, $"{what}, {entry.size} bytes, Allocator.{entry.allocator}").AppendLine();
+                text.Append(CultureInfo.InvariantCulture, $"{entry.Source}, {entry.size} bytes, Allocator.{entry.allocator}").AppendLine();
                 if (entry.trace != null)
                     text.AppendLine(entry.trace);
             }
@@ -91,6 +104,12 @@ public static class NativeMemoryLedger
     {
         lock (s_Gate)
             (entry.allocator == Allocator.Temp ? s_Temporary : s_Lasting).Add(address, entry);
+    }
+
+    internal static Entry? Find(nint address)
+    {
+        lock (s_Gate)
+            return s_Lasting.TryGetValue(address, out Entry entry) || s_Temporary.TryGetValue(address, out entry) ? entry : null;
     }
 
     internal static bool Remove(nint address, out Entry entry)
