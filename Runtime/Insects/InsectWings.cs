@@ -9,7 +9,6 @@ namespace Alate
     /// the game plays; the authored meshes come back when it is disabled.
     /// </summary>
     [AddComponentMenu("Alate/Insect Wings")]
-    [HelpURL("https://example.invalid/alate/documentation/insect-wings.html")]
     [Icon("Packages/com.alate.insect-wings/Editor/Icons/InsectWings.png")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(ExecutionOrders.InsectWings)]

@@ -61,7 +61,7 @@ namespace Alate
         }
 
         /// <summary>
-        /// A camera below an object, and a light on it, so that they go with it. Where there is a main camera this one draws over it; it is the main camera where there
+        /// A camera below an object, and a light on it where the scene has no directional light that is on, so that they go with it. Where there is a main camera this one draws over it; it is the main camera where there
         /// is none.
         /// </summary>
         /// <param name="parent">What it goes with.</param>
@@ -79,12 +79,26 @@ namespace Alate
                 made.tag = "MainCamera";
             else
                 camera.depth = main.depth + 1f;
-            AddLight(made.transform);
+            if (!HasSun())
+                AddLight(made.transform);
             var orbit = made.AddComponent<OrbitCamera>();
             orbit.m_Target = target;
             orbit.Distance = distance;
             orbit.LateUpdate();
             return orbit;
+        }
+
+        // A second one would wash everything out.
+        private static bool HasSun()
+        {
+            foreach (Light light in Resources.FindObjectsOfTypeAll<Light>())
+            {
+                // Prefabs and the editor's own lights are in no scene.
+                if (light.type == LightType.Directional && light.isActiveAndEnabled && light.gameObject.scene.isLoaded)
+                    return true;
+            }
+
+            return false;
         }
 
         private static void AddLight(Transform camera)

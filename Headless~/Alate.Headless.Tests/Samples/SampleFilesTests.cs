@@ -43,6 +43,28 @@ public sealed class SampleFilesTests
     }
 
     [TestCaseSource(nameof(Samples))]
+    public void EveryScene_HasWhatUnityWrites_AndOneAudioListener(string path)
+    {
+        string scene = File.ReadAllText(Directory.GetFiles(Path.Combine(Root, path), "*.unity").Single());
+        Assert.That(scene, Does.Match(@"\nOcclusionCullingSettings:\n(?:  .*\n)*?  m_SceneGUID: 0{32}\n"));
+        Assert.That(Regex.Matches(scene, @"--- !u!81 &\d+\nAudioListener:"), Has.Count.EqualTo(1), "Unity warns of a scene without a listener");
+
+        // Components are listed by their object, and belong to it.
+        string[] listed = [.. Regex.Matches(scene, @"- component: \{fileID: (\d+)\}").Select(match => match.Groups[1].Value)];
+        string[] owned = [.. Regex.Matches(scene, @"--- !u!\d+ &(\d+)\n\w+:\n(?:  .*\n)*?  m_GameObject:").Select(match => match.Groups[1].Value)];
+        Assert.That(owned, Is.EqualTo(listed));
+    }
+
+    [Test]
+    public void NoLinkOfThePackage_LeadsNowhere()
+    {
+        string[] folders = ["Runtime", "Editor", "Samples~"];
+        IEnumerable<string> files = folders.SelectMany(folder => Directory.GetFiles(Path.Combine(Root, folder), "*.cs", SearchOption.AllDirectories))
+            .Append(Path.Combine(Root, "package.json"));
+        Assert.That(files.Where(file => Regex.IsMatch(File.ReadAllText(file), @"https?://[^/""]*(example\.|\.invalid|localhost)")), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Samples))]
     public void EverySample_StandsAlone_WithThePackage(string path)
     {
         string folder = Path.Combine(Root, path);

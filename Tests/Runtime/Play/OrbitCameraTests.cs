@@ -34,6 +34,18 @@ namespace Alate.Tests.Play
         }
 
         [Test]
+        public void WhereASceneHasASun_NoSecondLightIsMade()
+        {
+            var lamp = Keep(new GameObject("lamp")).AddComponent<Light>();
+            lamp.type = LightType.Point;
+            Assert.That(Made(Vector3.zero, 1f).GetComponentsInChildren<Light>(), Has.Length.EqualTo(1), "a lamp is no sun");
+
+            var sun = Keep(new GameObject("sun")).AddComponent<Light>();
+            sun.type = LightType.Directional;
+            Assert.That(Made(Vector3.zero, 1f).GetComponentsInChildren<Light>(), Is.Empty);
+        }
+
+        [Test]
         public void PitchAndDistance_StayInTheirRanges()
         {
             OrbitCamera orbit = Made(Vector3.zero, 0f);

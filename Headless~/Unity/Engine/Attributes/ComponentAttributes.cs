@@ -55,14 +55,6 @@ public class IconAttribute(string path) : Attribute
     public string path { get; } = path;
 }
 
-[AttributeUsage(AttributeTargets.Class, Inherited = false)]
-public class HelpURLAttribute : Attribute
-{
-    public HelpURLAttribute(string url) => URL = url;
-
-    public string URL { get; }
-}
-
 [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
 public sealed class ContextMenu(string itemName, bool isValidateFunction, int priority) : Attribute
 {
