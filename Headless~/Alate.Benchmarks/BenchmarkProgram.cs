@@ -2,8 +2,8 @@ using System;
 
 namespace Alate.Benchmarks;
 
-/// <summary>The suite by itself: an optional argument is the path of its JSON.</summary>
+/// <summary>The suite by itself, without a file of its figures; the command <c>bench --json FILE</c> of the command line writes one.</summary>
 public static class BenchmarkProgram
 {
-    public static int Main(string[] arguments) => BenchmarkSuite.Run(arguments.Length > 0 ? arguments[0] : null, Console.Out);
+    public static int Main() => BenchmarkSuite.Run(null, Console.Out);
 }

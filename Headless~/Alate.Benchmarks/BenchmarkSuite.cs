@@ -21,20 +21,17 @@ public static class BenchmarkSuite
 #endif
 
     /// <summary>Measures, prints a table and writes the figures.</summary>
-    /// <param name="jsonPath">Where to; null for the table alone.</param>
+    /// <param name="json">Takes the figures at the end; null for the table alone.</param>
     /// <param name="output">Takes the table, line by line as it grows.</param>
-    /// <returns>0; 1 if a baseline does not compute what ours does; 2 if the file cannot be written.</returns>
-    public static int Run(string jsonPath, TextWriter output)
+    /// <returns>0; 1 if a baseline does not compute what ours does.</returns>
+    public static int Run(Stream json, TextWriter output)
     {
-        using var file = Open(jsonPath, output, out var opened);
-        if (!opened)
-            return 2;
         var report = new Report(output);
         Machine(report);
         report.Heading();
         Measure(report);
-        if (file != null)
-            JsonSerializer.Serialize(file, report.Content, new JsonSerializerOptions { WriteIndented = true });
+        if (json != null)
+            JsonSerializer.Serialize(json, report.Content, new JsonSerializerOptions { WriteIndented = true });
         return report.IsValid ? 0 : 1;
     }
 
@@ -93,23 +90,5 @@ public static class BenchmarkSuite
         report.Line($"{report.Content["runtime"]}, {Environment.ProcessorCount} processors. {report.Content["note"]}");
         if (s_SafetyChecks)
             report.Line("This build has the safety checks of a debug build on: take -c Release for figures that count.");
-    }
-
-    // Before anything is measured, so that a wrong path does not cost a minute.
-    private static FileStream Open(string path, TextWriter output, out bool opened)
-    {
-        opened = true;
-        if (path == null)
-            return null;
-        try
-        {
-            return File.Create(path);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            output.WriteLine($"Cannot write '{path}': {e.Message}");
-            opened = false;
-            return null;
-        }
     }
 }

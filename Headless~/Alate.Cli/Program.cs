@@ -2,13 +2,15 @@ using System;
 using System.CommandLine;
 using System.IO;
 using Alate.Cli.Commands;
+using Alate.Cli.Output;
 
 namespace Alate.Cli;
 
 /// <summary>The command line. Bad usage or input: one line on stderr and exit code 2.</summary>
 public static class Program
 {
-    public static int Main(string[] args) => Run(args, Console.Out, Console.Error);
+    public static int Main(string[] args) =>
+        Run(args, Console.IsOutputRedirected ? new RedirectedOutput(Console.Out) : Console.Out, Console.Error);
 
     /// <summary>Runs one command.</summary>
     /// <returns>The exit code: 0 for success, 2 for bad usage or input.</returns>
@@ -28,8 +30,8 @@ public static class Program
         PackageVersion.AddTo(root);
 
         ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args);
-        if (parsed.Errors.Count > 0 && !HelpExamples.AreAskedFor(parsed))
-            return Fail(parsed.Errors[0].Message, errors);
+        if (UsageProblem.Find(parsed) is string usage)
+            return Fail(usage, errors);
         try
         {
             return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = errors });
@@ -42,7 +44,15 @@ public static class Program
 
     private static int Fail(string message, TextWriter errors)
     {
-        errors.WriteLine("alate: " + message.ReplaceLineEndings(" ").Trim());
+        try
+        {
+            errors.WriteLine("alate: " + message.ReplaceLineEndings(" ").Trim());
+        }
+        catch (IOException)
+        {
+            // The line has no place to go to; the exit code is left.
+        }
+
         return 2;
     }
 }

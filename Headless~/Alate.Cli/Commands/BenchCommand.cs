@@ -1,3 +1,4 @@
+using System;
 using System.CommandLine;
 using System.IO;
 using Alate.Benchmarks;
@@ -14,13 +15,22 @@ internal static class BenchCommand
         var command = new Command(
             "bench", "Measures the kernels against naive baselines within one process. Build with -c Release.") { json };
         HelpExamples.Set(command, "Example:\n  bench --json bench.json");
-        command.SetAction(parsed =>
-        {
-            string file = parsed.GetValue(json);
-            if (file != null)
-                OutputFolder.CheckFile(file);
-            return BenchmarkSuite.Run(file, output);
-        });
+        command.SetAction(parsed => Run(parsed.GetValue(json), stream => BenchmarkSuite.Run(stream, output)));
         return command;
+    }
+
+    /// <summary>Runs the measurements and writes their figures; a file that cannot be is refused before anything is measured.</summary>
+    /// <param name="file">Where the figures go; null for nowhere.</param>
+    /// <param name="measure">Given where to write the figures, or null; its exit code counts.</param>
+    /// <exception cref="UserException">The file cannot be written.</exception>
+    public static int Run(string file, Func<Stream, int> measure)
+    {
+        if (file == null)
+            return measure(null);
+        OutputFile.Check(file);
+        using var figures = new MemoryStream();
+        int code = measure(figures);
+        OutputFile.Write(file, figures.WriteTo);
+        return code;
     }
 }

@@ -28,11 +28,7 @@ internal static class SpeciesCommand
             string wanted = parsed.GetValue(name), file = parsed.GetValue(json);
             List<SpeciesNumbers> sheets = (wanted == null ? Species.All : [FlightOptions.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
             if (file != null)
-            {
-                OutputFolder.CheckFile(file);
-                using FileStream stream = File.Create(file);
-                SpeciesJson.Write(sheets, stream);
-            }
+                OutputFile.Write(file, stream => SpeciesJson.Write(sheets, stream));
 
             var terminal = new Terminal(output);
             if (wanted == null)

@@ -11,16 +11,16 @@ namespace Alate.Cli.Output;
 /// </summary>
 internal sealed class OutputFolder : IDisposable
 {
-    private readonly string m_Given;
+    private readonly string m_What;
     private readonly List<string> m_MadeFolders = [];
     private readonly List<(string Written, string Final)> m_Files = [];
     private readonly string m_Suffix = $".{Guid.NewGuid():N}.part";
     private bool m_Committed;
 
-    private OutputFolder(string given)
+    private OutputFolder(string root, string what)
     {
-        m_Given = given;
-        Root = given;
+        Root = root;
+        m_What = what;
     }
 
     /// <summary>The full path.</summary>
@@ -30,7 +30,7 @@ internal sealed class OutputFolder : IDisposable
     /// <exception cref="UserException">They cannot.</exception>
     public static OutputFolder Prepare(string given, params string[] names)
     {
-        var folder = new OutputFolder(given);
+        var folder = new OutputFolder(given, $"into '{given}'");
         try
         {
             folder.Try(() =>
@@ -56,27 +56,10 @@ internal sealed class OutputFolder : IDisposable
         }
     }
 
-    /// <summary>Tries whether a single file can be written, and leaves no trace.</summary>
-    /// <exception cref="UserException">It cannot.</exception>
-    public static void CheckFile(string file)
-    {
-        if (Directory.Exists(file) || Path.GetFileName(file).Length == 0)
-            throw new UserException($"Cannot write '{file}': it is a folder, not a file.");
-        try
-        {
-            bool existed = File.Exists(file);
-            using (File.Open(file, FileMode.OpenOrCreate, FileAccess.Write))
-            {
-            }
-
-            if (!existed)
-                File.Delete(file);
-        }
-        catch (Exception problem) when (IsOfFiles(problem))
-        {
-            throw new UserException($"Cannot write '{file}': {Reason(problem)}");
-        }
-    }
+    /// <summary>The folder of a single file, which is there already.</summary>
+    /// <param name="file">The file.</param>
+    /// <param name="given">What the user calls it.</param>
+    public static OutputFolder Around(string file, string given) => new(Path.GetDirectoryName(Path.GetFullPath(file)), $"'{given}'");
 
     /// <summary>Writes a file, under another name as yet; folders within it are made.</summary>
     /// <exception cref="UserException">It cannot be written.</exception>
@@ -138,19 +121,11 @@ internal sealed class OutputFolder : IDisposable
         {
             action();
         }
-        catch (Exception problem) when (IsOfFiles(problem))
+        catch (Exception problem) when (FileProblem.Is(problem))
         {
-            throw new UserException($"Cannot write into '{m_Given}': {Reason(problem)}");
+            throw new UserException($"Cannot write {m_What}: {FileProblem.Reason(problem)}");
         }
     }
-
-    // What some file systems say of a file that cannot be made is that it cannot be found.
-    private static string Reason(Exception problem) => problem switch
-    {
-        FileNotFoundException or DirectoryNotFoundException => "no file can be made there.",
-        ArgumentException => "that is no name of a folder.",
-        _ => problem.Message,
-    };
 
     private static void Quietly(Action action)
     {
@@ -158,12 +133,9 @@ internal sealed class OutputFolder : IDisposable
         {
             action();
         }
-        catch (Exception problem) when (IsOfFiles(problem))
+        catch (Exception problem) when (FileProblem.Is(problem))
         {
             // What cannot be removed stays; the user has been told the first problem.
         }
     }
-
-    private static bool IsOfFiles(Exception problem) =>
-        problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
 }

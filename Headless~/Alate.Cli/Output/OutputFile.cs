@@ -1,0 +1,70 @@
+using System;
+using System.IO;
+
+namespace Alate.Cli.Output;
+
+/// <summary>A single file that a user names: it is written as a whole or stays as it was.</summary>
+internal static class OutputFile
+{
+    /// <summary>Folders of files that are devices: they are written to, never replaced.</summary>
+    private static readonly string[] s_Devices = ["/dev/", "/proc/"];
+
+    /// <summary>Tries whether the file can be written, and leaves no trace.</summary>
+    /// <exception cref="UserException">It cannot.</exception>
+    public static void Check(string file) => Try(file, () =>
+    {
+        if (Directory.Exists(file) || Path.GetFileName(file).Length == 0)
+            throw new UserException($"Cannot write '{file}': it is a folder, not a file.");
+        bool existed = File.Exists(file);
+        using (File.Open(file, FileMode.OpenOrCreate, FileAccess.Write))
+        {
+        }
+
+        if (!existed)
+            File.Delete(file);
+    });
+
+    /// <summary>Writes the file: under another name beside it, which is changed at the end.</summary>
+    /// <exception cref="UserException">It cannot be written; what was there before is there still.</exception>
+    public static void Write(string file, Action<Stream> write)
+    {
+        Check(file);
+        using var content = new MemoryStream();
+        write(content);
+        if (IsDevice(file))
+        {
+            Try(file, () => WriteBytes(file, content));
+            return;
+        }
+
+        // What a link points to is written, not the link.
+        string final = File.Exists(file) ? File.ResolveLinkTarget(file, true)?.FullName ?? file : file;
+        using OutputFolder folder = OutputFolder.Around(final, file);
+        folder.Write(Path.GetFileName(final), content.WriteTo);
+        folder.Commit();
+    }
+
+    private static bool IsDevice(string file)
+    {
+        string path = Path.GetFullPath(file);
+        return Array.Exists(s_Devices, folder => path.StartsWith(folder, StringComparison.Ordinal));
+    }
+
+    private static void WriteBytes(string file, MemoryStream content)
+    {
+        using var stream = new FileStream(file, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0);
+        content.WriteTo(stream);
+    }
+
+    private static void Try(string file, Action action)
+    {
+        try
+        {
+            action();
+        }
+        catch (Exception problem) when (FileProblem.Is(problem))
+        {
+            throw new UserException($"Cannot write '{file}': {FileProblem.Reason(problem)}");
+        }
+    }
+}
