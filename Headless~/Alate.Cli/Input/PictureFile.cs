@@ -10,6 +10,17 @@ internal sealed class PictureFile
     /// <summary>Longest file that is read, bytes.</summary>
     private const long k_Longest = 1L << 30;
 
+    private static readonly (string Format, int Offset, byte[] Start)[] s_OtherFormats =
+    [
+        ("JPEG", 0, [0xFF, 0xD8, 0xFF]),
+        ("GIF", 0, [.. "GIF8"u8]),
+        ("BMP", 0, [.. "BM"u8]),
+        ("TIFF", 0, [.. "II*\0"u8]),
+        ("TIFF", 0, [.. "MM\0*"u8]),
+        ("WebP", 8, [.. "WEBP"u8]),
+        ("HEIF picture", 4, [.. "ftyp"u8]),
+    ];
+
     private PictureFile(string path, byte[] bytes, WingPicture picture)
     {
         Path = path;
@@ -37,6 +48,8 @@ internal sealed class PictureFile
             if (new FileInfo(path).Length > k_Longest)
                 throw new UserException($"Cannot read '{path}': it is larger than a gibibyte.");
             byte[] bytes = File.ReadAllBytes(path);
+            if (OtherFormat(bytes) is string format)
+                throw new UserException($"Cannot read '{path}': it is a {format}; convert it to PNG.");
             PngFile png = Decode(path, bytes);
             return new PictureFile(path, bytes, new WingPicture(png.Width, png.Height, png.Pixels));
         }
@@ -48,6 +61,18 @@ internal sealed class PictureFile
         {
             throw new UserException($"Cannot read '{path}': {problem.Message}");
         }
+    }
+
+    // By its first bytes, whatever its name says; null for a PNG and for what is no picture at all.
+    private static string OtherFormat(byte[] bytes)
+    {
+        foreach ((string format, int offset, byte[] start) in s_OtherFormats)
+        {
+            if (bytes.AsSpan(Math.Min(offset, bytes.Length)).StartsWith(start))
+                return format;
+        }
+
+        return null;
     }
 
     private static PngFile Decode(string path, byte[] bytes)

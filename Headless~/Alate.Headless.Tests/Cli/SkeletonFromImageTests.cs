@@ -98,6 +98,19 @@ namespace Alate.Tests.Cli
         [TestCase("this is no picture at all", "not a PNG")]
         public void FileThatIsNoPicture_IsRefused(string content, string said) => AssertRefused(m_Run.Write("wing.png", content), said);
 
+        [TestCase("photo.jpg", "JPEG", "FFD8FFE000104A46494600")]
+        [TestCase("photo.png", "JPEG", "FFD8FFDB00430002010101")]
+        [TestCase("photo.gif", "GIF", "474946383961")]
+        [TestCase("photo.bmp", "BMP", "424D3600000000000000")]
+        [TestCase("photo.tif", "TIFF", "49492A0008000000")]
+        [TestCase("photo.webp", "WebP", "524946460000000057454250")]
+        public void PictureOfAnotherFormat_IsRefused_WithTheWayOut(string name, string format, string start)
+        {
+            string image = Image(name, Convert.FromHexString(start));
+
+            AssertRefused(image, $"{name}': it is a {format}; convert it to PNG.");
+        }
+
         [Test]
         public void MissingFile_IsRefused() => AssertRefused(Path.Combine(m_Run.Folder, "none.png"), "no such file");
 
