@@ -24,7 +24,8 @@ internal static class CompareCommand
             Description = $"The insects: {string.Join(", ", Species.Names)}.",
         };
         Option<double> elasticity = Numbers.Option(
-            "--elasticity", "FACTOR", ComparisonColumn.OtherElasticity, 0.001, 1e6, "Factor on the elasticity in the last column, 0.001 to 1000000; below 1 is softer.");
+            "--elasticity", "FACTOR", ComparisonColumn.OtherElasticity, PlanRange.LeastElasticity, PlanRange.MostElasticity,
+            "Factor on the elasticity in the last column, 0.001 to 1000000; below 1 is softer.");
         Option<int?> phases = Numbers.OptionalCount(
             "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, "Rows of the pictures, 1 to 12. [default: 4]");
         Option<SpeciesVariant?> variant = FlightOptions.Variant();
@@ -50,8 +51,10 @@ internal static class CompareCommand
                 });
             }
 
+            double factor = parsed.GetValue(elasticity);
+            flights.ForEach(flight => PlanRange.CheckElasticity(flight, factor));
             var plan = new ComparisonPlan(
-                flights, ComparisonPlan.ColumnsWith((float)parsed.GetValue(elasticity)), parsed.GetValue(phases) ?? ComparisonPlan.DefaultPhases);
+                flights, ComparisonPlan.ColumnsWith((float)factor), parsed.GetValue(phases) ?? ComparisonPlan.DefaultPhases);
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "compare"), output);
             return 0;
         });

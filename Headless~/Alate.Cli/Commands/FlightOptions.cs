@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Linq;
 using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Commands;
@@ -28,4 +29,17 @@ internal static class FlightOptions
     public static SpeciesDefinition Find(string name) => Species.TryFind(name, out SpeciesDefinition definition)
         ? definition
         : throw new UserException($"Unknown species '{name}'. Known: {string.Join(", ", Species.Names)}.");
+
+    /// <summary>The species of a name that has a variant.</summary>
+    /// <exception cref="UserException">There is no such species, or it has no such variant; the message lists those there are.</exception>
+    public static SpeciesDefinition Find(string name, SpeciesVariant variant)
+    {
+        SpeciesDefinition definition = Find(name);
+        return definition.Variants.Contains(variant)
+            ? definition
+            : throw new UserException($"There is no {Word(variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
+    }
+
+    /// <summary>What a variant is called on the command line.</summary>
+    public static string Word(SpeciesVariant variant) => variant.ToString().ToLowerInvariant();
 }

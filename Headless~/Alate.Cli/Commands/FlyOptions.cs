@@ -25,7 +25,7 @@ internal sealed class FlyOptions
         "--lag", "LAMBDA", 0, 2, "Delay of the trailing edge, half beats, 0 to 2. [default: the species']");
 
     private readonly Option<double> m_Elasticity = Numbers.Option(
-        "--elasticity", "FACTOR", 1, 0.001, 1e6, "Factor on the species' elasticity, 0.001 to 1000000; below 1 is softer.");
+        "--elasticity", "FACTOR", 1, PlanRange.LeastElasticity, PlanRange.MostElasticity, "Factor on the species' elasticity, 0.001 to 1000000; below 1 is softer.");
 
     private readonly Option<int?> m_Substeps = FlightOptions.Substeps();
 

@@ -58,6 +58,8 @@ internal static class SweepCommand
             var plan = new SweepPlan(
                 known, parsed.GetValue(from), parsed.GetValue(to), parsed.GetValue(steps) ?? SweepPlan.DefaultSteps, flight,
                 parsed.GetValue(waves) ?? SweepWaves.On);
+            PlanRange.Check(flight, known, "FROM", parsed.GetValue(from));
+            PlanRange.Check(flight, known, "TO", parsed.GetValue(to));
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "sweep-" + known.Name), output);
             return 0;
         });

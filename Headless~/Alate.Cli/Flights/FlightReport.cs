@@ -16,6 +16,7 @@ internal static class FlightReport
     public static void Run(FlightPlan plan, TextWriter output)
     {
         Insect insect = Insect.Of(plan);
+        PlanRange.CheckElasticity(plan, plan.Elasticity);
         using var flight = new Flight(plan, insect);
         string path = plan.Folder ?? Path.Combine("out", insect.Name);
         using OutputFolder folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Summary);

@@ -33,15 +33,11 @@ internal sealed class Insect
     /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>
     public static Insect Of(FlightPlan plan)
     {
-        SpeciesDefinition definition = FlightOptions.Find(plan.Species);
-        if (!definition.Variants.Contains(plan.Variant))
-            throw new UserException($"There is no {Word(plan.Variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
+        SpeciesDefinition definition = FlightOptions.Find(plan.Species, plan.Variant);
         Insect insect = plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
-        plan.Change?.ApplyTo(insect);
+        plan.Change?.ApplyTo(insect.Wings.Select(wing => wing.Species).ToList());
         return insect;
     }
-
-    private static string Word(SpeciesVariant variant) => variant.ToString().ToLowerInvariant();
 
     private static Insect FromCatalogue(SpeciesDefinition definition, FlightPlan plan)
     {

@@ -1,10 +1,10 @@
-using System.Linq;
-using Alate.Cli.Flights;
+using System.Collections.Generic;
 
 namespace Alate.Cli.Parameters;
 
 /// <summary>One number of a species at another value.</summary>
 internal sealed record ParameterChange(FlownParameter Parameter, float Value)
 {
-    public void ApplyTo(Insect insect) => Parameter.Set(insect.Wings.Select(wing => wing.Species).ToList(), Value);
+    /// <summary>Changes the kinds of wings of one insect.</summary>
+    public void ApplyTo(IReadOnlyList<WingSpecies> wings) => Parameter.Set(wings, Value);
 }

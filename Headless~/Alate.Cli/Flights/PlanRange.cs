@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Cli.Commands;
+using Alate.Cli.Parameters;
+
+namespace Alate.Cli.Flights;
+
+/// <summary>Checks the numbers of a plan that the model takes as a product with the species' own.</summary>
+internal static class PlanRange
+{
+    /// <summary>Range of the option <c>--elasticity</c>, a factor on the species' k_e, whatever the species.</summary>
+    public const double LeastElasticity = 0.001, MostElasticity = 1e6;
+
+    private static readonly WingParameterRange s_Elasticity = Range("elasticity"), s_Density = Range("airDensity"), s_Reference = Range("referenceFrequency");
+
+    /// <summary>Refuses a factor on the elasticity that makes too much or too little of the species'.</summary>
+    /// <param name="plan">The flight.</param>
+    /// <param name="factor">What was typed behind <c>--elasticity</c>.</param>
+    /// <exception cref="UserException">It does; the message has the range of the option for the species.</exception>
+    public static void CheckElasticity(FlightPlan plan, double factor)
+    {
+        string subject = plan.Variant == SpeciesVariant.Standard ? plan.Species : $"{plan.Species}, {FlightOptions.Word(plan.Variant)}";
+        TypedRange.Check(
+            "--elasticity", factor, LeastElasticity, MostElasticity, subject, 1, value => Holds(plan with { Elasticity = value }));
+    }
+
+    /// <summary>Refuses a value of a parameter that takes the insect out of the model's range.</summary>
+    /// <param name="plan">The flight.</param>
+    /// <param name="parameter">The number that is changed.</param>
+    /// <param name="name">The argument's name.</param>
+    /// <param name="value">What was typed.</param>
+    /// <exception cref="UserException">It does; the message has the range of the argument for the species.</exception>
+    public static void Check(FlightPlan plan, FlownParameter parameter, string name, double value)
+    {
+        TypedRange.Check(
+            name, value, parameter.Min, parameter.Max, $"{parameter.Name} of {plan.Species}", Own(plan, parameter),
+            typed => Holds(parameter.In(plan, typed)));
+    }
+
+    private static double Own(FlightPlan plan, FlownParameter parameter)
+    {
+        if (parameter.Of == null)
+            return 1;
+        List<WingSpecies> wings = Wings(plan);
+        double own = parameter.Of(wings[0]);
+        wings.ForEach(UnityEngine.Object.DestroyImmediate);
+        return own;
+    }
+
+    private static bool Holds(FlightPlan plan)
+    {
+        List<WingSpecies> wings = Wings(plan);
+        plan.Change?.ApplyTo(wings);
+        bool holds = wings.TrueForAll(wing => Holds(wing, plan));
+        wings.ForEach(UnityEngine.Object.DestroyImmediate);
+        return holds;
+    }
+
+    private static bool Holds(WingSpecies wing, FlightPlan plan)
+    {
+        if (plan.Change?.Parameter is FlownParameter changed && (changed.Of(wing) < (float)changed.Min || changed.Of(wing) > (float)changed.Max))
+            return false;
+        return s_Elasticity.Contains((float)(wing.Stiffness.elasticity * plan.Elasticity))
+            && s_Density.Contains(wing.Size.RelativeDensity) && s_Reference.Contains(wing.ReferenceFrequency);
+    }
+
+    // A wing of the user's own is of the first kind.
+    private static List<WingSpecies> Wings(FlightPlan plan) =>
+        FlightOptions.Find(plan.Species, plan.Variant).Wings.Take(plan.MeshFile == null ? int.MaxValue : 1)
+            .Select(wing => wing.CreateSpecies(plan.Preset, plan.Variant)).ToList();
+
+    private static WingParameterRange Range(string name) => WingParameterRange.All.First(range => range.Name == name);
+}
