@@ -10,7 +10,7 @@ internal sealed class FlyOptions
     private readonly Option<double?> m_Speed = FlightOptions.Speed();
 
     private readonly Option<double> m_Climb = Numbers.Option(
-        "--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second; negative sinks.");
+        "--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second, -100 to 100; negative sinks.");
 
     private readonly Option<double> m_Pitch = Numbers.Option(
         "--pitch", "DEG", 0, -90, 90, "Pitch of the body, degrees, nose up positive, -90 to 90.");
@@ -19,7 +19,7 @@ internal sealed class FlyOptions
         "--seconds", "S", 0, 3600, "Simulated time, seconds, one beat to an hour; its last beat is reported. [default: 8 beats]");
 
     private readonly Option<double[]> m_Wind = Numbers.Vector(
-        "--wind", "X,Y,Z", 100, "Wind, metres per second: to the right, up, ahead. [default: 0,0,0]");
+        "--wind", "X,Y,Z", 100, "Wind, metres per second, each -100 to 100: to the right, up, ahead. [default: 0,0,0]");
 
     private readonly Option<double?> m_Lag = Numbers.Optional(
         "--lag", "LAMBDA", 0, 2, "Delay of the trailing edge, half beats, 0 to 2. [default: the species']");
@@ -33,7 +33,7 @@ internal sealed class FlyOptions
     {
         HelpName = "triangles|N",
         DefaultValueFactory = _ => WingRigSettings.Default.patchCount.ToString(),
-        Description = "What meets the air: every triangle, or about N patches of them.",
+        Description = "What meets the air: every triangle, or about N patches of them, 1 to 1000000.",
     };
 
     private readonly Option<CoefficientSet?> m_Coefficients = Choice.Optional<CoefficientSet>(

@@ -38,7 +38,7 @@ internal static class SkeletonFromImageCommand
             ["up"] = new Vector2(0f, -1f), ["down"] = new Vector2(0f, 1f), ["left"] = new Vector2(-1f, 0f), ["right"] = new Vector2(1f, 0f),
         });
         Option<double> length = Numbers.Option(
-            "--length", "METRES", standard.length, 1e-6, 1e6, "Length of the wing from hinge to tip in the mesh.");
+            "--length", "METRES", standard.length, 1e-6, 1e6, "Length of the wing from hinge to tip in the mesh, metres, 0.000001 to 1000000.");
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/IMAGE]" };
         var command = new Command("from-image", "Makes a mesh and a skeleton from a picture of a wing; chains follow its veins where it shows any.")
         {

@@ -25,7 +25,7 @@ internal static class SweepCommand
         };
         Argument<double> from = Numbers.Argument("FROM", "Its first value.");
         Argument<double> to = Numbers.Argument("TO", "Its last value; elasticity is a factor on the species'.");
-        var species = new Option<string>("--species") { HelpName = "NAME", Description = "The insect. [default: fishfly, as the paper's Fig. 14]" };
+        var species = new Option<string>("--species") { HelpName = "NAME", Description = "The insect; the paper's Fig. 14 shows a fishfly. [default: fishfly]" };
         Option<int?> steps = Numbers.OptionalCount(
             "--steps", "N", SweepPlan.MinSteps, SweepPlan.MaxSteps,
             "Values, 2 to 25: evenly spaced, or by equal ratios where they span a factor of ten or more. [default: 5]");
