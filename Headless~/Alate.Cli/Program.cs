@@ -6,11 +6,14 @@ using Alate.Cli.Output;
 
 namespace Alate.Cli;
 
-/// <summary>The command line. Bad usage or input: one line on stderr and exit code 2.</summary>
+/// <summary>The command line. Bad usage or input: one line on stderr and exit code 2. Ctrl-C: nothing is left behind, exit code 130.</summary>
 public static class Program
 {
-    public static int Main(string[] args) =>
-        Run(args, Console.IsOutputRedirected ? new RedirectedOutput(Console.Out) : Console.Out, Console.Error);
+    public static int Main(string[] args)
+    {
+        using IDisposable watch = Interruption.Watch();
+        return Run(args, Console.IsOutputRedirected ? new RedirectedOutput(Console.Out) : Console.Out, Console.Error);
+    }
 
     /// <summary>Runs one command.</summary>
     /// <returns>The exit code: 0 for success, 2 for bad usage or input.</returns>

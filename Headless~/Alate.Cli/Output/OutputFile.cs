@@ -15,13 +15,13 @@ internal static class OutputFile
     {
         if (Directory.Exists(file) || Path.GetFileName(file).Length == 0)
             throw new UserException($"Cannot write '{file}': it is a folder, not a file.");
-        bool existed = File.Exists(file);
-        using (File.Open(file, FileMode.OpenOrCreate, FileAccess.Write))
+        lock (Interruption.Files)
         {
+            bool existed = File.Exists(file);
+            File.Open(file, FileMode.OpenOrCreate, FileAccess.Write).Dispose();
+            if (!existed)
+                File.Delete(file);
         }
-
-        if (!existed)
-            File.Delete(file);
     });
 
     /// <summary>Writes the file: under another name beside it, which is changed at the end.</summary>

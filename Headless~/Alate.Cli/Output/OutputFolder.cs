@@ -6,8 +6,7 @@ namespace Alate.Cli.Output;
 
 /// <summary>
 /// A folder that gets all of its files or none: they are written under other names and take their own at <see cref="Commit"/>. Without it,
-/// disposal
-/// removes what was written, and the folders that were made.
+/// disposal and <see cref="Interruption"/> remove what was written, and the folders that were made.
 /// </summary>
 internal sealed class OutputFolder : IDisposable
 {
@@ -21,6 +20,8 @@ internal sealed class OutputFolder : IDisposable
     {
         Root = root;
         m_What = what;
+        lock (Interruption.Files)
+            Interruption.Add(this);
     }
 
     /// <summary>The full path.</summary>
@@ -38,8 +39,11 @@ internal sealed class OutputFolder : IDisposable
                 folder.Root = Path.GetFullPath(given);
                 folder.Make(folder.Root);
                 string probe = Path.Combine(folder.Root, "probe" + folder.m_Suffix);
-                File.WriteAllText(probe, "");
-                File.Delete(probe);
+                lock (Interruption.Files)
+                {
+                    File.WriteAllText(probe, "");
+                    File.Delete(probe);
+                }
             });
             foreach (string name in names)
             {
@@ -65,10 +69,7 @@ internal sealed class OutputFolder : IDisposable
     /// <exception cref="UserException">It cannot be written.</exception>
     public void Write(string name, Action<Stream> write) => Try(() =>
     {
-        string final = Path.Combine(Root, name);
-        Make(Path.GetDirectoryName(final));
-        m_Files.Add((final + m_Suffix, final));
-        using FileStream stream = File.Create(final + m_Suffix);
+        using FileStream stream = Open(Path.Combine(Root, name));
         write(stream);
     });
 
@@ -80,29 +81,53 @@ internal sealed class OutputFolder : IDisposable
     /// <exception cref="UserException">One cannot be renamed.</exception>
     public void Commit()
     {
-        Try(() =>
+        lock (Interruption.Files)
         {
-            foreach ((string written, string final) in m_Files)
-                File.Move(written, final, overwrite: true);
-        });
-        m_Committed = true;
+            Try(() =>
+            {
+                foreach ((string written, string final) in m_Files)
+                    File.Move(written, final, overwrite: true);
+            });
+            m_Committed = true;
+        }
     }
 
     /// <summary>Removes what was not committed.</summary>
     public void Dispose()
     {
-        if (m_Committed)
-            return;
-        foreach ((string written, _) in m_Files)
-            Quietly(() => File.Delete(written));
-        for (int k = m_MadeFolders.Count - 1; k >= 0; k--)
+        lock (Interruption.Files)
         {
-            string made = m_MadeFolders[k];
-            Quietly(() => Directory.Delete(made));
+            Interruption.Remove(this);
+            if (m_Committed)
+                return;
+            foreach ((string written, _) in m_Files)
+                Quietly(() => File.Delete(written));
+            for (int k = m_MadeFolders.Count - 1; k >= 0; k--)
+            {
+                string made = m_MadeFolders[k];
+                Quietly(() => Directory.Delete(made));
+            }
+        }
+    }
+
+    // A file that is still open can be deleted.
+    private FileStream Open(string final)
+    {
+        lock (Interruption.Files)
+        {
+            MakeAll(Path.GetDirectoryName(final));
+            m_Files.Add((final + m_Suffix, final));
+            return new FileStream(final + m_Suffix, FileMode.Create, FileAccess.Write, FileShare.Read | FileShare.Delete);
         }
     }
 
     private void Make(string folder)
+    {
+        lock (Interruption.Files)
+            MakeAll(folder);
+    }
+
+    private void MakeAll(string folder)
     {
         if (Directory.Exists(folder))
             return;
@@ -110,7 +135,7 @@ internal sealed class OutputFolder : IDisposable
             throw new IOException($"{folder} is a file, not a folder.");
         string parent = Path.GetDirectoryName(folder);
         if (!string.IsNullOrEmpty(parent))
-            Make(parent);
+            MakeAll(parent);
         Directory.CreateDirectory(folder);
         m_MadeFolders.Add(folder);
     }
