@@ -14,11 +14,15 @@ namespace Alate
         };
 
         private readonly string m_Text;
+        private readonly (double x, double y, double z) m_Origin;
         private int m_Position;
 
-        public SkeletonJsonReader(string text)
+        /// <param name="text">The JSON.</param>
+        /// <param name="origin">What the positions are counted from, in the text's space.</param>
+        public SkeletonJsonReader(string text, (double x, double y, double z) origin)
         {
             m_Text = text;
+            m_Origin = origin;
         }
 
         /// <summary>What a text says.</summary>
@@ -68,13 +72,13 @@ namespace Alate
                     ReadVersion();
                     break;
                 case SkeletonJson.k_Hinge:
-                    content.hinge = ReadVector();
+                    content.hinge = ReadPosition();
                     break;
                 case SkeletonJson.k_Span:
-                    content.span = ReadVector();
+                    content.span = ReadVector(default);
                     break;
                 case SkeletonJson.k_Up:
-                    content.up = ReadVector();
+                    content.up = ReadVector(default);
                     break;
                 default:
                     content.chains = ReadList(ReadChain, "a chain");
@@ -93,16 +97,18 @@ namespace Alate
             throw Wrong($"version {version} is not supported, only version {WingSkeleton.CurrentVersion}");
         }
 
-        private JointChain ReadChain() => new JointChain(ReadList(ReadVector, "a joint"));
+        private JointChain ReadChain() => new JointChain(ReadList(ReadPosition, "a joint"));
 
-        private Vector3 ReadVector()
+        private Vector3 ReadPosition() => ReadVector(m_Origin);
+
+        private Vector3 ReadVector((double x, double y, double z) origin)
         {
             Expect('[', "a list of three numbers");
-            var v = new Vector3 { x = ReadFloat() };
+            var v = new Vector3 { x = ReadFloat(origin.x) };
             Expect(',');
-            v.y = ReadFloat();
+            v.y = ReadFloat(origin.y);
             Expect(',');
-            v.z = ReadFloat();
+            v.z = ReadFloat(origin.z);
             Expect(']');
             return v;
         }
@@ -150,13 +156,15 @@ namespace Alate
             throw Wrong($"expected one of the keys {string.Join(", ", s_Keys)}, found {Found()}");
         }
 
-        private float ReadFloat()
+        // From the origin on; without one as single precision reads it.
+        private float ReadFloat(double origin)
         {
             SkipSpace();
             int start = m_Position;
-            bool parsed = float.TryParse(ReadNumber(), NumberStyles.Float, CultureInfo.InvariantCulture, out float value);
+            string number = ReadNumber();
+            bool parsed = float.TryParse(number, NumberStyles.Float, CultureInfo.InvariantCulture, out float value);
             if (parsed && !float.IsInfinity(value))
-                return value;
+                return origin == 0.0 ? value : (float)(double.Parse(number, CultureInfo.InvariantCulture) - origin);
             m_Position = start;
             throw Wrong("the number is too large");
         }

@@ -40,23 +40,25 @@ internal static class SkeletonFitCommand
             SkeletonFitSettings settings = SkeletonFitSettings.Default;
             settings.chains = parsed.GetValue(chains) ?? settings.chains;
             settings.jointsPerChain = parsed.GetValue(joints) ?? settings.jointsPerChain;
-            settings.hinge = Vector(parsed.GetValue(hinge));
-            settings.bodyPoint = Vector(parsed.GetValue(body));
             settings.forward = Vector(parsed.GetValue(forward)) ?? settings.forward;
             settings.up = Vector(parsed.GetValue(up));
             string file = parsed.GetValue(mesh);
-            Run(file, settings, parsed.GetValue(folder) ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)), output);
+            ObjMesh wing = TextFile.Read(file, ObjReader.Read);
+            settings.hinge = Vector(parsed.GetValue(hinge), wing.Origin);
+            settings.bodyPoint = Vector(parsed.GetValue(body), wing.Origin);
+            settings.isOriginUnknown = wing.Origin != default;
+            Run(file, wing, settings, parsed.GetValue(folder) ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)), output);
             return 0;
         });
         return command;
     }
 
-    private static void Run(string file, in SkeletonFitSettings settings, string path, TextWriter output)
+    private static void Run(string file, ObjMesh mesh, in SkeletonFitSettings settings, string path, TextWriter output)
     {
         const string k_Skeleton = "skeleton.json", k_Picture = "skeleton.svg";
-        SkeletonFit fit = Fit(TextFile.Read(file, ObjReader.Read).ToWingSurface(file), settings);
+        SkeletonFit fit = Fit(mesh.ToWingSurface(file), settings);
         using OutputFolder folder = OutputFolder.Prepare(path, k_Skeleton, k_Picture);
-        folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(fit.Skeleton))));
+        folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(fit.Skeleton, mesh.Origin))));
         folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonPicture.Draw(fit))));
         folder.Commit();
         output.WriteLine(Summary(fit));
@@ -86,8 +88,9 @@ internal static class SkeletonFitCommand
         }
     }
 
-    private static Vector3? Vector(double[] given) =>
-        given is { Length: 3 } ? new Vector3((float)given[0], (float)given[1], (float)given[2]) : null;
+    private static Vector3? Vector(double[] given, (double X, double Y, double Z) origin = default) => given is { Length: 3 }
+        ? new Vector3((float)(given[0] - origin.X), (float)(given[1] - origin.Y), (float)(given[2] - origin.Z))
+        : null;
 
     private const string k_Examples =
         "Examples:\n"

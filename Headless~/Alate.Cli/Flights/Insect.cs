@@ -65,7 +65,7 @@ internal sealed class Insect
     {
         string name = Path.GetFileNameWithoutExtension(plan.MeshFile);
         ObjMesh mesh = TextFile.Read(plan.MeshFile, ObjReader.Read);
-        WingSkeleton skeleton = TextFile.Read(plan.SkeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd()));
+        WingSkeleton skeleton = TextFile.Read(plan.SkeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), mesh.Origin));
         List<SkeletonProblem> problems = skeleton.Validate();
         if (problems.Count > 0)
             throw new UserException($"{plan.SkeletonFile}: {problems[0].Message}");

@@ -5,7 +5,14 @@ namespace Alate.Cli.Input;
 /// <summary>The triangles of a Wavefront OBJ file.</summary>
 internal sealed class ObjMesh
 {
+    /// <summary>[vertex] From <see cref="Origin"/>.</summary>
     public Vector3[] Positions { get; init; }
+
+    /// <summary>
+    /// What the positions are counted from, in the file's space: zero, and for a mesh far from the file's origin its middle, so that its shape is not
+    /// lost in single precision.
+    /// </summary>
+    public (double X, double Y, double Z) Origin { get; init; }
 
     /// <summary>[vertex] Null unless every corner of the file has one.</summary>
     public Vector3[] Normals { get; init; }

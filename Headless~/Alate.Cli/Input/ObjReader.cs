@@ -9,13 +9,16 @@ namespace Alate.Cli.Input;
 /// <summary>
 /// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vn and f with triangles, quads and larger polygons as fans, also
 /// with
-/// negative indices. Texture coordinates, groups, materials, lines and points are passed over.
+/// negative indices. Positions are read in double precision. Texture coordinates, groups, materials, lines and points are passed over.
 /// </summary>
 internal sealed class ObjReader
 {
+    /// <summary>A mesh farther from the origin than so many of its extents is counted from its middle.</summary>
+    private const double k_Far = 100;
+
     private static readonly char[] s_Spaces = [' ', '\t'];
 
-    private readonly List<Vector3> m_Positions = [];
+    private readonly List<(double X, double Y, double Z)> m_Positions = [];
     private readonly List<Vector3> m_Normals = [];
     private readonly List<Color32> m_Colours = [];
     private readonly List<(int Position, int Normal)> m_Corners = [];
@@ -67,7 +70,7 @@ internal sealed class ObjReader
                 TakePosition(words);
                 break;
             case "vn":
-                m_Normals.Add(Vector(words));
+                m_Normals.Add(From(Numbers(words), default));
                 break;
             case "vt":
                 m_TexturePoints++;
@@ -84,7 +87,7 @@ internal sealed class ObjReader
 
     private void TakePosition(string[] words)
     {
-        m_Positions.Add(Vector(words));
+        m_Positions.Add(Numbers(words));
         if (words.Length >= 7)
             m_Colours.Add(new Color32(Byte(words[4]), Byte(words[5]), Byte(words[6]), 255));
     }
@@ -131,21 +134,46 @@ internal sealed class ObjReader
         return found;
     }
 
-    private Vector3 Vector(string[] words)
+    private (double X, double Y, double Z) Numbers(string[] words)
     {
         if (words.Length < 4)
             throw Wrong($"'{words[0]}' has {words.Length - 1} numbers, not three");
-        return new Vector3(Number(words[1]), Number(words[2]), Number(words[3]));
+        return (Number(words[1]), Number(words[2]), Number(words[3]));
     }
 
-    private float Number(string word)
+    // Finite in single precision, too.
+    private double Number(string word)
     {
-        if (float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && float.IsFinite(value))
+        if (double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && float.IsFinite((float)value))
             return value;
         throw Wrong($"'{word}' is no finite number");
     }
 
-    private byte Byte(string word) => (byte)Math.Round(255f * Math.Clamp(Number(word), 0f, 1f));
+    private byte Byte(string word) => (byte)Math.Round(255.0 * Math.Clamp(Number(word), 0.0, 1.0));
+
+    private static Vector3 From((double X, double Y, double Z) place, (double X, double Y, double Z) origin) =>
+        new((float)(place.X - origin.X), (float)(place.Y - origin.Y), (float)(place.Z - origin.Z));
+
+    private (double X, double Y, double Z) FindOrigin()
+    {
+        (double x, double sizeX) = Middle(place => place.X);
+        (double y, double sizeY) = Middle(place => place.Y);
+        (double z, double sizeZ) = Middle(place => place.Z);
+        double far = k_Far * Math.Max(sizeX, Math.Max(sizeY, sizeZ));
+        return Math.Max(Math.Abs(x), Math.Max(Math.Abs(y), Math.Abs(z))) > far ? (x, y, z) : default;
+    }
+
+    private (double Middle, double Size) Middle(Func<(double X, double Y, double Z), double> along)
+    {
+        double low = double.MaxValue, high = double.MinValue;
+        foreach ((int position, _) in m_Corners)
+        {
+            low = Math.Min(low, along(m_Positions[position]));
+            high = Math.Max(high, along(m_Positions[position]));
+        }
+
+        return (0.5 * (low + high), high - low);
+    }
 
     private ObjMesh Finish()
     {
@@ -157,10 +185,12 @@ internal sealed class ObjReader
             throw new FormatException($"the mesh has no triangles: there {instead} ('f').");
         }
 
+        (double X, double Y, double Z) origin = FindOrigin();
         bool coloured = m_Colours.Count == m_Positions.Count;
         return new ObjMesh
         {
-            Positions = m_Corners.ConvertAll(corner => m_Positions[corner.Position]).ToArray(),
+            Positions = m_Corners.ConvertAll(corner => From(m_Positions[corner.Position], origin)).ToArray(),
+            Origin = origin,
             Normals = m_EveryCornerHasNormal ? m_Corners.ConvertAll(corner => m_Normals[corner.Normal]).ToArray() : null,
             Colours = coloured ? m_Corners.ConvertAll(corner => m_Colours[corner.Position]).ToArray() : null,
             Triangles = m_Triangles.ToArray(),

@@ -10,14 +10,17 @@ namespace Alate.Tests.Cli
         /// <summary>The elliptical wing as an OBJ file.</summary>
         /// <param name="offset">Moves the mesh away from its skeleton.</param>
         /// <param name="side">Left mirrors x; the winding turns with it.</param>
-        public static string Obj(Vector3 offset = default, WingSide side = WingSide.Right)
+        public static string Obj(Vector3 offset = default, WingSide side = WingSide.Right) => Obj((offset.x, offset.y, offset.z), side);
+
+        /// <summary>The elliptical wing as an OBJ file, moved in double precision.</summary>
+        public static string Obj((double X, double Y, double Z) offset, WingSide side = WingSide.Right)
         {
             WingSurface surface = TestWings.Ellipse();
             var text = new StringBuilder("# a wing\n");
             foreach (Vector3 position in surface.positions)
             {
-                Vector3 moved = Mirrored(position, side) + offset;
-                text.AppendFormat(CultureInfo.InvariantCulture, "v {0:R} {1:R} {2:R}\n", moved.x, moved.y, moved.z);
+                Vector3 there = Mirrored(position, side);
+                text.AppendFormat(CultureInfo.InvariantCulture, "v {0:R} {1:R} {2:R}\n", there.x + offset.X, there.y + offset.Y, there.z + offset.Z);
             }
 
             for (int k = 0; k < surface.triangles.Length; k += 3)

@@ -29,6 +29,8 @@ namespace Alate
         /// <summary>Sharpness of the extreme place in a direction, per extent.</summary>
         private const double k_Sharpness = 400.0;
 
+        private const string k_OriginDoesNotTell = "nobody said where the body is, and the mesh's origin does not tell";
+
         private readonly ClosedCurve m_Outline;
         private readonly WingSheet m_Sheet;
         private readonly UnitSurface m_Unit;
@@ -66,7 +68,7 @@ namespace Alate
                 return FromShape("the given body side stands on the wing");
             }
 
-            return Guess();
+            return settings.isOriginUnknown ? FromShape(k_OriginDoesNotTell) : Guess();
         }
 
         private PlanPoint Plan(Vector3 meshPoint) => m_Sheet.plane.ToPlan(m_Unit.ToUnit(meshPoint));
@@ -133,7 +135,7 @@ namespace Alate
                 return nearest;
             }
 
-            return FromShape("nobody said where the body is, and the mesh's origin does not tell");
+            return FromShape(k_OriginDoesNotTell);
         }
 
         private double FromShape(string why)

@@ -34,6 +34,9 @@ namespace Alate
         /// </summary>
         public Vector3? up;
 
+        /// <summary>Whether the surface's origin is not that of its mesh, and so tells nothing about the body.</summary>
+        internal bool isOriginUnknown;
+
         /// <summary>Five chains of five joints on a wing that leads with its edge towards +Z, as insects face; its base is guessed.</summary>
         public static SkeletonFitSettings Default => new SkeletonFitSettings
         {
