@@ -60,11 +60,11 @@ namespace Alate
                 made[i] = Jointed(Straightened(levels[i], straightness), shares.TailOf(i), joints);
 
             ChainOrder.Untangle(made);
-            Warn(made);
             return made;
         }
 
-        private void Warn(PlanPoint[][] chains)
+        /// <summary>Says which chains leave the wing.</summary>
+        public void Warn(PlanPoint[][] chains)
         {
             for (int i = 0; i < chains.Length; i++)
             {

@@ -35,5 +35,8 @@ namespace Alate
 
         /// <summary>Part of a chain lies outside the wing.</summary>
         ChainLeavesWing,
+
+        /// <summary>Chains that follow the wing would cross or break another rule; they are straight rays from the base instead.</summary>
+        ChainsLaidAsRays,
     }
 }

@@ -17,6 +17,9 @@ namespace Alate
         /// <summary>Points of the resampled outline.</summary>
         private const int k_Samples = 1600;
 
+        /// <summary>Confidence in chains that are straight rays, because those that follow the wing do not fit.</summary>
+        private const double k_RayConfidence = 0.5;
+
         /// <summary>A skeleton for a mesh.</summary>
         /// <param name="mesh">A readable mesh of one wing; the triangles of all its submeshes count.</param>
         /// <param name="settings">What is known about it.</param>
@@ -43,31 +46,55 @@ namespace Alate
             WingView view = WingOrientation.Find(outline, anchor, sheet.plane, settings.forward, notes, out bool isGuessed);
             ClosedCurve wing = view.Turn(outline, anchor);
             var marks = new WingLandmarks(wing, notes);
-            PlanPoint[][] chains = new FanChains(wing, marks, notes).Lay(settings.chains, settings.jointsPerChain);
+            var fan = new FanChains(wing, marks, notes);
+            PlanPoint[][] chains = fan.Lay(settings.chains, settings.jointsPerChain);
 
             var lift = new SurfaceLift(sheet);
             var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
-            skeleton.Chains = Array.ConvertAll(
-                chains, chain => new JointChain(Array.ConvertAll(chain, joint => unit.ToMesh(lift.Lift(view.FromWing(joint))))));
-            skeleton.Hinge = finder.UsesHinge ? settings.hinge.Value : skeleton.GetJoint(0, 0);
-            skeleton.SpanAxis = sheet.plane.Direction(isGuessed ? view.FromWing(wing.At(marks.Tip)) - view.FromWing(chains[0][0]) : view.span);
             skeleton.UpAxis = sheet.plane.up;
-            Check(name, skeleton);
+            Take(chains, settings, isGuessed ? view.FromWing(wing.At(marks.Tip)) - view.FromWing(chains[0][0]) : view.span);
+            string problem = Problem(skeleton);
+            for (int attempt = 0; problem != null && attempt < RayChains.Tries; attempt++)
+            {
+                chains = RayChains.Lay(wing, marks, settings.chains, settings.jointsPerChain, attempt);
+                Take(chains, settings, view.FromWing(RayChains.Middle(chains)) - view.FromWing(default));
+                if (Problem(skeleton) != null)
+                    continue;
+                notes.Warn(
+                    SkeletonFitWarningKind.ChainsLaidAsRays, k_RayConfidence, $"The chains are straight rays from the base, as the usual ones do not fit: {problem}");
+                problem = null;
+            }
+
+            Check(name, skeleton, problem);
+            fan.Warn(chains);
             return new SkeletonFit(
                 skeleton, (float)notes.Confidence, notes.Warnings, Places(sheet.rim), sheet.holes.ConvertAll(Places));
+
+            void Take(PlanPoint[][] laid, in SkeletonFitSettings hints, PlanPoint span)
+            {
+                skeleton.Chains = Array.ConvertAll(
+                    laid, chain => new JointChain(Array.ConvertAll(chain, joint => unit.ToMesh(lift.Lift(view.FromWing(joint))))));
+                skeleton.Hinge = finder.UsesHinge ? hints.hinge.Value : skeleton.GetJoint(0, 0);
+                skeleton.SpanAxis = sheet.plane.Direction(span);
+            }
 
             Vector3[] Places(List<int> places) => places.ConvertAll(place => unit.ToMesh(sheet.points[place])).ToArray();
         }
 
-        private static void Check(string name, WingSkeleton skeleton)
+        private static string Problem(WingSkeleton skeleton)
         {
             List<SkeletonProblem> problems = skeleton.Validate();
-            if (problems.Count == 0)
+            return problems.Count == 0 ? null : problems[0].Message;
+        }
+
+        private static void Check(string name, WingSkeleton skeleton, string problem)
+        {
+            if (problem == null)
                 return;
             int chains = skeleton.ChainCount, joints = skeleton.JointsPerChain;
             Destroy(skeleton);
             throw new ArgumentException(
-                $"{name} could not be given a skeleton of {chains} chains of {joints} joints: {problems[0].Message} "
+                $"{name} could not be given a skeleton of {chains} chains of {joints} joints: {problem} "
                 + "Another hinge, other counts or the other side for the leading edge may help.");
         }
 

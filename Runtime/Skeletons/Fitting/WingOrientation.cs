@@ -12,9 +12,12 @@ namespace Alate
         /// <summary>Largest angle between the span and the way from the anchor to the wing's centre, radians: 60°.</summary>
         private const double k_MostSweep = Math.PI / 3.0;
 
-        /// <summary>Share of the forward direction that must lie in the plane, and of that across the wing, to tell its edges apart.</summary>
+        /// <summary>
+        /// Share of the forward direction that must lie in the plane, and of that across the wing, to tell its edges apart: 30° off the way to the wing's centre,
+        /// which lies behind the span and would decide by itself which edge of a wing along the forward direction leads.
+        /// </summary>
         private const double k_InPlane = 0.2;
-        private const double k_Across = 0.17;
+        private const double k_Across = 0.5;
 
         /// <summary>Confidence in a guessed leading edge where both edges bulge alike, and where one is straight and the other is not.</summary>
         private const double k_EvenConfidence = 0.5;
