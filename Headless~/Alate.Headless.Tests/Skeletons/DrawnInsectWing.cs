@@ -25,14 +25,23 @@ namespace Alate.Tests
         /// <summary>The direction from the trailing to the leading edge.</summary>
         public Vector3 Leading => Place(new Vector2(0f, 1f));
 
-        public WingSurface Surface
+        /// <summary>The outline, counterclockwise.</summary>
+        public PlanPoint[] Plan
         {
             get
             {
                 Vector2[] turned = Array.ConvertAll(m_Outline, Turned);
                 if (m_IsMirrored)
                     Array.Reverse(turned);
-                TriangleLinks mesh = OutlineMesher.Mesh(Array.ConvertAll(turned, p => new PlanPoint(p.x, p.y)), k_Triangles, out _);
+                return Array.ConvertAll(turned, p => new PlanPoint(p.x, p.y));
+            }
+        }
+
+        public WingSurface Surface
+        {
+            get
+            {
+                TriangleLinks mesh = OutlineMesher.Mesh(Plan, k_Triangles, out _);
                 return new WingSurface
                 {
                     name = "drawn wing",

@@ -125,13 +125,13 @@ namespace Alate
             double nearest = m_Outline.Nearest(seen), distance = Distance(origin, nearest);
             if (distance <= k_NearHinge)
             {
-                Warn(0.8, "it is taken where the mesh's origin is");
+                Warn(0.85, "it is taken where the mesh's origin is");
                 return nearest;
             }
 
             if (!m_Outline.Contains(seen) && distance <= k_NearBody)
             {
-                Warn(0.6, "the body is taken to be at the mesh's origin");
+                Warn(0.75, "the body is taken to be at the mesh's origin");
                 return nearest;
             }
 

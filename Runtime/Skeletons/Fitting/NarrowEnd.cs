@@ -9,8 +9,11 @@ namespace Alate
         private const double k_Inset = 0.15;
 
         /// <summary>Confidence that the narrower end is the base where both are as wide, and where one comes to a point.</summary>
-        private const double k_EvenConfidence = 0.25;
-        private const double k_PointedConfidence = 0.5;
+        private const double k_EvenConfidence = 0.6;
+        private const double k_PointedConfidence = 0.98;
+
+        /// <summary>Difference of the widths, over the larger, at which one end counts as a point.</summary>
+        private const double k_ClearDifference = 0.6;
 
         private readonly ClosedCurve m_Outline;
         private readonly PlanPoint m_Along;
@@ -40,7 +43,7 @@ namespace Alate
 
             double low = Width(m_Low + k_Inset * (m_High - m_Low)), high = Width(m_High - k_Inset * (m_High - m_Low));
             Place = (low <= high ? first : last) * outline.Step;
-            Confidence = k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * Math.Abs(low - high) / Math.Max(low, high);
+            Confidence = k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * Math.Min(1.0, Math.Abs(low - high) / Math.Max(low, high) / k_ClearDifference);
         }
 
         /// <summary>Arc length of the end.</summary>

@@ -20,8 +20,8 @@ namespace Alate
         private const double k_Across = 0.5;
 
         /// <summary>Confidence in a guessed leading edge where both edges bulge alike, and where one is straight and the other is not.</summary>
-        private const double k_EvenConfidence = 0.5;
-        private const double k_StraightConfidence = 0.85;
+        private const double k_EvenConfidence = 0.65;
+        private const double k_StraightConfidence = 0.9;
 
         /// <summary>Difference of the areas on either side of the middle line, over the whole, at which an edge counts as the straight one.</summary>
         private const double k_ClearDifference = 0.3;

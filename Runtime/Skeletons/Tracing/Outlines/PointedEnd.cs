@@ -5,12 +5,25 @@ namespace Alate
 {
     /// <summary>
     /// Guesses the hinge of a wing from its outline alone: of the two ends of its longest direction, the one that is more pointed and sees more of the wing;
-    /// wings fan out from their hinges, and from the end of a tail little is seen.
+    /// wings fan out from their hinges, and from the end of a tail little is seen. A triangle, as fore wings of butterflies are, is as pointed at its apex:
+    /// it turns about the end that lies opposite the outer margin, its shortest side.
     /// </summary>
     internal readonly struct PointedEnd
     {
         /// <summary>Confidence that it is the hinge where both ends are alike, and where one is far more pointed.</summary>
-        private const double k_EvenConfidence = 0.25, k_PointedConfidence = 0.6;
+        private const double k_EvenConfidence = 0.5, k_PointedConfidence = 0.95;
+
+        /// <summary>Difference of the ends, over the larger, from which one counts as far more pointed; below it a triangle's sides decide.</summary>
+        private const double k_ClearDifference = 0.33;
+
+        /// <summary>
+        /// A wing is a triangle from this share of its area in the triangle of both ends and the place farthest off the line between them; and how far off
+        /// the middle of that line the place must lie, a share of its length.
+        /// </summary>
+        private const double k_TriangleShare = 0.575, k_OffMiddle = 0.01;
+
+        /// <summary>Confidence in the end opposite the shortest side.</summary>
+        private const double k_TriangleConfidence = 0.85;
 
         /// <summary>Rays by which one looks around at an end, and how far the room around it goes, a share of the outline's extent.</summary>
         private const int k_Rays = 720;
@@ -47,7 +60,30 @@ namespace Alate
             var rim = new RimLine(outline);
             double room = Room(rim, first, along), other = Room(rim, last, along * -1.0);
             double difference = Math.Abs(room - other) / Math.Max(room, other);
-            return new PointedEnd(room <= other ? first : last, k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * difference);
+            if (difference < k_ClearDifference && OppositeShortest(outline, first, last) is PlanPoint hinge)
+                return new PointedEnd(hinge, k_TriangleConfidence);
+            double clear = Math.Min(1.0, difference / k_ClearDifference);
+            return new PointedEnd(room <= other ? first : last, k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * clear);
+        }
+
+        // Of both ends of a triangle the one farther from its third corner; null for other wings.
+        private static PlanPoint? OppositeShortest(PlanPoint[] outline, PlanPoint first, PlanPoint last)
+        {
+            PlanPoint line = last - first, corner = first;
+            double farthest = 0.0;
+            foreach (PlanPoint point in outline)
+            {
+                double off = Math.Abs(PlanPoint.Cross(line, point - first));
+                if (off > farthest)
+                {
+                    farthest = off;
+                    corner = point;
+                }
+            }
+
+            double along = PlanPoint.Dot(corner - first, line) / line.LengthSquared - 0.5;
+            bool isTriangle = 0.5 * farthest >= k_TriangleShare * ClosedPath.Area(outline);
+            return isTriangle && Math.Abs(along) > k_OffMiddle ? along > 0.0 ? first : last : (PlanPoint?)null;
         }
 
         // The area within a circle about an end, the larger the less of the whole wing is seen.

@@ -1,0 +1,107 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Alate.Cli.Projects;
+using NUnit.Framework;
+using UnityEngine;
+using Random = System.Random;
+
+namespace Alate.Tests
+{
+    /// <summary>How often a guess is right that is told with a confidence: over drawn wings of four kinds, turned and mirrored at random, without any hint.</summary>
+    public sealed class ConfidenceTests
+    {
+        private const int k_Wings = 100;
+        private const float k_Near = 0.2f;
+
+        private static readonly double[] s_Bounds = [0, 0.5, 0.6, 0.7, 0.8, 1.001];
+
+        private readonly List<(double Confidence, bool IsRight)> m_Fits = [], m_Traces = [];
+        private readonly Dictionary<OutlineKind, int> m_TracedHinges = [];
+
+        [OneTimeSetUp]
+        public void GuessAll()
+        {
+            foreach (OutlineKind kind in Enum.GetValues<OutlineKind>())
+            {
+                for (int seed = 0; seed < k_Wings; seed++)
+                    Guess(kind, seed);
+            }
+        }
+
+        [Test]
+        public void Confidence_IsHowOftenHingeAndLeadingEdgeAreRight() => AssertCalibrated(m_Fits);
+
+        [Test]
+        public void ConfidenceOfAHingeGuessedInAPicture_IsHowOftenItIsRight() => AssertCalibrated(m_Traces);
+
+        [Test]
+        public void AMoreConfidentFit_IsRightMoreOften()
+        {
+            double sure = Share(m_Fits.Where(fit => fit.Confidence >= 0.7)), unsure = Share(m_Fits.Where(fit => fit.Confidence < 0.6));
+
+            Assert.That(sure, Is.GreaterThan(unsure + 0.15));
+        }
+
+        [TestCase(OutlineKind.Butterfly, 85)]
+        [TestCase(OutlineKind.HindWing, 70)]
+        [TestCase(OutlineKind.Slender, 50)]
+        [TestCase(OutlineKind.Oval, 75)]
+        public void HingeGuessedFromAnOutline_IsRightSoOften(OutlineKind kind, int least) =>
+            Assert.That(100.0 * m_TracedHinges[kind] / k_Wings, Is.GreaterThanOrEqualTo(least), kind.ToString());
+
+        [Test]
+        public void TheManualsTable_HasTheseShares()
+        {
+            string[] rows = File.ReadLines(Path.Combine(PackageRoot.Find(), "Documentation~", "authoring.md"))
+                .SkipWhile(line => !line.StartsWith("| confidence | ")).Skip(2).TakeWhile(line => line.StartsWith('|')).ToArray();
+
+            Assert.That(rows, Is.EqualTo(Rows().ToArray()), "the rows are:\n" + string.Join("\n", Rows()));
+        }
+
+        private static void AssertCalibrated(List<(double Confidence, bool IsRight)> guesses)
+        {
+            foreach (var bin in Bins(guesses).Where(bin => bin.Guesses.Count >= 30))
+            {
+                double told = bin.Guesses.Average(guess => guess.Confidence);
+                Assert.That(Share(bin.Guesses), Is.EqualTo(told).Within(0.2), $"{bin.Name}: {bin.Guesses.Count} guesses");
+            }
+        }
+
+        private IEnumerable<string> Rows() => Bins(m_Fits).Zip(
+            Bins(m_Traces), (fit, trace) => $"| {fit.Name} | {Cell(fit.Guesses)} | {Cell(trace.Guesses)} |");
+
+        private static string Cell(IReadOnlyCollection<(double, bool IsRight)> guesses) =>
+            guesses.Count == 0 ? "none" : FormattableString.Invariant($"{100.0 * Share(guesses):0} % of {guesses.Count}");
+
+        private static IEnumerable<(string Name, List<(double Confidence, bool IsRight)> Guesses)> Bins(List<(double Confidence, bool IsRight)> guesses)
+        {
+            for (int k = 0; k + 1 < s_Bounds.Length; k++)
+            {
+                double low = s_Bounds[k], high = s_Bounds[k + 1];
+                string name = FormattableString.Invariant($"{low:0.0} to {Math.Min(high, 1.0):0.0}");
+                yield return (name, guesses.Where(guess => guess.Confidence >= low && guess.Confidence < high).ToList());
+            }
+        }
+
+        private static double Share(IEnumerable<(double, bool IsRight)> guesses) => guesses.Average(guess => guess.IsRight ? 1.0 : 0.0);
+
+        private void Guess(OutlineKind kind, int seed)
+        {
+            var random = new Random(seed);
+            Vector2[] outline = InsectOutlines.Make(kind, seed);
+            var wing = new DrawnInsectWing(outline, 360f * (float)random.NextDouble(), random.Next(2) == 0);
+            SkeletonFitSettings hints = SkeletonFitSettings.Default;
+            hints.forward = null;
+            hints.isOriginUnknown = true;
+            SkeletonFit fit = SkeletonFitter.Fit(wing.Surface, hints);
+            m_Fits.Add((fit.Confidence, fit.Skeleton.GetJoint(0, 0).magnitude < k_Near && wing.Leads(fit.Skeleton)));
+
+            PointedEnd end = PointedEnd.Of(wing.Plan);
+            bool isNear = Math.Sqrt(end.Place.LengthSquared) < k_Near;
+            m_Traces.Add((end.Confidence, isNear));
+            m_TracedHinges[kind] = m_TracedHinges.GetValueOrDefault(kind) + (isNear ? 1 : 0);
+        }
+    }
+}
