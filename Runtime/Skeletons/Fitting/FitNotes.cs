@@ -12,6 +12,9 @@ namespace Alate
         /// <summary>The product of all doubts so far.</summary>
         public double Confidence { get; private set; } = 1.0;
 
+        /// <summary>Whether there is a warning of this kind so far.</summary>
+        public bool Warned(SkeletonFitWarningKind kind) => m_Warnings.Exists(warning => warning.Kind == kind);
+
         /// <summary>A doubt and its sentence.</summary>
         public void Warn(SkeletonFitWarningKind kind, double confidence, string message)
         {

@@ -54,7 +54,10 @@ namespace Alate
             skeleton.UpAxis = sheet.plane.up;
             Take(chains, settings, isGuessed ? view.FromWing(wing.At(marks.Tip)) - view.FromWing(chains[0][0]) : view.span);
             string problem = Problem(skeleton);
-            for (int attempt = 0; problem != null && attempt < RayChains.Tries; attempt++)
+            // Rays in plan do not suit a surface that is not seen whole from above, such as a band with a twist.
+            bool isHidden = notes.Warned(SkeletonFitWarningKind.FoldsOverItself) || notes.Warned(SkeletonFitWarningKind.StronglyCurved);
+            int tries = isHidden ? 0 : RayChains.Tries;
+            for (int attempt = 0; problem != null && attempt < tries; attempt++)
             {
                 chains = RayChains.Lay(wing, marks, settings.chains, settings.jointsPerChain, attempt);
                 Take(chains, settings, view.FromWing(RayChains.Middle(chains)) - view.FromWing(default));
