@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace Alate
@@ -11,69 +10,78 @@ namespace Alate
     {
         /// <summary>Solves for the joint positions; keeps the new deviation and its rate.</summary>
         /// <returns>Newton iterations that each wing took.</returns>
-        public static float4 Step(in WingPack pack, in StepScratch scratch, float dt)
+        public static float4 Step(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
-            Predict(pack, scratch, dt);
+            Turn(pack, scratch);
+            Predict(pack, scratch, step);
             float4 iterations = NewtonSolver.Minimise(pack, scratch, NewtonSolver.Limits.Default);
-            Keep(pack, scratch, dt);
+            Keep(pack, scratch, step);
             return iterations;
         }
 
         /// <summary>Keeps a share of the deviation, turned with the driven motion, without regard to springs.</summary>
         public static void Relax(in WingPack pack, in StepScratch scratch, float4 kept)
         {
-            int joints = pack.rig.jointsPerChain;
+            Turn(pack, scratch);
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                pack.offsets[joint] = SoaQuaternion.Rotate(Turned(pack, scratch, joint, joints), pack.offsets[joint]) * kept;
+                pack.offsets[joint] = pack.offsets[joint] * kept;
                 pack.offsetRates[joint] = default;
+                pack.earlierOffsets[joint] = pack.offsets[joint];
+                pack.earlierOffsetRates[joint] = default;
                 scratch.positions[joint] = scratch.targets[joint] + pack.offsets[joint];
             }
         }
 
-        /// <summary>How much of ė a substep keeps, β = exp(−2 ζ_E Ω dt).</summary>
+        /// <summary>How much of ė a substep of backward Euler keeps, β = exp(−2 ζ_E Ω dt).</summary>
         public static float4 Retention(float4 springDamping, float4 anchorRate, float dt) =>
             math.exp(-2f * springDamping * anchorRate * dt);
 
-        // Turns e and ė with the driven motion, and places start and anchor of every joint.
-        private static void Predict(in WingPack pack, in StepScratch scratch, float dt)
+        // Turns e and ė, of now and of one substep earlier, with the driven motion.
+        private static void Turn(in WingPack pack, in StepScratch scratch)
         {
-            ref readonly LaneParameters p = ref *pack.parameters;
-            float4 reach = Retention(p.springDamping, p.anchorRate, dt) * dt;
-            float inverse2 = 1f / (dt * dt);
-            float4 pull = p.anchorRate * p.anchorRate;
-            float4 total = inverse2 + pull;
-            float4 share = inverse2 / total;
-            int joints = pack.rig.jointsPerChain;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                SoaQuaternion turned = Turned(pack, scratch, joint, joints);
-                SoaFloat3 offset = SoaQuaternion.Rotate(turned, pack.offsets[joint]);
-                SoaFloat3 rate = SoaQuaternion.Rotate(turned, pack.offsetRates[joint]);
-                pack.offsets[joint] = offset;
-                scratch.positions[joint] = scratch.targets[joint] + offset + rate * dt;
-                scratch.anchors[joint] = scratch.targets[joint] + (offset + rate * reach) * share;
+                SoaQuaternion turned = scratch.turns[pack.rig.BoneOf(joint)];
+                pack.offsets[joint] = SoaQuaternion.Rotate(turned, pack.offsets[joint]);
+                pack.offsetRates[joint] = SoaQuaternion.Rotate(turned, pack.offsetRates[joint]);
+                pack.earlierOffsets[joint] = SoaQuaternion.Rotate(turned, pack.earlierOffsets[joint]);
+                pack.earlierOffsetRates[joint] = SoaQuaternion.Rotate(turned, pack.earlierOffsetRates[joint]);
+            }
+        }
+
+        // Places start and anchor of every joint. Damping is part of the mass in the second-order step; the printed scheme lets ė fade.
+        private static void Predict(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
+        {
+            ref readonly LaneParameters p = ref *pack.parameters;
+            bool euler = pack.options.timeScheme == TimeScheme.BackwardEuler;
+            float4 damped = euler ? 1f : 1f + 2f * p.springDamping * p.anchorRate * step.length;
+            float4 reach = euler ? Retention(p.springDamping, p.anchorRate, step.dt) * step.dt : step.length / damped;
+            float4 mass = damped / (step.length * step.length);
+            float4 total = mass + p.anchorRate * p.anchorRate;
+            float4 share = mass / total;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                SoaFloat3 offset = pack.offsets[joint];
+                SoaFloat3 start = euler ? offset + pack.offsetRates[joint] * step.dt : offset + (offset - pack.earlierOffsets[joint]) * step.ratio;
+                SoaFloat3 past = step.Past(offset, pack.earlierOffsets[joint]) + step.Past(pack.offsetRates[joint], pack.earlierOffsetRates[joint]) * reach;
+                scratch.positions[joint] = scratch.targets[joint] + start;
+                scratch.anchors[joint] = scratch.targets[joint] + past * share;
                 scratch.inertia[joint] = total * pack.rig.jointMasses[joint];
             }
         }
 
-        // How the driven frame of a joint has turned since the last substep.
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static SoaQuaternion Turned(in WingPack pack, in StepScratch scratch, int joint, int joints)
+        private static void Keep(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
-            int i = joint / joints, j = joint - i * joints;
-            int bone = i * (joints - 1) + math.min(j, joints - 2);
-            return scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
-        }
-
-        private static void Keep(in WingPack pack, in StepScratch scratch, float dt)
-        {
-            float inverse = 1f / dt;
+            float4 inverse = 1f / step.length;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 SoaFloat3 offset = scratch.positions[joint] - scratch.targets[joint];
-                pack.offsetRates[joint] = (offset - pack.offsets[joint]) * inverse;
+                SoaFloat3 rate = (offset - step.Past(pack.offsets[joint], pack.earlierOffsets[joint])) * inverse;
+                pack.earlierOffsets[joint] = pack.offsets[joint];
+                pack.earlierOffsetRates[joint] = pack.offsetRates[joint];
                 pack.offsets[joint] = offset;
+                pack.offsetRates[joint] = rate;
             }
         }
     }

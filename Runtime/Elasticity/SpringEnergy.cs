@@ -28,25 +28,28 @@ namespace Alate
             }
 
             float4 stiffness = pack.parameters->springStiffness;
+            float4 hold = pack.parameters->foldStiffness;
             float4 least = math.select(float.NegativeInfinity, 0f, convex);
             for (int s = 0; s < pack.rig.springCount; s++)
-                value += AddSpring(pack.rig.springs[s], scratch, positions, stiffness, least, scratch.springs + s);
+                value += AddSpring(pack.rig.springs[s], scratch, positions, stiffness, hold, least, scratch.springs + s);
             return value;
         }
 
-        // Eq. 12: E = ½ k (l − L)²; Hessian k [d dᵀ + (1 − L/l)(I − d dᵀ)].
+        // Eq. 12: E = ½ k (l − L)²; Hessian k [d dᵀ + (1 − L/l)(I − d dᵀ)]. And ½ hold |d − d̂|²: its Hessian is hold·I.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static float4 AddSpring(
-            Spring spring, in StepScratch scratch, SoaFloat3* positions, float4 stiffness, float4 least, SpringLinearisation* linear)
+            Spring spring, in StepScratch scratch, SoaFloat3* positions, float4 stiffness, float4 hold, float4 least,
+            SpringLinearisation* linear)
         {
             SoaFloat3 difference = positions[spring.a] - positions[spring.b];
             float4 length = math.sqrt(math.max(SoaFloat3.LengthSquared(difference), 1e-20f));
             float4 inverse = 1f / length;
             SoaFloat3 axis = difference * inverse;
             float4 stretch = length - spring.length;
-            float4 transversal = math.max(stiffness * stretch * inverse, least);
-            float4 axial = stiffness - transversal;
-            SoaFloat3 force = axis * (stiffness * stretch);
+            SoaFloat3 turned = difference - scratch.targets[spring.a] + scratch.targets[spring.b];
+            float4 transversal = math.max(stiffness * stretch * inverse, least) + hold;
+            float4 axial = stiffness + hold - transversal;
+            SoaFloat3 force = axis * (stiffness * stretch) + turned * hold;
 
             linear->axis = axis;
             linear->axial = axial;
@@ -55,7 +58,7 @@ namespace Alate
             scratch.gradient[spring.b] -= force;
             SymmetricBlock.AddSpring(scratch.blocks + spring.a, axis, axial, transversal);
             SymmetricBlock.AddSpring(scratch.blocks + spring.b, axis, axial, transversal);
-            return 0.5f * stiffness * stretch * stretch;
+            return 0.5f * (stiffness * stretch * stretch + hold * SoaFloat3.LengthSquared(turned));
         }
 
         /// <summary>The springs' share alone: the elastic energy of Eq. 12, wing mass · L²/s².</summary>

@@ -49,9 +49,24 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool4 InvertDefinite(SymmetricBlock* m)
         {
+            // In units of its trace: the determinant of a block of a very stiff wing would overflow.
+            float4 unit = 1f / math.max(m->xx + m->yy + m->zz, 1e-30f);
+            Scale(m, unit);
             float4 first = m->xx, second = m->xx * m->yy - m->xy * m->xy;
             float4 third = Invert(m);
+            Scale(m, unit);
             return (first > 0f) & (second > 0f) & (third > 0f);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Scale(SymmetricBlock* m, float4 by)
+        {
+            m->xx *= by;
+            m->yy *= by;
+            m->zz *= by;
+            m->xy *= by;
+            m->xz *= by;
+            m->yz *= by;
         }
 
         /// <summary>Replaces the matrix by its inverse; the determinant of a positive definite block is not zero.</summary>

@@ -9,13 +9,12 @@ namespace Alate
     /// </summary>
     internal static unsafe class Aerodynamics
     {
-        /// <summary>Adds the air's forces and damping to the joints' and returns the force on the whole wing.</summary>
-        public static SoaFloat3 Apply(in WingPack pack, in StepScratch scratch)
+        /// <summary>Adds the air's forces and damping to the joints'; after <see cref="CarriedSurface"/>.</summary>
+        public static void Apply(in WingPack pack, in StepScratch scratch)
         {
-            CellMotion.Carry(pack, scratch);
-            CellSheet.Carry(pack, scratch);
+            CellMotion.Evaluate(pack, scratch);
+            CellSheet.Evaluate(pack, scratch);
             PatchLoad* loads = pack.recordedLoads != null ? pack.recordedLoads : scratch.loads;
-            SoaFloat3 total = default;
             CellMotion motion;
             CellSheet sheet;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
@@ -32,15 +31,13 @@ namespace Alate
                 Normals(pack, scratch, patches, &sheet);
                 DropSpanwiseFlow(pack, scratch, patches, &sheet);
                 Forces(pack, scratch, patches, loads);
-                total += Distribute(pack, scratch, patches, joint, loads);
+                Distribute(pack, scratch, patches, joint, loads);
             }
-
-            return total;
         }
 
         private static void MeetAir(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellMotion* motion)
         {
-            SoaFloat3 wind = pack.surroundings->wind;
+            SoaFloat3 wind = StrongestWind.Bound(pack);
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
@@ -49,8 +46,10 @@ namespace Alate
             }
         }
 
+        // Unit normals, and ½ρ* times the deformed areas: |x_u × x_v| is what an area has grown to.
         private static void Normals(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
         {
+            float4 halfDensity = 0.5f * pack.parameters->airDensity;
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
@@ -60,7 +59,9 @@ namespace Alate
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
                 SoaFloat3 normal = scratch.normals[patch];
-                scratch.normals[patch] = normal * (1f / math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-20f)));
+                float4 length = math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-20f));
+                scratch.normals[patch] = normal * (1f / length);
+                scratch.halfDensityAreas[patch] = halfDensity * (pack.rig.patchAreas[patch] * length);
             }
         }
 
@@ -87,7 +88,6 @@ namespace Alate
         private static void Forces(in WingPack pack, in StepScratch scratch, PatchCell* cell, PatchLoad* loads)
         {
             bool alongSpan = pack.options.tangent == AirTangent.BaseToTip;
-            float4 halfDensity = 0.5f * pack.parameters->airDensity;
             int first = cell->firstPatch, end = first + cell->patchCount;
             for (int patch = first; patch < end; patch++)
             {
@@ -100,19 +100,18 @@ namespace Alate
             for (int patch = first; patch < end; patch++)
             {
                 loads[patch].force = PatchAir.Force(
-                    scratch.streams[patch], scratch.relativeWind[patch], scratch.normals[patch],
-                    halfDensity * pack.rig.patchAreas[patch]);
+                    scratch.streams[patch], scratch.relativeWind[patch], scratch.normals[patch], scratch.halfDensityAreas[patch]);
             }
 
             for (int patch = first; patch < end; patch++)
             {
                 loads[patch].damping = PatchAir.Damping(
-                    scratch.streams[patch], halfDensity * pack.rig.patchAreas[patch], out loads[patch].sinAttack);
+                    scratch.streams[patch], scratch.halfDensityAreas[patch], out loads[patch].sinAttack);
             }
         }
 
         // Weighted sums of the loads, then once a cell to its joints: the weights of a patch are (1−u)(1−v), (1−u)v, u(1−v), uv.
-        private static SoaFloat3 Distribute(in WingPack pack, in StepScratch scratch, PatchCell* cell, int joint, PatchLoad* loads)
+        private static void Distribute(in WingPack pack, in StepScratch scratch, PatchCell* cell, int joint, PatchLoad* loads)
         {
             SoaFloat3 f = default, fu = default, fv = default, fuv = default;
             float4 b = default, bu = default, bv = default, buv = default;
@@ -137,7 +136,6 @@ namespace Alate
             Add(scratch, joint + 1, fv - fuv, bv - buv);
             Add(scratch, next, fu - fuv, bu - buv);
             Add(scratch, next + 1, fuv, buv);
-            return f;
         }
 
         private static void Add(in StepScratch scratch, int joint, SoaFloat3 force, float4 damping)

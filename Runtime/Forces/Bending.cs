@@ -9,6 +9,12 @@ namespace Alate
     /// </summary>
     internal static unsafe class Bending
     {
+        /// <summary>The air's damping in the second-order hinge, over its estimate: what the loads lag by is made up for, and soft wings stay stable.</summary>
+        private const float k_AirShare = 1.5f;
+
+        /// <summary>Bend at which a joint has become twice as stiff, radians (7°); it rises with the fourth power, so that ordinary bends do not feel it.</summary>
+        private const float k_StiffeningAngle = 0.12f;
+
         /// <summary>Bending stiffness of every bone, k_e I (2π f_ref N)² e^(−σ/decay), from parameters and rig.</summary>
         public static void DeriveStiffness(in WingPack pack)
         {
@@ -24,10 +30,12 @@ namespace Alate
         }
 
         /// <summary>Turns the joints by one substep, and the chain with them: new bend angles, rates and rotations H.</summary>
-        public static void Step(in WingPack pack, in StepScratch scratch, float dt)
+        public static void Step(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
-                TurnJoint(pack, scratch, bone, dt);
+                TurnJoint(pack, scratch, bone, step);
+            if (pack.options.coupling == MembraneCoupling.TwoWay)
+                ChainCoupling.Apply(pack, scratch, step);
             Compose(pack, scratch);
         }
 
@@ -38,52 +46,81 @@ namespace Alate
             {
                 pack.bendAngles[bone] = pack.bendAngles[bone] * kept;
                 pack.bendRates[bone] = default;
+                pack.earlierAngles[bone] = pack.bendAngles[bone];
+                pack.earlierRates[bone] = default;
             }
 
             Compose(pack, scratch);
         }
 
-        /// <summary>One hinge, one implicit step: the new rate, and the angle held within ±limit.</summary>
+        /// <summary>
+        /// Advances one hinge by one implicit step of the given length: the new rate, and the angle held within ±limit. Angle and rate come in as the step's past
+        /// (<see cref="ImplicitStep"/>); the rate seen is the one that the loads were made with.
+        /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static float4 Hinge(
-            float4 inertia, float4 damping, float4 airDamping, float4 stiffness, float4 torque, float4 limit, float dt,
-            float4 angle, ref float4 rate)
+            float4 inertia, float4 damping, float4 airDamping, float4 stiffness, float4 torque, float4 limit, float4 length,
+            float4 seen, float4 angle, ref float4 rate)
         {
-            rate = ((inertia + airDamping * dt) * rate + dt * (torque - stiffness * angle))
-                / (inertia + (damping + airDamping) * dt + stiffness * (dt * dt));
-            float4 moved = angle + rate * dt;
+            rate = (inertia * rate + length * (torque - stiffness * angle + airDamping * seen))
+                / (inertia + (damping + airDamping) * length + stiffness * (length * length));
+            float4 moved = angle + rate * length;
             float4 held = math.min(math.max(moved, -limit), limit);
             rate = math.select(rate, 0f, ((moved > limit) & (rate > 0f)) | ((moved < -limit) & (rate < 0f)));
             return held;
         }
 
-        private static void TurnJoint(in WingPack pack, in StepScratch scratch, int bone, float dt)
+        private static void TurnJoint(in WingPack pack, in StepScratch scratch, int bone, in ImplicitStep step)
         {
             ref readonly LaneParameters p = ref *pack.parameters;
-            SoaFloat3 torque = SoaQuaternion.Rotate(SoaQuaternion.Conjugate(pack.bentRotations[bone]), scratch.torques[bone]);
+            bool euler = pack.options.timeScheme == TimeScheme.BackwardEuler;
+            SoaQuaternion bent = euler ? pack.bentRotations[bone] : scratch.turns[bone] * pack.bentRotations[bone];
+            SoaFloat3 torque = SoaQuaternion.Rotate(SoaQuaternion.Conjugate(bent), scratch.torques[bone]);
             float3 axis = pack.rig.bendAxes[bone], along = pack.rig.boneDirections[bone];
             float4 inertia = pack.rig.jointInertias[bone];
             float4 stiffness = pack.bendStiffness[bone];
             float4 damping = 2f * p.bendDamping * math.sqrt(stiffness * inertia);
-            float4 airDamping = AirDamping(pack, scratch, bone);
-            SoaFloat3 angles = pack.bendAngles[bone], rates = pack.bendRates[bone];
+            float4 airDamping = AirDamping(pack, scratch, bone) * (euler ? 1f : k_AirShare);
+            SoaFloat3 seen = euler ? pack.bendRates[bone]
+                : (pack.bendAngles[bone] - pack.earlierAngles[bone]) * SoaMath.SafeReciprocal(*pack.lastSubstep);
+            SoaFloat3 angles = step.Past(pack.bendAngles[bone], pack.earlierAngles[bone]);
+            SoaFloat3 rates = step.Past(pack.bendRates[bone], pack.earlierRates[bone]);
+            float4 dorsal = math.select(1f, p.dorsalAsymmetry, pack.bendAngles[bone].x > 0f);
+            float4 bendStiffness = stiffness * dorsal * Stiffening(pack.options, pack.bendAngles[bone].x);
+            float4 twistStiffness = stiffness * p.torsionFactor * Stiffening(pack.options, pack.bendAngles[bone].z);
+            pack.earlierAngles[bone] = pack.bendAngles[bone];
+            pack.earlierRates[bone] = pack.bendRates[bone];
 
             float4 bend = torque.x * axis.x + torque.y * axis.y + torque.z * axis.z;
-            float4 dorsal = math.select(1f, p.dorsalAsymmetry, angles.x > 0f);
-            angles.x = Hinge(inertia, damping * math.sqrt(dorsal), airDamping, stiffness * dorsal, bend, p.jointLimit, dt,
-                angles.x, ref rates.x);
+            angles.x = Hinge(inertia, damping * math.sqrt(dorsal), airDamping, bendStiffness, bend, p.jointLimit, step.length,
+                seen.x, angles.x, ref rates.x);
 
             float4 inPlane = stiffness * p.inPlaneFactor;
-            angles.y = Hinge(inertia, damping * math.sqrt(p.inPlaneFactor), airDamping, inPlane, torque.y, p.jointLimit, dt,
-                angles.y, ref rates.y);
+            angles.y = Hinge(inertia, damping * math.sqrt(p.inPlaneFactor), airDamping, inPlane, torque.y, p.jointLimit, step.length,
+                seen.y, angles.y, ref rates.y);
 
             float4 twist = torque.x * along.x + torque.y * along.y + torque.z * along.z;
-            angles.z = Hinge(inertia, damping * math.sqrt(p.torsionFactor), 0f, stiffness * p.torsionFactor, twist, p.jointLimit, dt,
-                angles.z, ref rates.z);
+            angles.z = Hinge(inertia, damping * math.sqrt(p.torsionFactor), 0f, twistStiffness, twist, p.jointLimit, step.length,
+                seen.z, angles.z, ref rates.z);
 
             pack.bendAngles[bone] = angles;
             pack.bendRates[bone] = rates;
+            scratch.compliances[bone].x = Compliance(inertia, damping * math.sqrt(dorsal) + airDamping, bendStiffness, step.length);
+            scratch.compliances[bone].y = Compliance(inertia, damping * math.sqrt(p.inPlaneFactor) + airDamping, inPlane, step.length);
         }
+
+        // A joint bends less and less easily on its way to the limit.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static float4 Stiffening(in ModelOptions options, float4 angle)
+        {
+            float4 square = angle * angle * (1f / (k_StiffeningAngle * k_StiffeningAngle));
+            return options.coupling == MembraneCoupling.TwoWay ? 1f + square * square : 1f;
+        }
+
+        // How far a unit of torque turns a hinge in an implicit step.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static float4 Compliance(float4 inertia, float4 damping, float4 stiffness, float4 length) =>
+            length * length / (inertia + damping * length + stiffness * (length * length));
 
         // What the air damps about this joint: the patches' damping of all joints further out, on their levers.
         private static float4 AirDamping(in WingPack pack, in StepScratch scratch, int bone)

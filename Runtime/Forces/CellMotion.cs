@@ -4,26 +4,28 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Velocity of the carried surface over one cell: that of the last substep, Σ w ẋ, plus the change of the driven velocity since,
-    /// Σ w (ḋ_new − ḋ_old). Each joint's frame moves a rest point (x, z), taken at the joint's height, with
-    /// hinge + x·span + z·chord; the cell blends four of them.
+    /// Velocity of the carried surface over one cell against a body at rest: of the driven motion at the end of the substep, of the deformation in the last one, and
+    /// of the body's turning. Each joint's frame moves a rest point (x, z), taken at the joint's height, with hinge + x·span + z·chord; the cell blends four of them.
     /// </summary>
     internal unsafe struct CellMotion
     {
         private BilinearField m_Hinge, m_Span, m_Chord;
 
-        /// <summary>The three vectors of every joint.</summary>
-        public static void Carry(in WingPack pack, in StepScratch scratch)
+        /// <summary>The three vectors of every joint; after <see cref="CarriedSurface"/>.</summary>
+        public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
+            SoaFloat3 body = pack.surroundings->angularVelocity, hinge = pack.surroundings->hinge;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                JointMotion* motion = pack.motions + joint;
                 float3 rest = pack.rig.restJoints[joint];
-                SoaFloat3 carried = scratch.drivenVelocities[joint] - pack.drivenVelocities[joint];
-                scratch.hingeVelocities[joint] =
-                    motion->velocity + carried - motion->rate.c0 * rest.x - motion->rate.c2 * rest.z;
-                scratch.spanRates[joint] = motion->rate.c0;
-                scratch.chordRates[joint] = motion->rate.c2;
+                SoaFloat3 turning = scratch.carriedTurning[joint];
+                SoaFloat3 span = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c0);
+                SoaFloat3 chord = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c2);
+                SoaFloat3 velocity = scratch.drivenVelocities[joint] - pack.drivenLags[joint] + pack.motions[joint].velocity
+                    + SoaFloat3.Cross(body, scratch.carriedPositions[joint] + hinge);
+                scratch.hingeVelocities[joint] = velocity - span * rest.x - chord * rest.z;
+                scratch.spanRates[joint] = span;
+                scratch.chordRates[joint] = chord;
             }
         }
 

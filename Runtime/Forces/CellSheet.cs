@@ -15,10 +15,9 @@ namespace Alate
         // Coefficients of u^p v^q; that of u^0 v^0 has no part in the tangents.
         private SoaFloat3 m_U, m_V, m_UV, m_UU, m_VV, m_UUV, m_UVV, m_UUVV;
 
-        /// <summary>Joints moved on by what the driven pose has moved since the last substep; the sheet halfway along every edge.</summary>
-        public static void Carry(in WingPack pack, in StepScratch scratch)
+        /// <summary>The sheet halfway along every edge; after <see cref="CarriedSurface"/>.</summary>
+        public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
-            CarryJoints(pack, scratch);
             AlongChains(pack, scratch);
             AcrossChains(pack, scratch);
         }
@@ -56,22 +55,6 @@ namespace Alate
         /// <summary>Span direction of the blended frames; not of unit length.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaFloat3 SpanAt(CellSheet* s, float4 u, float4 v) => BilinearField.At(&s->m_Span, u, v);
-
-        private static void CarryJoints(in WingPack pack, in StepScratch scratch)
-        {
-            int joints = pack.rig.jointsPerChain;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-            {
-                int i = joint / joints;
-                int bone = i * (joints - 1) + math.min(joint - i * joints, joints - 2);
-                SoaQuaternion turned = scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
-                var frame = new SoaFloat3x3(turned * pack.pose[joint].rotation);
-                scratch.carriedFrames[joint] = frame;
-                scratch.carriedSpans[joint] = frame.c0;
-                scratch.carriedPositions[joint] =
-                    pack.pose[joint].position + scratch.drivenPositions[joint] - pack.drivenPositions[joint];
-            }
-        }
 
         private static void AlongChains(in WingPack pack, in StepScratch scratch)
         {

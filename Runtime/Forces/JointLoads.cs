@@ -5,8 +5,8 @@ namespace Alate
     /// <summary>All forces on the joints: inertia of the beat (Eq. 5, 8), gravity, air (Eq. 9–11), and their torques (Eq. 4).</summary>
     internal static unsafe class JointLoads
     {
-        /// <summary>Fills forces, airDamping and torques; returns the air's force on the wing.</summary>
-        public static SoaFloat3 Evaluate(in WingPack pack, in StepScratch scratch)
+        /// <summary>Fills forces, airDamping and torques, and adds force and moment of the air to the readings.</summary>
+        public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
@@ -14,13 +14,26 @@ namespace Alate
                 scratch.airDamping[joint] = default;
             }
 
-            SoaFloat3 air = Aerodynamics.Apply(pack, scratch);
+            Aerodynamics.Apply(pack, scratch);
+            ReadAir(pack, scratch);
             AddInertiaAndGravity(pack, scratch);
             if (pack.options.torqueArm == TorqueArm.OwnLoadAboutRoot)
                 TorquesAboutRoot(pack, scratch);
             else
                 TorquesOfDistalJoints(pack, scratch);
-            return air;
+        }
+
+        private static void ReadAir(in WingPack pack, in StepScratch scratch)
+        {
+            SoaFloat3 force = default, moment = default;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                force += scratch.forces[joint];
+                moment += SoaFloat3.Cross(scratch.carriedPositions[joint], scratch.forces[joint]);
+            }
+
+            pack.readings->airForce += force;
+            pack.readings->airMoment += moment + SoaFloat3.Cross(pack.surroundings->hinge, force);
         }
 
         // Eq. 5, 8 in the wing's own frame: the load of the driven motion, −κ m a; and m g of Eq. 4.
@@ -35,10 +48,20 @@ namespace Alate
             }
         }
 
-        // Eq. 4 over all loads further out on the chain, about the joint that bends: Σ (r_k − r_j) × F_k, on the last positions.
+        // Eq. 4 on the carried positions; the printed scheme takes those of the last substep.
+        private static SoaFloat3* Arms(in WingPack pack, in StepScratch scratch)
+        {
+            if (pack.options.timeScheme == TimeScheme.SecondOrder)
+                return scratch.carriedPositions;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                scratch.arms[joint] = pack.pose[joint].position;
+            return scratch.arms;
+        }
+
+        // Eq. 4 over all loads further out on the chain, about the joint that bends: Σ (r_k − r_j) × F_k.
         private static void TorquesOfDistalJoints(in WingPack pack, in StepScratch scratch)
         {
-            JointPose* poses = pack.pose;
+            SoaFloat3* r = Arms(pack, scratch);
             int joints = pack.rig.jointsPerChain;
             for (int i = 0; i < pack.rig.chainCount; i++)
             {
@@ -47,8 +70,8 @@ namespace Alate
                 {
                     int joint = i * joints + j;
                     force += scratch.forces[joint];
-                    moment += SoaFloat3.Cross(poses[joint].position, scratch.forces[joint]);
-                    scratch.torques[joint - 1 - i] = moment - SoaFloat3.Cross(poses[joint - 1].position, force);
+                    moment += SoaFloat3.Cross(r[joint], scratch.forces[joint]);
+                    scratch.torques[joint - 1 - i] = moment - SoaFloat3.Cross(r[joint - 1], force);
                 }
             }
         }
@@ -56,15 +79,15 @@ namespace Alate
         // Eq. 4 as printed: the joint's own load on the arm between the joint and its chain's root.
         private static void TorquesAboutRoot(in WingPack pack, in StepScratch scratch)
         {
-            JointPose* poses = pack.pose;
+            SoaFloat3* r = Arms(pack, scratch);
             int joints = pack.rig.jointsPerChain;
             for (int i = 0; i < pack.rig.chainCount; i++)
             {
-                SoaFloat3 root = poses[i * joints].position;
+                SoaFloat3 root = r[i * joints];
                 for (int j = 0; j < joints - 1; j++)
                 {
                     int joint = i * joints + j;
-                    scratch.torques[joint - i] = SoaFloat3.Cross(poses[joint].position - root, scratch.forces[joint]);
+                    scratch.torques[joint - i] = SoaFloat3.Cross(r[joint] - root, scratch.forces[joint]);
                 }
             }
         }

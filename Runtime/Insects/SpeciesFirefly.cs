@@ -48,6 +48,7 @@ namespace Alate
             species.Beat.sweepRange = 0f;
             species.Wave.chordDelay = 0.1f;
             species.Stiffness.elasticity = 2f;
+            species.Stiffness.strongestWind = 0.75f;
         }
 
         private static void Quicken(WingSpecies species)
@@ -61,9 +62,10 @@ namespace Alate
             species.Wave.chordDelay = 0.22f;
             species.Wave.spanDelay = 0.45f;
             species.Wave.rootShare = 0.6f;
-            species.Stiffness.elasticity = 0.3f;
+            species.Stiffness.elasticity = 0.5f;
+            species.Stiffness.strongestWind = 0.65f;
             species.Stiffness.springScale = 40f;
-            species.SubstepsPerBeat = 48;
+            species.SubstepsPerBeat = 24;
         }
 
         private static SpeciesSource[] Sources()

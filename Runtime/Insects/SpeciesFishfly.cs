@@ -98,7 +98,7 @@ namespace Alate
             species.Wave.rootShare = 0.55f;
             species.Stiffness.elasticity = 0.2f;
             species.Stiffness.springScale = 60f;
-            species.SubstepsPerBeat = 48;
+            species.SubstepsPerBeat = 24;
         }
 
         private static void SoftenHind(WingSpecies species)

@@ -39,7 +39,7 @@ namespace Alate
             species.Stiffness.elasticity = 0.35f;
             species.Stiffness.decay = 0.5f;
             species.Stiffness.springScale = 30f;
-            species.SubstepsPerBeat = 48;
+            species.SubstepsPerBeat = 24;
         }
 
         private static SpeciesSource[] Sources()

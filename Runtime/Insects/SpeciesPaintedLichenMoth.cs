@@ -43,7 +43,7 @@ namespace Alate
             species.Stiffness.decay = 0.35f;
             species.Stiffness.jointLimit = 40f;
             species.Stiffness.springScale = 60f;
-            species.SubstepsPerBeat = 48;
+            species.SubstepsPerBeat = 24;
         }
 
         private static SpeciesSource[] Sources()

@@ -79,7 +79,7 @@ namespace Alate
             species.Wave.spanDelay = 0.3f;
             species.Wave.rootShare = 0.65f;
             species.Stiffness.elasticity = 7f;
-            species.SubstepsPerBeat = 48;
+            species.SubstepsPerBeat = 24;
         }
 
         private static SpeciesSource[] Sources()

@@ -90,7 +90,7 @@ namespace Alate
             species.Stiffness.elasticity = 0.4f;
             species.Stiffness.decay = 0.6f;
             species.Stiffness.springScale = 30f;
-            species.SubstepsPerBeat = 48;
+            species.SubstepsPerBeat = 24;
         }
 
         private static void SoftenHind(WingSpecies species)

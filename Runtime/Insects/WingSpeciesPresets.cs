@@ -6,6 +6,9 @@ namespace Alate
         /// <summary>λ of a monarch: the trailing edge of a measured butterfly lags by 10 to 40°, not by Eq. 2's half beat.</summary>
         public const float k_MonarchChordDelay = 0.15f;
 
+        /// <summary>Strongest wind, over v_ref: up to it wings bend freely; chosen so that no edge tears in ten times that wind.</summary>
+        public const float k_StrongestWind = 0.65f;
+
         public static SpeciesSize MonarchSize => new SpeciesSize
         {
             wingLength = 0.061f,
@@ -59,6 +62,7 @@ namespace Alate
             springScale = 10f,
             anchor = 2f,
             springDamping = 0.3f,
+            strongestWind = k_StrongestWind,
         };
 
         public static void MakePhysical(ref SpeciesBeat beat, ref SpeciesWave wave, float chordDelay)

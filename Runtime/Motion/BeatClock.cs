@@ -35,6 +35,7 @@ namespace Alate
             beat.amplitude1 = SoaFloat3.Select(beat.amplitude1, amplitude, lanes);
             beat.amplitude2 = SoaFloat3.Select(beat.amplitude2, amplitude, lanes);
             beat.amplitude3 = SoaFloat3.Select(beat.amplitude3, amplitude, lanes);
+            beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, amplitude, lanes);
         }
 
         /// <summary>Advances the phase by one substep; a wing that completes its cycle latches what the body does now.</summary>
@@ -51,6 +52,7 @@ namespace Alate
             beat.cycles += math.select(0f, 1f, latch);
             beat.previousFrequency = math.select(beat.previousFrequency, beat.frequency, latch);
             beat.frequency = math.select(beat.frequency, frequency, latch);
+            beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, beat.amplitude3, latch);
             beat.amplitude3 = SoaFloat3.Select(beat.amplitude3, beat.amplitude2, latch);
             beat.amplitude2 = SoaFloat3.Select(beat.amplitude2, beat.amplitude1, latch);
             beat.amplitude1 = SoaFloat3.Select(beat.amplitude1, beat.amplitude, latch);

@@ -32,6 +32,9 @@ namespace Alate
         /// <summary>The same, three cycles back.</summary>
         public SoaFloat3 amplitude3;
 
+        /// <summary>The same, four cycles back: the largest delays reach three cycles back, where the amplitude glides from the one before.</summary>
+        public SoaFloat3 amplitude4;
+
         /// <summary>ω, the angular rate of the phase now, rad/s.</summary>
         public float4 rate;
 

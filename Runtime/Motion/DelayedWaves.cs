@@ -18,9 +18,11 @@ namespace Alate
             LocalPhases(pack, scratch);
             Waves(pack, scratch);
             Accumulate(pack, scratch);
+            if (pack.options.coupling == MembraneCoupling.TwoWay)
+                SweepTogether(pack, scratch);
         }
 
-        // Eq. 2 as a phase δ = λπρ + μπσ, and the Heaviside of Eq. 3: the local phase goes back into earlier cycles, and stands
+        // Eq. 2 as a phase δ_ij = δ_i + μπσ_j, the chain's delay by ChainDelays, and the Heaviside of Eq. 3: the local phase goes back into earlier cycles, and stands
         // at the start of the first one until the wave arrives.
         private static void LocalPhases(in WingPack pack, in StepScratch scratch)
         {
@@ -29,7 +31,7 @@ namespace Alate
             int bonesPerChain = pack.rig.jointsPerChain - 1;
             for (int i = 0, bone = 0; i < pack.rig.chainCount; i++)
             {
-                float4 chainPhase = beat.phase - parameters.wingDelay - parameters.chordDelay * pack.rig.chainRatio[i];
+                float4 chainPhase = beat.phase - parameters.wingDelay - pack.chainDelays[i];
                 for (int j = 0; j < bonesPerChain; j++, bone++)
                 {
                     float4 p = chainPhase - parameters.spanDelay * pack.rig.jointRatio[j];
@@ -43,6 +45,10 @@ namespace Alate
                     p = math.select(p, p + k_TwoPi, earlier);
                     now = SoaFloat3.Select(now, beat.amplitude2, earlier);
                     before = SoaFloat3.Select(before, beat.amplitude3, earlier);
+                    earlier = (p < 0f) & (beat.cycles >= 3f);
+                    p = math.select(p, p + k_TwoPi, earlier);
+                    now = SoaFloat3.Select(now, beat.amplitude3, earlier);
+                    before = SoaFloat3.Select(before, beat.amplitude4, earlier);
 
                     scratch.localPhase[bone] = p;
                     Envelope(pack.options.cycleChange, scratch, bone, p, now, before);
@@ -119,6 +125,19 @@ namespace Alate
                     rate += scratch.angleRate[bone] * share;
                     curvature += scratch.angleCurvature[bone] * share;
                 }
+            }
+        }
+
+        // A membrane cannot be sheared in its own plane: all chains sweep as the leading one does.
+        private static void SweepTogether(in WingPack pack, in StepScratch scratch)
+        {
+            int bonesPerChain = pack.rig.jointsPerChain - 1;
+            for (int bone = bonesPerChain; bone < pack.rig.boneCount; bone++)
+            {
+                int leading = bone % bonesPerChain;
+                scratch.angle[bone].y = scratch.angle[leading].y;
+                scratch.angleRate[bone].y = scratch.angleRate[leading].y;
+                scratch.angleCurvature[bone].y = scratch.angleCurvature[leading].y;
             }
         }
 

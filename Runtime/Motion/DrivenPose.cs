@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The pose that the muscles drive: rotations G = R_X(tilt) R_Z(flap) R_−Y(sweep) R_LE(feather) along each chain, with the
+    /// The pose that the muscles drive: rotations G = R_X(−tilt) R_Z(flap) R_−Y(sweep) R_LE(feather) along each chain, with the
     /// positions, velocities and accelerations of the joints that follow from it.
     /// </summary>
     internal static unsafe class DrivenPose
@@ -19,7 +19,7 @@ namespace Alate
             Chains(pack, scratch);
         }
 
-        // R_X(tilt) R_Z(flap)
+        // R_X(−tilt) R_Z(flap); the parameters hold sine and cosine of −tilt.
         private static void Flap(in WingPack pack, in StepScratch scratch)
         {
             float4 tiltSin = pack.parameters->tiltHalfSin, tiltCos = pack.parameters->tiltHalfCos;

@@ -5,6 +5,8 @@ namespace Alate
     /// <summary>The surface patches that meet the air, cell by cell: the triangles themselves, or clusters of them.</summary>
     internal sealed class PatchLayout
     {
+        private const float k_LeastShare = 0.05f;
+
         /// <summary>[cell]</summary>
         public readonly PatchCell[] cells;
         public readonly float[] u;
@@ -41,6 +43,29 @@ namespace Alate
         }
 
         public int Count => areas.Length;
+
+        /// <summary>
+        /// [patch] Areas over |p_u × p_v| of the rest cell at the centre. Where a cell ends in a point that product vanishes; there it counts with a
+        /// <see cref="k_LeastShare"/> of its mean, so that a patch at the point does not grow without bound.
+        /// </summary>
+        public float[] AreasPerUnit(RestSkeleton rest)
+        {
+            var scaled = new float[Count];
+            for (int cell = 0; cell < cells.Length; cell++)
+            {
+                int joint = rest.FirstJoint(cell), next = joint + rest.jointsPerChain;
+                float3 p00 = rest.joints[joint], alongU = rest.joints[next] - p00, alongV = rest.joints[joint + 1] - p00;
+                float3 mixed = rest.joints[next + 1] - rest.joints[next] - alongV;
+                float mean = math.length(math.cross(alongU + 0.5f * mixed, alongV + 0.5f * mixed));
+                for (int patch = cells[cell].firstPatch; patch < cells[cell].firstPatch + cells[cell].patchCount; patch++)
+                {
+                    float measure = math.length(math.cross(alongU + mixed * v[patch], alongV + mixed * u[patch]));
+                    scaled[patch] = areas[patch] / math.max(measure, k_LeastShare * mean);
+                }
+            }
+
+            return scaled;
+        }
 
         private float3[] Centres(SurfaceTriangles triangles, int[] clusters, int count)
         {

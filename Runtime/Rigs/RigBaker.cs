@@ -34,6 +34,7 @@ namespace Alate
                 jointInertias = JointMasses.Inertias(rest, masses),
                 leverDamping = JointMasses.LeverDamping(rest),
                 springs = SpringNetwork.Make(rest),
+                strips = new StripNetwork(rest),
                 patches = new PatchLayout(rest, cells, triangles, centres, settings.patchCount),
                 coarsePatches = new PatchLayout(rest, cells, triangles, centres, WingRigSettings.CoarsePatches),
                 influences = new VertexInfluences(rest, weights),

@@ -11,6 +11,7 @@ namespace Alate
         public float[] jointInertias;
         public float[] leverDamping;
         public Spring[] springs;
+        public StripNetwork strips;
         public PatchLayout patches;
         public PatchLayout coarsePatches;
         public VertexInfluences influences;

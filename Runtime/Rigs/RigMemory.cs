@@ -54,14 +54,18 @@ namespace Alate
                 jointMasses = (float*)jointMasses.GetUnsafeReadOnlyPtr(),
                 jointInertias = (float*)Pointer(content.jointInertias),
                 leverDamping = (float*)Pointer(content.leverDamping),
+                strips = (Strip*)Pointer(content.strips.Strips),
+                stripCount = content.strips.Strips.Length,
+                stripLevers = (float*)Pointer(content.strips.Levers),
+                fanWidths = (float*)Pointer(content.strips.FanWidths()),
                 springs = (Spring*)springs.GetUnsafeReadOnlyPtr(),
                 skinCells = (SkinCell*)Pointer(content.skin.cells),
                 skinQuads = (SkinQuad*)Pointer(content.skin.quads),
                 skinTangents = content.skin.tangents == null ? null : (SkinTangentQuad*)Pointer(content.skin.tangents),
             };
             coarseView = view;
-            SetPatches(ref view, content.patches);
-            SetPatches(ref coarseView, content.coarsePatches);
+            SetPatches(ref view, content.patches, rest);
+            SetPatches(ref coarseView, content.coarsePatches, rest);
         }
 
         public void Dispose()
@@ -71,7 +75,7 @@ namespace Alate
             m_Owned.Clear();
         }
 
-        private void SetPatches(ref RigView rig, PatchLayout patches)
+        private void SetPatches(ref RigView rig, PatchLayout patches, RestSkeleton rest)
         {
             rig.patchCount = patches.Count;
             rig.patchCells = (PatchCell*)Pointer(patches.cells);
@@ -79,7 +83,7 @@ namespace Alate
             rig.patchV = (float*)Pointer(patches.v);
             rig.patchSpan = (float*)Pointer(patches.span);
             rig.patchChord = (float*)Pointer(patches.chord);
-            rig.patchAreas = (float*)Pointer(patches.areas);
+            rig.patchAreas = (float*)Pointer(patches.AreasPerUnit(rest));
         }
 
         private void* Pointer<T>(T[] content) where T : struct => Own(content).GetUnsafeReadOnlyPtr();

@@ -9,6 +9,7 @@ namespace Alate
         public int bones;
         public int patches;
         public int springs;
+        public int strips;
         public int bandBlocks;
 
         /// <summary>The counts of one rig.</summary>
@@ -18,6 +19,7 @@ namespace Alate
             bones = rig.boneCount,
             patches = rig.patchCount,
             springs = rig.springCount,
+            strips = rig.stripCount,
             bandBlocks = BlockCholesky.BandSize(rig),
         };
 
@@ -28,6 +30,7 @@ namespace Alate
             bones = math.max(a.bones, b.bones),
             patches = math.max(a.patches, b.patches),
             springs = math.max(a.springs, b.springs),
+            strips = math.max(a.strips, b.strips),
             bandBlocks = math.max(a.bandBlocks, b.bandBlocks),
         };
     }

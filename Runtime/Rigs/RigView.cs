@@ -15,6 +15,7 @@ namespace Alate
         public int boneCount;
         public int cellCount;
         public int springCount;
+        public int stripCount;
         public int patchCount;
         public int vertexCount;
         public int quadCount;
@@ -63,6 +64,17 @@ namespace Alate
         /// <summary>[spring] Along chains, across neighbouring chains, both diagonals; none between two roots.</summary>
         public Spring* springs;
 
+        /// <summary>[strip] The places between neighbouring chains where their bends are compared.</summary>
+        public Strip* strips;
+
+        /// <summary>Slopes of the strips by the bends of their chains; see <see cref="Strip.lever"/>.</summary>
+        public float* stripLevers;
+
+        /// <summary>
+        /// [n − 1] Narrowest width between a chain and the next one, over the distance from the root; infinite where no joint has a foot on the other chain.
+        /// </summary>
+        public float* fanWidths;
+
         /// <summary>[cell] Patches of each cell, in order.</summary>
         public PatchCell* patchCells;
 
@@ -78,7 +90,7 @@ namespace Alate
         /// <summary>[patch] Rest centre forward of the hinge, z.</summary>
         public float* patchChord;
 
-        /// <summary>[patch] Rest area, L².</summary>
+        /// <summary>[patch] Rest area over |x_u × x_v| at rest, so that times |x_u × x_v| it is the deformed area.</summary>
         public float* patchAreas;
 
         /// <summary>[cell] Vertices of each cell, in order.</summary>
@@ -89,5 +101,12 @@ namespace Alate
 
         /// <summary>[quad] Tangents beside <see cref="skinQuads"/>; null when the mesh has none.</summary>
         public SkinTangentQuad* skinTangents;
+
+        /// <summary>The bone that goes out from a joint; for the last joint of a chain the bone that comes in.</summary>
+        public readonly int BoneOf(int joint)
+        {
+            int chain = joint / jointsPerChain;
+            return chain * (jointsPerChain - 1) + math.min(joint - chain * jointsPerChain, jointsPerChain - 2);
+        }
     }
 }

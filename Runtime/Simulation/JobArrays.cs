@@ -126,7 +126,7 @@ namespace Alate
         /// <summary>After a change of a wing's parameters: derives what depends on them; restarts the wing where asked.</summary>
         public void Refresh(PackMemory pack, int lane, bool restart)
         {
-            Bending.DeriveStiffness(pack.view);
+            PackStep.Derive(pack.view);
             if (restart)
                 PackReset.Restart(pack.view, Scratch(pack), Lanes(pack, lane));
         }

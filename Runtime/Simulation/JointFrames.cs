@@ -29,19 +29,21 @@ namespace Alate
             }
         }
 
-        /// <summary>Rates of the frames from one pose to the next, for the surface velocity of the next substep.</summary>
-        public static void Motions(in WingPack pack, JointPose* before, JointPose* after, float dt)
+        /// <summary>Mean rates of the deformation from the last pose to the new one, for the surface that the next substep carries on.</summary>
+        public static void Motions(in WingPack pack, in StepScratch scratch, float dt)
         {
             float inverse = 1f / dt;
+            bool euler = pack.options.timeScheme == TimeScheme.BackwardEuler;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                var from = new SoaFloat3x3(before[joint].rotation);
-                var to = new SoaFloat3x3(after[joint].rotation);
-                JointMotion* motion = pack.motions + joint;
-                motion->velocity = (after[joint].position - before[joint].position) * inverse;
-                motion->rate.c0 = (to.c0 - from.c0) * inverse;
-                motion->rate.c1 = (to.c1 - from.c1) * inverse;
-                motion->rate.c2 = (to.c2 - from.c2) * inverse;
+                int bone = pack.rig.BoneOf(joint);
+                SoaFloat3 driven = scratch.drivenPositions[joint] - pack.drivenPositions[joint];
+                SoaFloat3 moved = scratch.pose[joint].position - pack.pose[joint].position;
+                SoaQuaternion from = SoaQuaternion.Conjugate(pack.drivenRotations[bone]) * pack.pose[joint].rotation;
+                SoaQuaternion to = SoaQuaternion.Conjugate(scratch.drivenRotations[bone]) * scratch.pose[joint].rotation;
+                pack.motions[joint].velocity = (moved - driven) * inverse;
+                pack.motions[joint].turning = SoaQuaternion.Difference(from, to) * inverse;
+                pack.drivenLags[joint] = euler ? scratch.drivenVelocities[joint] - driven * inverse : default;
             }
         }
 

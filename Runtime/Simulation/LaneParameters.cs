@@ -5,6 +5,21 @@ namespace Alate
     /// <summary>The live parameters of four wings, as the kernels read them; lane = wing. A moved slider rewrites only these.</summary>
     internal struct LaneParameters
     {
+        /// <summary>A wing that hardly flaps counts as flapping by this much where a speed is measured by that of its tip: 6°.</summary>
+        private const float k_LeastAmplitude = 0.1f;
+
+        /// <summary>
+        /// The k_e below which a wing gets softer to bend but no easier to stretch: a thin membrane hardly stretches, however limp it is. With 1, the fishfly's edges
+        /// stretch by 5 % in a gale instead of 3 %.
+        /// </summary>
+        private const float k_LeastMembrane = 2f;
+
+        /// <summary>
+        /// Stiffness of springs against turning out of their posed directions, over k_e κ (2π f_ref)². Springs alone let a sheet of joints fold without resistance, and a
+        /// narrow strip that snapped over in a gust would stay so; twice as much lets the drive's own shear stretch the narrow wings by a third more.
+        /// </summary>
+        private const float k_FoldShare = 0.01f;
+
         public float4 maxFrequency;
         public float4 maxSpeed;
         public float4 frequencyFloor;
@@ -13,6 +28,8 @@ namespace Alate
         public SoaFloat3 phaseSin;
         public SoaFloat3 phaseCos;
         public float4 meanFlap;
+
+        /// <summary>Sine of the turn about +X, which is nose down: minus the tilt.</summary>
         public float4 tiltSin;
         public float4 tiltCos;
         public float4 tiltHalfSin;
@@ -31,6 +48,9 @@ namespace Alate
         public float4 inertia;
         public float4 airDensity;
 
+        /// <summary>Speed of the air beyond which it bends the wing hardly more, L/s.</summary>
+        public float4 strongestWind;
+
         /// <summary>k_e (2π f_ref)², s⁻²: times a joint's inertia and N² it is the bending stiffness.</summary>
         public float4 bendScale;
 
@@ -45,6 +65,9 @@ namespace Alate
 
         /// <summary>k of Eq. 12, in wing masses per second squared.</summary>
         public float4 springStiffness;
+
+        /// <summary>Stiffness of the same springs against turning out of their posed directions, in wing masses per second squared.</summary>
+        public float4 foldStiffness;
 
         /// <summary>Ω, the rate at which a joint returns to its pose, rad/s.</summary>
         public float4 anchorRate;
@@ -63,10 +86,10 @@ namespace Alate
             phaseSin[lane] = math.sin(p.phase);
             phaseCos[lane] = math.cos(p.phase);
             meanFlap[lane] = p.meanFlap;
-            tiltSin[lane] = math.sin(p.tilt);
-            tiltCos[lane] = math.cos(p.tilt);
-            tiltHalfSin[lane] = math.sin(0.5f * p.tilt);
-            tiltHalfCos[lane] = math.cos(0.5f * p.tilt);
+            tiltSin[lane] = math.sin(-p.tilt);
+            tiltCos[lane] = math.cos(-p.tilt);
+            tiltHalfSin[lane] = math.sin(-0.5f * p.tilt);
+            tiltHalfCos[lane] = math.cos(-0.5f * p.tilt);
             chordDelay[lane] = math.PI * p.chordDelay;
             spanDelay[lane] = math.PI * p.spanDelay;
             float lead = p.phaseLead / (2f * math.PI);
@@ -74,6 +97,8 @@ namespace Alate
             rootShare[lane] = p.rootShare;
             inertia[lane] = p.inertia;
             airDensity[lane] = p.airDensity;
+
+            strongestWind[lane] = p.strongestWind * 2f * math.PI * p.referenceFrequency * math.max(p.amplitude.x, k_LeastAmplitude);
 
             float beatRate = 2f * math.PI * p.referenceFrequency;
             bendScale[lane] = p.elasticity * beatRate * beatRate;
@@ -85,9 +110,10 @@ namespace Alate
             inPlaneFactor[lane] = p.inPlaneFactor;
             torsionFactor[lane] = p.torsionFactor;
             jointLimit[lane] = p.jointLimit;
-            springStiffness[lane] = p.options.springUnits == SpringUnits.Printed
-                ? p.elasticity
-                : p.elasticity * p.springScale * beatRate * beatRate;
+            bool twoWay = p.options.coupling == MembraneCoupling.TwoWay;
+            float springUnit = p.options.springUnits == SpringUnits.Printed ? 1f : p.springScale * beatRate * beatRate;
+            springStiffness[lane] = springUnit * (twoWay ? math.max(p.elasticity, k_LeastMembrane) : p.elasticity);
+            foldStiffness[lane] = twoWay ? k_FoldShare * p.elasticity * springUnit : 0f;
             anchorRate[lane] = p.anchor * beatRate * math.sqrt(p.elasticity);
             springDamping[lane] = p.springDamping;
             substepsPerBeat[lane] = p.substepsPerBeat;

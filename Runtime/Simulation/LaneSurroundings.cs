@@ -11,6 +11,12 @@ namespace Alate
         /// <summary>Gravity, wing lengths per second squared.</summary>
         public SoaFloat3 gravity;
 
+        /// <summary>Ω, how the body turns, rad/s.</summary>
+        public SoaFloat3 angularVelocity;
+
+        /// <summary>The hinge seen from the point whose velocity <see cref="wind"/> contains, wing lengths.</summary>
+        public SoaFloat3 hinge;
+
         /// <summary>Speed of the body, m/s.</summary>
         public float4 speed;
 
@@ -22,6 +28,8 @@ namespace Alate
         {
             wind[lane] = surroundings.wind;
             gravity[lane] = surroundings.gravity;
+            angularVelocity[lane] = surroundings.angularVelocity;
+            hinge[lane] = surroundings.hinge;
             speed[lane] = surroundings.speed;
             pitch[lane] = surroundings.angleOfAttack;
         }

@@ -37,6 +37,14 @@ namespace Alate
         [Tooltip("Beat Rate: the springs keep pace with the beat. Printed: k_e alone, far too soft to matter.")]
         public SpringUnits springUnits;
 
+        /// <summary>Whether the membrane resists what would tear it.</summary>
+        [Tooltip("Two Way: neighbouring chains bend together before the membrane tears. One Way: as printed; wings tear in wind.")]
+        public MembraneCoupling coupling;
+
+        /// <summary>How time advances (Eq. 13).</summary>
+        [Tooltip("Second Order: the error falls with the square of the substep. Backward Euler: as printed; needs about twice the substeps.")]
+        public TimeScheme timeScheme;
+
         /// <summary>The options of <see cref="ModelPreset.Physical"/>.</summary>
         public static ModelOptions Physical => new ModelOptions { clampLift = true };
 
@@ -49,13 +57,16 @@ namespace Alate
             cycleChange = CycleChange.Step,
             torqueArm = TorqueArm.OwnLoadAboutRoot,
             springUnits = SpringUnits.Printed,
+            coupling = MembraneCoupling.OneWay,
+            timeScheme = TimeScheme.BackwardEuler,
         };
 
         /// <summary>Whether every option has the same value.</summary>
         public bool Equals(ModelOptions other)
         {
             return coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift
-                && cycleChange == other.cycleChange && torqueArm == other.torqueArm && springUnits == other.springUnits;
+                && cycleChange == other.cycleChange && torqueArm == other.torqueArm && springUnits == other.springUnits
+                && coupling == other.coupling && timeScheme == other.timeScheme;
         }
 
         /// <inheritdoc/>
@@ -64,7 +75,7 @@ namespace Alate
         /// <inheritdoc/>
         public override int GetHashCode()
         {
-            return HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits);
+            return HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, timeScheme);
         }
     }
 }

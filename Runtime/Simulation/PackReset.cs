@@ -29,6 +29,7 @@ namespace Alate
             beat.amplitude1 = SoaFloat3.Select(beat.amplitude1, beat.amplitude, lanes);
             beat.amplitude2 = SoaFloat3.Select(beat.amplitude2, beat.amplitude, lanes);
             beat.amplitude3 = SoaFloat3.Select(beat.amplitude3, beat.amplitude, lanes);
+            beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, beat.amplitude, lanes);
             beat.rate = math.select(beat.rate, 2f * math.PI * beat.frequency, lanes);
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);
@@ -41,6 +42,7 @@ namespace Alate
             ToDrivenPose(pack, scratch, lanes);
             pack.readings->resets += math.select(0f, 1f, lanes);
             pack.readings->airForce = SoaFloat3.Select(pack.readings->airForce, default, lanes);
+            pack.readings->airMoment = SoaFloat3.Select(pack.readings->airMoment, default, lanes);
         }
 
         /// <summary>Wings with a joint, deviation or bend rate that is not a number or infinite.</summary>
@@ -70,6 +72,8 @@ namespace Alate
                 SoaQuaternion driven = scratch.drivenRotations[bone];
                 pack.bendAngles[bone] = SoaFloat3.Select(pack.bendAngles[bone], default, lanes);
                 pack.bendRates[bone] = SoaFloat3.Select(pack.bendRates[bone], default, lanes);
+                pack.earlierAngles[bone] = SoaFloat3.Select(pack.earlierAngles[bone], default, lanes);
+                pack.earlierRates[bone] = SoaFloat3.Select(pack.earlierRates[bone], default, lanes);
                 pack.bentRotations[bone] = SoaQuaternion.Select(pack.bentRotations[bone], driven, lanes);
                 pack.drivenRotations[bone] = SoaQuaternion.Select(pack.drivenRotations[bone], driven, lanes);
             }
@@ -79,12 +83,18 @@ namespace Alate
                 scratch.positions[joint] = SoaFloat3.Select(pack.pose[joint].position, scratch.drivenPositions[joint], lanes);
                 pack.drivenPositions[joint] =
                     SoaFloat3.Select(pack.drivenPositions[joint], scratch.drivenPositions[joint], lanes);
-                pack.drivenVelocities[joint] =
-                    SoaFloat3.Select(pack.drivenVelocities[joint], scratch.drivenVelocities[joint], lanes);
+                SoaFloat3 lag = pack.options.timeScheme == TimeScheme.BackwardEuler ? scratch.drivenVelocities[joint] : default;
+                pack.drivenLags[joint] = SoaFloat3.Select(pack.drivenLags[joint], lag, lanes);
                 pack.offsets[joint] = SoaFloat3.Select(pack.offsets[joint], default, lanes);
                 pack.offsetRates[joint] = SoaFloat3.Select(pack.offsetRates[joint], default, lanes);
-                Still(pack.motions + joint, lanes);
+                pack.earlierOffsets[joint] = SoaFloat3.Select(pack.earlierOffsets[joint], default, lanes);
+                pack.earlierOffsetRates[joint] = SoaFloat3.Select(pack.earlierOffsetRates[joint], default, lanes);
+                JointMotion* motion = pack.motions + joint;
+                motion->velocity = SoaFloat3.Select(motion->velocity, default, lanes);
+                motion->turning = SoaQuaternion.Select(motion->turning, default, lanes);
             }
+
+            *pack.lastSubstep = math.select(*pack.lastSubstep, 0f, lanes);
 
             JointFrames.Evaluate(pack, scratch, scratch.pose);
             int slots = WingPack.PoseSlots * pack.rig.jointCount;
@@ -102,13 +112,5 @@ namespace Alate
             rotation = SoaQuaternion.Select(a.rotation, b.rotation, lanes),
             position = SoaFloat3.Select(a.position, b.position, lanes),
         };
-
-        private static void Still(JointMotion* motion, bool4 lanes)
-        {
-            motion->velocity = SoaFloat3.Select(motion->velocity, default, lanes);
-            motion->rate.c0 = SoaFloat3.Select(motion->rate.c0, default, lanes);
-            motion->rate.c1 = SoaFloat3.Select(motion->rate.c1, default, lanes);
-            motion->rate.c2 = SoaFloat3.Select(motion->rate.c2, default, lanes);
-        }
     }
 }

@@ -12,8 +12,21 @@ namespace Alate
         /// <summary>A mosquito at 600 Hz beats twelve times in a fiftieth of a second; more in one step than this is a spike of the frame rate.</summary>
         private const float k_MostBeats = 16f;
 
+        /// <summary>Wing lengths that the air may pass in a substep: its loads are made before the wing has answered them.</summary>
+        private const float k_AirPerSubstep = 0.6f;
+
+        /// <summary>However fast the air, no beat takes more substeps for it.</summary>
+        private const float k_MostPerBeat = 192f;
+
         /// <summary>With waves alone, bends fade by e within a quarter of a beat: seen as a settling, not as a jump.</summary>
         private const float k_Fading = 4f;
+
+        /// <summary>Derives what depends on parameters and rig alone: stiffnesses and delays.</summary>
+        public static void Derive(in WingPack pack)
+        {
+            Bending.DeriveStiffness(pack);
+            ChainDelays.Derive(pack);
+        }
 
         /// <summary>Advances the pack by <paramref name="dt"/> seconds; by nothing where dt is not positive or the pack is frozen.</summary>
         public static void Run(ref WingPack pack, in StepScratch scratch, float dt)
@@ -37,13 +50,16 @@ namespace Alate
             EndStep(pack, count);
         }
 
-        /// <summary>Enough substeps for the fastest wing of the pack; a step of very many beats is cut.</summary>
+        /// <summary>
+        /// Number of substeps for the fastest wing of the pack and for the fastest air; shortens <paramref name="dt"/> where a step would span more than 16 beats.
+        /// </summary>
         public static int SubstepCount(in WingPack pack, ref float dt)
         {
             float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
             float4 perBeat = SubstepsPerBeat(pack);
-            float rate = math.cmax(frequency * perBeat);
-            int most = (int)math.ceil(k_MostBeats * math.cmax(perBeat));
+            float4 perAir = math.min(StrongestWind.Speed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * frequency);
+            float rate = math.cmax(math.max(frequency * perBeat, perAir));
+            int most = (int)math.ceil(k_MostBeats * math.max(k_MostPerBeat, math.cmax(perBeat)));
             int wanted = (int)math.min(math.ceil(dt * rate - k_CountRounding), most + 1f);
             if (wanted > most)
                 dt = most / rate;
@@ -56,14 +72,15 @@ namespace Alate
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);
-            SoaFloat3 air = JointLoads.Evaluate(pack, scratch);
-            Bending.Step(pack, scratch, h);
+            ImplicitStep step = ImplicitStep.Of(pack, h);
+            CarriedSurface.Evaluate(pack, scratch, h);
+            JointLoads.Evaluate(pack, scratch);
+            Bending.Step(pack, scratch, step);
             Bending.Pose(pack, scratch);
-            float4 iterations = ElasticStep.Step(pack, scratch, h);
+            float4 iterations = ElasticStep.Step(pack, scratch, step);
             JointFrames.Evaluate(pack, scratch, scratch.pose);
-            JointFrames.Motions(pack, pack.pose, scratch.pose, h);
-            Keep(pack, scratch);
-            pack.readings->airForce += air;
+            JointFrames.Motions(pack, scratch, h);
+            Keep(pack, scratch, h);
             pack.readings->newtonIterations += iterations;
             RecoverBroken(pack, scratch);
         }
@@ -75,12 +92,13 @@ namespace Alate
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);
             float4 kept = math.exp(-k_Fading * pack.beat->frequency * h);
+            CarriedSurface.Turn(pack, scratch);
             Bending.Relax(pack, scratch, kept);
             Bending.Pose(pack, scratch);
             ElasticStep.Relax(pack, scratch, kept);
             JointFrames.Evaluate(pack, scratch, scratch.pose);
-            JointFrames.Motions(pack, pack.pose, scratch.pose, h);
-            Keep(pack, scratch);
+            JointFrames.Motions(pack, scratch, h);
+            Keep(pack, scratch, 0f);
             RecoverBroken(pack, scratch);
         }
 
@@ -103,6 +121,7 @@ namespace Alate
             pack.slotStride = (count + WingPack.PoseSlots - 2) / (WingPack.PoseSlots - 1);
             KeepPose(pack, 0);
             pack.readings->airForce = default;
+            pack.readings->airMoment = default;
             pack.readings->newtonIterations = default;
         }
 
@@ -110,16 +129,17 @@ namespace Alate
         {
             float mean = 1f / count;
             pack.readings->airForce *= mean;
+            pack.readings->airMoment *= mean;
             pack.readings->newtonIterations *= mean;
             pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose);
         }
 
-        private static void Keep(in WingPack pack, in StepScratch scratch)
+        private static void Keep(in WingPack pack, in StepScratch scratch, float substep)
         {
             int joints = pack.rig.jointCount, bones = pack.rig.boneCount;
+            *pack.lastSubstep = substep;
             UnsafeUtility.MemCpy(pack.pose, scratch.pose, (long)joints * sizeof(JointPose));
             UnsafeUtility.MemCpy(pack.drivenPositions, scratch.drivenPositions, (long)joints * sizeof(SoaFloat3));
-            UnsafeUtility.MemCpy(pack.drivenVelocities, scratch.drivenVelocities, (long)joints * sizeof(SoaFloat3));
             UnsafeUtility.MemCpy(pack.drivenRotations, scratch.drivenRotations, (long)bones * sizeof(SoaQuaternion));
         }
 

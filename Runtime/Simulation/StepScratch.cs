@@ -22,10 +22,16 @@ namespace Alate
         public SoaFloat3* drivenVelocities;
         public SoaFloat3* drivenAccelerations;
 
+        /// <summary>[bone] How the driven frame has turned since the last substep, G G₋₁⁻¹.</summary>
+        public SoaQuaternion* turns;
+
         // Loads, per joint and per patch.
         public SoaFloat3x3* carriedFrames;
         public SoaFloat3* carriedPositions;
         public SoaFloat3* carriedSpans;
+
+        /// <summary>[joint] Angular velocity of the carried frame, rad/s.</summary>
+        public SoaFloat3* carriedTurning;
         public SoaFloat3* alongEdges;
         public SoaFloat3* acrossEdges;
         public SoaFloat3* hingeVelocities;
@@ -36,9 +42,23 @@ namespace Alate
         public SoaFloat3* relativeWind;
         public SoaFloat3* normals;
         public float4* alongSpan;
+
+        /// <summary>[patch] ½ρ* times the deformed area.</summary>
+        public float4* halfDensityAreas;
         public PatchStream* streams;
         public PatchLoad* loads;
         public SoaFloat3* torques;
+        public SoaFloat3* arms;
+
+        /// <summary>[bone] How far a unit of torque turns the hinge in this substep, about each of its axes.</summary>
+        public SoaFloat3* compliances;
+
+        /// <summary>[bone] A bend angle while chains are coupled.</summary>
+        public float4* coupledAngles;
+
+        /// <summary>[strip] What a unit of the strip's force changes its slope by, and the force.</summary>
+        public float4* stripCompliances;
+        public float4* stripForces;
 
         // Elasticity, per joint and per spring.
         public SoaFloat3* targets;
@@ -78,8 +98,10 @@ namespace Alate
             scratch.drivenPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.drivenVelocities = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.drivenAccelerations = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.turns = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
             scratch.carriedFrames = (SoaFloat3x3*)carver.Take<SoaFloat3x3>(joints);
             scratch.carriedPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.carriedTurning = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.carriedSpans = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.alongEdges = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.acrossEdges = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
@@ -91,8 +113,14 @@ namespace Alate
             scratch.relativeWind = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
             scratch.normals = (SoaFloat3*)carver.Take<SoaFloat3>(patches);
             scratch.alongSpan = (float4*)carver.Take<float4>(patches);
+            scratch.halfDensityAreas = (float4*)carver.Take<float4>(patches);
             scratch.streams = (PatchStream*)carver.Take<PatchStream>(patches);
             scratch.loads = (PatchLoad*)carver.Take<PatchLoad>(patches);
+            scratch.arms = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            scratch.compliances = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
+            scratch.coupledAngles = (float4*)carver.Take<float4>(bones);
+            scratch.stripCompliances = (float4*)carver.Take<float4>(size.strips);
+            scratch.stripForces = (float4*)carver.Take<float4>(size.strips);
             scratch.torques = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.targets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             scratch.anchors = (SoaFloat3*)carver.Take<SoaFloat3>(joints);

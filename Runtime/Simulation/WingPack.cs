@@ -27,11 +27,24 @@ namespace Alate
         /// <summary>Bending stiffness per bone, from the parameters and the rig.</summary>
         public float4* bendStiffness;
 
+        /// <summary>Delay of each chain, radians.</summary>
+        public float4* chainDelays;
+
         /// <summary>Bend angles per bone: x about the bend axis, y in the plane, z torsion; radians.</summary>
         public SoaFloat3* bendAngles;
 
         /// <summary>Their rates, rad/s.</summary>
         public SoaFloat3* bendRates;
+
+        /// <summary>Bend angles one substep earlier.</summary>
+        public SoaFloat3* earlierAngles;
+
+        /// <summary>Their rates one substep earlier.</summary>
+        public SoaFloat3* earlierRates;
+
+
+        /// <summary>Length of the last substep, seconds; 0 for a wing without a past, which then takes a step of backward Euler.</summary>
+        public float4* lastSubstep;
 
         /// <summary>H per bone: driven and bent.</summary>
         public SoaQuaternion* bentRotations;
@@ -42,8 +55,8 @@ namespace Alate
         /// <summary>d per joint: driven position of the last substep.</summary>
         public SoaFloat3* drivenPositions;
 
-        /// <summary>ḋ per joint of the last substep.</summary>
-        public SoaFloat3* drivenVelocities;
+        /// <summary>What the driven velocity of a substep does not see of the mean driven velocity before it; 0 but for backward Euler.</summary>
+        public SoaFloat3* drivenLags;
 
         /// <summary>e per joint: elastic minus posed position.</summary>
         public SoaFloat3* offsets;
@@ -51,7 +64,13 @@ namespace Alate
         /// <summary>ė per joint.</summary>
         public SoaFloat3* offsetRates;
 
-        /// <summary>How each joint's frame moved in the last substep.</summary>
+        /// <summary>e one substep earlier, turned with the driven motion since.</summary>
+        public SoaFloat3* earlierOffsets;
+
+        /// <summary>ė one substep earlier, turned with the driven motion since.</summary>
+        public SoaFloat3* earlierOffsetRates;
+
+        /// <summary>How each joint's frame moved against its driven one in the last substep.</summary>
         public JointMotion* motions;
 
         /// <summary>Aerodynamic loads per patch of the last substep; null unless recording.</summary>
@@ -77,11 +96,14 @@ namespace Alate
         public SoaFloat3 position;
     }
 
-    /// <summary>Rates of one joint's frame over the last substep: velocity of the joint and rate of the rotation matrix.</summary>
+    /// <summary>Mean rates of one joint's deformation over the last substep.</summary>
     internal struct JointMotion
     {
+        /// <summary>Of r − d, the joint's position less its driven one, L/s.</summary>
         public SoaFloat3 velocity;
-        public SoaFloat3x3 rate;
+
+        /// <summary>Of the quaternion G⁻¹S, the joint's frame seen from its driven one, 1/s.</summary>
+        public SoaQuaternion turning;
     }
 
     /// <summary>Aerodynamic load on one patch.</summary>
@@ -102,6 +124,11 @@ namespace Alate
     {
         /// <summary>Aerodynamic force, mean over the substeps of the last step, wing mass · L/s².</summary>
         public SoaFloat3 airForce;
+
+        /// <summary>
+        /// Moment of that force about <see cref="LaneSurroundings.hinge"/>'s origin, mean over the substeps of the last step, wing mass · L²/s².
+        /// </summary>
+        public SoaFloat3 airMoment;
 
         /// <summary>Spring energy (Eq. 12) at the end, wing mass · L²/s².</summary>
         public float4 springEnergy;

@@ -31,6 +31,7 @@ namespace Alate
             new WingParameterRange("rootShare", "", 0f, 0.8f, 1f, (ref WingParameters p) => ref p.rootShare),
             new WingParameterRange("inertia", "", 0f, 1f, 10f, (ref WingParameters p) => ref p.inertia),
             new WingParameterRange("airDensity", "wing masses per cubed wing length", 0f, 11.1f, 1e5f, (ref WingParameters p) => ref p.airDensity),
+            new WingParameterRange("strongestWind", "", 0.1f, 0.65f, 1000f, (ref WingParameters p) => ref p.strongestWind),
             new WingParameterRange("elasticity", "", 1e-3f, 1f, 1e6f, (ref WingParameters p) => ref p.elasticity),
             new WingParameterRange("referenceFrequency", "hertz", 0.01f, 12.08f, 1e5f, (ref WingParameters p) => ref p.referenceFrequency),
             new WingParameterRange("stiffnessRoot", "", 0.01f, 5f, 100f, (ref WingParameters p) => ref p.stiffnessRoot),

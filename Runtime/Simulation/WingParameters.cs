@@ -56,6 +56,12 @@ namespace Alate
         /// <summary>ρ* = ρL³/m_w: mass of the fluid in a cube of one wing length over the wing's mass, 0 to 10⁵; monarch 11.</summary>
         public float airDensity;
 
+        /// <summary>
+        /// Wind beyond which the wing hardly bends more, over the speed v_ref = 2π f_ref · flap of a wing tip that flies at u_max, 0.1 to 1000; default 0.65, 2.0 m/s for a
+        /// monarch. Beyond it the wind is felt as its fourth root, because soft sheets curl up in a stream (Vogel 1989). 1000 takes every wind as it is.
+        /// </summary>
+        public float strongestWind;
+
         /// <summary>k_e of Table 2, without unit, 10⁻³ to 10⁶; default 1. Scales bending stiffness and springs together.</summary>
         public float elasticity;
 
@@ -98,7 +104,7 @@ namespace Alate
         /// <summary>ζ_E: damping of the elastic deviation, 0 to 10; default 0.3.</summary>
         public float springDamping;
 
-        /// <summary>Substeps of one beat, 12 to 480; default 24; soft wings need 48 to converge below 5 %.</summary>
+        /// <summary>Substeps of one beat, 12 to 480; default 16. Fast air takes more by itself.</summary>
         public int substepsPerBeat;
 
         /// <summary>Factor on all three amplitudes, 0 to 2; default 1. For a flight controller that rolls by beating one side harder.</summary>
@@ -126,7 +132,7 @@ namespace Alate
         }
 
         /// <summary>Bounds of <see cref="substepsPerBeat"/> and its default.</summary>
-        public const int MinSubsteps = 12, MaxSubsteps = 480, DefaultSubsteps = 24;
+        public const int MinSubsteps = 12, MaxSubsteps = 480, DefaultSubsteps = 16;
 
         /// <summary>The same parameters with every value moved into its range; a value that is not a number becomes its default.</summary>
         public WingParameters Clamped()

@@ -48,6 +48,12 @@ namespace Alate
         /// <summary>Aerodynamic force (Eq. 11), mean over the last step, wing masses · L/s².</summary>
         public float3 AirForce => Readings->airForce[m_Lane];
 
+        /// <summary>
+        /// Moment of <see cref="AirForce"/> about the body's reference point (<see cref="WingSurroundings.hinge"/> away from the hinge), mean over the last step,
+        /// wing masses · L²/s².
+        /// </summary>
+        public float3 AirMoment => Readings->airMoment[m_Lane];
+
         /// <summary>Spring energy (Eq. 12), wing masses · L²/s².</summary>
         public float SpringEnergy => Readings->springEnergy[m_Lane];
 

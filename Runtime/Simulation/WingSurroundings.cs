@@ -3,11 +3,25 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>What one wing feels of the world, in its own right-wing frame: X hinge to tip, Y up, Z forward.</summary>
-    /// <remarks>For a left wing mirror the x components first: it is simulated as a right wing.</remarks>
+    /// <remarks>
+    /// A left wing is simulated as a right wing: negate x of its wind, gravity and hinge, and y and z of its angular velocity.
+    /// </remarks>
     public struct WingSurroundings
     {
         /// <summary>Air velocity minus body velocity, wing lengths per second.</summary>
         public float3 wind;
+
+        /// <summary>
+        /// Angular velocity Ω of the body, radians per second. A point of the wing at x from the hinge meets wind − Ω × (<see cref="hinge"/> + x). +X turns the nose
+        /// down, +Y the nose to the right, +Z lifts a right wing.
+        /// </summary>
+        public float3 angularVelocity;
+
+        /// <summary>
+        /// The hinge seen from the point of the body whose velocity <see cref="wind"/> contains, its centre of mass as a rule, wing lengths; 0 where
+        /// <see cref="wind"/> is that at the hinge. The moment of the air is about that point.
+        /// </summary>
+        public float3 hinge;
 
         /// <summary>Gravity, wing lengths per second squared; −161 along the world's up for a monarch.</summary>
         public float3 gravity;
@@ -20,6 +34,7 @@ namespace Alate
 
         /// <summary>True when every component is finite.</summary>
         public bool IsFinite =>
-            math.all(math.isfinite(wind)) && math.all(math.isfinite(gravity)) && math.isfinite(speed) && math.isfinite(angleOfAttack);
+            math.all(math.isfinite(wind)) && math.all(math.isfinite(gravity)) && math.all(math.isfinite(angularVelocity))
+            && math.all(math.isfinite(hinge)) && math.isfinite(speed) && math.isfinite(angleOfAttack);
     }
 }

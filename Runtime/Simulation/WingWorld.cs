@@ -341,7 +341,7 @@ namespace Alate
         private static void Check(in WingSurroundings surroundings)
         {
             if (!surroundings.IsFinite)
-                throw new ArgumentException("Wind, gravity, speed and angle of attack must be finite.", nameof(surroundings));
+                throw new ArgumentException("Wind, gravity, angular velocity, hinge, speed and angle of attack must be finite.", nameof(surroundings));
         }
     }
 }

@@ -75,6 +75,13 @@ namespace Alate
         public static SoaFloat3 Select(in SoaFloat3 a, in SoaFloat3 b, bool4 test) =>
             new SoaFloat3 { x = math.select(a.x, b.x, test), y = math.select(a.y, b.y, test), z = math.select(a.z, b.z, test) };
 
+        /// <summary>Each component between two bounds.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static SoaFloat3 Clamp(in SoaFloat3 a, float4 least, float4 most) => new SoaFloat3
+        {
+            x = math.min(math.max(a.x, least), most), y = math.min(math.max(a.y, least), most), z = math.min(math.max(a.z, least), most),
+        };
+
         /// <summary>The vector of one wing.</summary>
         public float3 this[int lane]
         {

@@ -66,7 +66,7 @@ internal sealed class PlainMotion
     {
         var p = beat.phase - MathF.PI * (m_Parameters.chordDelay * m_Rig.chainRatio[i] + m_Parameters.spanDelay * m_Rig.jointRatio[j]);
         var cycle = 0;
-        for (; p < 0f && cycle < Math.Min(beat.cycles, 2); cycle++)
+        for (; p < 0f && cycle < Math.Min(beat.cycles, 3); cycle++)
             p += 2f * MathF.PI;
         var moving = p >= 0f;
         p = MathF.Max(p, 0f);
@@ -90,7 +90,7 @@ internal sealed class PlainMotion
 
     private void Turn(float phaseRate, int bone)
     {
-        var tilt = Quaternion.CreateFromAxisAngle(Vector3.UnitX, m_Parameters.tilt);
+        var tilt = Quaternion.CreateFromAxisAngle(Vector3.UnitX, -m_Parameters.tilt);
         var flapped = tilt * Quaternion.CreateFromAxisAngle(Vector3.UnitZ, m_Angle.X);
         var swept = flapped * Quaternion.CreateFromAxisAngle(-Vector3.UnitY, m_Angle.Y);
         rotations[bone] = swept * Quaternion.CreateFromAxisAngle(m_Rig.leadingEdge, m_Angle.Z);

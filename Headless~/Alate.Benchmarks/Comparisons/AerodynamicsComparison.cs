@@ -13,33 +13,47 @@ internal static unsafe class AerodynamicsComparison
         var air = new PlainAerodynamics(plain, specimen.Parameters);
         var wind = PlainRig.Plain(view.surroundings->wind[0]);
 
-        // The driven pose has just been kept: nothing is carried, both see the surface of the last substep.
+        // Both see the surface that the substep carried to its end.
         PackStep.Substep(view, scratch, pack.substep);
-        Surface(plain, view, pack.substep, out var positions, out var velocities);
-        var ours = PlainRig.Plain(Aerodynamics.Apply(view, scratch)[0]);
+        Surface(plain, view, scratch, out var positions, out var velocities);
+        var ours = Force(view, scratch);
         var theirs = air.Apply(positions, velocities, wind);
         report.Check("triangles give the patches' force", (ours - theirs).Length() / theirs.Length(), 2e-2);
 
         Vector3 sink = default;
         var time = Race.Run(
-            new Contestant("patches", WingPack.Lanes * view.rig.patchCount, () => sink += PlainRig.Plain(Aerodynamics.Apply(view, scratch)[0])),
+            new Contestant("patches", WingPack.Lanes * view.rig.patchCount, () => sink += Force(view, scratch)),
             new Contestant("triangles", plain.triangles.Length / 3, () => sink += air.Apply(positions, velocities, wind)));
         report.Ratio(Targets.Triangle, time[0], time[1], time[1] / time[0]);
     }
 
-    // Vertices of the first wing and their velocities over the last substep.
-    private static void Surface(PlainRig plain, in WingPack pack, float h, out Vector3[] positions, out Vector3[] velocities)
+    private static Vector3 Force(in WingPack pack, in StepScratch scratch)
     {
+        for (var joint = 0; joint < pack.rig.jointCount; joint++)
+            scratch.forces[joint] = default;
+        Aerodynamics.Apply(pack, scratch);
+        Vector3 force = default;
+        for (var joint = 0; joint < pack.rig.jointCount; joint++)
+            force += PlainRig.Plain(scratch.forces[joint][0]);
+        return force;
+    }
+
+    // Vertices of the first wing and their velocities, as the joints were carried to the end of the substep.
+    private static void Surface(PlainRig plain, in WingPack pack, in StepScratch scratch, out Vector3[] positions, out Vector3[] velocities)
+    {
+        const float h = 1e-4f;
         var now = new Matrix4x4[plain.JointCount];
         var before = new Matrix4x4[plain.JointCount];
         for (var joint = 0; joint < now.Length; joint++)
         {
-            ref readonly var motion = ref pack.motions[joint];
-            var axes = new float3x3(pack.pose[joint].rotation[0]);
-            var rates = new float3x3(motion.rate.c0[0], motion.rate.c1[0], motion.rate.c2[0]);
-            var position = pack.pose[joint].position[0];
+            var frame = scratch.carriedFrames[joint];
+            var axes = new float3x3(frame.c0[0], frame.c1[0], frame.c2[0]);
+            var turning = scratch.carriedTurning[joint][0];
+            var rates = new float3x3(math.cross(turning, axes.c0), math.cross(turning, axes.c1), math.cross(turning, axes.c2));
+            var position = scratch.carriedPositions[joint][0];
+            var velocity = scratch.drivenVelocities[joint][0] - pack.drivenLags[joint][0] + pack.motions[joint].velocity[0];
             now[joint] = Transform(axes, position, plain.restJoints[joint]);
-            before[joint] = Transform(axes - rates * h, position - motion.velocity[0] * h, plain.restJoints[joint]);
+            before[joint] = Transform(axes - rates * h, position - velocity * h, plain.restJoints[joint]);
         }
 
         positions = new Vector3[plain.vertices.Length];

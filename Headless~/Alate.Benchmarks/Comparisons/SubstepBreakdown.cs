@@ -15,11 +15,12 @@ internal static unsafe class SubstepBreakdown
             ("whole", () => PackStep.Substep(view, scratch, h)),
             ("waves", () => DelayedWaves.Evaluate(view, scratch)),
             ("driven pose", () => DrivenPose.Evaluate(view, scratch)),
+            ("carried surface", () => CarriedSurface.Evaluate(view, scratch, h)),
             ("loads", () => JointLoads.Evaluate(view, scratch)),
             ("bending", () => Bend(view, scratch, h)),
-            ("elastic step", () => ElasticStep.Step(view, scratch, h)),
+            ("elastic step", () => ElasticStep.Step(view, scratch, ImplicitStep.Of(view, h))),
             ("joint frames", () => JointFrames.Evaluate(view, scratch, scratch.pose)),
-            ("joint motions", () => JointFrames.Motions(view, view.pose, scratch.pose, h)),
+            ("joint motions", () => JointFrames.Motions(view, scratch, h)),
         ];
         var times = Race.Run(System.Array.ConvertAll(parts, part => new Contestant(part.Name, WingPack.Lanes * 1000, part.Work)));
         for (var k = 0; k < parts.Length; k++)
@@ -28,7 +29,7 @@ internal static unsafe class SubstepBreakdown
 
     private static void Bend(in WingPack pack, in StepScratch scratch, float h)
     {
-        Bending.Step(pack, scratch, h);
+        Bending.Step(pack, scratch, ImplicitStep.Of(pack, h));
         Bending.Pose(pack, scratch);
     }
 }

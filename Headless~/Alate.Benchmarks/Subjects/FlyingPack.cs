@@ -29,7 +29,7 @@ internal sealed unsafe class FlyingPack : IDisposable
         m_Scratch = (byte*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
         UnsafeUtility.MemClear(m_Scratch, bytes);
         StepScratch.Layout(size, m_Scratch, out scratch);
-        Bending.DeriveStiffness(Pack);
+        PackStep.Derive(Pack);
         PackReset.Restart(Pack, scratch, true);
         substep = 1f / math.cmax(Pack.beat->frequency * Pack.parameters->substepsPerBeat);
         for (var k = 0; k < substeps; k++)

@@ -8,12 +8,19 @@ internal sealed class Specimen : IDisposable
 {
     public const float FlightSpeed = 1.3f;
     private const float k_Gravity = 9.81f;
+    private readonly WingRigSettings m_Settings;
 
     public Specimen(SpeciesWing wing)
+        : this(wing, wing.CreateSpecies().ToParameters(), WingRigSettings.Default)
+    {
+    }
+
+    private Specimen(SpeciesWing wing, in WingParameters parameters, WingRigSettings settings)
     {
         Wing = wing;
         var species = wing.CreateSpecies();
-        Parameters = species.ToParameters();
+        Parameters = parameters;
+        m_Settings = settings;
         Surface = wing.CreateSurface(WingSide.Right);
         Skeleton = wing.CreateSkeleton(WingSide.Right);
         Rig = Bake();
@@ -37,13 +44,25 @@ internal sealed class Specimen : IDisposable
 
     public WingSurroundings Flight { get; }
 
+    /// <summary>The monarch as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.</summary>
+    public static Specimen MonarchOfVersion01()
+    {
+        var wing = Species.Find("monarch").Wings[0];
+        var parameters = wing.CreateSpecies().ToParameters();
+        parameters.options.timeScheme = TimeScheme.BackwardEuler;
+        parameters.options.coupling = MembraneCoupling.OneWay;
+        parameters.strongestWind = 1000f;
+        parameters.substepsPerBeat = 24;
+        return new Specimen(wing, parameters, new WingRigSettings { patchCount = 256 });
+    }
+
     public static Specimen Monarch() => new(Species.Find("monarch").Wings[0]);
 
     /// <summary>A rig of its own; the caller releases it.</summary>
     public WingRig Bake() => WingRig.Bake(
         Skeleton,
         new WingSurface { positions = Surface.positions, normals = Surface.normals, triangles = Surface.triangles },
-        WingRigSettings.Default);
+        m_Settings);
 
     /// <summary>The same flight, a little faster for each wing, so that no two wings move alike.</summary>
     public WingSurroundings FlightOf(int wing)

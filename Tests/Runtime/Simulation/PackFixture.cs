@@ -25,7 +25,7 @@ namespace Alate.Tests
             m_Scratch = (byte*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
             UnsafeUtility.MemClear(m_Scratch, bytes);
             StepScratch.Layout(size, m_Scratch, out scratch);
-            Bending.DeriveStiffness(memory.view);
+            PackStep.Derive(memory.view);
             PackReset.Restart(memory.view, scratch, true);
         }
 

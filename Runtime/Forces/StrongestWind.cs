@@ -1,0 +1,40 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// The wind as the wing feels it: up to the strongest wind that bends it unchanged, beyond that growing as its fourth root. Soft sheets in a stream curl up and offer it
+    /// less and less area (Vogel 1989, leaves), which a wing that keeps its area and its joints' limits cannot do.
+    /// </summary>
+    internal static unsafe class StrongestWind
+    {
+        /// <summary>Growth beyond the strongest wind: as V^(1 − 0.75).</summary>
+        private const float k_Softening = 0.75f;
+
+        /// <summary>Air relative to the body, L/s.</summary>
+        public static SoaFloat3 Bound(in WingPack pack)
+        {
+            SoaFloat3 wind = pack.surroundings->wind;
+            return wind * Share(pack, wind);
+        }
+
+        /// <summary>Its speed, L/s.</summary>
+        public static float4 Speed(in WingPack pack) => math.sqrt(SoaFloat3.LengthSquared(Bound(pack)));
+
+        // (1 + x¹⁶)^(−0.75/16), which is 1 below 0.8 to a thousandth; as t^−0.75 (t^−16 + (x/t)¹⁶)^(−0.75/16) with t = max(x, 1), so that no speed overflows.
+        private static float4 Share(in WingPack pack, in SoaFloat3 wind)
+        {
+            float4 x = math.sqrt(SoaFloat3.LengthSquared(wind)) / pack.parameters->strongestWind;
+            float4 t = math.max(x, 1f);
+            return math.pow(t, -k_Softening) * math.pow(Power16(1f / t) + Power16(x / t), -k_Softening / 16f);
+        }
+
+        private static float4 Power16(float4 x)
+        {
+            x *= x;
+            x *= x;
+            x *= x;
+            return x * x;
+        }
+    }
+}
