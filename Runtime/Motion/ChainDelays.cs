@@ -4,7 +4,8 @@ namespace Alate
 {
     /// <summary>
     /// Delay of each chain behind the leading one (Eq. 2). Where two chains are so near each other that their delay would shear the strip between them beyond a slope,
-    /// the excess goes to the strips that have room, so that the driven pose is one that a membrane can take.
+    /// the excess goes to the strips that have room, so that the driven pose is one that a membrane can take. What no strip has room for still counts, by its logarithm:
+    /// a longer delay always twists the wing more.
     /// </summary>
     internal static unsafe class ChainDelays
     {
@@ -23,21 +24,23 @@ namespace Alate
             float4 whole = pack.parameters->chordDelay;
             float* ratio = pack.rig.chainRatio;
             int strips = pack.rig.chainCount - 1;
-            float4 excess = 0f, room = 0f;
+            float4 excess = 0f, room = 0f, sum = 0f;
             for (int i = 0; i < strips; i++)
             {
                 float4 wanted = whole * (ratio[i + 1] - ratio[i]), most = Most(pack, i, wanted);
                 excess += math.max(wanted - most, 0f);
                 room += math.max(most - wanted, 0f);
+                sum += most;
             }
 
             float4 share = math.min(excess * SoaMath.SafeReciprocal(room), 1f);
+            float4 beyond = 1f + math.log(math.max(whole * SoaMath.SafeReciprocal(sum), 1f));
             float4 delay = 0f;
             pack.chainDelays[0] = 0f;
             for (int i = 0; i < strips; i++)
             {
                 float4 wanted = whole * (ratio[i + 1] - ratio[i]), most = Most(pack, i, wanted);
-                delay += math.min(wanted, most) + share * math.max(most - wanted, 0f);
+                delay += (math.min(wanted, most) + share * math.max(most - wanted, 0f)) * beyond;
                 pack.chainDelays[i + 1] = delay;
             }
         }

@@ -20,6 +20,9 @@ namespace Alate
         /// </summary>
         private const float k_FoldShare = 0.01f;
 
+        /// <summary>The k_e below which a wing gets no easier to fold: rags at a tenth of their elasticity fold over strip by strip with less.</summary>
+        private const float k_LeastFold = 0.5f;
+
         public float4 maxFrequency;
         public float4 maxSpeed;
         public float4 frequencyFloor;
@@ -113,7 +116,7 @@ namespace Alate
             bool twoWay = p.options.coupling == MembraneCoupling.TwoWay;
             float springUnit = p.options.springUnits == SpringUnits.Printed ? 1f : p.springScale * beatRate * beatRate;
             springStiffness[lane] = springUnit * (twoWay ? math.max(p.elasticity, k_LeastMembrane) : p.elasticity);
-            foldStiffness[lane] = twoWay ? k_FoldShare * p.elasticity * springUnit : 0f;
+            foldStiffness[lane] = twoWay ? k_FoldShare * math.max(p.elasticity, k_LeastFold) * springUnit : 0f;
             anchorRate[lane] = p.anchor * beatRate * math.sqrt(p.elasticity);
             springDamping[lane] = p.springDamping;
             substepsPerBeat[lane] = p.substepsPerBeat;

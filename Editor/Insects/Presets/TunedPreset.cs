@@ -108,7 +108,7 @@ namespace Alate.Editor
             return first;
         }
 
-        // Stiffness is measured against the reference frequency, which knows the range: it is kept as it was.
+        // Stiffness and the strongest wind are measured against the reference frequency, which knows the range: they are kept as they were.
         private static void Scale(WingSpecies species, float share)
         {
             float before = species.ReferenceFrequency;
@@ -116,15 +116,11 @@ namespace Alate.Editor
             species.Beat.featherRange *= share;
             species.Beat.sweepRange *= share;
             float ratio = before / species.ReferenceFrequency;
-            if (species.Options.springUnits == SpringUnits.BeatRate)
-            {
-                species.Stiffness.elasticity *= ratio * ratio;
-                return;
-            }
-
             species.Stiffness.leadingEdge *= ratio;
             species.Stiffness.trailingEdge *= ratio;
             species.Stiffness.anchor *= ratio;
+            species.Stiffness.springScale *= ratio * ratio;
+            species.Stiffness.strongestWind *= share > 0f ? ratio / share : 1f;
         }
 
         private static float Wrap(float degrees)
