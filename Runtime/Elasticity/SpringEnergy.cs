@@ -62,14 +62,19 @@ namespace Alate
         }
 
         /// <summary>The springs' share alone: the elastic energy of Eq. 12, wing mass · L²/s².</summary>
-        public static float4 Elastic(in WingPack pack, JointPose* pose)
+        /// <param name="pack">Rig and spring stiffness.</param>
+        /// <param name="pose">[joint]</param>
+        /// <param name="largest">Largest |l/L − 1| of any spring.</param>
+        public static float4 Elastic(in WingPack pack, JointPose* pose, out float4 largest)
         {
             float4 sum = default;
+            largest = default;
             for (int s = 0; s < pack.rig.springCount; s++)
             {
                 Spring spring = pack.rig.springs[s];
                 float4 stretch = math.sqrt(SoaFloat3.LengthSquared(pose[spring.a].position - pose[spring.b].position)) - spring.length;
                 sum += stretch * stretch;
+                largest = math.max(largest, math.abs(stretch) * (1f / spring.length));
             }
 
             return 0.5f * pack.parameters->springStiffness * sum;

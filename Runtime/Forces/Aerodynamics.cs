@@ -61,7 +61,7 @@ namespace Alate
                 SoaFloat3 normal = scratch.normals[patch];
                 float4 length = math.sqrt(math.max(SoaFloat3.LengthSquared(normal), 1e-20f));
                 scratch.normals[patch] = normal * (1f / length);
-                scratch.halfDensityAreas[patch] = halfDensity * (pack.rig.patchAreas[patch] * length);
+                scratch.halfDensityAreas[patch] = halfDensity * (pack.rig.patchAreas[patch] * pack.rig.patchMeasures[patch] * length);
             }
         }
 

@@ -44,6 +44,21 @@ namespace Alate
             }
         }
 
+        /// <summary>
+        /// Moment of the air on all wings of the real insect about its own origin, newton metres, world axes; mean over the last step. Its sense is Unity's: a positive
+        /// component turns as <see cref="Rigidbody.AddTorque(Vector3)"/> does.
+        /// </summary>
+        public Vector3 AirMoment
+        {
+            get
+            {
+                Vector3 sum = default;
+                for (int wing = 0; Live != null && wing < Live.wings.Length; wing++)
+                    sum += AirMomentOf(wing);
+                return sum;
+            }
+        }
+
         /// <summary>Part of <see cref="AirForce"/> against gravity, newtons.</summary>
         public float Lift => Live == null ? 0f : Vector3.Dot(AirForce, -Physics.gravity.normalized);
 
@@ -78,6 +93,29 @@ namespace Alate
                 return default;
             LiveWing live = Live.wings[wing];
             return live.placed.ToWorld(Read(wing).AirForce) * (live.values.wingMass * live.values.wingLength);
+        }
+
+        /// <summary>Moment of the air on one wing of the real insect about the insect's origin, newton metres, world axes; mean over the last step.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
+        public Vector3 AirMomentOf(int wing)
+        {
+            CheckWing(wing);
+            if (Live == null)
+                return default;
+            LiveWing live = Live.wings[wing];
+            return live.placed.AxisToWorld(Read(wing).AirMoment) * (live.values.wingMass * live.values.wingLength * live.values.wingLength);
+        }
+
+        /// <summary>Largest stretch of any wing's membrane between its joints, in the last step; 0.1 is 10 %. Above that, wings look torn.</summary>
+        public float Stretch
+        {
+            get
+            {
+                float largest = 0f;
+                for (int wing = 0; Live != null && wing < Live.wings.Length; wing++)
+                    largest = Mathf.Max(largest, Read(wing).Stretch);
+                return largest;
+            }
         }
 
         /// <summary>The whole state of a wing, in its own frame; see <see cref="WingReading"/>. Waits for jobs that are under way.</summary>

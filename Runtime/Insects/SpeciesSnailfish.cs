@@ -68,7 +68,7 @@ namespace Alate
             species.Beat.featherRange = 20f;
             species.Beat.sweepRange = 20f;
             species.Beat.meanFlap = 0f;
-            species.Beat.tilt = 20f;
+            species.Beat.tilt = -20f;
             species.Stiffness.elasticity = 14f;
             species.Options.coefficients = CoefficientSet.FlatPlate;
         }
@@ -96,7 +96,7 @@ namespace Alate
                 new SpeciesSource("MAX_f", "2.5 Hz", "assumed: an unhurried beat of pectoral fins"),
                 new SpeciesSource("u_max", "0.2 m/s", "assumed: two body lengths a second"),
                 new SpeciesSource("MAX_a flap, feather, sweep", "80°, 20°, 20°", "assumed: not in Table 1"),
-                new SpeciesSource("tilt of the stroke", "20°", "Walker and Westneat 1997, measured on the wrasse Gomphosus varius, which flies by its pectoral fins"),
+                new SpeciesSource("tilt of the stroke", "−20°, the downstroke backwards", "Walker and Westneat 1997, measured on the wrasse Gomphosus varius, which flies by its pectoral fins"),
                 new SpeciesSource("elasticity k_e", "14", "assumed: not in Table 2; water loads a fin some ten times more than air a wing of its mass"),
                 new SpeciesSource("triangles", "3600 on two fins", "chosen: a handful along each hollow of the margin"),
                 new SpeciesSource("chord delay λ", "0.15", "assumed: the monarch's"),

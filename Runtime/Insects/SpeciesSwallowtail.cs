@@ -87,7 +87,7 @@ namespace Alate
             species.Wave.chordDelay = 0.14f;
             species.Wave.spanDelay = 0.2f;
             species.Wave.rootShare = 0.7f;
-            species.Stiffness.elasticity = 0.4f;
+            species.Stiffness.elasticity = 0.45f;
             species.Stiffness.decay = 0.6f;
             species.Stiffness.springScale = 30f;
             species.SubstepsPerBeat = 24;
@@ -96,8 +96,8 @@ namespace Alate
         private static void SoftenHind(WingSpecies species)
         {
             Soften(species);
-            species.Beat.meanFlap = 6f;
-            species.Beat.phaseLead = -28f;
+            species.Beat.meanFlap = 6.5f;
+            species.Beat.phaseLead = -27f;
         }
 
         private static SpeciesSource[] Sources()
@@ -118,8 +118,8 @@ namespace Alate
                 new SpeciesSource("elasticity k_e", "1", "assumed: the monarch's of Table 2"),
                 new SpeciesSource("triangles", "4800 on four wings", "chosen: about the density of the monarch's mesh"),
                 new SpeciesSource("chord delay λ", "0.1", "chosen: over both wings the rear edge lags by some 40°, the upper end of what was measured on butterflies"),
-                new SpeciesSource("k_e, λ, μ, w_0, decay, κ", "0.4, 0.14, 0.2, 0.7, 0.6, 30", "chosen for the eye: wings that bow and tails that trail", expressive),
-                new SpeciesSource("hind wing's middle and phase", "6°, 28° later", "chosen: the softer edges stay together with these", expressive),
+                new SpeciesSource("k_e, λ, μ, w_0, decay, κ", "0.45, 0.14, 0.2, 0.7, 0.6, 30", "chosen for the eye: wings that bow and tails that trail", expressive),
+                new SpeciesSource("hind wing's middle and phase", "6.5°, 27° later", "chosen: the softer edges stay together with these", expressive),
                 new SpeciesSource("colours", "yellow and black", "drawn by us"),
             };
         }

@@ -45,26 +45,26 @@ namespace Alate
         public int Count => areas.Length;
 
         /// <summary>
-        /// [patch] Areas over |p_u × p_v| of the rest cell at the centre. Where a cell ends in a point that product vanishes; there it counts with a
-        /// <see cref="k_LeastShare"/> of its mean, so that a patch at the point does not grow without bound.
+        /// [patch] 1/|p_u × p_v| of the rest cell at the centre. Where a cell ends in a point that product vanishes; there it counts as <see cref="k_LeastShare"/> of
+        /// that in the middle, so that a patch at the point does not grow without bound.
         /// </summary>
-        public float[] AreasPerUnit(RestSkeleton rest)
+        public float[] Measures(RestSkeleton rest)
         {
-            var scaled = new float[Count];
+            var measures = new float[Count];
             for (int cell = 0; cell < cells.Length; cell++)
             {
                 int joint = rest.FirstJoint(cell), next = joint + rest.jointsPerChain;
-                float3 p00 = rest.joints[joint], alongU = rest.joints[next] - p00, alongV = rest.joints[joint + 1] - p00;
+                float3 alongU = rest.joints[next] - rest.joints[joint], alongV = rest.joints[joint + 1] - rest.joints[joint];
                 float3 mixed = rest.joints[next + 1] - rest.joints[next] - alongV;
-                float mean = math.length(math.cross(alongU + 0.5f * mixed, alongV + 0.5f * mixed));
+                float middle = math.length(math.cross(alongU + 0.5f * mixed, alongV + 0.5f * mixed));
                 for (int patch = cells[cell].firstPatch; patch < cells[cell].firstPatch + cells[cell].patchCount; patch++)
                 {
-                    float measure = math.length(math.cross(alongU + mixed * v[patch], alongV + mixed * u[patch]));
-                    scaled[patch] = areas[patch] / math.max(measure, k_LeastShare * mean);
+                    float here = math.length(math.cross(alongU + mixed * v[patch], alongV + mixed * u[patch]));
+                    measures[patch] = 1f / math.max(here, k_LeastShare * middle);
                 }
             }
 
-            return scaled;
+            return measures;
         }
 
         private float3[] Centres(SurfaceTriangles triangles, int[] clusters, int count)

@@ -83,7 +83,8 @@ namespace Alate
             rig.patchV = (float*)Pointer(patches.v);
             rig.patchSpan = (float*)Pointer(patches.span);
             rig.patchChord = (float*)Pointer(patches.chord);
-            rig.patchAreas = (float*)Pointer(patches.AreasPerUnit(rest));
+            rig.patchAreas = (float*)Pointer(patches.areas);
+            rig.patchMeasures = (float*)Pointer(patches.Measures(rest));
         }
 
         private void* Pointer<T>(T[] content) where T : struct => Own(content).GetUnsafeReadOnlyPtr();

@@ -90,8 +90,11 @@ namespace Alate
         /// <summary>[patch] Rest centre forward of the hinge, z.</summary>
         public float* patchChord;
 
-        /// <summary>[patch] Rest area over |x_u × x_v| at rest, so that times |x_u × x_v| it is the deformed area.</summary>
+        /// <summary>[patch] Rest area, L².</summary>
         public float* patchAreas;
+
+        /// <summary>[patch] 1/|x_u × x_v| at rest, L⁻²: how much |x_u × x_v| has grown is how much the area has.</summary>
+        public float* patchMeasures;
 
         /// <summary>[cell] Vertices of each cell, in order.</summary>
         public SkinCell* skinCells;

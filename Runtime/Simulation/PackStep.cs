@@ -59,11 +59,8 @@ namespace Alate
             float4 perBeat = SubstepsPerBeat(pack);
             float4 perAir = math.min(StrongestWind.Speed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * frequency);
             float rate = math.cmax(math.max(frequency * perBeat, perAir));
-            int most = (int)math.ceil(k_MostBeats * math.max(k_MostPerBeat, math.cmax(perBeat)));
-            int wanted = (int)math.min(math.ceil(dt * rate - k_CountRounding), most + 1f);
-            if (wanted > most)
-                dt = most / rate;
-            return math.clamp(wanted, 1, most);
+            dt = math.min(dt, k_MostBeats / math.cmax(frequency));
+            return math.max((int)math.ceil(dt * rate - k_CountRounding), 1);
         }
 
         /// <summary>The model, in the order of its equations.</summary>
@@ -131,7 +128,7 @@ namespace Alate
             pack.readings->airForce *= mean;
             pack.readings->airMoment *= mean;
             pack.readings->newtonIterations *= mean;
-            pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose);
+            pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose, out pack.readings->stretch);
         }
 
         private static void Keep(in WingPack pack, in StepScratch scratch, float substep)

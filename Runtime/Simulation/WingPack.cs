@@ -133,6 +133,9 @@ namespace Alate
         /// <summary>Spring energy (Eq. 12) at the end, wing mass · L²/s².</summary>
         public float4 springEnergy;
 
+        /// <summary>Largest |l/L − 1| of any spring at the end.</summary>
+        public float4 stretch;
+
         /// <summary>Newton iterations, mean over the substeps of the last step.</summary>
         public float4 newtonIterations;
 

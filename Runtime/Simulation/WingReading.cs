@@ -57,6 +57,9 @@ namespace Alate
         /// <summary>Spring energy (Eq. 12), wing masses · L²/s².</summary>
         public float SpringEnergy => Readings->springEnergy[m_Lane];
 
+        /// <summary>Largest |l/L − 1| of the membrane between any two joints, at the end of the last step; above 0.1 a wing looks torn.</summary>
+        public float Stretch => Readings->stretch[m_Lane];
+
         /// <summary>Newton iterations per substep, mean over the last step.</summary>
         public float NewtonIterations => Readings->newtonIterations[m_Lane];
 

@@ -5,6 +5,9 @@ namespace Alate.Editor
     /// <summary>The numbers of a living insect as the inspector shows them.</summary>
     internal static class LiveNumbers
     {
+        /// <summary>Stretch between two joints above which a wing looks torn.</summary>
+        private const float k_BearableStretch = 0.1f;
+
         private const string k_None = "—";
 
         /// <summary>"8.8 Hz".</summary>
@@ -32,6 +35,18 @@ namespace Alate.Editor
 
         /// <summary>Substeps of the last step of the first wing.</summary>
         public static string Substeps(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.Read(0).Substeps} in the last step");
+
+        /// <summary>"3 %".</summary>
+        public static string Stretch(InsectWings insect) => insect.Live == null ? k_None : Text($"{100f * insect.Stretch:0} %");
+
+        /// <summary>One line where a wing is driven outside what it bears, with the largest stretch and what to change; otherwise null.</summary>
+        public static string Overstretched(InsectWings insect)
+        {
+            float stretch = insect.Stretch;
+            return stretch > k_BearableStretch
+                ? Text($"A wing stretches by {100f * stretch:0} %, more than it bears. Lower the wind, the speed or Strongest Wind, or raise Elasticity.")
+                : null;
+        }
 
         /// <summary>How often any wing of the insect had to be put back into its driven pose.</summary>
         public static int Resets(InsectWings insect)

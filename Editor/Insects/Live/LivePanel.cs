@@ -23,6 +23,7 @@ namespace Alate.Editor
             public static readonly GUIContent MeanLift = new GUIContent("Mean Lift", "Over the beats that are drawn.");
             public static readonly GUIContent Detail = new GUIContent("Detail", "How much of the model is computed now; see Quality.");
             public static readonly GUIContent Substeps = new GUIContent("Substeps", "Of the first wing.");
+            public static readonly GUIContent Stretch = new GUIContent("Stretch", "Largest stretch of any wing's membrane between two joints in the last step. Above 10 % a wing looks torn.");
             public static readonly GUIContent Resets = new GUIContent("Resets", "How often a wing was put back into its driven pose because its state was not finite. Anything but 0 is worth a look at stiffness and substeps.");
         }
 
@@ -68,7 +69,11 @@ namespace Alate.Editor
             Line(Content.MeanLift, LiveNumbers.Lift(m_Trace.Fold()));
             Line(Content.Detail, LiveNumbers.Detail(insect));
             Line(Content.Substeps, LiveNumbers.Substeps(insect));
+            Line(Content.Stretch, LiveNumbers.Stretch(insect));
             Line(Content.Resets, LiveNumbers.Resets(insect).ToString());
+            string overstretched = LiveNumbers.Overstretched(insect);
+            if (overstretched != null)
+                EditorGUILayout.HelpBox(overstretched, MessageType.Warning);
         }
 
         private static void Line(GUIContent label, string value) => EditorGUILayout.LabelField(label, new GUIContent(value));

@@ -105,12 +105,15 @@ internal sealed class Flight : IDisposable
         BeatMeasurement measurement = Measurement(rest, wing.Surface);
         foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
         {
-            m_Handles.Add(m_World.Add(rig, parameters, m_Plan.SurroundingsOf(wing.Species, side)));
+            WingPlacement placement = wing.PlacementOf(rig.Frame, side);
+            WingSurroundings surroundings = m_Plan.SurroundingsOf(wing.Species, side);
+            surroundings.hinge = placement.Hinge / wing.Species.WingLength;
+            m_Handles.Add(m_World.Add(rig, parameters, surroundings));
             m_Frames.Add(rig.Frame);
             m_Wings.Add(new RecordedWing
             {
                 Wing = wing,
-                Placement = wing.PlacementOf(rig.Frame, side),
+                Placement = placement,
                 Parameters = parameters,
                 Rest = rest,
                 Measurement = measurement,
@@ -192,6 +195,7 @@ internal sealed class Flight : IDisposable
             Phase = reading.Phase,
             Root = reading.DrivenRotation(0, 0),
             AirForce = reading.AirForce,
+            AirMoment = reading.AirMoment,
             NewtonIterations = reading.NewtonIterations,
             Positions = new float3[vertices.Length],
             Normals = new float3[vertices.Length],

@@ -7,11 +7,14 @@ namespace Alate.Cli.Flights;
 /// <summary>The numbers of a flight.</summary>
 internal sealed class FlightSummary
 {
+    private const double k_Gravity = 9.81, k_BearableP99 = 8.0, k_BearableMax = 25.0;
+
     private FlightSummary(FlightRecord flight)
     {
         Flight = flight;
         Wings = flight.Wings.Where(wing => !wing.Placement.IsLeft).Select(WingSummary.Of).ToList();
-        LiftOverWeight = Lift(flight);
+        (MeanForce, MeanMoment) = MeanAir(flight);
+        LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Species.Size.insectMass * k_Gravity);
         NewtonIterationsMean = flight.Wings.SelectMany(wing => wing.Frames).Average(frame => frame.NewtonIterations);
         Resets = flight.Wings.Sum(wing => wing.Resets);
         Triangles = flight.Wings.Sum(wing => wing.Triangles.Length / 3);
@@ -23,6 +26,15 @@ internal sealed class FlightSummary
     public IReadOnlyList<WingSummary> Wings { get; }
 
     public WingSummary Main => Wings[0];
+
+    /// <summary>Mean force of the air on all wings in body axes, newtons: right, up, ahead.</summary>
+    public float3 MeanForce { get; }
+
+    /// <summary>Mean moment of the air on all wings about the middle of the thorax in body axes, newton metres: nose down, nose right, right wing up.</summary>
+    public float3 MeanMoment { get; }
+
+    /// <summary>Whether some wing is driven outside what it bears: beyond 8 % at the 99th percentile or 25 % anywhere.</summary>
+    public bool IsOverstretched => Wings.Any(wing => wing.EdgeStretchP99Pct > k_BearableP99 || wing.EdgeStretchMaxPct > k_BearableMax);
 
     /// <summary>Mean force of the air on all wings along the world's up, over the weight of the insect.</summary>
     public double LiftOverWeight { get; }
@@ -36,18 +48,20 @@ internal sealed class FlightSummary
 
     public static FlightSummary Of(FlightRecord flight) => new(flight);
 
-    // The x of a left wing's force is mirrored, which the pitched up axis does not see.
-    private static double Lift(FlightRecord flight)
+    private static (float3 Force, float3 Moment) MeanAir(FlightRecord flight)
     {
-        const double k_Gravity = 9.81;
-        float3 up = flight.Plan.UpOfBody;
-        double lift = 0.0;
+        float3 force = default, moment = default;
         foreach (RecordedWing wing in flight.Wings)
         {
             SpeciesSize size = wing.Wing.Species.Size;
-            lift += size.wingMass * size.wingLength * wing.Frames.Average(frame => (double)math.dot(frame.AirForce, up));
+            float unit = size.wingMass * size.wingLength / wing.Frames.Count;
+            foreach (RecordedFrame frame in wing.Frames)
+            {
+                force += unit * wing.Placement.DirectionToBody(frame.AirForce);
+                moment += unit * size.wingLength * wing.Placement.AxisToBody(frame.AirMoment);
+            }
         }
 
-        return lift / (flight.Wings[0].Wing.Species.Size.insectMass * k_Gravity);
+        return (force, moment);
     }
 }

@@ -59,6 +59,8 @@ internal sealed class Terminal
             $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles."));
         m_Console.WriteLine("The last beat:");
         m_Console.Write(SummaryTable(summary));
+        if (summary.IsOverstretched)
+            m_Console.WriteLine(Overstretched(summary));
         ShowFiles(folder, files);
     }
 
@@ -112,6 +114,8 @@ internal sealed class Terminal
         Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2));
         Row(table, summary, "edge stretch, 99th percentile, %", wing => Number(wing.EdgeStretchP99Pct, 2));
         Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));
+        Row(table, summary, "mean force right, up, ahead, mN", Milli(summary.MeanForce));
+        Row(table, summary, "mean moment nose down, nose right, right wing up, µN m", Milli(1e3f * summary.MeanMoment));
         Row(table, summary, "Newton iterations, mean", Number(summary.NewtonIterationsMean, 2));
         Row(table, summary, "resets", Number(summary.Resets, 0));
         Row(table, summary, "µs per substep, all wings", Number(summary.Flight.MicrosecondsPerSubstep, 1));
@@ -129,6 +133,16 @@ internal sealed class Terminal
 
     private static void Row(Table table, FlightSummary summary, string name, string value) =>
         Row(table, summary, name, wing => wing == summary.Main ? value : "");
+
+    // One line: which wing, how much, and what to change.
+    private static string Overstretched(FlightSummary summary)
+    {
+        WingSummary worst = summary.Wings.MaxBy(wing => wing.EdgeStretchMaxPct);
+        return FormattableString.Invariant(
+            $"The {worst.Name} is driven outside what it bears: its edges stretch by up to {worst.EdgeStretchMaxPct:0} %. Lower the wind or the speed, or raise its elasticity.");
+    }
+
+    private static string Milli(Unity.Mathematics.float3 value) => $"{Number(1e3 * value.x, 2)}, {Number(1e3 * value.y, 2)}, {Number(1e3 * value.z, 2)}";
 
     private static string Number(double value, int digits) => value.ToString("F" + digits, CultureInfo.InvariantCulture);
 }

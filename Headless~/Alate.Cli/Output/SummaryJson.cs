@@ -15,6 +15,8 @@ internal static class SummaryJson
         json.WriteString("species", summary.Flight.Insect.Name);
         WriteWing(json, summary.Main);
         Number(json, "lift_over_weight", summary.LiftOverWeight);
+        Vector(json, "mean_force_n", summary.MeanForce);
+        Vector(json, "mean_moment_n_m", summary.MeanMoment);
         Number(json, "newton_iterations_mean", summary.NewtonIterationsMean);
         json.WriteNumber("resets", summary.Resets);
         Number(json, "us_per_substep", summary.Flight.MicrosecondsPerSubstep);
@@ -84,16 +86,30 @@ internal static class SummaryJson
         json.WriteEndObject();
     }
 
+    private static void Vector(Utf8JsonWriter json, string key, Unity.Mathematics.float3 value)
+    {
+        json.WriteStartArray(key);
+        foreach (double component in new[] { value.x, value.y, value.z })
+            WriteNumber(json, component);
+        json.WriteEndArray();
+    }
+
     // Six significant digits: more are noise of single precision.
     private static void Number(Utf8JsonWriter json, string key, double value)
     {
+        json.WritePropertyName(key);
+        WriteNumber(json, value);
+    }
+
+    private static void WriteNumber(Utf8JsonWriter json, double value)
+    {
         if (!double.IsFinite(value))
         {
-            json.WriteNull(key);
+            json.WriteNullValue();
             return;
         }
 
         double magnitude = value == 0.0 ? 0.0 : Math.Floor(Math.Log10(Math.Abs(value)));
-        json.WriteNumber(key, Math.Round(value, (int)Math.Clamp(5.0 - magnitude, 0.0, 12.0)));
+        json.WriteNumberValue(Math.Round(value, (int)Math.Clamp(5.0 - magnitude, 0.0, 15.0)));
     }
 }

@@ -28,13 +28,19 @@ namespace Alate.Tests
             }).QuickCheckThrowOnFailure();
         }
 
-        [Test]
-        public void WithDriveAndAirOff_TheBendingEnergyNeverRises()
+        // Every substep of backward Euler dissipates. The second-order step measures energy over two substeps: it may rise in one, but not over a few.
+        [TestCase(TimeScheme.BackwardEuler, MembraneCoupling.OneWay, 1f)]
+        [TestCase(TimeScheme.SecondOrder, MembraneCoupling.OneWay, 1.25f)]
+        [TestCase(TimeScheme.SecondOrder, MembraneCoupling.TwoWay, 1.25f)]
+        public void WithDriveAndAirOff_TheBendingEnergyNeverRises(TimeScheme scheme, MembraneCoupling coupling, float most)
         {
             Prop.ForAll(RandomFlight.Seeds, seed =>
             {
                 var flight = new RandomFlight(seed);
-                using (var fixture = new PackFixture(Monarch.Rig(), Still(flight.Parameters)))
+                WingParameters parameters = Still(flight.Parameters);
+                parameters.options.timeScheme = scheme;
+                parameters.options.coupling = coupling;
+                using (var fixture = new PackFixture(Monarch.Rig(), parameters))
                 {
                     for (int bone = 0; bone < fixture.rig.BoneCount; bone++)
                     {
@@ -42,13 +48,13 @@ namespace Alate.Tests
                         fixture.Pack.bendRates[bone] = new SoaFloat3(flight.Random.NextFloat3(-30f, 30f));
                     }
 
-                    float last = BendingEnergy(fixture);
+                    float first = BendingEnergy(fixture), last = first;
                     for (int k = 0; k < 50; k++)
                     {
                         PackStep.Run(ref fixture.Pack, fixture.scratch, fixture.Substep);
                         float now = BendingEnergy(fixture);
-                        if (now > last * 1.00001f + 1e-7f)
-                            return false.Label($"seed {seed}, substep {k}: {last} to {now}");
+                        if (now > most * last * 1.00001f + 1e-7f || now > first * 1.00001f)
+                            return false.Label($"seed {seed}, substep {k}: {last} to {now}, {first} at first");
                         last = now;
                     }
 
@@ -57,13 +63,17 @@ namespace Alate.Tests
             }).QuickCheckThrowOnFailure();
         }
 
-        [Test]
-        public void WithDriveAndAirOff_TheElasticEnergyNeverRises()
+        [TestCase(TimeScheme.BackwardEuler, 1e-4f)]
+        [TestCase(TimeScheme.SecondOrder, 1e-2f)]
+        public void WithDriveAndAirOff_TheElasticEnergyNeverRises(TimeScheme scheme, float rise)
         {
             Prop.ForAll(RandomFlight.Seeds, seed =>
             {
                 var flight = new RandomFlight(seed);
-                using (var fixture = new PackFixture(Monarch.Rig(), Still(flight.Parameters)))
+                WingParameters parameters = Still(flight.Parameters);
+                parameters.options.timeScheme = scheme;
+                parameters.options.coupling = MembraneCoupling.OneWay;
+                using (var fixture = new PackFixture(Monarch.Rig(), parameters))
                 {
                     for (int joint = 0; joint < fixture.rig.JointCount; joint++)
                     {
@@ -79,7 +89,7 @@ namespace Alate.Tests
                     {
                         PackStep.Run(ref fixture.Pack, fixture.scratch, fixture.Substep);
                         float now = ElasticEnergy(fixture);
-                        if (now > last + 1e-4f * first)
+                        if (now > last + rise * first)
                             return false.Label($"seed {seed}, substep {k}: {last} to {now} of {first}");
                         last = now;
                     }
@@ -114,7 +124,7 @@ namespace Alate.Tests
 
         private static float ElasticEnergy(PackFixture fixture)
         {
-            float anchor = fixture.Pack.parameters->anchorRate.x, energy = SpringEnergy.Elastic(fixture.Pack, fixture.Pack.pose).x;
+            float anchor = fixture.Pack.parameters->anchorRate.x, energy = SpringEnergy.Elastic(fixture.Pack, fixture.Pack.pose, out _).x;
             for (int joint = 0; joint < fixture.rig.JointCount; joint++)
             {
                 float mass = fixture.rig.JointMasses[joint];

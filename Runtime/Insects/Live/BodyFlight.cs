@@ -32,11 +32,12 @@ namespace Alate
         /// <summary>What a wing feels, in its own frame (<see cref="WingSurroundings"/>).</summary>
         public WingSurroundings Around(in PlacedWing wing, float wingLength, float gravityShare)
         {
-            float3 atHinge = velocity + math.cross(angularVelocity, wing.hinge - position);
             float scale = metresPerUnit > 0f ? metresPerUnit : wingLength / wing.length;
             return new WingSurroundings
             {
-                wind = wing.ToWing(wind - atHinge) * (scale / wingLength),
+                wind = wing.ToWing(wind - velocity) * (scale / wingLength),
+                angularVelocity = wing.AxisToWing(angularVelocity),
+                hinge = wing.ToWing(wing.hinge - position) * (scale / wingLength),
                 gravity = wing.ToWing(gravity) * (gravityShare / wingLength),
                 speed = math.length(velocity) * scale,
                 angleOfAttack = Pitch,

@@ -46,6 +46,17 @@ namespace Alate
         /// <summary>A vector of the world in wing axes, world units.</summary>
         public float3 ToWing(float3 world) => new float3(math.dot(span, world), math.dot(up, world), math.dot(forward, world));
 
+        /// <summary>
+        /// An axis of turning (an angular velocity, a moment) of the world in wing axes: in a mirror image an axis keeps its direction where a vector is turned round.
+        /// </summary>
+        public float3 AxisToWing(float3 world) => ToWing(world) * Handedness;
+
+        /// <summary>An axis of turning in wing axes in the world.</summary>
+        public float3 AxisToWorld(float3 wing) => ToWorld(wing) * Handedness;
+
+        // 1 for a right wing's axes, −1 for their mirror image.
+        private float Handedness => math.dot(math.cross(span, up), forward) < 0f ? -1f : 1f;
+
         /// <summary>A vector in wing axes in the world.</summary>
         public float3 ToWorld(float3 wing) => span * wing.x + up * wing.y + forward * wing.z;
     }

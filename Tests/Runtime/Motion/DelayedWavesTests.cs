@@ -13,6 +13,7 @@ namespace Alate.Tests
             WingParameters parameters = WingParameters.Default;
             parameters.rootShare = 1f;
             parameters.meanFlap = 0f;
+            parameters.options.coupling = MembraneCoupling.OneWay;
             m_Fixture = new PackFixture(Monarch.Rig(), parameters);
         }
 
@@ -109,6 +110,10 @@ namespace Alate.Tests
                 m_Fixture.Pack.parameters->chordDelay = m_Fixture.Pack.parameters->spanDelay = 0f;
         }
 
-        private void Evaluate() => DelayedWaves.Evaluate(m_Fixture.Pack, m_Fixture.scratch);
+        private void Evaluate()
+        {
+            ChainDelays.Derive(m_Fixture.Pack);
+            DelayedWaves.Evaluate(m_Fixture.Pack, m_Fixture.scratch);
+        }
     }
 }

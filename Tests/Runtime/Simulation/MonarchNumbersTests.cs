@@ -11,7 +11,7 @@ namespace Alate.Tests
         [Test]
         public void LevelFlight_MeasuresWhatTheReferenceMeasures()
         {
-            WingDeformation m = FlownBeat.Measure(Monarch.Parameters);
+            WingDeformation m = FlownBeat.Measure(Monarch.FirstOrder);
             Assert.That(math.degrees(m.TwistRange), Is.EqualTo(24).Within(24 * k_Reference), "twist");
             Assert.That(100f * m.CamberMin, Is.EqualTo(-5.0).Within(5.0 * k_Reference), "least camber");
             Assert.That(100f * m.CamberMax, Is.EqualTo(3.2).Within(3.2 * k_Reference), "largest camber");
@@ -28,7 +28,7 @@ namespace Alate.Tests
         [TestCase(0.22f, 30)]
         public void Twist_GrowsWithTheDelay_AsTheReferences(float chordDelay, double twist)
         {
-            WingParameters parameters = Monarch.Parameters;
+            WingParameters parameters = Monarch.FirstOrder;
             parameters.chordDelay = chordDelay;
             Assert.That(math.degrees(FlownBeat.Measure(parameters).TwistRange), Is.EqualTo(twist).Within(twist * k_Reference));
         }
@@ -39,7 +39,7 @@ namespace Alate.Tests
             double last = 0.0;
             foreach (float chordDelay in new[] { 0f, 0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1f })
             {
-                WingParameters parameters = Monarch.Parameters;
+                WingParameters parameters = Monarch.FirstOrder;
                 parameters.chordDelay = chordDelay;
                 double twist = math.degrees(FlownBeat.Measure(parameters).TwistRange);
                 Assert.That(twist, Is.GreaterThan(last), $"delay {chordDelay}");
@@ -55,7 +55,7 @@ namespace Alate.Tests
         [TestCase(4f, 6)]
         public void TipBend_FallsWithTheElasticity_AsTheReferences(float factor, double bend)
         {
-            WingParameters parameters = Monarch.Parameters;
+            WingParameters parameters = Monarch.FirstOrder;
             parameters.elasticity *= factor;
             Assert.That(math.degrees(FlownBeat.Measure(parameters).TipBendMax), Is.EqualTo(bend).Within(bend * k_Reference));
         }
@@ -63,18 +63,18 @@ namespace Alate.Tests
         [Test]
         public void HalvingTheSubsteps_ChangesPeakTwistByLessThanFivePerCent()
         {
-            WingParameters fine = Monarch.Parameters;
+            WingParameters fine = Monarch.FirstOrder;
             fine.substepsPerBeat = 48;
-            double coarse = math.degrees(FlownBeat.Measure(Monarch.Parameters).TwistRange);
+            double coarse = math.degrees(FlownBeat.Measure(Monarch.FirstOrder).TwistRange);
             Assert.That(math.degrees(FlownBeat.Measure(fine).TwistRange), Is.EqualTo(coarse).Within(0.05 * coarse));
         }
 
         [Test]
         public void Helium_ChangesPeakBendingByLessThanAQuarter()
         {
-            WingParameters helium = Monarch.Parameters;
+            WingParameters helium = Monarch.FirstOrder;
             helium.airDensity *= 0.15f;
-            double air = math.degrees(FlownBeat.Measure(Monarch.Parameters).TipBendMax);
+            double air = math.degrees(FlownBeat.Measure(Monarch.FirstOrder).TipBendMax);
             Assert.That(math.degrees(FlownBeat.Measure(helium).TipBendMax), Is.EqualTo(air).Within(0.25 * air));
         }
 
@@ -113,7 +113,7 @@ namespace Alate.Tests
 
         private static float TipHeight(float gravityShare)
         {
-            WingParameters still = Monarch.Parameters;
+            WingParameters still = Monarch.FirstOrder;
             still.amplitude = float3.zero;
             still.meanFlap = 0f;
             WingRig rig = Monarch.Rig();

@@ -26,7 +26,7 @@ namespace Alate.Tests
             WingRig rig = Monarch.GridRig();
             using (var world = new WingWorld())
             {
-                WingHandle wing = world.Add(rig, Monarch.Parameters, Monarch.Flying());
+                WingHandle wing = world.Add(rig, Monarch.FirstOrder, Monarch.Flying());
                 rig.Release();
                 float dt = 1f / (24f * world.Read(wing).Frequency);
                 Fly(world, dt, 6);
@@ -49,7 +49,7 @@ namespace Alate.Tests
             WingRig rig = Monarch.GridRig(patches);
             using (var world = new WingWorld())
             {
-                WingHandle wing = world.Add(rig, Monarch.Parameters, Monarch.Flying());
+                WingHandle wing = world.Add(rig, Monarch.FirstOrder, Monarch.Flying());
                 rig.Release();
                 Fly(world, 1f / (24f * world.Read(wing).Frequency), 120);
                 return world.Read(wing).JointPosition(0, 4);
