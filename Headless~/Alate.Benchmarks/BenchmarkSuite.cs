@@ -38,29 +38,31 @@ public static class BenchmarkSuite
     private static void Measure(Report report)
     {
         HotCode.Run(report);
-        using var specimen = Specimen.Monarch();
-        var plain = new PlainRig(specimen);
-        using (var pack = new FlyingPack(specimen, k_WarmUpSubsteps))
+        using var monarch = Specimen.Monarch();
+        using var version01 = Specimen.MonarchOfVersion01();
+        var plain = new PlainRig(version01);
+        using (var pack = new FlyingPack(version01, k_WarmUpSubsteps))
         {
-            new SkinningComparison(specimen, plain, pack).Run(report);
-            AerodynamicsComparison.Run(report, specimen, plain, pack);
-            new ElasticityComparison(specimen, plain, pack).Run(report);
-            MotionComparison.Run(report, specimen, plain, pack);
+            new SkinningComparison(version01, plain, pack).Run(report);
+            AerodynamicsComparison.Run(report, version01, plain, pack);
+            new ElasticityComparison(version01, plain, pack).Run(report);
+            MotionComparison.Run(report, version01, plain, pack);
         }
 
         ArrayComparison.Run(report);
-        SubstepBreakdown.Run(report, specimen);
-        OnOneCore(() => Crowds(report, specimen, plain));
+        SubstepBreakdown.Run(report, monarch, version01);
+        OnOneCore(() => Crowds(report, monarch, version01, plain));
         SystemFigures.Run(report);
         AuthoringFigures.Run(report);
     }
 
-    private static void Crowds(Report report, Specimen specimen, PlainRig plain)
+    private static void Crowds(Report report, Specimen monarch, Specimen version01, PlainRig plain)
     {
-        using (var swarm = new Swarm([specimen], FrameComparison.Insects))
+        using (var swarm = new Swarm([monarch], FrameComparison.Insects))
         {
-            new FrameComparison(specimen, plain, swarm).Run(report);
-            new CrowdComparison(specimen).Run(report, swarm);
+            using (var earlier = new Swarm([version01], FrameComparison.Insects))
+                new FrameComparison(version01, plain, earlier, swarm).Run(report);
+            new CrowdComparison(monarch).Run(report, swarm);
         }
 
         SpeciesFigures.Run(report);

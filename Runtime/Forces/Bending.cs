@@ -32,11 +32,17 @@ namespace Alate
         /// <summary>Turns the joints by one substep, and the chain with them: new bend angles, rates and rotations H.</summary>
         public static void Step(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
-            for (int bone = 0; bone < pack.rig.boneCount; bone++)
-                TurnJoint(pack, scratch, bone, step);
+            Turn(pack, scratch, step);
             if (pack.options.coupling == MembraneCoupling.TwoWay)
                 ChainCoupling.Apply(pack, scratch, step);
             Compose(pack, scratch);
+        }
+
+        /// <summary>First part of <see cref="Step"/>: every hinge by itself.</summary>
+        public static void Turn(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
+        {
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+                TurnJoint(pack, scratch, bone, step);
         }
 
         /// <summary>Keeps a share of every bend, without regard to loads, and turns the chains.</summary>
@@ -135,8 +141,8 @@ namespace Alate
             return sum;
         }
 
-        // H along each chain: the driven turn from bone to bone, then the joint's own bend.
-        private static void Compose(in WingPack pack, in StepScratch scratch)
+        /// <summary>Last part of <see cref="Step"/>: H along each chain, the driven turn from bone to bone, then the joint's own bend.</summary>
+        public static void Compose(in WingPack pack, in StepScratch scratch)
         {
             int bonesPerChain = pack.rig.jointsPerChain - 1;
             for (int bone = 0; bone < pack.rig.boneCount; bone++)

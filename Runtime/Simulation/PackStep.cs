@@ -131,7 +131,8 @@ namespace Alate
             pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose, out pack.readings->stretch);
         }
 
-        private static void Keep(in WingPack pack, in StepScratch scratch, float substep)
+        /// <summary>Makes the substep's end the next one's start.</summary>
+        public static void Keep(in WingPack pack, in StepScratch scratch, float substep)
         {
             int joints = pack.rig.jointCount, bones = pack.rig.boneCount;
             *pack.lastSubstep = substep;

@@ -24,8 +24,8 @@ internal sealed class PlainBeat
     public float rate;
     public int cycles;
 
-    /// <summary>Flap, sweep and feather of this cycle and the three before.</summary>
-    public readonly Vector3[] amplitudes = new Vector3[4];
+    /// <summary>Flap, sweep and feather of this cycle and the four before.</summary>
+    public readonly Vector3[] amplitudes = new Vector3[5];
 
     public void Advance(float h)
     {
@@ -38,7 +38,7 @@ internal sealed class PlainBeat
         cycles++;
         m_PreviousFrequency = m_Frequency;
         m_Frequency = Frequency();
-        Array.Copy(amplitudes, 0, amplitudes, 1, 3);
+        Array.Copy(amplitudes, 0, amplitudes, 1, 4);
         amplitudes[0] = Amplitude();
     }
 
@@ -52,6 +52,7 @@ internal sealed class PlainBeat
         amplitudes[1] = PlainRig.Plain(beat.amplitude1[lane]);
         amplitudes[2] = PlainRig.Plain(beat.amplitude2[lane]);
         amplitudes[3] = PlainRig.Plain(beat.amplitude3[lane]);
+        amplitudes[4] = PlainRig.Plain(beat.amplitude4[lane]);
     }
 
     private float Slope() => 1f / (1f + MathF.Exp(-16f * (m_Air.speed / m_Parameters.maxSpeed - 0.5f)));

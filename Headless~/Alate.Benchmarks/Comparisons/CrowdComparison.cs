@@ -64,7 +64,7 @@ internal sealed class CrowdComparison
     private static int Jobs(Swarm swarm)
     {
         var before = JobExecution.PendingCount;
-        swarm.World.ScheduleStep(swarm.FrameTime);
+        swarm.World.ScheduleStep(swarm.TimeDue);
         swarm.World.ScheduleSkin(1f);
         var jobs = JobExecution.PendingCount - before;
         swarm.World.Complete();

@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Whole frames of a crowd: four substeps and one skinning, against the plain wing, on one core.</summary>
+/// <summary>
+/// Whole frames of a crowd on one core, substeps and one skinning each: as the wings fly now, as version 0.1 flew them, and the plain wing, which does what
+/// version 0.1 does.
+/// </summary>
 internal sealed class FrameComparison
 {
     public const int Insects = 64;
@@ -11,39 +14,43 @@ internal sealed class FrameComparison
     /// <summary>Fewer, for they take long; a plain wing costs the same in any number.</summary>
     private const int k_PlainInsects = 2;
 
-    private readonly Specimen m_Specimen;
+    private readonly Specimen m_Version01;
     private readonly List<PlainWing> m_Plain = [];
+    private readonly Swarm m_Earlier;
     private readonly Swarm m_Swarm;
 
-    public FrameComparison(Specimen specimen, PlainRig plain, Swarm swarm)
+    public FrameComparison(Specimen version01, PlainRig plain, Swarm earlier, Swarm swarm)
     {
-        m_Specimen = specimen;
+        m_Version01 = version01;
+        m_Earlier = earlier;
         m_Swarm = swarm;
         for (var wing = 0; wing < 2 * k_PlainInsects; wing++)
-            m_Plain.Add(new PlainWing(plain, specimen, specimen.FlightOf(wing)));
+            m_Plain.Add(new PlainWing(plain, version01, version01.FlightOf(wing)));
     }
 
     public void Run(Report report)
     {
         for (var frame = 0; frame < Swarm.FramesPerBeat; frame++)
         {
+            m_Earlier.Frame();
             m_Swarm.Frame();
             PlainFrame();
         }
 
         report.Check("the plain wing moves like ours", LargestDifference(), 2e-2);
         var time = Race.Run(
-            m_Swarm.Contestant, new Contestant("plain", 1000 * k_PlainInsects, PlainFrame, Swarm.FramesPerBeat));
-        report.Ratio(Targets.Frame, time[0], time[1], time[1] / time[0]);
+            m_Swarm.Contestant, m_Earlier.Contestant, new Contestant("plain", 1000 * k_PlainInsects, PlainFrame, Swarm.FramesPerBeat));
+        report.Ratio(Targets.Frame, time[0], time[2], time[2] / time[0]);
+        report.Ratio(Targets.EarlierFrame, time[1], time[2], time[2] / time[1]);
+        report.Ratio(Targets.FrameShare, time[0], time[1], time[0] / time[1]);
     }
 
     private void PlainFrame()
     {
-        var substep = m_Swarm.FrameTime / Swarm.SubstepsPerFrame;
         foreach (var wing in m_Plain)
         {
-            for (var k = 0; k < Swarm.SubstepsPerFrame; k++)
-                wing.Substep(substep);
+            for (var k = 0; k < m_Earlier.SubstepsPerBeat / Swarm.FramesPerBeat; k++)
+                wing.Substep(m_Earlier.Substep);
             wing.Skin();
         }
     }
@@ -54,11 +61,11 @@ internal sealed class FrameComparison
         var largest = 0f;
         for (var wing = 0; wing < m_Plain.Count; wing++)
         {
-            var vertices = m_Swarm.World.Vertices(m_Swarm.Wings[wing]);
+            var vertices = m_Earlier.World.Vertices(m_Earlier.Wings[wing]);
             for (var v = 0; v < vertices.Length; v++)
                 largest = MathF.Max(largest, (PlainRig.Plain(vertices[v].position) - m_Plain[wing].positions[v]).Length());
         }
 
-        return largest / m_Specimen.Rig.Frame.length;
+        return largest / m_Version01.Rig.Frame.length;
     }
 }

@@ -3,22 +3,29 @@ using System.Linq;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Bake time and frame time of every species there is.</summary>
+/// <summary>Bake time and frame time of every species there is, and what a beat of it costs beside one of version 0.1.</summary>
 internal static class SpeciesFigures
 {
-    private const int k_Rounds = 10;
-    private const int k_Insects = 32;
+    private const int k_Rounds = 40;
+    private const int k_Insects = 16;
 
     public static void Run(Report report)
     {
         foreach (var species in Species.All)
         {
             var kinds = species.Wings.Select(wing => new Specimen(wing)).ToList();
-            using var swarm = new Swarm(kinds, k_Insects);
-            var time = Race.Run(k_Rounds, new Contestant("bake", 1e6, () => Bake(kinds)), swarm.Contestant);
-            report.Figure("bake_ms", species.Name, $"bake of a {species.Name}", "ms", time[0]);
-            report.Figure("us_per_insect_frame", species.Name, $"frame of a {species.Name}", "us/insect", time[1]);
+            var earlierKinds = species.Wings.Select(Specimen.OfVersion01).ToList();
+            using (var swarm = new Swarm(kinds, k_Insects))
+            using (var earlier = new Swarm(earlierKinds, k_Insects))
+            {
+                var time = Race.Run(k_Rounds, new Contestant("bake", 1e6, () => Bake(kinds)), swarm.Contestant, swarm.Beats, earlier.Beats);
+                report.Figure("bake_ms", species.Name, $"bake of a {species.Name}", "ms", time[0]);
+                report.Figure("us_per_insect_frame", species.Name, $"frame of a {species.Name}", "us/insect", time[1]);
+                report.Ratio(Targets.BeatShare, species.Name, time[2], time[3], time[2] / time[3]);
+            }
+
             kinds.ForEach(kind => kind.Dispose());
+            earlierKinds.ForEach(kind => kind.Dispose());
         }
     }
 

@@ -1,35 +1,112 @@
+using System;
+using System.Diagnostics;
+using System.Linq;
+
 namespace Alate.Benchmarks;
 
-/// <summary>Where the time of a substep of four wings goes, and what skinning a wing costs.</summary>
-internal static unsafe class SubstepBreakdown
+/// <summary>
+/// Where the time of a substep of four wings goes, as they fly: every part is timed where it stands in <see cref="PackStep.Substep"/>. A part that was
+/// repeated by itself would meet springs that rest and strips that are slack.
+/// </summary>
+internal sealed unsafe class SubstepBreakdown : IDisposable
 {
-    public static void Run(Report report, Specimen specimen)
+    private const int k_Beats = 400;
+
+    private static readonly string[] s_Parts =
+    [
+        "waves", "driven pose", "carried surface", "loads", "hinges", "chain coupling", "turned chains", "elastic step", "joint frames", "joint motions", "keeping",
+    ];
+
+    private readonly FlyingPack m_Pack;
+
+    // [substep of the beat][part] Seconds, the best of many beats.
+    private readonly double[][] m_Best;
+    private double[] m_Row;
+    private int m_Part;
+    private long m_Since;
+
+    private SubstepBreakdown(Specimen specimen)
     {
-        // A pack of its own: a part that is repeated leads the wings nowhere.
-        using var pack = new FlyingPack(specimen, 100);
-        var view = pack.Pack;
-        var scratch = pack.scratch;
-        var h = pack.substep;
-        (string Name, System.Action Work)[] parts =
-        [
-            ("whole", () => PackStep.Substep(view, scratch, h)),
-            ("waves", () => DelayedWaves.Evaluate(view, scratch)),
-            ("driven pose", () => DrivenPose.Evaluate(view, scratch)),
-            ("carried surface", () => CarriedSurface.Evaluate(view, scratch, h)),
-            ("loads", () => JointLoads.Evaluate(view, scratch)),
-            ("bending", () => Bend(view, scratch, h)),
-            ("elastic step", () => ElasticStep.Step(view, scratch, ImplicitStep.Of(view, h))),
-            ("joint frames", () => JointFrames.Evaluate(view, scratch, scratch.pose)),
-            ("joint motions", () => JointFrames.Motions(view, scratch, h)),
-        ];
-        var times = Race.Run(System.Array.ConvertAll(parts, part => new Contestant(part.Name, WingPack.Lanes * 1000, part.Work)));
-        for (var k = 0; k < parts.Length; k++)
-            report.Figure("us_per_wing_substep", parts[k].Name, $"substep: {parts[k].Name}", "us/wing", times[k]);
+        m_Pack = new FlyingPack(specimen, 100);
+        m_Best = new double[(int)specimen.Parameters.substepsPerBeat][];
+        for (var k = 0; k < m_Best.Length; k++)
+        {
+            m_Best[k] = new double[s_Parts.Length];
+            Array.Fill(m_Best[k], double.PositiveInfinity);
+        }
     }
 
-    private static void Bend(in WingPack pack, in StepScratch scratch, float h)
+    public static void Run(Report report, Specimen monarch, Specimen version01)
     {
-        Bending.Step(pack, scratch, ImplicitStep.Of(pack, h));
+        using SubstepBreakdown now = new(monarch), before = new(version01);
+        for (var beat = 0; beat < k_Beats; beat++)
+        {
+            now.Beat();
+            before.Beat();
+        }
+
+        now.Print(report, "us_per_wing_substep", "substep");
+        before.Print(report, "us_per_wing_substep_01", "substep of version 0.1");
+    }
+
+    public void Dispose() => m_Pack.Dispose();
+
+    private void Print(Report report, string key, string title)
+    {
+        var scale = 1e6 / (WingPack.Lanes * m_Best.Length);
+        report.Figure(key, "whole", $"{title}: whole", "us/wing", scale * m_Best.Sum(row => row.Sum()));
+        for (var part = 0; part < s_Parts.Length; part++)
+            report.Figure(key, s_Parts[part], $"{title}: {s_Parts[part]}", "us/wing", scale * m_Best.Sum(row => row[part]));
+    }
+
+    private void Beat()
+    {
+        foreach (var row in m_Best)
+        {
+            m_Row = row;
+            Substep(m_Pack.Pack, m_Pack.scratch, m_Pack.substep);
+        }
+    }
+
+    // As PackStep.Substep.
+    private void Substep(in WingPack pack, in StepScratch scratch, float h)
+    {
+        m_Part = 0;
+        m_Since = Stopwatch.GetTimestamp();
+        BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
+        DelayedWaves.Evaluate(pack, scratch);
+        Done();
+        DrivenPose.Evaluate(pack, scratch);
+        Done();
+        var step = ImplicitStep.Of(pack, h);
+        CarriedSurface.Evaluate(pack, scratch, h);
+        Done();
+        JointLoads.Evaluate(pack, scratch);
+        Done();
+        Bending.Turn(pack, scratch, step);
+        Done();
+        if (pack.options.coupling == MembraneCoupling.TwoWay)
+            ChainCoupling.Apply(pack, scratch, step);
+        Done();
+        Bending.Compose(pack, scratch);
         Bending.Pose(pack, scratch);
+        Done();
+        ElasticStep.Step(pack, scratch, step);
+        Done();
+        JointFrames.Evaluate(pack, scratch, scratch.pose);
+        Done();
+        JointFrames.Motions(pack, scratch, h);
+        Done();
+        PackStep.Keep(pack, scratch, h);
+        PackReset.NotFinite(pack);
+        Done();
+    }
+
+    private void Done()
+    {
+        var now = Stopwatch.GetTimestamp();
+        m_Row[m_Part] = Math.Min(m_Row[m_Part], (now - m_Since) / (double)Stopwatch.Frequency);
+        m_Part++;
+        m_Since = Stopwatch.GetTimestamp();
     }
 }

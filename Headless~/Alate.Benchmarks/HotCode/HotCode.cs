@@ -16,7 +16,8 @@ internal static class HotCode
     private static readonly Type[] s_Hot =
     [
         typeof(DelayedWaves), typeof(DrivenPose), typeof(Aerodynamics), typeof(PatchAir), typeof(Coefficients), typeof(CellMotion),
-        typeof(CellSheet), typeof(BilinearField), typeof(JointLoads), typeof(Bending), typeof(ElasticStep), typeof(NewtonSolver),
+        typeof(CellSheet), typeof(BilinearField), typeof(JointLoads), typeof(CarriedSurface), typeof(Bending), typeof(ChainCoupling),
+        typeof(ElasticStep), typeof(NewtonSolver),
         typeof(SpringEnergy), typeof(BlockCholesky), typeof(JointFrames), typeof(CellBlend), typeof(DualQuaternionSkinning),
         typeof(SkinPalette),
     ];

@@ -8,7 +8,7 @@ namespace Alate.Benchmarks;
 /// <summary>Prints what was measured as it comes and keeps it for the JSON.</summary>
 internal sealed class Report
 {
-    private const string k_Columns = "{0,-42} {1,10} {2,12} {3,9} {4,7} {5,7}  {6}";
+    private const string k_Columns = "{0,-58} {1,10} {2,12} {3,9} {4,7} {5,7}  {6}";
 
     private readonly TextWriter m_Output;
 
@@ -38,6 +38,16 @@ internal sealed class Report
         Absolute(target.Key + "_ours", target.Unit, ours);
         Absolute(target.Key + "_baseline", target.Unit, baseline);
         Row($"{target.Title}, {target.Unit}", Number(ours), Number(baseline), Number(ratio), Bound(target, target.Must),
+            Bound(target, target.Aim), target.Verdict(ratio));
+    }
+
+    /// <summary>A ratio for each of several things, with its two times. The group names the thing.</summary>
+    public void Ratio(Target target, string group, double ours, double baseline, double ratio)
+    {
+        Group(target.Key)[group] = ratio;
+        Group(target.Key + "_ours_us_insect")[group] = ours;
+        Group(target.Key + "_baseline_us_insect")[group] = baseline;
+        Row($"{group}: {target.Title}, {target.Unit}", Number(ours), Number(baseline), Number(ratio), Bound(target, target.Must),
             Bound(target, target.Aim), target.Verdict(ratio));
     }
 

@@ -20,12 +20,15 @@ internal sealed record Target(string Key, string Title, string Unit, double Must
 internal static class Targets
 {
     public static readonly Target NaiveDqs = new("naive_dqs_over_grouped", "naive DQS / grouped DQS", "ns/vertex", 5, 8);
-    public static readonly Target NaiveLbs = new("naive_lbs_over_grouped", "naive LBS / grouped DQS", "ns/vertex", 2.5, 4);
-    public static readonly Target Calibration = new("grouped_over_fma", "grouped DQS / multiply-adds alone", "ns/vertex", 2.0, 1.3);
+    public static readonly Target NaiveLbs = new("naive_lbs_over_grouped", "naive LBS / grouped DQS", "ns/vertex", 2.0, 4);
+    public static readonly Target Calibration = new("grouped_over_fma", "grouped DQS / multiply-adds alone", "ns/vertex", 1.5, 1.3);
     public static readonly Target Triangle = new("naive_triangle_over_patch", "naive triangle / patch", "ns/element", 4, 6.5);
     public static readonly Target Cholesky = new("cholesky_over_pcg", "dense Newton / block Newton", "us/iteration", 25, 50);
     public static readonly Target Motion = new("scalar_fk_over_lanes", "scalar FK / lane FK", "ns/joint", 2.5, 4);
     public static readonly Target Frame = new("naive_frame_over_frame", "naive frame / frame of 64 monarchs", "us/insect", 12, 25);
+    public static readonly Target EarlierFrame = new("naive_frame_over_frame_01", "naive frame / frame of version 0.1", "us/insect", 12, 25);
+    public static readonly Target FrameShare = new("frame_over_frame_01", "frame / frame of version 0.1", "us/insect", 0.6, 0.5);
+    public static readonly Target BeatShare = new("beat_over_beat_01", "beat / beat of version 0.1", "us/insect", 0.75, 0.6);
     public static readonly Target Indexer = new("indexer_over_pointer", "NativeArray indexer / pointer", "ns/element", 1.2, 1.0);
     public static readonly Target Crowd = new("crowd_400_over_16", "an insect of 400 / of 16", "us/insect", 1.3, 1.1);
     public static readonly Target Cores = new("two_cores_over_one", "two cores / one, 64 insects", "us/insect", 1.7, 1.9);

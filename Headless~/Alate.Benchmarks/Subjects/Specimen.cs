@@ -15,7 +15,7 @@ internal sealed class Specimen : IDisposable
     {
     }
 
-    private Specimen(SpeciesWing wing, in WingParameters parameters, WingRigSettings settings)
+    private Specimen(SpeciesWing wing, in WingParameters parameters, in WingRigSettings settings)
     {
         Wing = wing;
         var species = wing.CreateSpecies();
@@ -44,10 +44,12 @@ internal sealed class Specimen : IDisposable
 
     public WingSurroundings Flight { get; }
 
-    /// <summary>The monarch as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.</summary>
-    public static Specimen MonarchOfVersion01()
+    /// <summary>The monarch by <see cref="OfVersion01"/>.</summary>
+    public static Specimen MonarchOfVersion01() => OfVersion01(Species.Find("monarch").Wings[0]);
+
+    /// <summary>A wing as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.</summary>
+    public static Specimen OfVersion01(SpeciesWing wing)
     {
-        var wing = Species.Find("monarch").Wings[0];
         var parameters = wing.CreateSpecies().ToParameters();
         parameters.options.timeScheme = TimeScheme.BackwardEuler;
         parameters.options.coupling = MembraneCoupling.OneWay;

@@ -6,14 +6,10 @@ namespace Alate.Benchmarks;
 /// <summary>Insects of one species in a world of their own; an insect has two wings of each kind.</summary>
 internal sealed class Swarm : IDisposable
 {
-    /// <summary>Substeps of a frame: a monarch's 24 a beat at about 10 Hz, seen at 60 frames per second.</summary>
-    public const int SubstepsPerFrame = 4;
-
-    /// <summary>Frames after which a beat begins again.</summary>
+    /// <summary>A monarch at about 10 Hz, seen at 60 frames per second.</summary>
     public const int FramesPerBeat = 6;
 
-    /// <summary>Seconds of a frame.</summary>
-    public float FrameTime { get; }
+    private int m_Frame;
 
     public Swarm(IReadOnlyList<Specimen> kinds, int insects)
     {
@@ -29,8 +25,14 @@ internal sealed class Swarm : IDisposable
         // Every pack takes the whole number of substeps of a frame: the fastest sets the time.
         foreach (var wing in Wings)
             frequency = MathF.Max(frequency, World.Read(wing).Frequency);
-        FrameTime = SubstepsPerFrame / (frequency * kinds[0].Parameters.substepsPerBeat);
+        SubstepsPerBeat = (int)kinds[0].Parameters.substepsPerBeat;
+        Substep = 1f / (frequency * SubstepsPerBeat);
     }
+
+    /// <summary>Seconds of a substep.</summary>
+    public float Substep { get; }
+
+    public int SubstepsPerBeat { get; }
 
     public WingWorld World { get; }
 
@@ -41,12 +43,24 @@ internal sealed class Swarm : IDisposable
     /// <summary>Microseconds per insect and frame.</summary>
     public Contestant Contestant => new($"{Insects} insects", 1000.0 * Insects, Frame, FramesPerBeat);
 
-    /// <summary>A frame: four substeps, and the meshes once.</summary>
+    /// <summary>Microseconds per insect and beat, without meshes.</summary>
+    public Contestant Beats => new($"{Insects} insects", 1000.0 * Insects, Beat);
+
+    /// <summary>Substeps of the next frame: where a beat's do not go evenly into its frames, some have one more than others.</summary>
+    public int SubstepsDue => (m_Frame + 1) * SubstepsPerBeat / FramesPerBeat - m_Frame * SubstepsPerBeat / FramesPerBeat;
+
+    /// <summary>Seconds of the next frame.</summary>
+    public float TimeDue => SubstepsDue * Substep;
+
+    /// <summary>A frame: its substeps, and the meshes once.</summary>
     public void Frame()
     {
-        World.Step(FrameTime);
+        World.Step(TimeDue);
         World.Skin();
+        m_Frame = (m_Frame + 1) % FramesPerBeat;
     }
+
+    private void Beat() => World.Step(SubstepsPerBeat * Substep);
 
     public void Dispose() => World.Dispose();
 }
