@@ -50,13 +50,25 @@ namespace Alate
                 BlockCholesky.Solve(pack, scratch);
                 iterations += math.select(0f, 1f, active);
                 bool4 moved = active & (LargestMove(pack, scratch) >= limits.tolerance * limits.tolerance);
+                if (!math.any(moved))
+                {
+                    Finish(pack, scratch, active);
+                    break;
+                }
+
                 value = LineSearch(pack, scratch, value, active);
                 active = moved;
-                if (!math.any(active))
-                    break;
             }
 
             return iterations;
+        }
+
+        // The last step is a full one: it is shorter than the tolerance, and nobody asks for the energy that it leads to.
+        private static void Finish(in WingPack pack, in StepScratch scratch, bool4 active)
+        {
+            float4 length = math.select(0f, 1f, active);
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                scratch.positions[joint] += scratch.step[joint] * length;
         }
 
         // Halves the step of each wing until its energy falls; leaves the linearisation at the accepted positions.

@@ -18,6 +18,7 @@ namespace Alate
             CellMotion motion;
             CellSheet sheet;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
+            SoaFloat3 wind = StrongestWind.Bound(pack);
             for (int cell = 0; cell < pack.rig.cellCount; cell++)
             {
                 PatchCell* patches = pack.rig.patchCells + cell;
@@ -26,7 +27,7 @@ namespace Alate
                 int joint = cell + cell / bonesPerChain;
                 int next = joint + pack.rig.jointsPerChain;
                 CellMotion.Gather(&motion, scratch, joint, next);
-                MeetAir(pack, scratch, patches, &motion);
+                MeetAir(pack, scratch, patches, &motion, wind);
                 CellSheet.Gather(&sheet, pack, scratch, joint, next);
                 Normals(pack, scratch, patches, &sheet);
                 DropSpanwiseFlow(pack, scratch, patches, &sheet);
@@ -35,9 +36,8 @@ namespace Alate
             }
         }
 
-        private static void MeetAir(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellMotion* motion)
+        private static void MeetAir(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellMotion* motion, in SoaFloat3 wind)
         {
-            SoaFloat3 wind = StrongestWind.Bound(pack);
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
             {
