@@ -63,12 +63,16 @@ namespace Alate
             }
         }
 
-        // Angles, no forces, and the strips' own compliances; false where no strip of any wing is beyond its free slope.
+        // Angles, no forces, and the strips' compliances; false, at once, where no strip of any wing is beyond its free slope.
         private static bool Begin(in WingPack pack, in StepScratch scratch, float4* angles, float4* compliances, float free)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
                 scratch.coupledAngles[bone] = angles[3 * bone];
             float4 steepest = 0f;
+            for (int k = 0; k < pack.rig.stripCount; k++)
+                steepest = math.max(steepest, math.abs(Slope(pack, scratch, pack.rig.strips + k)));
+            if (!math.any(steepest > free))
+                return false;
             for (int k = 0; k < pack.rig.stripCount; k++)
             {
                 Strip* strip = pack.rig.strips + k;
@@ -81,10 +85,9 @@ namespace Alate
                     compliance += compliances[3 * (strip->other + b)] * (lever[b] * lever[b]);
                 scratch.stripCompliances[k] = compliance;
                 scratch.stripForces[k] = 0f;
-                steepest = math.max(steepest, math.abs(Slope(pack, scratch, strip)));
             }
 
-            return math.any(steepest > free);
+            return true;
         }
 
         // How the strip is tilted out of its plane, or strained in it, by the bends of both chains on the way to it.

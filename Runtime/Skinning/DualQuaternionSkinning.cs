@@ -28,9 +28,13 @@ namespace Alate
                 float4 ew = blend->c.dualW + blend->cu.dualW * u + (blend->cv.dualW + blend->cuv.dualW * u) * v;
                 float4 scale = 2f / (SoaFloat3.LengthSquared(q) + w * w);
                 var p = new SoaFloat3(quad->px, quad->py, quad->pz);
-                p += (SoaFloat3.Cross(q, SoaFloat3.Cross(q, p) + p * w + e) + e * w - q * ew) * scale;
                 var n = new SoaFloat3(quad->nx, quad->ny, quad->nz);
-                n += SoaFloat3.Cross(q, SoaFloat3.Cross(q, n) + n * w) * scale;
+
+                // Position and normal side by side: a processor finds work in one while it waits for the other.
+                SoaFloat3 innerP = SoaFloat3.Cross(q, p) + p * w + e, innerN = SoaFloat3.Cross(q, n) + n * w;
+                SoaFloat3 slide = e * w - q * ew;
+                p += (SoaFloat3.Cross(q, innerP) + slide) * scale;
+                n += SoaFloat3.Cross(q, innerN) * scale;
                 Write(vertices, quad->target, p, n);
                 all.Encapsulate(p);
             }

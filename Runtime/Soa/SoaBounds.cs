@@ -19,8 +19,15 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Encapsulate(in SoaFloat3 p)
         {
-            min = new SoaFloat3(math.min(min.x, p.x), math.min(min.y, p.y), math.min(min.z, p.z));
-            max = new SoaFloat3(math.max(max.x, p.x), math.max(max.y, p.y), math.max(max.z, p.z));
+            min = new SoaFloat3(Lower(min.x, p.x), Lower(min.y, p.y), Lower(min.z, p.z));
+            max = new SoaFloat3(Higher(max.x, p.x), Higher(max.y, p.y), Higher(max.z, p.z));
         }
+
+        // math.min and max look whether an argument is no number, which a bound never is.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static float4 Lower(float4 bound, float4 p) => math.select(bound, p, p < bound);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static float4 Higher(float4 bound, float4 p) => math.select(bound, p, p > bound);
     }
 }
