@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>
     /// Newton's method for Eq. 14 on four wings at once: exact Hessian, exact steps, Armijo halving per wing. A wing whose Hessian is not
-    /// positive definite repeats the iteration with its Hessian kept convex; one that has converged stands still while the others go on.
+    /// positive definite repeats the iteration with its Hessian kept convex, which the second-order step's first iteration begins with; one that has converged stands still while the others go on.
     /// </summary>
     internal static unsafe class NewtonSolver
     {
@@ -37,7 +37,10 @@ namespace Alate
         {
             bool4 active = true;
             float4 iterations = default;
-            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, false);
+
+            // Far extrapolated, every other start of the second-order step has an indefinite Hessian: kept convex at once it need not be factorised twice.
+            bool convex = pack.options.timeScheme == TimeScheme.SecondOrder;
+            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
             for (int k = 0; k < limits.newton; k++)
             {
                 bool4 negative = BlockCholesky.Factorise(pack, scratch) & active;
