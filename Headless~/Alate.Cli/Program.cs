@@ -25,6 +25,8 @@ public static class Program
         root.Subcommands.Add(SpeciesCommand.Create(output));
         root.Subcommands.Add(CompareCommand.Create(output));
         root.Subcommands.Add(SweepCommand.Create(output));
+        root.Subcommands.Add(ConvergenceCommand.Create(output));
+        root.Subcommands.Add(WindCommand.Create(output));
         root.Subcommands.Add(SkeletonCommand.Create(output));
         root.Subcommands.Add(BenchCommand.Create(output));
         root.Subcommands.Add(FiguresCommand.Create(output));

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using Alate.Cli.Pictures;
@@ -7,6 +8,13 @@ namespace Alate.Cli.Commands;
 /// <summary>Options that several commands have.</summary>
 internal static class FlightOptions
 {
+    /// <summary>Names of species; none stands for all of them.</summary>
+    public static Argument<string[]> AnySpecies() => new("SPECIES")
+    {
+        Arity = ArgumentArity.ZeroOrMore,
+        Description = $"The insects: {string.Join(", ", Species.Names)}; all where none is named.",
+    };
+
     public static Option<double?> Speed() => Numbers.Optional(
         "--speed", "M/S", 0, 100,
         "Speed of the body ahead, metres per second, 0 to 100. [default: 0.65 of the species' top speed, an insect's 1.3]");
@@ -39,6 +47,12 @@ internal static class FlightOptions
             ? definition
             : throw new UserException($"There is no {Word(variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
     }
+
+    /// <summary>The species of <see cref="AnySpecies"/>, each once: those that are named, or all that have the variant.</summary>
+    /// <exception cref="UserException">There is no such species, or it has no such variant; the message lists those there are.</exception>
+    public static List<SpeciesDefinition> FindAny(string[] names, SpeciesVariant variant) => names.Length == 0
+        ? Species.All.Where(species => species.Variants.Contains(variant)).ToList()
+        : names.Select(name => Find(name, variant)).Distinct().ToList();
 
     /// <summary>What a variant is called on the command line.</summary>
     public static string Word(SpeciesVariant variant) => variant.ToString().ToLowerInvariant();

@@ -1,3 +1,4 @@
+using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
@@ -59,6 +60,19 @@ internal static class Numbers
             Description = description,
             HelpName = unit,
             CustomParser = result => Several(result, name, 2, "two numbers with a comma, such as 120,85", min, max),
+        };
+
+    /// <summary>Numbers with commas; an empty array when it is not given.</summary>
+    public static Option<double[]> List(string name, string unit, int most, double min, double max, string description) =>
+        new(name)
+        {
+            Description = description,
+            HelpName = unit,
+            CustomParser = result =>
+            {
+                int count = Text(result).Split(',').Length;
+                return Several(result, name, Math.Min(count, most), $"1 to {most} numbers with commas", min, max);
+            },
         };
 
     private static double[] Several(ArgumentResult result, string name, int count, string wanted, double min, double max)

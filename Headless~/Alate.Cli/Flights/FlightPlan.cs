@@ -36,6 +36,12 @@ internal sealed record FlightPlan
     public int Patches { get; init; } = WingRigSettings.Default.patchCount;
     public CoefficientSet? Coefficients { get; init; }
     public ModelPreset Preset { get; init; }
+
+    /// <summary>How time advances; null is the preset's.</summary>
+    public TimeScheme? TimeScheme { get; init; }
+
+    /// <summary>Whether the model is version 0.1's; see <see cref="Version01"/>.</summary>
+    public bool IsVersion01 { get; init; }
     public SpeciesVariant Variant { get; init; }
 
     /// <summary>A number of the species at another value; null changes none.</summary>
@@ -66,6 +72,10 @@ internal sealed record FlightPlan
         return cruise;
     }
 
+    /// <summary>Level flight of a species at <see cref="CruiseOf"/>.</summary>
+    public static FlightPlan Cruise(SpeciesDefinition definition, SpeciesVariant variant) =>
+        new() { Species = definition.Name, Variant = variant, Speed = CruiseOf(definition) };
+
     /// <summary>The species' parameters with this plan's changes.</summary>
     /// <exception cref="UserException">They leave the range that the model takes.</exception>
     public WingParameters ParametersOf(WingSpecies species)
@@ -77,6 +87,9 @@ internal sealed record FlightPlan
         parameters.substepsPerBeat = Substeps ?? parameters.substepsPerBeat;
         parameters.chordDelay = (float)(Lag ?? parameters.chordDelay);
         parameters.options.coefficients = Coefficients ?? parameters.options.coefficients;
+        if (IsVersion01)
+            Version01.ApplyTo(ref parameters);
+        parameters.options.timeScheme = TimeScheme ?? parameters.options.timeScheme;
         if (HoldJoints)
             parameters.jointLimit = 0f;
         string problem = parameters.FindProblem();

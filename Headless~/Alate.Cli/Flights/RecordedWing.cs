@@ -54,6 +54,16 @@ internal sealed class RecordedWing
         }
     }
 
+    /// <summary>The joints at a phase, between the two frames that enclose it.</summary>
+    /// <param name="turns">Beats, 0 to 1.</param>
+    /// <param name="joints">[chain · joints + joint] Wing frame, wing lengths.</param>
+    public void JointsAt(double turns, float3[] joints)
+    {
+        (RecordedFrame before, RecordedFrame after, float share) = Around(turns);
+        for (int k = 0; k < joints.Length; k++)
+            joints[k] = math.lerp(before.Joints[k], after.Joints[k], share);
+    }
+
     private (RecordedFrame Before, RecordedFrame After, float Share) Around(double turns)
     {
         double wanted = Turn(turns);

@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Benchmarks;
+using Alate.Cli.Flights;
+
+namespace Alate.Cli.Accuracy;
+
+/// <summary>A full pack of one kind of wing whose beat is timed; skinning is left out.</summary>
+internal sealed class BeatCost : IDisposable
+{
+    /// <summary>Steps of a beat: all counts of substeps that are compared are multiples of it.</summary>
+    private const int k_Steps = 4;
+
+    private const int k_SettledBeats = 2;
+
+    private readonly WingWorld m_World = new();
+    private readonly float m_Step;
+
+    private BeatCost(FlightPlan plan, InsectWing wing)
+    {
+        WingRig rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
+        WingHandle handle = default;
+        for (int k = 0; k < WingPack.Lanes; k++)
+            handle = m_World.Add(rig, plan.ParametersOf(wing.Species), plan.SurroundingsOf(wing.Species, WingSide.Right));
+        rig.Release();
+        m_Step = 1f / (k_Steps * m_World.Read(handle).Frequency);
+        for (int k = 0; k < k_SettledBeats * k_Steps; k++)
+            m_World.Step(m_Step);
+    }
+
+    /// <summary>Nanoseconds that a beat of one wing takes by each plan: they take turns, and the best of many rounds counts.</summary>
+    public static double[] Measure(InsectWing wing, IEnumerable<FlightPlan> plans)
+    {
+        List<BeatCost> packs = plans.Select(plan => new BeatCost(plan, wing)).ToList();
+        try
+        {
+            // A race reports the mean of a beat's steps.
+            double[] steps = Race.Run(packs.Select(pack => new Contestant(wing.Name, WingPack.Lanes, pack.Step, k_Steps)).ToArray());
+            return Array.ConvertAll(steps, step => k_Steps * step);
+        }
+        finally
+        {
+            packs.ForEach(pack => pack.Dispose());
+        }
+    }
+
+    public void Dispose() => m_World.Dispose();
+
+    private void Step() => m_World.Step(m_Step);
+}

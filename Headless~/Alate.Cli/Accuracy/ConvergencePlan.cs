@@ -1,0 +1,21 @@
+using System.Collections.Generic;
+using Alate.Cli.Flights;
+
+namespace Alate.Cli.Accuracy;
+
+/// <summary>Which insects to measure, and at which numbers of substeps.</summary>
+/// <param name="Flights">[species] Level flight at the species' cruise.</param>
+internal sealed record ConvergencePlan(IReadOnlyList<FlightPlan> Flights)
+{
+    /// <summary>Substeps of the reference.</summary>
+    public const int ReferenceSubsteps = 480;
+
+    /// <summary>Pitch of the flight whose lift is compared, degrees: level flight has next to none.</summary>
+    public const double LiftPitch = 30.0;
+
+    /// <summary>Numbers of substeps, all multiples of 4 that divide the reference's: frames of both are at equal phase.</summary>
+    public static IReadOnlyList<int> Substeps { get; } = [12, 16, 24, 32, 48, 96];
+
+    /// <summary>Both schemes, the default first.</summary>
+    public static IReadOnlyList<TimeScheme> Schemes { get; } = [TimeScheme.SecondOrder, TimeScheme.BackwardEuler];
+}

@@ -1,0 +1,32 @@
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Cli.Flights;
+
+namespace Alate.Cli.Accuracy;
+
+/// <summary>One insect by one model at several numbers of substeps, and at so many that more would change nothing.</summary>
+internal sealed class SchemeFlights
+{
+    private readonly FlightPlan m_Plan;
+    private readonly List<RecordedWing> m_Reference;
+
+    /// <summary>Flies the reference.</summary>
+    /// <param name="plan">The flight; its substeps are replaced.</param>
+    public SchemeFlights(FlightPlan plan)
+    {
+        m_Plan = plan;
+        Reference = Flight.Fly(plan with { Substeps = ConvergencePlan.ReferenceSubsteps });
+        m_Reference = RightWings(Reference);
+    }
+
+    /// <summary>The flight that all others are held against.</summary>
+    public FlightRecord Reference { get; }
+
+    /// <summary>[kind of wing] Error at a number of substeps, % of the wing's length.</summary>
+    public List<double> ErrorsAt(int substeps) => ErrorsOf(Flight.Fly(m_Plan with { Substeps = substeps }));
+
+    /// <summary>[kind of wing] Error of a flight, % of the wing's length.</summary>
+    public List<double> ErrorsOf(FlightRecord flight) => RightWings(flight).Select((wing, kind) => JointError.Percent(wing, m_Reference[kind])).ToList();
+
+    private static List<RecordedWing> RightWings(FlightRecord flight) => flight.Wings.Where(wing => !wing.Placement.IsLeft).ToList();
+}

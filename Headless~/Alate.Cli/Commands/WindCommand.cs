@@ -1,0 +1,72 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+using Alate.Cli.Pictures;
+using Alate.Cli.Winds;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>wind [SPECIES…]</c>: how much the mesh of wings stretches in wind from all sides, today and by version 0.1.</summary>
+internal static class WindCommand
+{
+    private const string k_Picture = "wind.svg", k_Table = "wind.csv";
+
+    public static Command Create(TextWriter output)
+    {
+        Argument<string[]> species = FlightOptions.AnySpecies();
+        Option<double[]> speeds = Numbers.List(
+            "--speeds", "V,V,...", WindPlan.MostSpeeds, WindPlan.MinSpeed, WindPlan.MaxSpeed,
+            $"Speeds of the wind, metres per second, up to {WindPlan.MostSpeeds} of them, each 0 to 100. [default: {string.Join(',', WindPlan.DefaultSpeeds)}]");
+        Option<SpeciesVariant?> variant = FlightOptions.Variant();
+        var gusts = new Option<bool>("--gusts") { Description = "Two smooth gusts of a beat each and a sharp one, instead of a steady wind." };
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/wind]" };
+        var command = new Command("wind", "Measures how much wings stretch in wind from 26 directions.") { species, speeds, variant, gusts, folder };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            SpeciesVariant shown = parsed.GetValue(variant) ?? SpeciesVariant.Standard;
+            List<SpeciesDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), shown);
+            IReadOnlyList<double> winds = parsed.GetValue(speeds) is { Length: > 0 } given ? given.Order().Distinct().ToList() : WindPlan.DefaultSpeeds;
+            var plan = new WindPlan(insects.ConvertAll(insect => FlightPlan.Cruise(insect, shown)), winds, parsed.GetValue(gusts));
+            Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "wind"), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(WindPlan plan, string path, TextWriter output)
+    {
+        using OutputFolder folder = OutputFolder.Prepare(path, k_Picture, k_Table);
+        var terminal = new Terminal(output);
+        List<SpeciesWinds> measured = null;
+        terminal.ShowProgress(plan.Flights.Count, (done, _) =>
+        {
+            measured = SpeciesWinds.Measure(plan, done);
+            folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(WindPicture.Draw(measured, plan.InGusts))));
+            folder.Write(k_Table, stream => WindTable.Write(measured, plan.InGusts, stream));
+        });
+        folder.Commit();
+        foreach (SpeciesWinds species in measured)
+        {
+            foreach (WingWinds wing in species.Wings)
+                terminal.ShowTable($"{ChartSheet.Title(species.DisplayName, species.Plan.Variant)}: {wing.Name}", WindTable.Of(wing));
+        }
+
+        terminal.ShowFiles(path, k_Picture, k_Table);
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  wind firefly --gusts\n"
+        + "  wind --speeds 0,3,10 --variant expressive --out soft\n\n"
+        + "Each wing meets the wind on top of its level flight from the 26 neighbours of a cube's centre; species in water meet a tenth of the speeds.\n"
+        + "Version 0.1 is shown beside it: backward Euler, one-way coupling, wind as it is, 24 substeps (expressive 48), 256 patches.\n\n"
+        + "Writes into the output folder:\n"
+        + "  wind.svg  stretch over speed, a chart for each species\n"
+        + "  wind.csv  largest stretch, 99th percentile, worst direction and tip bend in a head wind\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

@@ -1,0 +1,17 @@
+namespace Alate.Cli.Pictures;
+
+/// <summary>How a curve of a <see cref="PointChart"/> is drawn; looks differ without their colours.</summary>
+internal enum CurveLook
+{
+    /// <summary>Drawn through, a disc at each point.</summary>
+    Discs,
+
+    /// <summary>Dashed, a hollow square at each point.</summary>
+    Squares,
+
+    /// <summary>Thin, without marks.</summary>
+    Thin,
+
+    /// <summary>Dotted, without marks: a bound.</summary>
+    Dotted,
+}
