@@ -15,22 +15,22 @@ internal sealed class BeatCost : IDisposable
     private const int k_SettledBeats = 2;
 
     private readonly WingWorld m_World = new();
+    private readonly WingHandle m_Wing;
     private readonly float m_Step;
 
     private BeatCost(FlightPlan plan, InsectWing wing)
     {
         WingRig rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
-        WingHandle handle = default;
         for (int k = 0; k < WingPack.Lanes; k++)
-            handle = m_World.Add(rig, plan.ParametersOf(wing.Species), plan.SurroundingsOf(wing.Species, WingSide.Right));
+            m_Wing = m_World.Add(rig, plan.ParametersOf(wing.Species), plan.SurroundingsOf(wing.Species, WingSide.Right));
         rig.Release();
-        m_Step = 1f / (k_Steps * m_World.Read(handle).Frequency);
+        m_Step = 1f / (k_Steps * m_World.Read(m_Wing).Frequency);
         for (int k = 0; k < k_SettledBeats * k_Steps; k++)
             m_World.Step(m_Step);
     }
 
     /// <summary>Nanoseconds that a beat of one wing takes by each plan: they take turns, and the best of many rounds counts.</summary>
-    public static double[] Measure(InsectWing wing, IEnumerable<FlightPlan> plans)
+    public static double[] NanosecondsOf(InsectWing wing, IEnumerable<FlightPlan> plans)
     {
         List<BeatCost> packs = plans.Select(plan => new BeatCost(plan, wing)).ToList();
         try
@@ -43,6 +43,13 @@ internal sealed class BeatCost : IDisposable
         {
             packs.ForEach(pack => pack.Dispose());
         }
+    }
+
+    /// <summary>Substeps that a beat of a wing takes by a plan: more than it asks for where the air is fast.</summary>
+    public static int SubstepsOf(InsectWing wing, FlightPlan plan)
+    {
+        using var pack = new BeatCost(plan, wing);
+        return k_Steps * pack.m_World.Read(pack.m_Wing).Substeps;
     }
 
     public void Dispose() => m_World.Dispose();

@@ -24,7 +24,7 @@ internal static class ConvergencePicture
         legend.AddCross("version 0.1", ChartSheet.Ink);
         legend.NextLine();
         legend.AddWings(species.SelectMany(one => one.Wings.Select((wing, kind) => (one.Wings.Count, kind))));
-        legend.AddText($"Points from left to right: {string.Join(", ", ConvergencePlan.Substeps)} substeps.");
+        legend.AddText($"Points from left to right: {string.Join(", ", ConvergencePlan.Substeps)} substeps; more where the air is fast.");
         List<ConvergencePoint> all = species.SelectMany(one => one.Wings).SelectMany(wing => wing.Points.Append(wing.Version01)).ToList();
         // A wing that is not off at all has no place on a logarithmic axis.
         const double k_Least = 1e-4;

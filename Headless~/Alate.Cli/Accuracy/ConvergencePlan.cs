@@ -13,7 +13,7 @@ internal sealed record ConvergencePlan(IReadOnlyList<FlightPlan> Flights)
     /// <summary>Pitch of the flight whose lift is compared, degrees: level flight has next to none.</summary>
     public const double LiftPitch = 30.0;
 
-    /// <summary>Numbers of substeps, all multiples of 4 that divide the reference's: frames of both are at equal phase.</summary>
+    /// <summary>Numbers of substeps, all multiples of 4, the steps of a beat whose time is taken.</summary>
     public static IReadOnlyList<int> Substeps { get; } = [12, 16, 24, 32, 48, 96];
 
     /// <summary>Both schemes, the default first.</summary>

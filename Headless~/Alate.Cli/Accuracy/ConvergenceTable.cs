@@ -16,12 +16,12 @@ internal static class ConvergenceTable
     {
         yield return
         [
-            "substeps", .. ConvergencePlan.Schemes.SelectMany(scheme => new[] { $"{Words(scheme)}: error, % of length", "cost over 0.1" }),
+            "substeps", .. ConvergencePlan.Schemes.SelectMany(scheme => new[] { $"{Words(scheme)}: error, %", "cost" }),
         ];
-        foreach (int substeps in ConvergencePlan.Substeps)
+        foreach (int substeps in wing.Points.Select(point => point.Substeps).Distinct())
         {
             IEnumerable<ConvergencePoint> points = ConvergencePlan.Schemes.Select(scheme => wing.By(scheme).First(point => point.Substeps == substeps));
-            string mark = substeps == wing.DefaultSubsteps ? " (default)" : "";
+            string mark = substeps == wing.AtDefaults.Substeps ? " (default)" : "";
             yield return [substeps + mark, .. points.SelectMany(point => new[] { Error(point), point.Cost.ToString("0.00", CultureInfo.InvariantCulture) })];
         }
 
@@ -31,7 +31,7 @@ internal static class ConvergenceTable
     /// <summary>Numbers of a wing at the defaults and their limits.</summary>
     public static IEnumerable<IReadOnlyList<string>> Values(WingConvergence wing)
     {
-        yield return ["", $"at {wing.DefaultSubsteps} substeps", $"at {ConvergencePlan.ReferenceSubsteps}", "difference, %"];
+        yield return ["", $"at {wing.AtDefaults.Substeps} substeps", $"at {ConvergencePlan.ReferenceSubsteps}", "difference, %"];
         foreach (ConvergedValue value in wing.Values)
             yield return [value.Title, Number(value.AtDefaults), Number(value.Converged), value.DifferencePct.ToString("+0.0;−0.0;0.0", CultureInfo.InvariantCulture)];
     }

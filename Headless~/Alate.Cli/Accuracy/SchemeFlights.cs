@@ -23,10 +23,8 @@ internal sealed class SchemeFlights
     public FlightRecord Reference { get; }
 
     /// <summary>[kind of wing] Error at a number of substeps, % of the wing's length.</summary>
-    public List<double> ErrorsAt(int substeps) => ErrorsOf(Flight.Fly(m_Plan with { Substeps = substeps }));
-
-    /// <summary>[kind of wing] Error of a flight, % of the wing's length.</summary>
-    public List<double> ErrorsOf(FlightRecord flight) => RightWings(flight).Select((wing, kind) => JointError.Percent(wing, m_Reference[kind])).ToList();
+    public List<double> ErrorsAt(int substeps) => RightWings(Flight.Fly(m_Plan with { Substeps = substeps }))
+        .Select((wing, kind) => JointError.Percent(wing, m_Reference[kind])).ToList();
 
     private static List<RecordedWing> RightWings(FlightRecord flight) => flight.Wings.Where(wing => !wing.Placement.IsLeft).ToList();
 }

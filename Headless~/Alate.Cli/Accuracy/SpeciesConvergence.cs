@@ -41,45 +41,47 @@ internal sealed class SpeciesConvergence
 
     private static SpeciesConvergence Measure(FlightPlan plan)
     {
-        List<(FlightPlan Plan, List<double> Errors)> tried = Errors(plan, out FlightRecord converged);
-        FlightRecord atDefaults = Flight.Fly(plan);
-        List<double> old = new SchemeFlights(Version01.Of(plan) with { Patches = plan.Patches })
-            .ErrorsAt(Version01.Of(plan).Substeps.Value);
-        double[] lift = [Lift(plan), Lift(plan with { Substeps = ConvergencePlan.ReferenceSubsteps })];
-        FlightSummary now = FlightSummary.Of(atDefaults), limit = FlightSummary.Of(converged);
+        Insect insect = Insect.Of(plan);
+        FlightPlan defaults = Taken(plan with { Substeps = plan.ParametersOf(insect.Wings[0].Species).substepsPerBeat }, insect);
+        FlightPlan old = Taken(Version01.Of(plan), insect);
+        List<FlightPlan> plans = Plans(plan, insect);
+        List<List<double>> errors = Errors(plan, plans, out FlightRecord converged);
+        List<double> oldErrors = new SchemeFlights(old with { Patches = plan.Patches }).ErrorsAt(old.Substeps.Value);
+        FlightSummary now = FlightSummary.Of(Flight.Fly(defaults)), limit = FlightSummary.Of(converged);
+        double[] lift = [Lift(defaults), Lift(plan with { Substeps = ConvergencePlan.ReferenceSubsteps })];
         var wings = new List<WingConvergence>();
         for (int kind = 0; kind < now.Wings.Count; kind++)
         {
-            InsectWing wing = atDefaults.Insect.Wings[kind];
-            double[] cost = BeatCost.Measure(wing, tried.Select(flight => flight.Plan).Append(Version01.Of(plan)));
-            List<ConvergencePoint> points = tried.Select((flight, k) => new ConvergencePoint(
-                flight.Plan.TimeScheme.Value, flight.Plan.Substeps.Value, flight.Errors[kind], cost[k] / cost[^1])).ToList();
-            int substeps = plan.ParametersOf(wing.Species).substepsPerBeat;
+            double[] times = BeatCost.NanosecondsOf(insect.Wings[kind], plans.Append(old));
+            List<ConvergencePoint> points = plans
+                .Select((one, k) => new ConvergencePoint(one.TimeScheme.Value, one.Substeps.Value, errors[k][kind], times[k] / times[^1])).ToList();
             wings.Add(new WingConvergence(
-                now.Wings[kind].Name, substeps, points,
-                points.First(point => point.Scheme == TimeScheme.SecondOrder && point.Substeps == substeps),
-                new ConvergencePoint(TimeScheme.BackwardEuler, Version01.Of(plan).Substeps.Value, old[kind], 1.0),
+                now.Wings[kind].Name, points,
+                points.First(point => point.Scheme == ConvergencePlan.Schemes[0] && point.Substeps == defaults.Substeps),
+                new ConvergencePoint(TimeScheme.BackwardEuler, old.Substeps.Value, oldErrors[kind], 1.0),
                 Values(now.Wings[kind], limit.Wings[kind], kind == 0 ? lift : null).ToList()));
         }
 
-        return new SpeciesConvergence(plan, atDefaults.Insect.DisplayName, wings);
+        return new SpeciesConvergence(plan, insect.DisplayName, wings);
     }
 
-    // Every scheme at every number of substeps; the limit is the default scheme's.
-    private static List<(FlightPlan Plan, List<double> Errors)> Errors(FlightPlan plan, out FlightRecord converged)
+    // By every scheme, at every number of substeps once.
+    private static List<FlightPlan> Plans(FlightPlan plan, Insect insect)
     {
-        converged = null;
-        var tried = new List<(FlightPlan, List<double>)>();
-        foreach (TimeScheme scheme in ConvergencePlan.Schemes)
-        {
-            FlightPlan by = plan with { TimeScheme = scheme };
-            var flights = new SchemeFlights(by);
-            converged ??= flights.Reference;
-            foreach (int substeps in ConvergencePlan.Substeps)
-                tried.Add((by with { Substeps = substeps }, flights.ErrorsAt(substeps)));
-        }
+        List<int> substeps = ConvergencePlan.Substeps.Select(count => Taken(plan with { Substeps = count }, insect).Substeps.Value).Distinct().ToList();
+        return ConvergencePlan.Schemes
+            .SelectMany(scheme => substeps.Select(count => plan with { TimeScheme = scheme, Substeps = count })).ToList();
+    }
 
-        return tried;
+    // The plan that asks for as many substeps as its wings take, so that no step is more than one of them.
+    private static FlightPlan Taken(FlightPlan plan, Insect insect) => plan with { Substeps = insect.Wings.Max(wing => BeatCost.SubstepsOf(wing, plan)) };
+
+    // [plan][kind of wing]; the limit is the default scheme's.
+    private static List<List<double>> Errors(FlightPlan plan, List<FlightPlan> plans, out FlightRecord converged)
+    {
+        Dictionary<TimeScheme, SchemeFlights> flights = ConvergencePlan.Schemes.ToDictionary(scheme => scheme, scheme => new SchemeFlights(plan with { TimeScheme = scheme }));
+        converged = flights[ConvergencePlan.Schemes[0]].Reference;
+        return plans.ConvertAll(one => flights[one.TimeScheme.Value].ErrorsAt(one.Substeps.Value));
     }
 
     private static IEnumerable<ConvergedValue> Values(WingSummary now, WingSummary limit, double[] lift)

@@ -38,7 +38,8 @@ internal static class WindPicture
         var up = new ChartAxis(0.0, high, false, Enumerable.Range(0, 7).Select(k => Math.Round(k * high / 6.0, 1)).ToList());
         string name = ChartSheet.Title(species.DisplayName, species.Plan.Variant) + (species.SpeedShare < 1.0 ? ", in water" : "");
         PointChart chart = sheet.Chart(index, name, across, up);
-        DrawLimits(chart, species);
+        List<WindLimit> limits = Limits(species, most);
+        DrawLimits(chart, limits);
         for (int kind = 0; kind < species.Wings.Count; kind++)
         {
             WingWinds wing = species.Wings[kind];
@@ -48,24 +49,35 @@ internal static class WindPicture
             chart.Draw(Curve(wing.Now, point => point.StretchMaxPct, colour, CurveLook.Discs));
         }
 
+        foreach (WindLimit limit in limits)
+            chart.Label(new ChartPoint(limit.Speed, limit.StretchPct), new float2(-4f, -4f), LineChart.Label(limit.StretchPct) + " %");
         double before = species.Wings.SelectMany(wing => wing.Before).Max(point => point.StretchMaxPct);
         if (before > high)
-            chart.Label(new ChartPoint(most, high), new float2(0f, -16f), string.Create(CultureInfo.InvariantCulture, $"version 0.1: up to {before:#,0} %"), "end");
+            chart.Label(new ChartPoint(most, high), new float2(0f, -16f), string.Create(CultureInfo.InvariantCulture, $"version 0.1: up to {before:#,0} %"));
     }
 
-    // A step for each limit, and its number above its end.
-    private static void DrawLimits(PointChart chart, SpeciesWinds species)
+    // As far as the chart goes, at the speeds that the species meets.
+    private static List<WindLimit> Limits(SpeciesWinds species, double most)
     {
-        var steps = new List<ChartPoint>();
-        double from = 0.0, most = Math.Max(species.Wings[0].Now[^1].Speed, 1e-9);
+        var limits = new List<WindLimit>();
         foreach (WindLimit limit in WindLimit.Of(species.Plan.Variant))
         {
             double to = Math.Min(limit.Speed * species.SpeedShare, most);
-            if (to <= from)
-                break;
-            steps.AddRange([new(from, limit.StretchPct), new(to, limit.StretchPct)]);
-            chart.Label(new ChartPoint(to, limit.StretchPct), new float2(-3f, -4f), LineChart.Label(limit.StretchPct) + " %", "end");
-            from = to;
+            if (limits.Count == 0 || to > limits[^1].Speed)
+                limits.Add(limit with { Speed = to });
+        }
+
+        return limits;
+    }
+
+    private static void DrawLimits(PointChart chart, List<WindLimit> limits)
+    {
+        var steps = new List<ChartPoint>();
+        double from = 0.0;
+        foreach (WindLimit limit in limits)
+        {
+            steps.AddRange([new(from, limit.StretchPct), new(limit.Speed, limit.StretchPct)]);
+            from = limit.Speed;
         }
 
         chart.Draw(new PointCurve(steps, k_Bound, CurveLook.Dotted));
