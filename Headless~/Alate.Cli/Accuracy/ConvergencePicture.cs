@@ -16,6 +16,7 @@ internal static class ConvergencePicture
     {
         var sheet = new ChartSheet(
             "How far wings are off, and what they cost",
+            species[0].Plan.Variant,
             $"Distance of the joints from {ConvergencePlan.ReferenceSubsteps} substeps of the same scheme, RMS, % of the wing's length, over the time of a beat, version 0.1 = 1.");
         var legend = new ChartLegend(sheet.Page, sheet.LegendTop);
         legend.Add("second order (default)", ChartSheet.Ink, CurveLook.Discs);
@@ -32,7 +33,7 @@ internal static class ConvergencePicture
         ChartAxis up = ChartAxis.Logarithmic(Math.Max(all.Min(point => point.ErrorPct), k_Least), all.Max(point => point.ErrorPct));
         for (int k = 0; k < species.Count; k++)
         {
-            PointChart chart = sheet.Chart(k, Title(species[k]), across, up);
+            PointChart chart = sheet.Chart(k, species[k].DisplayName, across, up);
             for (int kind = 0; kind < species[k].Wings.Count; kind++)
                 Draw(chart, species[k].Wings[kind], ChartSheet.Colours[kind % ChartSheet.Colours.Count]);
         }
@@ -49,6 +50,4 @@ internal static class ConvergencePicture
     }
 
     private static ChartPoint Place(ConvergencePoint point) => new(point.Cost, point.ErrorPct);
-
-    private static string Title(SpeciesConvergence species) => ChartSheet.Title(species.DisplayName, species.Plan.Variant);
 }

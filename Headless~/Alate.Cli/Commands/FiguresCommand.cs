@@ -12,7 +12,7 @@ using Alate.Cli.Sweeps;
 
 namespace Alate.Cli.Commands;
 
-/// <summary><c>figures</c>: draws and measures again what the documentation's page of species shows.</summary>
+/// <summary><c>figures</c>: draws and measures again what the documentation's pages of species and accuracy show.</summary>
 internal static class FiguresCommand
 {
     private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.svg";
@@ -25,10 +25,10 @@ internal static class FiguresCommand
     {
         var folder = new Argument<string>("DIR")
         {
-            Description = $"The folder of the documentation, with {k_Page} in it.",
+            Description = $"The folder of the documentation, with {k_Page} and {AccuracyFigures.Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
-        var command = new Command("figures", "Makes the pictures and tables of the documentation's page of species again.") { folder };
+        var command = new Command("figures", "Makes the pictures and tables of the documentation's pages again.") { folder };
         HelpExamples.Set(command, "Example:\n  figures Documentation~");
         command.SetAction(parsed =>
         {
@@ -41,7 +41,9 @@ internal static class FiguresCommand
     private static void Run(string path, TextWriter output)
     {
         string page = TextFile(Path.Combine(path, k_Page));
+        string accuracy = TextFile(Path.Combine(path, AccuracyFigures.Page));
         var files = new List<string> { k_Page, k_Sweep };
+        files.AddRange(AccuracyFigures.Files);
         foreach (string name in Species.Names)
             files.AddRange([Portrait(name), Compared(name)]);
         using OutputFolder folder = OutputFolder.Prepare(path, files.ToArray());
@@ -61,6 +63,9 @@ internal static class FiguresCommand
             FlightPlan fishfly = Plan(Species.Find("fishfly")) with { Substeps = k_SweptSubsteps };
             var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
             Write(folder, k_Sweep, SweepPicture.Draw(Sweep.Fly(sweep, _ => { })));
+            stage("measuring errors and winds");
+            foreach ((string name, string text) in AccuracyFigures.Make(accuracy))
+                Write(folder, name, text);
         });
         folder.Commit();
         terminal.ShowFiles(path, files.ToArray());

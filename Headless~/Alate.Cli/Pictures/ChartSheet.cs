@@ -17,11 +17,12 @@ internal sealed class ChartSheet
     private const float k_Width = 1000f, k_ChartHeight = 280f, k_Charts = 136f;
 
     /// <summary>Begins a sheet.</summary>
-    /// <param name="title">Its heading.</param>
+    /// <param name="title">Its heading, to which a variant other than the standard one is added.</param>
+    /// <param name="variant">That of all species.</param>
     /// <param name="caption">One line below the heading: what the axes are.</param>
-    public ChartSheet(string title, string caption)
+    public ChartSheet(string title, SpeciesVariant variant, string caption)
     {
-        Page.Text(Edge, 38f, 22f, title, look: "b");
+        Page.Text(Edge, 38f, 22f, Title(title, variant), look: "b");
         Page.Text(Edge, 60f, 13f, caption, look: "t");
     }
 
@@ -33,7 +34,7 @@ internal sealed class ChartSheet
     /// <summary>Middle of the legend's first line.</summary>
     public float LegendTop => 86f;
 
-    /// <summary>Name of a species above its chart, with its variant where that is not the standard one.</summary>
+    /// <summary>A heading with the variant where that is not the standard one.</summary>
     public static string Title(string name, SpeciesVariant variant) =>
         name + (variant == SpeciesVariant.Standard ? "" : $", {variant.ToString().ToLowerInvariant()}");
 

@@ -73,14 +73,8 @@ internal sealed class PointChart
     /// <summary>Puts a cross on a point.</summary>
     public void Cross(ChartPoint point, string colour) => Cross(m_Page, Place(point), colour);
 
-    /// <summary>Writes to the left of a point; lines behind the letters are kept off them.</summary>
-    public void Label(ChartPoint point, float2 offset, string text)
-    {
-        float2 place = Place(point) + offset;
-        m_Page.Append($"<g stroke=\"{k_Ground}\" stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\">");
-        m_Page.Text(place.x, place.y, 11f, text, "end", "t");
-        m_Page.Add("</g>\n");
-    }
+    /// <summary>Writes above the right end of the chart.</summary>
+    public void Remark(string text) => m_Page.Text(m_X + m_Width, m_Y - 16f, 11f, text, "end", "t");
 
     /// <summary>Draws the mark of a point, also for a legend.</summary>
     public static void Mark(SvgPage page, float2 place, string colour, CurveLook look)

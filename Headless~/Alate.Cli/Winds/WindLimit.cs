@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Linq;
 
 namespace Alate.Cli.Winds;
 
@@ -12,7 +11,4 @@ internal sealed record WindLimit(double Speed, double StretchPct)
     public static IReadOnlyList<WindLimit> Of(SpeciesVariant variant) => variant == SpeciesVariant.Expressive
         ? [new(3, 15), new(5, 20), new(10, 28)]
         : [new(3, 10), new(5, 12), new(10, 15)];
-
-    /// <summary>The largest of them.</summary>
-    public static double MostOf(SpeciesVariant variant) => Of(variant).Max(limit => limit.StretchPct);
 }

@@ -78,6 +78,17 @@ namespace Alate.Tests.Cli
         [TestCase("sweep", "elasticity", "1", "2", "--steps", "1")]
         [TestCase("sweep", "elasticity", "1", "2", "--species", "mosquito")]
         [TestCase("sweep", "charm", "1", "2")]
+        [TestCase("convergence", "mosquito")]
+        [TestCase("convergence", "monarch", "--variant", "biological")]
+        [TestCase("convergence", "monarch", "--variant", "rigid")]
+        [TestCase("wind", "monarch", "mosquito")]
+        [TestCase("wind", "monarch", "--variant", "biological")]
+        [TestCase("wind", "monarch", "--speeds", "")]
+        [TestCase("wind", "monarch", "--speeds", "1,two")]
+        [TestCase("wind", "monarch", "--speeds", "1,-2")]
+        [TestCase("wind", "monarch", "--speeds", "1,101")]
+        [TestCase("wind", "monarch", "--speeds", "NaN")]
+        [TestCase("wind", "monarch", "--speeds", "0,1,2,3,4,5,6,7,8,9,10,11,12")]
         [TestCase("figures", "nowhere")]
         public void WrongUsage_IsRefused(params string[] arguments) => AssertRefused(new string[0], arguments);
 
