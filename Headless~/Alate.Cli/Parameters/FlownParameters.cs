@@ -43,6 +43,7 @@ internal static class FlownParameters
         new("spring-scale", "", 0f, 1000f, s => ref s.Stiffness.springScale),
         new("anchor", "", 0f, 100f, s => ref s.Stiffness.anchor),
         new("spring-damping", "", 0f, 10f, s => ref s.Stiffness.springDamping),
+        new("strongest-wind", "", 0.1f, 1000f, s => ref s.Stiffness.strongestWind),
     ];
 
     /// <summary>Everything: first elasticity as a factor on the species', as <c>fly</c> takes it, then the species' sliders, then the flight's numbers.</summary>

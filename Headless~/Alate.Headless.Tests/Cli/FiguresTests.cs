@@ -38,7 +38,8 @@ namespace Alate.Tests.Cli
         [TestCaseSource(nameof(All))]
         public void ThePagesNumbers_AreThoseMeasuredNow(SpeciesDefinition species)
         {
-            FlightSummary measured = FlightSummary.Of(Flight.Fly(new FlightPlan { Species = species.Name, Speed = FlightPlan.CruiseOf(species) }));
+            FlightSummary measured = FlightSummary.Of(Flight.Fly(
+                new FlightPlan { Species = species.Name, Speed = FlightPlan.CruiseOf(species), Substeps = Alate.Cli.Commands.FiguresCommand.MeasuredSubsteps }));
             string[] rows = Part("numbers").Split('\n').Where(row => row.StartsWith($"| {species.Name} | standard |", StringComparison.Ordinal)).ToArray();
 
             Assert.That(rows, Has.Length.EqualTo(measured.Wings.Count));

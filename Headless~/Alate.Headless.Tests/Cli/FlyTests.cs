@@ -34,8 +34,8 @@ namespace Alate.Tests.Cli
         [TestCase("frequency_hz", 10.085, 10.086)]
         [TestCase("twist_pp_deg", 19, 29)]
         [TestCase("camber_min_pct", -9, -3)]
-        [TestCase("camber_max_pct", 2.5, 3.9)]
-        [TestCase("tip_bend_pp_deg", 12, 18)]
+        [TestCase("camber_max_pct", 3.1, 4.7)] // within 20 % of the limit of many substeps, Documentation~/convergence.md
+        [TestCase("tip_bend_pp_deg", 14, 21)] // as above
         [TestCase("tip_bend_max_deg", 6.4, 9.6)]
         [TestCase("lag_deg", 21, 33)]
         [TestCase("edge_stretch_max_pct", 0, 6)]
@@ -92,7 +92,7 @@ namespace Alate.Tests.Cli
             string[][] rows = File.ReadAllLines(Path.Combine(m_Run.Out, "joints.csv")).Select(line => line.Split(',')).ToArray();
 
             Assert.That(rows[0].Take(9), Is.EqualTo("time_s,phase_deg,wing,side,chain,joint,x_m,y_m,z_m".Split(',')));
-            Assert.That(rows, Has.Length.EqualTo(1 + 24 * 2 * 25), "24 substeps, two wings, 25 joints");
+            Assert.That(rows, Has.Length.EqualTo(1 + 16 * 2 * 25), "16 substeps, two wings, 25 joints");
             Assert.That(rows.Select(row => row.Length), Is.All.EqualTo(rows[0].Length));
             double reach = rows.Skip(1).Max(row => double.Parse(row[6], CultureInfo.InvariantCulture));
             Assert.That(reach, Is.InRange(0.05, 0.07), "metres");

@@ -13,7 +13,7 @@ namespace Alate.Tests.Cli
 {
     public sealed class JointTableTests
     {
-        private const int k_Wings = 2, k_Joints = 25, k_Substeps = 24;
+        private const int k_Wings = 2, k_Joints = 25, k_Substeps = 16;
 
         private string m_Text;
         private string[] m_Columns;
@@ -52,7 +52,7 @@ namespace Alate.Tests.Cli
 
             Assert.That(times.Zip(times.Skip(1), (one, next) => next - one), Is.All.EqualTo(step).Within(2e-6));
             Assert.That(phases, Is.All.InRange(0.0, 360.0));
-            Assert.That(phases.Select(phase => (int)Math.Round(phase / 15.0) % k_Substeps).Distinct().Count(), Is.EqualTo(k_Substeps));
+            Assert.That(phases.Select(phase => (int)Math.Round(phase / 22.5) % k_Substeps).Distinct().Count(), Is.EqualTo(k_Substeps));
         }
 
         [Test]

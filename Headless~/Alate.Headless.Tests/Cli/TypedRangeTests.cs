@@ -17,7 +17,7 @@ namespace Alate.Tests.Cli
 
         [TestCase("--elasticity must lie between 0.001 and 500000 for firefly; it is 1000000.", "fly", "firefly", "--elasticity", "1000000")]
         [TestCase(
-            "--elasticity must lie between 0.00333334 and 1000000 for firefly, expressive; it is 0.001.",
+            "--elasticity must lie between 0.00142858 and 1000000 for firefly, expressive; it is 0.001.",
             "fly", "firefly", "--variant", "expressive", "--elasticity", "0.001")]
         [TestCase("--elasticity must lie between 0.001 and 71428.5 for snailfish; it is 100000.", "compare", "snailfish", "--elasticity", "100000")]
         [TestCase("--elasticity must lie between 0.002 and 1000000 for fishfly; it is 0.001.", "compare", "monarch", "fishfly", "--elasticity", "0.001")]
