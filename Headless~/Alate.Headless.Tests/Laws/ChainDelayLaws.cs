@@ -1,0 +1,112 @@
+using System;
+using FsCheck;
+using FsCheck.Fluent;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Tests
+{
+    /// <summary>Delays of chains over random fans, strokes and delays: broad and narrow, with tips that nearly meet.</summary>
+    public sealed unsafe class ChainDelayLaws
+    {
+        private const double k_LargestSlope = 0.65;
+
+        [Test]
+        public void Delays_RiseFromTheLeadingToTheTrailingEdge_AndStripsBearThem()
+        {
+            int limited = 0, kept = 0;
+            Prop.ForAll(RandomFlight.Seeds, seed =>
+            {
+                var random = new Unity.Mathematics.Random((uint)seed);
+                WingParameters p = Monarch.Parameters;
+                p.amplitude.x = random.NextFloat(0.05f, 1.5f);
+                p.chordDelay = random.NextFloat(0f, 1f) * random.NextFloat(0f, 1f);
+                using var fixture = new PackFixture(Rig(ref random), p);
+                int strips = fixture.rig.ChainCount - 1;
+                float4* delays = fixture.Pack.chainDelays;
+                double whole = Math.PI * p.chordDelay, room = 0.0;
+                bool isNarrow = false;
+                for (int i = 0; i < strips; i++)
+                {
+                    double wanted = whole * (fixture.rig.View.chainRatio[i + 1] - fixture.rig.View.chainRatio[i]), step = delays[i + 1].x - delays[i].x;
+                    float width = fixture.rig.View.fanWidths[i];
+                    double most = float.IsInfinity(width) ? wanted : k_LargestSlope * width / p.amplitude.x;
+                    room += most;
+                    isNarrow |= most < wanted;
+                    if (step < -1e-6)
+                        return false.Label($"seed {seed}: chain {i + 1} is before chain {i} by {-step}");
+                    if (step > most + 1e-5)
+                        return false.Label($"seed {seed}: strip {i} bears {most}, not {step}");
+                    if (step < Math.Min(wanted, most) - 1e-5)
+                        return false.Label($"seed {seed}: strip {i} bears {most}, is wanted to have {wanted}, has {step}");
+                }
+
+                limited += isNarrow ? 1 : 0;
+                kept += isNarrow && room > whole ? 1 : 0;
+                double expected = Math.Min(whole, room);
+                return (Math.Abs(delays[strips].x - expected) < 1e-4 * (1.0 + whole)).Label($"seed {seed}: {delays[strips].x} in all, not {expected}");
+            }).QuickCheckThrowOnFailure();
+            Assert.That(limited, Is.GreaterThan(10), "wings with a strip that is too narrow");
+            Assert.That(kept, Is.GreaterThan(3), "of these, wings with room elsewhere");
+        }
+
+        [Test]
+        public void WidthOfAStrip_IsItsNarrowestByTheDistanceFromTheRoot()
+        {
+            Prop.ForAll(RandomFlight.Seeds, seed =>
+            {
+                var random = new Unity.Mathematics.Random((uint)seed);
+                using var fixture = new PackFixture(Rig(ref random), Monarch.Parameters);
+                for (int i = 0; i + 1 < fixture.rig.ChainCount; i++)
+                {
+                    float stored = fixture.rig.View.fanWidths[i];
+                    double narrowest = Math.Min(Narrowest(fixture.rig, i, i + 1), Narrowest(fixture.rig, i + 1, i));
+                    if (Math.Abs(stored - narrowest) > 1e-3 * narrowest && !(double.IsInfinity(narrowest) && float.IsInfinity(stored)))
+                        return false.Label($"seed {seed}, strip {i}: {stored}, not {narrowest}");
+                }
+
+                return true.Label("agree");
+            }).QuickCheckThrowOnFailure();
+        }
+
+        // Over the joints of a straight chain that stand square to the other one.
+        private static double Narrowest(WingRig rig, int chain, int other)
+        {
+            int m = rig.JointsPerChain;
+            float3 root = rig.RestJoints[chain * m], from = rig.RestJoints[other * m], to = rig.RestJoints[other * m + m - 1];
+            double narrowest = double.PositiveInfinity, length = math.distance(from, to);
+            for (int j = 1; j < m; j++)
+            {
+                float3 joint = rig.RestJoints[chain * m + j];
+                double along = math.dot(joint - from, to - from) / length;
+                if (along <= 0.0 || along > length * (1.0 + 0.1 / (m - 1)))
+                    continue;
+                float3 foot = math.lerp(from, to, (float)Math.Min(along / length, 1.0));
+                narrowest = Math.Min(narrowest, Math.Max(math.distance(joint, foot), 2e-3) / math.distance(joint, root));
+            }
+
+            return narrowest;
+        }
+
+        private static WingRig Rig(ref Unity.Mathematics.Random random)
+        {
+            int chains = random.NextInt(3, 9), joints = random.NextInt(3, 9);
+            float chord = random.NextFloat(0.2f, 1f), last = random.NextFloat(0.3f, 1.4f), rootShare = random.NextFloat(0.1f, 0.6f);
+            var made = new JointChain[chains];
+            float share = 0f, sum = 0f;
+            var gaps = new float[chains];
+            for (int i = 1; i < chains; i++)
+                sum += gaps[i] = random.NextFloat(0.1f, 1f);
+            for (int i = 0; i < chains; i++)
+            {
+                share += gaps[i] / sum;
+                var root = new Vector3(0f, 0f, -rootShare * chord * i / (chains - 1f));
+                var tip = new Vector3(math.cos(last * share), 0f, -chord * math.sin(last * share) - 0.02f * i);
+                made[i] = TestWings.Chain(root, tip, joints);
+            }
+
+            return TestWings.Bake(TestWings.Skeleton(made), TestWings.Ellipse(12, 6, 1f, chord * math.max(math.sin(last), rootShare)), 64);
+        }
+    }
+}
