@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace Alate.Tests
+{
+    /// <summary>A right wing of a species at its cruising speed, baked once: what tests of time and wind fly.</summary>
+    internal sealed class SpeciesFlight : IDisposable
+    {
+        private const float k_Gravity = 9.81f, k_CruiseShare = 0.65f;
+
+        private readonly SurfaceMesh m_Mesh;
+        private readonly float m_GravityShare;
+
+        /// <param name="wing">Which wing.</param>
+        /// <param name="variant">In which variant.</param>
+        /// <param name="patches">Of the rig.</param>
+        public SpeciesFlight(SpeciesWing wing, SpeciesVariant variant = SpeciesVariant.Standard, int patches = 64)
+        {
+            WingSpecies species = wing.CreateSpecies(ModelPreset.Physical, variant);
+            parameters = species.ToParameters();
+            Length = species.WingLength;
+            Speed = k_CruiseShare * species.Beat.maxSpeed;
+            m_GravityShare = species.Size.gravityShare;
+            UnityEngine.Object.DestroyImmediate(species);
+            m_Mesh = wing.CreateSurface(WingSide.Right);
+            Rig = TestWings.Bake(wing.CreateSkeleton(WingSide.Right), m_Mesh.ToWingSurface(wing.Name), patches);
+            Rest = Array.ConvertAll(m_Mesh.positions, position => Rig.Frame.ToWing(position));
+            Triangles = m_Mesh.triangles;
+        }
+
+        /// <summary>How it beats; tests change it.</summary>
+        public WingParameters parameters;
+
+        public WingRig Rig { get; }
+
+        /// <summary>[vertex] Rest positions, wing lengths.</summary>
+        public float3[] Rest { get; }
+
+        public int[] Triangles { get; }
+
+        /// <summary>Wing length, metres.</summary>
+        public float Length { get; }
+
+        /// <summary>Of the body, m/s.</summary>
+        public float Speed { get; }
+
+        /// <summary>The parameters as they would be in version 0.1: first order in 24 substeps, chains that bend each by itself in any wind.</summary>
+        public static WingParameters FirstOrder(WingParameters parameters)
+        {
+            parameters.options.timeScheme = TimeScheme.BackwardEuler;
+            parameters.options.coupling = MembraneCoupling.OneWay;
+            parameters.strongestWind = 1000f;
+            parameters.substepsPerBeat = 24;
+            return parameters;
+        }
+
+        /// <summary>What the wing meets in a wind on top of its own speed.</summary>
+        /// <param name="wind">Metres a second.</param>
+        /// <param name="speed">Of the body, metres a second.</param>
+        public WingSurroundings Air(float3 wind, float speed) => new WingSurroundings
+        {
+            wind = (wind + new float3(0f, 0f, -speed)) / Length,
+            gravity = new float3(0f, -k_Gravity * m_GravityShare / Length, 0f),
+            speed = speed,
+        };
+
+        /// <inheritdoc cref="Air(float3, float)"/>
+        public WingSurroundings Air(float3 wind = default) => Air(wind, Speed);
+
+        /// <summary>Positions of all joints, wing lengths.</summary>
+        public static float3[] Joints(in WingReading reading)
+        {
+            var joints = new float3[reading.ChainCount * reading.JointsPerChain];
+            for (int k = 0; k < joints.Length; k++)
+                joints[k] = reading.JointPosition(k / reading.JointsPerChain, k % reading.JointsPerChain);
+            return joints;
+        }
+
+        /// <summary>Root of the mean square distance of joints.</summary>
+        public static double Distance(float3[] a, float3[] b)
+        {
+            double sum = 0.0;
+            for (int k = 0; k < a.Length; k++)
+                sum += math.distancesq(a[k], b[k]);
+            return Math.Sqrt(sum / a.Length);
+        }
+
+        /// <summary>The last of some beats in steps of equal length, still air.</summary>
+        /// <param name="flown">How it beats.</param>
+        /// <param name="steps">Steps of a beat; more than its substeps make finer substeps.</param>
+        /// <param name="beats">How many to fly.</param>
+        public BeatPath Fly(in WingParameters flown, int steps, int beats)
+        {
+            using (var world = new WingWorld())
+            {
+                WingHandle wing = world.Add(Rig, flown, Air());
+                float dt = 1f / (steps * world.Read(wing).Frequency);
+                var path = new BeatPath();
+                for (int k = 0; k < beats * steps; k++)
+                {
+                    world.Step(dt);
+                    if (k >= (beats - 1) * steps)
+                        path.Add(world.Read(wing).Phase, Joints(world.Read(wing)));
+                }
+
+                return path;
+            }
+        }
+
+        /// <summary>The skin as drawn last, wing lengths.</summary>
+        public float3[] Vertices(WingWorld world, WingHandle wing)
+        {
+            NativeArray<SkinnedVertex> vertices = world.Vertices(wing);
+            var positions = new float3[vertices.Length];
+            for (int k = 0; k < positions.Length; k++)
+                positions[k] = Rig.Frame.ToWing(vertices[k].position);
+            return positions;
+        }
+
+        public void Dispose() => Rig.Release();
+    }
+
+    /// <summary>Where the joints of a wing are over a beat.</summary>
+    internal sealed class BeatPath
+    {
+        private readonly List<float> m_Phases = new List<float>();
+        private readonly List<float3[]> m_Joints = new List<float3[]>();
+
+        /// <summary>Adds a moment; phases may wrap once.</summary>
+        public void Add(float phase, float3[] joints)
+        {
+            int at = m_Phases.FindIndex(other => other > phase);
+            m_Phases.Insert(at < 0 ? m_Phases.Count : at, phase);
+            m_Joints.Insert(at < 0 ? m_Joints.Count : at, joints);
+        }
+
+        /// <summary>Root of the mean square distance of the joints from those of a finer path at the same phases.</summary>
+        public double DistanceTo(BeatPath finer)
+        {
+            double sum = 0.0;
+            for (int k = 0; k < m_Phases.Count; k++)
+            {
+                double distance = SpeciesFlight.Distance(m_Joints[k], finer.At(m_Phases[k]));
+                sum += distance * distance;
+            }
+
+            return Math.Sqrt(sum / m_Phases.Count);
+        }
+
+        private float3[] At(float phase)
+        {
+            int after = m_Phases.FindIndex(other => other > phase), before = after <= 0 ? m_Phases.Count - 1 : after - 1;
+            after = math.max(after, 0);
+            float span = Wrapped(m_Phases[after] - m_Phases[before]), share = span > 0f ? Wrapped(phase - m_Phases[before]) / span : 0f;
+            var joints = new float3[m_Joints[0].Length];
+            for (int k = 0; k < joints.Length; k++)
+                joints[k] = math.lerp(m_Joints[before][k], m_Joints[after][k], share);
+            return joints;
+        }
+
+        private static float Wrapped(float angle) => angle < 0f ? angle + 2f * math.PI : angle;
+    }
+}
