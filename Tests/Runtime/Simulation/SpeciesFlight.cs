@@ -10,7 +10,6 @@ namespace Alate.Tests
     {
         private const float k_Gravity = 9.81f, k_CruiseShare = 0.65f;
 
-        private readonly SurfaceMesh m_Mesh;
         private readonly float m_GravityShare;
 
         /// <param name="wing">Which wing.</param>
@@ -21,13 +20,30 @@ namespace Alate.Tests
             WingSpecies species = wing.CreateSpecies(ModelPreset.Physical, variant);
             parameters = species.ToParameters();
             Length = species.WingLength;
-            Speed = k_CruiseShare * species.Beat.maxSpeed;
+            TopSpeed = species.Beat.maxSpeed;
+            Speed = k_CruiseShare * TopSpeed;
             m_GravityShare = species.Size.gravityShare;
             UnityEngine.Object.DestroyImmediate(species);
-            m_Mesh = wing.CreateSurface(WingSide.Right);
-            Rig = TestWings.Bake(wing.CreateSkeleton(WingSide.Right), m_Mesh.ToWingSurface(wing.Name), patches);
-            Rest = Array.ConvertAll(m_Mesh.positions, position => Rig.Frame.ToWing(position));
-            Triangles = m_Mesh.triangles;
+            SurfaceMesh mesh = wing.CreateSurface(WingSide.Right);
+            Rig = TestWings.Bake(wing.CreateSkeleton(WingSide.Right), mesh.ToWingSurface(wing.Name), patches);
+            Rest = Array.ConvertAll(mesh.positions, position => Rig.Frame.ToWing(position));
+            Triangles = mesh.triangles;
+        }
+
+        /// <summary>Another wing that beats as that of a species does.</summary>
+        /// <param name="skeleton">Its skeleton.</param>
+        /// <param name="surface">Its mesh.</param>
+        /// <param name="species">How it beats, and how large it is.</param>
+        public SpeciesFlight(WingSkeleton skeleton, in WingSurface surface, WingSpecies species)
+        {
+            parameters = species.ToParameters();
+            Length = species.WingLength;
+            TopSpeed = species.Beat.maxSpeed;
+            Speed = k_CruiseShare * TopSpeed;
+            m_GravityShare = species.Size.gravityShare;
+            Rig = TestWings.Bake(skeleton, surface, 64);
+            Rest = Array.ConvertAll(surface.positions, position => Rig.Frame.ToWing(position));
+            Triangles = surface.triangles;
         }
 
         /// <summary>How it beats; tests change it.</summary>
@@ -43,8 +59,11 @@ namespace Alate.Tests
         /// <summary>Wing length, metres.</summary>
         public float Length { get; }
 
-        /// <summary>Of the body, m/s.</summary>
+        /// <summary>Of the body as it cruises, m/s.</summary>
         public float Speed { get; }
+
+        /// <summary>Of the body at its fastest, m/s.</summary>
+        public float TopSpeed { get; }
 
         /// <summary>The parameters as they would be in version 0.1: first order in 24 substeps, chains that bend each by itself in any wind.</summary>
         public static WingParameters FirstOrder(WingParameters parameters)
