@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
@@ -15,6 +16,8 @@ namespace Alate.Tests
         private static readonly string[] s_Names =
             ["monarch", "slender", "tailed", "scalloped", "fan", "stalked", "long stalk", "narrow", "butterfly", "hind wing", "oval"];
 
+        private static readonly ConcurrentDictionary<string, WingTrace> s_Traces = new ConcurrentDictionary<string, WingTrace>();
+
         private static IEnumerable<TestCaseData> All =>
             from name in s_Names
             from variant in new[] { SpeciesVariant.Standard, SpeciesVariant.Expressive }
@@ -23,7 +26,7 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void ATracedWing_HoldsInStillAirAndInWind(string name, SpeciesVariant variant)
         {
-            WingTrace trace = Trace(Outline(name));
+            WingTrace trace = s_Traces.GetOrAdd(name, wing => Trace(Outline(wing)));
             WingSpecies species = Species.Find("monarch").Wings[0].CreateSpecies(ModelPreset.Physical, variant);
             using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface.ToWingSurface(name), species);
             WindyFlight.Stretch still = WindyFlight.Steady(flight, 0f), windy = WindyFlight.Steady(flight, k_Wind, WindyFlight.SixDirections);
