@@ -41,16 +41,18 @@ namespace Alate
         {
             if (!Begin(pack, scratch, angles, compliances, free))
                 return;
+            bool4 running = true;
             for (int pass = 0; pass < k_Passes; pass++)
             {
                 float4 largest = 0f;
                 for (int k = 0; k < pack.rig.stripCount; k++)
                 {
                     int strip = (pass & 1) == 0 ? k : pack.rig.stripCount - 1 - k;
-                    largest = math.max(largest, Relax(pack, scratch, strip, compliances, free, factor));
+                    largest = math.max(largest, Relax(pack, scratch, strip, compliances, free, factor, running));
                 }
 
-                if (math.cmax(largest) < k_Tolerance * free)
+                running &= largest >= k_Tolerance * free;
+                if (!math.any(running))
                     break;
             }
 
@@ -104,8 +106,8 @@ namespace Alate
             return slope;
         }
 
-        // Brings the force of one strip to where it balances its slope, and turns the hinges by the change. It pulls back, never on.
-        private static float4 Relax(in WingPack pack, in StepScratch scratch, int index, float4* compliances, float free, float4 factor)
+        // Of the wings that have not settled yet: brings the force of one strip to where it balances its slope, and turns the hinges by the change. It pulls back, never on.
+        private static float4 Relax(in WingPack pack, in StepScratch scratch, int index, float4* compliances, float free, float4 factor, bool4 running)
         {
             Strip* strip = pack.rig.strips + index;
             float4 slope = Slope(pack, scratch, strip), force = scratch.stripForces[index];
@@ -115,7 +117,7 @@ namespace Alate
             // Without this strip the slope would be slope − own · force; its force is what is then beyond the free slope, shared with K.
             float4 unloaded = slope - own * force;
             float4 over = unloaded - math.min(math.max(unloaded, -free), free);
-            float4 change = -over / (own + soft) - force;
+            float4 change = math.select(0f, -over / (own + soft) - force, running);
             scratch.stripForces[index] = force + change;
             float* lever = pack.rig.stripLevers + strip->lever;
             for (int b = 0; b < strip->bones; b++)

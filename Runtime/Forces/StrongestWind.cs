@@ -8,10 +8,13 @@ namespace Alate
     /// </summary>
     internal static unsafe class StrongestWind
     {
+        /// <summary>Faster air counts as this fast along each axis, L/s: its square would overflow.</summary>
+        private const float k_Most = 1e15f;
+
         /// <summary>Air relative to the body, L/s.</summary>
         public static SoaFloat3 Bound(in WingPack pack)
         {
-            SoaFloat3 wind = pack.surroundings->wind;
+            SoaFloat3 wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);
             return wind * Share(pack, wind);
         }
 

@@ -46,7 +46,7 @@ namespace Alate
             species.Beat.flapRange = 156f;
             species.Beat.featherRange = 78f;
             species.Beat.sweepRange = 0f;
-            species.Wave.chordDelay = 0.09f;
+            species.Wave.chordDelay = 0.095f;
             species.Stiffness.elasticity = 2f;
             species.Stiffness.strongestWind = 0.75f;
         }
@@ -54,6 +54,7 @@ namespace Alate
         private static void Quicken(WingSpecies species)
         {
             species.Beat.maxFrequency = 62f;
+            species.Wave.chordDelay = 0.09f;
             species.Beat.frequencyFloor = 1f;
         }
 
@@ -84,7 +85,8 @@ namespace Alate
                 new SpeciesSource("MAX_a flap, feather, sweep", "156°, 78°, 0°", "the paper, Table 1"),
                 new SpeciesSource("elasticity k_e", "2", "the paper, Table 2"),
                 new SpeciesSource("triangles", "12568 on two wings", "the paper, Table 2; the elytra belong to the body"),
-                new SpeciesSource("chord delay λ", "0.09", "chosen: with the large feathering of Table 1 more stretches the wing beyond 6 %"),
+                new SpeciesSource("chord delay λ", "0.095", "chosen: with the large feathering of Table 1 more stretches the wing beyond 6 %"),
+                new SpeciesSource("chord delay λ", "0.09", "chosen: as above, at the faster beat", biological),
                 new SpeciesSource("strongest wind", "0.75", "chosen: a firefly's tip bends half again as far in 5 m/s as in still air"),
                 new SpeciesSource("k_e, λ, μ, w_0, κ, strongest wind", "0.7, 0.18, 0.35, 0.6, 40, 0.65", "chosen for the eye: a membrane that flutters like a flag, as in the paper's Fig. 11", expressive),
                 new SpeciesSource("veins, colours", "six veins and three forks", "drawn by us"),

@@ -68,7 +68,7 @@ namespace Alate
 
         /// <summary>Wind beyond which the wing hardly bends more, over v_ref = 2π f_ref · half the flap · L, 0.1 to 1000; see <see cref="WingParameters.strongestWind"/>.</summary>
         [Range(0.1f, 1000f)]
-        [Tooltip("Wind beyond which the wing hardly bends more, over the speed of a wing tip at top speed; 0.65, 2 m/s for a monarch. 1000 takes every wind as it is.")]
+        [Tooltip("Wind beyond which the wing hardly bends more, over the speed of a wing tip at top speed; 0.65, 3.2 m/s for a monarch. 1000 takes every wind as it is.")]
         public float strongestWind;
     }
 }

@@ -57,7 +57,7 @@ namespace Alate
         public float airDensity;
 
         /// <summary>
-        /// Wind beyond which the wing hardly bends more, over the speed v_ref = 2π f_ref · flap of a wing tip that flies at u_max, 0.1 to 1000; default 0.65, 2.0 m/s for a
+        /// Wind beyond which the wing hardly bends more, over the speed v_ref = 2π f_ref · flap of a wing tip that flies at u_max, 0.1 to 1000; default 0.65, 3.2 m/s for a
         /// monarch. Beyond it the wind is felt as its fourth root, because soft sheets curl up in a stream (Vogel 1989). 1000 takes every wind as it is.
         /// </summary>
         public float strongestWind;

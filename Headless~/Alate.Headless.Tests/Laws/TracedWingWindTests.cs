@@ -14,7 +14,7 @@ namespace Alate.Tests
         private const int k_Side = 400;
 
         private static readonly string[] s_Names =
-            ["monarch", "slender", "tailed", "scalloped", "fan", "stalked", "long stalk", "narrow", "butterfly", "hind wing", "oval"];
+            ["monarch", "slender", "tailed", "scalloped", "fan", "butterfly", "hind wing", "oval", "broad butterfly", "broad hind wing"];
 
         private static readonly ConcurrentDictionary<string, WingTrace> s_Traces = new ConcurrentDictionary<string, WingTrace>();
 
@@ -45,30 +45,13 @@ namespace Alate.Tests
         {
             switch (name)
             {
-                // As a damselfly's: a fifth of the wing, nearly as narrow as a vein is thick.
-                case "stalked": return Blade(x => 0.018 + (x < 0.18 ? 0.0 : 0.05 * Swell(x, 0.18)), x => 0.018 + (x < 0.18 ? 0.0 : 0.09 * Swell(x, 0.18)));
-                case "long stalk": return Blade(x => 0.012 + (x < 0.35 ? 0.0 : 0.07 * Swell(x, 0.35)), x => 0.012 + (x < 0.35 ? 0.0 : 0.11 * Swell(x, 0.35)));
-                case "narrow": return Blade(x => 0.012 + 0.018 * Swell(x, 0.0), x => 0.014 + 0.04 * Swell(x, 0.0));
                 case "butterfly": return InsectOutlines.Make(OutlineKind.Butterfly, 3);
                 case "hind wing": return InsectOutlines.Make(OutlineKind.HindWing, 5);
+                case "broad butterfly": return InsectOutlines.Make(OutlineKind.Butterfly, 8);
+                case "broad hind wing": return InsectOutlines.Make(OutlineKind.HindWing, 9);
                 case "oval": return InsectOutlines.Make(OutlineKind.Oval, 7);
                 default: return DrawnWing.All.First(wing => wing.Name == name).Outline;
             }
-        }
-
-        private static double Swell(double x, double from) => Math.Sqrt(Math.Max(0.0, Math.Sin(Math.PI * Math.Min(1.0, (x - from) / (1.0 - from)))));
-
-        // Counterclockwise, widths ahead of and behind the middle line, rounded off at the tip.
-        private static Vector2[] Blade(Func<double, double> ahead, Func<double, double> behind)
-        {
-            const int steps = 300;
-            double Taper(int k) => Math.Sqrt(Math.Max(0.0, 1.0 - Math.Pow((double)k / steps, 40.0)));
-            var outline = new List<Vector2>();
-            for (int k = 0; k <= steps; k++)
-                outline.Add(new Vector2((float)k / steps, (float)(-behind((double)k / steps) * Taper(k))));
-            for (int k = steps - 1; k >= 0; k--)
-                outline.Add(new Vector2((float)k / steps, (float)(ahead((double)k / steps) * Taper(k))));
-            return outline.ToArray();
         }
 
         private static WingTrace Trace(Vector2[] outline)

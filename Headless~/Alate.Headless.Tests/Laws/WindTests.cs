@@ -66,15 +66,6 @@ namespace Alate.Tests
         [Category("Long")]
         public void InStillAir_NeitherSoftnessNorTopSpeedTearsAnyOtherWing(string species, int wing, SpeciesVariant variant) => AssertSoft(species, wing, variant);
 
-        [TestCaseSource(nameof(All))]
-        [Explicit]
-        [Category("Long")]
-        public void ASoftWingAtTopSpeed_IsNotTorn(string species, int wing, SpeciesVariant variant)
-        {
-            using var flight = new SpeciesFlight(Species.Find(species).Wings[wing], variant);
-            AssertStill(flight, variant, 0.1f, flight.TopSpeed);
-        }
-
         // The same measurement of what the first version did, so that it can fail.
         [TestCase("firefly")]
         [TestCase("fishfly")]

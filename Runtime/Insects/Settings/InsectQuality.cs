@@ -17,7 +17,7 @@ namespace Alate
 
         /// <summary>Surface patches that meet the air, 24 to 4096.</summary>
         [Range(WingRigSettings.CoarsePatches, MaxPatches)]
-        [Tooltip("Surface patches that meet the air, 24 to 4096; 256. Fewer cost less; shared by all insects of the same mesh and number.")]
+        [Tooltip("Surface patches that meet the air, 24 to 4096; 64. Fewer cost less; shared by all insects of the same mesh and number.")]
         public int patches;
 
         /// <summary>Whether far insects are computed with less detail.</summary>
@@ -35,7 +35,7 @@ namespace Alate
         [Tooltip("Computes the air's forces however small the insect is and though no camera sees it: for a body that the wings carry. Costs as much as coarse patches.")]
         public bool keepForces;
 
-        /// <summary>The preset's substeps, 256 patches, detail by screen size, nothing computed out of sight.</summary>
+        /// <summary>The preset's substeps, 64 patches, detail by screen size, nothing computed out of sight.</summary>
         public static InsectQuality Default => new InsectQuality
         {
             patches = WingRigSettings.Default.patchCount,

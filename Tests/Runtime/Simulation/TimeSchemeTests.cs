@@ -20,7 +20,7 @@ namespace Alate.Tests
             yield return new TestCaseData("fishfly", 0, 0.43, 1.5);
             yield return new TestCaseData("fishfly", 1, 0.325, 1.5);
             yield return new TestCaseData("painted-lichen-moth", 0, 0.136, 1.5);
-            yield return new TestCaseData("snailfish", 0, 0.247, 1.0);
+            yield return new TestCaseData("snailfish", 0, 0.39, 1.0);
         }
 
         [TestCaseSource(nameof(Bounds))]
