@@ -10,16 +10,13 @@ namespace Alate
     internal static unsafe class ChainDelays
     {
         /// <summary>
-        /// Slope of a strip while its chains are apart by their delay, at the largest flap. 0.65 leaves the monarch (0.69) nearly as printed; the lichen moth's first strip
+        /// Slope of a strip while its chains are apart by their delay, at the flap of the preset: steering changes no delay, which would make the wing jump. 0.65 leaves the monarch (0.69) nearly as printed; the lichen moth's first strip
         /// would have 1.1, the fishfly's last one 0.9.
         /// </summary>
         private const float k_LargestSlope = 0.65f;
 
         /// <summary>How much of the logarithm of what no strip has room for still counts.</summary>
         private const float k_Beyond = 0.5f;
-
-        /// <summary>Sum of the strips' widths over their distances from the root below which a wing is narrow: the fishfly's fore wing has 0.4, a ribbon of 12:1 has 0.1.</summary>
-        private const float k_NarrowFan = 0.4f;
 
         /// <summary>A wing that hardly flaps is sheared by nothing; its delays stay finite.</summary>
         private const float k_LeastFlap = 1e-3f;
@@ -51,21 +48,11 @@ namespace Alate
             }
         }
 
-        // A wing whose chains hardly spread bends as a ribbon: there the delay of the chains would be all shear.
-        private static float LargestSlope(in WingPack pack)
-        {
-            float fan = 0f;
-            for (int i = 0; i + 1 < pack.rig.chainCount; i++)
-                fan += pack.rig.fanWidths[i];
-            float spread = math.min(fan * (1f / k_NarrowFan), 1f);
-            return k_LargestSlope * spread * spread;
-        }
-
         private static float4 Most(in WingPack pack, int strip, float4 wanted)
         {
             float width = pack.rig.fanWidths[strip];
             bool any = pack.options.coupling == MembraneCoupling.OneWay || float.IsInfinity(width);
-            return any ? wanted : LargestSlope(pack) * width / math.max(pack.parameters->amplitude.x, k_LeastFlap);
+            return any ? wanted : k_LargestSlope * pack.rig.spread * width / math.max(pack.parameters->wholeFlap, k_LeastFlap);
         }
     }
 }

@@ -102,28 +102,32 @@ namespace Alate
             scratch.angleCurvature[bone] = (Times(curvature, cos) - Times(rate + rate, sin) - Times(a, cos)) * moving;
         }
 
-        // The angle at a joint is the sum over the joints from the root, the root taking its own share.
+        // The angle at a joint is the sum over the joints from the root, the root taking its own share: all of the sweep where the chains do not spread.
         private static void Accumulate(in WingPack pack, in StepScratch scratch)
         {
+            bool coupled = pack.options.coupling == MembraneCoupling.TwoWay;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
+            float even = 1f / (bonesPerChain - 1);
             float4 rootShare = pack.parameters->rootShare;
-            float4 share = (1f - rootShare) * (1f / (bonesPerChain - 1));
+            float4 free = 1f - rootShare, freeSweep = free * (coupled ? pack.rig.spread : 1f);
             for (int first = 0; first < pack.rig.boneCount; first += bonesPerChain)
             {
-                SoaFloat3 angle = scratch.angle[first] * rootShare;
-                SoaFloat3 rate = scratch.angleRate[first] * rootShare;
-                SoaFloat3 curvature = scratch.angleCurvature[first] * rootShare;
-                angle.x += pack.parameters->meanFlap;
-                for (int bone = first; ;)
+                var share = new SoaFloat3(rootShare, 1f - freeSweep, rootShare);
+                SoaFloat3 angle = default, rate = default, curvature = default;
+                angle.x = pack.parameters->meanFlap;
+                float sum = 0f;
+                for (int bone = first; bone < first + bonesPerChain; bone++)
                 {
+                    float next = coupled ? pack.rig.flapShares[bone] : (bone - first) * even;
+                    share += new SoaFloat3(free, freeSweep, free) * (next - sum);
+                    sum = next;
+                    angle += Times(scratch.angle[bone], share);
+                    rate += Times(scratch.angleRate[bone], share);
+                    curvature += Times(scratch.angleCurvature[bone], share);
                     scratch.angle[bone] = angle;
                     scratch.angleRate[bone] = rate;
                     scratch.angleCurvature[bone] = curvature;
-                    if (++bone == first + bonesPerChain)
-                        break;
-                    angle += scratch.angle[bone] * share;
-                    rate += scratch.angleRate[bone] * share;
-                    curvature += scratch.angleCurvature[bone] * share;
+                    share = default;
                 }
             }
         }

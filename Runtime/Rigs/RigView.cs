@@ -70,6 +70,12 @@ namespace Alate
         /// <summary>Slopes of the strips by the bends of their chains; see <see cref="Strip.lever"/>.</summary>
         public float* stripLevers;
 
+        /// <summary>How far the chains spread: 1 for a fan, towards 0 for a ribbon, whose membrane would be sheared by chains that move each by themselves.</summary>
+        public float spread;
+
+        /// <summary>[bone] Share of the flap that is added to the root's from the root to this bone, 0 to 1.</summary>
+        public float* flapShares;
+
         /// <summary>
         /// [n − 1] Narrowest width between a chain and the next one, over the distance from the root; infinite where no joint has a foot on the other chain.
         /// </summary>

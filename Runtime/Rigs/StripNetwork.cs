@@ -12,6 +12,9 @@ namespace Alate
         /// <summary>How far past the end of a chain a foot may lie, in lengths of its last bone: chains' tips are seldom side by side.</summary>
         private const float k_Beyond = 0.1f;
 
+        /// <summary>Sum of the fan's widths from which on a wing is a fan: the fishfly's fore wing has 0.4, a ribbon of 12:1 has 0.1.</summary>
+        private const float k_FanWidth = 0.4f;
+
         private readonly RestSkeleton m_Rest;
         private readonly List<Strip> m_Strips = new List<Strip>();
         private readonly List<float> m_Levers = new List<float>();
@@ -33,6 +36,12 @@ namespace Alate
 
             Strips = m_Strips.ToArray();
             Levers = m_Levers.ToArray();
+            FanWidths = Widths();
+            float fan = 0f;
+            foreach (float width in FanWidths)
+                fan += width;
+            float share = math.min(fan * (1f / k_FanWidth), 1f);
+            Spread = share * share;
         }
 
         /// <summary>By their joints.</summary>
@@ -44,7 +53,12 @@ namespace Alate
         public float[] Levers { get; }
 
         /// <summary>[n − 1] Narrowest strip between a chain and the next one, its width over the distance from the root; infinite where there is none.</summary>
-        public float[] FanWidths()
+        public float[] FanWidths { get; }
+
+        /// <summary>How far the chains spread: 1 for a fan, towards 0 for a ribbon.</summary>
+        public float Spread { get; }
+
+        private float[] Widths()
         {
             var widths = new float[m_Rest.chainCount - 1];
             for (int i = 0; i < widths.Length; i++)

@@ -39,6 +39,9 @@ namespace Alate
         public float4 tiltHalfCos;
 
         /// <summary>λπ: delay of the last chain, radians.</summary>
+        /// <summary>Amplitude of the flap as in the preset, whatever the steering makes of it, radians.</summary>
+        public float4 wholeFlap;
+
         public float4 chordDelay;
 
         /// <summary>μπ: delay of the last joint, radians.</summary>
@@ -86,6 +89,7 @@ namespace Alate
             frequencyFloor[lane] = p.frequencyFloor;
             amplitudeFloor[lane] = p.amplitudeFloor;
             amplitude[lane] = p.amplitude * p.amplitudeScale;
+            wholeFlap[lane] = p.amplitude.x;
             phaseSin[lane] = math.sin(p.phase);
             phaseCos[lane] = math.cos(p.phase);
             meanFlap[lane] = p.meanFlap;

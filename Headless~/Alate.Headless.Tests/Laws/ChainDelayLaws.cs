@@ -28,7 +28,7 @@ namespace Alate.Tests
                 double whole = Math.PI * p.chordDelay, room = 0.0, fan = 0.0;
                 for (int i = 0; i < strips; i++)
                     fan += fixture.rig.View.fanWidths[i];
-                double spread = Math.Min(fan / 0.4, 1.0);
+                double spread = Math.Pow(Math.Min(fan / 0.4, 1.0), 2.0);
                 for (int i = 0; i < strips; i++)
                     room += Strip(fixture, p, i, spread).Most;
                 double beyond = 1.0 + 0.5 * Math.Log(Math.Max(whole / room, 1.0));
@@ -99,7 +99,7 @@ namespace Alate.Tests
             float* ratio = fixture.rig.View.chainRatio;
             float width = fixture.rig.View.fanWidths[strip];
             double wanted = Math.PI * p.chordDelay * (ratio[strip + 1] - ratio[strip]);
-            return (wanted, float.IsInfinity(width) ? wanted : k_LargestSlope * spread * spread * width / p.amplitude.x);
+            return (wanted, float.IsInfinity(width) ? wanted : k_LargestSlope * spread * width / p.amplitude.x);
         }
 
         private static WingRig Rig(ref Unity.Mathematics.Random random)

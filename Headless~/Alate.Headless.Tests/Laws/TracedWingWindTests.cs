@@ -14,7 +14,7 @@ namespace Alate.Tests
         private const int k_Side = 400;
 
         private static readonly string[] s_Names =
-            ["monarch", "slender", "tailed", "scalloped", "fan", "butterfly", "hind wing", "oval", "broad butterfly", "broad hind wing"];
+            ["monarch", "slender", "tailed", "scalloped", "fan", "butterfly", "hind wing", "oval", "broad butterfly", "broad hind wing", "stalked", "narrow"];
 
         private static readonly ConcurrentDictionary<string, WingTrace> s_Traces = new ConcurrentDictionary<string, WingTrace>();
 
@@ -45,6 +45,8 @@ namespace Alate.Tests
         {
             switch (name)
             {
+                case "stalked": return BladeOutline.Stalked;
+                case "narrow": return BladeOutline.Narrow;
                 case "butterfly": return InsectOutlines.Make(OutlineKind.Butterfly, 3);
                 case "hind wing": return InsectOutlines.Make(OutlineKind.HindWing, 5);
                 case "broad butterfly": return InsectOutlines.Make(OutlineKind.Butterfly, 8);

@@ -7,9 +7,9 @@ namespace Alate.Tests
     /// <summary>Wings as scans have them, far wilder than <see cref="RandomWings"/>, with any hinge, any forward direction and any counts.</summary>
     internal static class WildWings
     {
-        /// <summary>Some of the seeds whose chains along the wing's edges cross or break another rule; of the first 1500 seeds 60 do.</summary>
+        /// <summary>Some of the seeds whose chains along the wing's edges cross or break another rule; of the first 1500 seeds 42 do.</summary>
         public static readonly int[] Crossing =
-            [29, 54, 60, 63, 117, 140, 157, 163, 165, 185, 230, 322, 410, 649, 687, 877, 1024, 1036, 1164, 1180, 1187, 1212, 1239, 1395];
+            [54, 60, 63, 157, 163, 165, 185, 212, 219, 220, 257, 285, 322, 348, 396, 410, 649, 687, 877, 1036, 1164, 1239, 1269, 1395];
 
         public static WingSurface Make(int seed, out SkeletonFitSettings hints)
         {

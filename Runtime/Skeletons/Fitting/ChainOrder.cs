@@ -25,8 +25,11 @@ namespace Alate
                 Spread(chains, Math.Max(first - reach, 0), Math.Min(second + reach, last), withTips);
             }
 
-            return !TryFindMeeting(chains, out _, out _);
+            return !Meet(chains);
         }
+
+        /// <summary>Whether a chain meets another.</summary>
+        public static bool Meet(PlanPoint[][] chains) => TryFindMeeting(chains, out _, out _);
 
         private static void Spread(PlanPoint[][] chains, int low, int high, bool withTips)
         {

@@ -34,8 +34,8 @@ namespace Alate
             m_Notes = notes;
         }
 
-        /// <summary>[chain][joint] in the wing's view.</summary>
-        public PlanPoint[][] Lay(int chains, int joints)
+        /// <summary>[layout][chain][joint] Layouts in the wing's view, the best first; more than one where chains with evenly spaced joints meet.</summary>
+        public List<PlanPoint[][]> Lay(int chains, int joints)
         {
             var shares = new FanShares(m_Marks, m_Margin, chains);
             var made = new PlanPoint[chains][];
@@ -59,8 +59,18 @@ namespace Alate
             for (int i = 1; i < last; i++)
                 made[i] = Jointed(Straightened(levels[i], straightness), shares.TailOf(i), joints);
 
-            ChainOrder.Untangle(made);
-            return made;
+            var layouts = new List<PlanPoint[][]>();
+            if (ChainOrder.Meet(made))
+            {
+                levels[last] = lastPath;
+                PlanPoint[][] bent = Bent(made, levels, joints);
+                if (!ChainOrder.Meet(bent))
+                    layouts.Add(bent);
+                ChainOrder.Untangle(made);
+            }
+
+            layouts.Add(made);
+            return layouts;
         }
 
         /// <summary>Says which chains leave the wing.</summary>
@@ -76,6 +86,15 @@ namespace Alate
                         $"Chain {i} strays {(100.0 * outside).ToString("0.#", CultureInfo.InvariantCulture)} % of the wing's length from it.");
                 }
             }
+        }
+
+        // On a stalk chains lie side by side up to its end: as their level lines do, with joints where these bend.
+        private static PlanPoint[][] Bent(PlanPoint[][] made, List<PlanPoint>[] levels, int joints)
+        {
+            var bent = (PlanPoint[][])made.Clone();
+            for (int i = 1; i < bent.Length; i++)
+                bent[i] = BalancedJoints.Place(levels[i], joints);
+            return bent;
         }
 
         // All chains by as much: else one could come to lie across the next.

@@ -47,13 +47,21 @@ namespace Alate
             ClosedCurve wing = view.Turn(outline, anchor);
             var marks = new WingLandmarks(wing, notes);
             var fan = new FanChains(wing, marks, notes);
-            PlanPoint[][] chains = fan.Lay(settings.chains, settings.jointsPerChain);
+            PlanPoint[][] chains = null;
 
             var lift = new SurfaceLift(sheet);
             var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.UpAxis = sheet.plane.up;
-            Take(chains, settings, isGuessed ? view.FromWing(wing.At(marks.Tip)) - view.FromWing(chains[0][0]) : view.span);
-            string problem = Problem(skeleton);
+            string problem = null;
+            foreach (PlanPoint[][] layout in fan.Lay(settings.chains, settings.jointsPerChain))
+            {
+                chains = layout;
+                Take(chains, settings, isGuessed ? view.FromWing(wing.At(marks.Tip)) - view.FromWing(chains[0][0]) : view.span);
+                problem = Problem(skeleton);
+                if (problem == null)
+                    break;
+            }
+
             // Rays in plan do not suit a surface that is not seen whole from above, such as a band with a twist.
             bool isHidden = notes.Warned(SkeletonFitWarningKind.FoldsOverItself) || notes.Warned(SkeletonFitWarningKind.StronglyCurved);
             int tries = isHidden ? 0 : RayChains.Tries;

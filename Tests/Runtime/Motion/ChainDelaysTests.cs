@@ -36,6 +36,20 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void Steering_ChangesNoDelay()
+        {
+            WingParameters parameters = Monarch.Parameters, steered = parameters;
+            parameters.chordDelay = 0.5f;
+            steered.chordDelay = 0.5f;
+            steered.amplitudeScale = 0.1f;
+            using (PackFixture fixture = new PackFixture(Monarch.Rig(64), parameters), other = new PackFixture(Monarch.Rig(64), steered))
+            {
+                for (int chain = 0; chain < fixture.rig.ChainCount; chain++)
+                    Assert.That(other.Pack.chainDelays[chain], Is.EqualTo(fixture.Pack.chainDelays[chain]), $"chain {chain}");
+            }
+        }
+
+        [Test]
         public void ParallelChains_HaveNoMoreDelayThanTheirStripsBear()
         {
             // Four strips an eighth of a wing length wide: chains apart by δ of a flap A are apart by A δ at their tips.
