@@ -39,14 +39,14 @@ namespace Alate
             float4 iterations = default;
 
             // Far extrapolated, every other start of the second-order step has an indefinite Hessian: kept convex at once it need not be factorised twice.
-            bool convex = pack.options.timeScheme == TimeScheme.SecondOrder;
+            bool4 convex = pack.options.timeScheme == TimeScheme.SecondOrder;
             float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
             for (int k = 0; k < limits.newton; k++)
             {
                 bool4 negative = BlockCholesky.Factorise(pack, scratch) & active;
                 if (math.any(negative))
                 {
-                    SpringEnergy.Linearise(pack, scratch, scratch.positions, negative);
+                    SpringEnergy.Linearise(pack, scratch, scratch.positions, negative | convex);
                     BlockCholesky.Factorise(pack, scratch);
                 }
 
@@ -60,6 +60,7 @@ namespace Alate
                 }
 
                 value = LineSearch(pack, scratch, value, active);
+                convex = false;
                 active = moved;
             }
 
@@ -69,9 +70,8 @@ namespace Alate
         // The last step is a full one: it is shorter than the tolerance, and nobody asks for the energy that it leads to.
         private static void Finish(in WingPack pack, in StepScratch scratch, bool4 active)
         {
-            float4 length = math.select(0f, 1f, active);
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
-                scratch.positions[joint] += scratch.step[joint] * length;
+                scratch.positions[joint] = SoaFloat3.Select(scratch.positions[joint], scratch.positions[joint] + scratch.step[joint], active);
         }
 
         // Halves the step of each wing until its energy falls; leaves the linearisation at the accepted positions.
@@ -82,10 +82,11 @@ namespace Alate
             float4 found = value;
             for (int halving = 0; ; halving++)
             {
+                bool4 moving = length > 0f;
                 for (int joint = 0; joint < pack.rig.jointCount; joint++)
-                    scratch.candidate[joint] = scratch.positions[joint] + scratch.step[joint] * length;
+                    scratch.candidate[joint] = SoaFloat3.Select(scratch.positions[joint], scratch.positions[joint] + scratch.step[joint] * length, moving);
                 found = SpringEnergy.Linearise(pack, scratch, scratch.candidate, false);
-                bool4 tooHigh = !(found <= value + k_Decrease * length * slope + k_Rounding * math.abs(value)) & (length > 0f);
+                bool4 tooHigh = !(found <= value + k_Decrease * length * slope + k_Rounding * math.abs(value)) & moving;
                 if (!math.any(tooHigh))
                     break;
                 length = math.select(length, halving < k_MaxHalvings ? 0.5f * length : 0f, tooHigh);

@@ -49,8 +49,8 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static bool4 InvertDefinite(SymmetricBlock* m)
         {
-            // In units of its trace: the determinant of a block of a very stiff wing would overflow.
-            float4 unit = 1f / math.max(m->xx + m->yy + m->zz, 1e-30f);
+            // In units of its diagonal: the determinant of a block of a very stiff wing would overflow.
+            float4 unit = 1f / math.max(math.abs(m->xx) + math.abs(m->yy) + math.abs(m->zz), 1e-30f);
             Scale(m, unit);
             float4 first = m->xx, second = m->xx * m->yy - m->xy * m->xy;
             float4 third = Invert(m);

@@ -18,7 +18,7 @@ namespace Alate
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 float3 rest = pack.rig.restJoints[joint];
-                SoaFloat3 turning = scratch.carriedTurning[joint];
+                SoaFloat3 turning = scratch.carriedTurning[joint] + body;
                 SoaFloat3 span = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c0);
                 SoaFloat3 chord = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c2);
                 SoaFloat3 velocity = scratch.drivenVelocities[joint] - pack.drivenLags[joint] + pack.motions[joint].velocity

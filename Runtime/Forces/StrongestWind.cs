@@ -15,10 +15,10 @@ namespace Alate
         public static SoaFloat3 Bound(in WingPack pack)
         {
             SoaFloat3 wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);
-            return wind * Share(pack, wind);
+            return pack.options.coupling == MembraneCoupling.OneWay ? wind : wind * Share(pack, wind);
         }
 
-        /// <summary>Its speed, L/s.</summary>
+        /// <summary>Speed of the bounded wind, L/s.</summary>
         public static float4 Speed(in WingPack pack) => math.sqrt(SoaFloat3.LengthSquared(Bound(pack)));
 
         // (1 + x¹⁶)^(−0.75/16), which is 1 below 0.8 to a thousandth; as t^−0.75 (t^−16 + (x/t)¹⁶)^(−0.75/16) with t = max(x, 1), so that no speed overflows.

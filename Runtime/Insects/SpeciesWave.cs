@@ -7,9 +7,9 @@ namespace Alate
     [Serializable]
     public struct SpeciesWave
     {
-        /// <summary>λ, half beats, 0 to 2.</summary>
+        /// <summary>λ, the largest delay of the trailing edge, half beats, 0 to 2; see <see cref="WingParameters.chordDelay"/>.</summary>
         [Range(0f, 2f)]
-        [Tooltip("Half beats by which the trailing edge follows the leading edge; 0.15. 0 is a wing without a wave; 1 is the paper's print, where the trailing edge goes up while the leading edge goes down.")]
+        [Tooltip("Half beats by which the trailing edge follows the leading edge, less where neighbouring chains are too close to bear it; 0.15. 0 is a wing without a wave; 1 with Coupling One Way is the paper's print, where the trailing edge goes up while the leading edge goes down.")]
         public float chordDelay;
 
         /// <summary>μ, half beats, 0 to 2.</summary>

@@ -57,8 +57,10 @@ namespace Alate
         {
             float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
             float4 perBeat = SubstepsPerBeat(pack);
-            float4 perAir = math.min(StrongestWind.Speed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * frequency);
-            float rate = math.cmax(math.max(frequency * perBeat, perAir));
+            float4 rates = frequency * perBeat;
+            if (pack.detail != WingDetail.WavesOnly)
+                rates = math.max(rates, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->maxFrequency));
+            float rate = math.cmax(rates);
             dt = math.min(dt, k_MostBeats / math.cmax(frequency));
             return math.max((int)math.ceil(dt * rate - k_CountRounding), 1);
         }
@@ -97,6 +99,13 @@ namespace Alate
             JointFrames.Motions(pack, scratch, h);
             Keep(pack, scratch, 0f);
             RecoverBroken(pack, scratch);
+        }
+
+        // Of what the tip of a wing at rest meets, L/s: the wind, and the air through which the body turns it.
+        private static float4 AirSpeed(in WingPack pack)
+        {
+            float4 reach = 1f + math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->hinge));
+            return StrongestWind.Speed(pack) + math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->angularVelocity)) * reach;
         }
 
         private static float4 SubstepsPerBeat(in WingPack pack)

@@ -41,7 +41,7 @@ namespace Alate
         /// <summary>Stroke plane turned about the span axis, nose up positive, radians, −π/2 to π/2; default 0.</summary>
         public float tilt;
 
-        /// <summary>λ: delay from leading to trailing edge in half beats, 0 to 2; default 0.15. <c>Paper</c>: 1, Eq. 2 as printed (trailing edge in anti-phase).</summary>
+        /// <summary>λ: largest delay from leading to trailing edge in half beats, 0 to 2; default 0.15. Less where neighbouring chains are too close to bear it; see <see cref="MembraneCoupling.TwoWay"/>. <c>Paper</c>: 1, Eq. 2 as printed (trailing edge in anti-phase).</summary>
         public float chordDelay;
 
         /// <summary>μ: delay from root to tip in half beats, 0 to 2; default 0.1. <c>Paper</c>: 0 (Eq. 2 has no such term).</summary>

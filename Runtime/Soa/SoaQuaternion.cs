@@ -48,12 +48,12 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaQuaternion operator +(SoaQuaternion a, SoaQuaternion b) => new SoaQuaternion(a.v + b.v, a.w + b.w);
 
-        /// <summary>What has to be added to one rotation to reach another one, with the sign that is nearer.</summary>
+        /// <summary>Difference of one rotation, with the sign that is nearer to the other one, from that one: no rotation.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaQuaternion Difference(SoaQuaternion from, SoaQuaternion to)
         {
             float4 sign = SoaMath.Sign(SoaFloat3.Dot(from.v, to.v) + from.w * to.w);
-            return new SoaQuaternion(to.v * sign - from.v, to.w * sign - from.w);
+            return new SoaQuaternion(to.v - from.v * sign, to.w - from.w * sign);
         }
 
         /// <summary>The vector turned by a unit quaternion.</summary>
@@ -102,16 +102,6 @@ namespace Alate
             float4 sinc = 1f + h2 * (-1f / 6f + h2 * (1f / 120f + h2 * (-1f / 5040f + h2 * (1f / 362880f))));
             float4 cos = 1f + h2 * (-0.5f + h2 * (1f / 24f + h2 * (-1f / 720f + h2 * (1f / 40320f))));
             return new SoaQuaternion(angles * (0.5f * sinc), cos);
-        }
-
-        /// <summary>The vector of angles (radians, below π) of a unit quaternion: the inverse of <see cref="Exp"/>.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaFloat3 Log(SoaQuaternion q)
-        {
-            float4 sign = SoaMath.Sign(q.w);
-            float4 sin = math.sqrt(SoaFloat3.LengthSquared(q.v));
-            float4 angle = 2f * SoaMath.QuadrantAngle(sin, q.w * sign);
-            return q.v * (sign * math.select(angle / math.max(sin, 1e-12f), 2f, sin < 1e-6f));
         }
 
         /// <summary>Per wing: <paramref name="b"/> where <paramref name="test"/> holds, else <paramref name="a"/>.</summary>

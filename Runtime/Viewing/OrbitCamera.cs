@@ -93,8 +93,8 @@ namespace Alate
         {
             foreach (Light light in Resources.FindObjectsOfTypeAll<Light>())
             {
-                // Prefabs and the editor's own lights are in no scene.
-                if (light.type == LightType.Directional && light.isActiveAndEnabled && light.gameObject.scene.isLoaded)
+                // Prefabs are in no scene. While a scene wakes it does not count as loaded yet, nor its lights as enabled in their hierarchy.
+                if (light.type == LightType.Directional && light.enabled && light.gameObject.activeInHierarchy && light.gameObject.scene.IsValid())
                     return true;
             }
 

@@ -22,7 +22,7 @@ namespace Alate.Samples
         private float m_Elasticity = 1f;
 
         [SerializeField, Range(0f, 1f)]
-        [Tooltip("Half beats by which the trailing edge follows the leading edge; 0.15. 0 is no wave, 1 the paper's print.")]
+        [Tooltip("Half beats by which the trailing edge follows the leading edge; 0.15. 0 is no wave, 1 as much as the wing bears.")]
         private float m_Wave = 0.15f;
 
         [SerializeField, Range(0.01f, 1f)]

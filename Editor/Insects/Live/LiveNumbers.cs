@@ -37,14 +37,13 @@ namespace Alate.Editor
         public static string Substeps(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.Read(0).Substeps} in the last step");
 
         /// <summary>"3 %".</summary>
-        public static string Stretch(InsectWings insect) => insect.Live == null ? k_None : Text($"{100f * insect.Stretch:0} %");
+        public static string Stretch(float stretch) => Text($"{100f * stretch:0} %");
 
         /// <summary>One line where a wing is driven outside what it bears, with the largest stretch and what to change; otherwise null.</summary>
-        public static string Overstretched(InsectWings insect)
+        public static string Overstretched(float stretch)
         {
-            float stretch = insect.Stretch;
             return stretch > k_BearableStretch
-                ? Text($"A wing stretches by {100f * stretch:0} %, more than it bears. Lower the wind, the speed or Strongest Wind, or raise Elasticity.")
+                ? Text($"A wing stretches by {100f * stretch:0} %, more than it bears. Lower the wind, the speed or Strongest Wind, raise Elasticity, or set Coupling to Two Way.")
                 : null;
         }
 

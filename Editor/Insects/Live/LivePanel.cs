@@ -23,13 +23,14 @@ namespace Alate.Editor
             public static readonly GUIContent MeanLift = new GUIContent("Mean Lift", "Over the beats that are drawn.");
             public static readonly GUIContent Detail = new GUIContent("Detail", "How much of the model is computed now; see Quality.");
             public static readonly GUIContent Substeps = new GUIContent("Substeps", "Of the first wing.");
-            public static readonly GUIContent Stretch = new GUIContent("Stretch", "Largest stretch of any wing's membrane between two joints in the last step. Above 10 % a wing looks torn.");
+            public static readonly GUIContent Stretch = new GUIContent("Stretch", "Largest stretch of any wing's membrane between two joints in the last beat. Above 10 % a wing looks torn.");
             public static readonly GUIContent Resets = new GUIContent("Resets", "How often a wing was put back into its driven pose because its state was not finite. Anything but 0 is worth a look at stiffness and substeps.");
         }
 
         private const int k_Capacity = 512;
         private const double k_Beats = 8.0;
 
+        private RecentPeak m_Stretch;
         private readonly BeatTrace m_Trace = new BeatTrace(k_Capacity, k_Beats);
         private readonly BeatGraph m_Flap = new BeatGraph(Content.Flap, "0°", sample => sample.flap, new Color(1f, 0.7f, 0.2f), 10f, k_Capacity);
         private readonly BeatGraph m_Lift = new BeatGraph(Content.Lift, "0.0", sample => sample.lift, new Color(0.25f, 0.75f, 0.95f), 0.5f, k_Capacity);
@@ -44,12 +45,14 @@ namespace Alate.Editor
             {
                 bool ended = m_Trace.Count > 0;
                 m_Trace.Clear();
+                m_Stretch = default;
                 return ended;
             }
 
             double before = m_Trace.Last.beat;
             bool first = m_Trace.Count == 0;
             m_Trace.Add(sample);
+            m_Stretch.Add(sample.beat, insect.Stretch);
             return first || m_Trace.Last.beat != before;
         }
 
@@ -69,9 +72,9 @@ namespace Alate.Editor
             Line(Content.MeanLift, LiveNumbers.Lift(m_Trace.Fold()));
             Line(Content.Detail, LiveNumbers.Detail(insect));
             Line(Content.Substeps, LiveNumbers.Substeps(insect));
-            Line(Content.Stretch, LiveNumbers.Stretch(insect));
+            Line(Content.Stretch, LiveNumbers.Stretch(m_Stretch.Value));
             Line(Content.Resets, LiveNumbers.Resets(insect).ToString());
-            string overstretched = LiveNumbers.Overstretched(insect);
+            string overstretched = LiveNumbers.Overstretched(m_Stretch.Value);
             if (overstretched != null)
                 EditorGUILayout.HelpBox(overstretched, MessageType.Warning);
         }

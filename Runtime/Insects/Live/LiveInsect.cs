@@ -7,8 +7,8 @@ namespace Alate
     /// <summary>An insect while it lives: its meshes and wings, how its body moves, and with how much detail it is computed.</summary>
     internal sealed class LiveInsect
     {
-        /// <summary>Beats after which amplitudes that were set to zero have died away (Eq. 7 remembers three).</summary>
-        private const float k_BeatsToRest = 4f;
+        /// <summary>Beats after which amplitudes that were set to zero have died away: up to one until they are latched, and waves go back through three more and a half.</summary>
+        private const float k_BeatsToRest = 5f;
 
         public readonly InsectWings insect;
         public readonly Transform root;

@@ -10,7 +10,7 @@ namespace Alate
     {
         /// <summary>Below it <see cref="WingDetail.FewerSubsteps"/>; default 0.2.</summary>
         [Range(0f, 1f)]
-        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps. 0 never is. Multiplied by the quality settings' LOD bias.")]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps, but not fewer than 12 a beat. 0 never is. Multiplied by the quality settings' LOD bias.")]
         public float fewerSubstepsBelow;
 
         /// <summary>Below it <see cref="WingDetail.CoarsePatches"/>; default 0.1.</summary>

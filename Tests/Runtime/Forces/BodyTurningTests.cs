@@ -32,6 +32,19 @@ namespace Alate.Tests
             }
         }
 
+        // The forces of patches beyond the last chain act on its joints, so that their moment is not theirs.
+        [TestCase(0f, 0f, 6f)]
+        [TestCase(12f, 0f, 0f)]
+        [TestCase(7f, -4f, 9f)]
+        public void PatchesBeyondTheChains_MeetTheTurningOfTheirOwnPlace(float spinX, float spinY, float spinZ)
+        {
+            float3 wind = new float3(2f, 5f, -11f), spin = new float3(spinX, spinY, spinZ), hinge = new float3(0.15f, 0.05f, 0.2f);
+            RigidPlate.Read(new WingSurroundings { wind = wind, angularVelocity = spin, hinge = hinge }, out float3 force, out _, 0.5f * RigidPlate.k_Chord);
+            RigidPlate.Sum(1, wind, spin, hinge, out float3 wanted, out _);
+
+            Assert.That(math.distance(force, wanted), Is.LessThan(k_Same * math.length(wanted)), $"{force}, not {wanted}");
+        }
+
         [TestCase(0, 3f)]
         [TestCase(0, 10f)]
         [TestCase(1, 3f)]

@@ -14,7 +14,8 @@ namespace Alate.Tests
         public const int k_Columns = 12, k_Rows = 6;
 
         /// <summary>One patch a triangle.</summary>
-        public static WingRig Rig() => TestWings.Bake(TestWings.Lattice(), TestWings.Rectangle(k_Columns, k_Rows), 0);
+        /// <param name="chord">Of the skeleton; the plate overhangs a narrower one.</param>
+        public static WingRig Rig(float chord = k_Chord) => TestWings.Bake(TestWings.Lattice(chord: chord), TestWings.Rectangle(k_Columns, k_Rows), 0);
 
         public static WingParameters Parameters
         {
@@ -30,9 +31,9 @@ namespace Alate.Tests
         }
 
         /// <summary>Force and moment that a reading tells of the plate.</summary>
-        public static void Read(in WingSurroundings air, out float3 force, out float3 moment)
+        public static void Read(in WingSurroundings air, out float3 force, out float3 moment, float chord = k_Chord)
         {
-            WingRig rig = Rig();
+            WingRig rig = Rig(chord);
             using (var world = new WingWorld())
             {
                 WingHandle wing = world.Add(rig, Parameters, air);

@@ -57,6 +57,14 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void WithoutCoupling_EveryWindIsFeltAsItIs()
+        {
+            m_Fixture.Pack.options.coupling = MembraneCoupling.OneWay;
+            float3 gale = s_Directions[2] * (10f * Strongest);
+            Assert.That(Felt(gale), Is.EqualTo(gale));
+        }
+
+        [Test]
         public void MoreWind_IsAlwaysFeltAsMore_ButNeverAsMoreThanItIs()
         {
             float last = 0f;

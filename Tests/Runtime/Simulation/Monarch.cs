@@ -14,21 +14,8 @@ namespace Alate.Tests
         /// <summary>The wing's parameters.</summary>
         public static WingParameters Parameters => Species.Find("monarch").Wings[0].CreateSpecies().ToParameters();
 
-        /// <summary>
-        /// The wing by backward Euler, with chains that bend each by itself, in 24 substeps of any wind: what the check values of simulated flight were computed with.
-        /// </summary>
-        public static WingParameters FirstOrder
-        {
-            get
-            {
-                WingParameters parameters = Parameters;
-                parameters.options.timeScheme = TimeScheme.BackwardEuler;
-                parameters.options.coupling = MembraneCoupling.OneWay;
-                parameters.strongestWind = 1000f;
-                parameters.substepsPerBeat = 24;
-                return parameters;
-            }
-        }
+        /// <summary>The wing by <see cref="SpeciesFlight.FirstOrder"/>: what the check values of simulated flight were computed with.</summary>
+        public static WingParameters FirstOrder => SpeciesFlight.FirstOrder(Parameters);
 
         /// <summary>What it feels at a speed and a pitch of the body.</summary>
         public static WingSurroundings Flying(float speed = 1.3f, float pitch = 0f)

@@ -65,12 +65,11 @@ namespace Alate.Tests
         /// <summary>Of the body at its fastest, m/s.</summary>
         public float TopSpeed { get; }
 
-        /// <summary>The parameters as they would be in version 0.1: first order in 24 substeps, chains that bend each by itself in any wind.</summary>
+        /// <summary>Parameters of version 0.1's standard wings: backward Euler in 24 substeps, chains that bend each by itself, wind as it is.</summary>
         public static WingParameters FirstOrder(WingParameters parameters)
         {
             parameters.options.timeScheme = TimeScheme.BackwardEuler;
             parameters.options.coupling = MembraneCoupling.OneWay;
-            parameters.strongestWind = 1000f;
             parameters.substepsPerBeat = 24;
             return parameters;
         }
