@@ -5,7 +5,7 @@ using System.Linq;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Where the time of a substep of four wings goes, as they fly: every part is timed where it stands in <see cref="PackStep.Substep"/>. A part that was
+/// Time of each part of a substep of four wings as they fly, timed in a copy of <see cref="PackStep.Substep"/> with clocks between its parts. A part that was
 /// repeated by itself would meet springs that rest and strips that are slack.
 /// </summary>
 internal sealed unsafe class SubstepBreakdown : IDisposable

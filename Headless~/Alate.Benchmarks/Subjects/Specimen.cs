@@ -52,11 +52,9 @@ internal sealed class Specimen : IDisposable
     public static Specimen OfVersion01(SpeciesWing wing)
     {
         var parameters = wing.CreateSpecies().ToParameters();
-        parameters.options.timeScheme = TimeScheme.BackwardEuler;
-        parameters.options.coupling = MembraneCoupling.OneWay;
-        parameters.strongestWind = 1000f;
-        parameters.substepsPerBeat = 24;
-        return new Specimen(wing, parameters, new WingRigSettings { patchCount = 256 });
+        Version01.ApplyTo(ref parameters);
+        parameters.substepsPerBeat = Version01.Substeps;
+        return new Specimen(wing, parameters, new WingRigSettings { patchCount = Version01.Patches });
     }
 
     public static Specimen Monarch() => new(Species.Find("monarch").Wings[0]);

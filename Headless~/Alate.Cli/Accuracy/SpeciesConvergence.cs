@@ -43,8 +43,8 @@ internal sealed class SpeciesConvergence
     {
         Insect insect = Insect.Of(plan);
         FlightPlan defaults = Taken(plan with { Substeps = plan.ParametersOf(insect.Wings[0].Species).substepsPerBeat }, insect);
-        FlightPlan old = Taken(Version01.Of(plan), insect);
-        List<FlightPlan> plans = Plans(plan, insect);
+        FlightPlan old = Taken(plan.AsVersion01(), insect);
+        List<FlightPlan> plans = Plans(plan, defaults, insect);
         List<List<double>> errors = Errors(plan, plans, out FlightRecord converged);
         List<double> oldErrors = new SchemeFlights(old with { Patches = plan.Patches }).ErrorsAt(old.Substeps.Value);
         FlightSummary now = FlightSummary.Of(Flight.Fly(defaults)), limit = FlightSummary.Of(converged);
@@ -65,10 +65,10 @@ internal sealed class SpeciesConvergence
         return new SpeciesConvergence(plan, insect.DisplayName, wings);
     }
 
-    // By every scheme, at every number of substeps once.
-    private static List<FlightPlan> Plans(FlightPlan plan, Insect insect)
+    // By every scheme, at every number of substeps once, that of the defaults among them.
+    private static List<FlightPlan> Plans(FlightPlan plan, FlightPlan defaults, Insect insect)
     {
-        List<int> substeps = ConvergencePlan.Substeps.Select(count => Taken(plan with { Substeps = count }, insect).Substeps.Value).Distinct().ToList();
+        List<int> substeps = ConvergencePlan.Substeps.Select(count => Taken(plan with { Substeps = count }, insect).Substeps.Value).Append(defaults.Substeps.Value).Distinct().Order().ToList();
         return ConvergencePlan.Schemes
             .SelectMany(scheme => substeps.Select(count => plan with { TimeScheme = scheme, Substeps = count })).ToList();
     }

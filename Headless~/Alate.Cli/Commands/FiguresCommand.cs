@@ -22,7 +22,7 @@ internal static class FiguresCommand
     internal const int MeasuredSubsteps = 96;
 
     /// <summary>The softest wing of the sweep needs as many to converge.</summary>
-    private const int k_SweptSubsteps = 96;
+    private const int k_SweptSubsteps = 480;
 
     public static Command Create(TextWriter output)
     {

@@ -55,11 +55,11 @@ internal static class SweepCommand
                 Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),
                 View = parsed.GetValue(view) ?? PictureView.FrontLeft,
             };
+            PlanRange.Check(flight, known, "FROM", parsed.GetValue(from));
+            PlanRange.Check(flight, known, "TO", parsed.GetValue(to));
             var plan = new SweepPlan(
                 known, parsed.GetValue(from), parsed.GetValue(to), parsed.GetValue(steps) ?? SweepPlan.DefaultSteps, flight,
                 parsed.GetValue(waves) ?? SweepWaves.On);
-            PlanRange.Check(flight, known, "FROM", parsed.GetValue(from));
-            PlanRange.Check(flight, known, "TO", parsed.GetValue(to));
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "sweep-" + known.Name), output);
             return 0;
         });

@@ -1,4 +1,5 @@
 using System;
+using Alate.Benchmarks;
 using Alate.Cli.Parameters;
 using Alate.Cli.Pictures;
 using Unity.Mathematics;
@@ -40,7 +41,7 @@ internal sealed record FlightPlan
     /// <summary>How time advances; null is the preset's.</summary>
     public TimeScheme? TimeScheme { get; init; }
 
-    /// <summary>Whether the model is version 0.1's; see <see cref="Version01"/>.</summary>
+    /// <summary>Whether the model is version 0.1's; see <see cref="AsVersion01"/>.</summary>
     public bool IsVersion01 { get; init; }
     public SpeciesVariant Variant { get; init; }
 
@@ -95,6 +96,14 @@ internal sealed record FlightPlan
         string problem = parameters.FindProblem();
         return problem == null ? parameters : throw new UserException(problem);
     }
+
+    /// <summary>This flight by version 0.1 at its defaults.</summary>
+    public FlightPlan AsVersion01() => this with
+    {
+        IsVersion01 = true,
+        Substeps = Variant == SpeciesVariant.Expressive ? Version01.SoftSubsteps : Version01.Substeps,
+        Patches = Version01.Patches,
+    };
 
     /// <summary>What a wing of a body in this flight feels, in the frame of its right wing or mirrored into that of its left one.</summary>
     public WingSurroundings SurroundingsOf(WingSpecies species, WingSide side)

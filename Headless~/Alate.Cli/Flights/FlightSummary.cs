@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Unity.Mathematics;
@@ -34,7 +35,10 @@ internal sealed class FlightSummary
     public float3 MeanMoment { get; }
 
     /// <summary>Whether some wing is driven outside what it bears: beyond 8 % at the 99th percentile or 25 % anywhere.</summary>
-    public bool IsOverstretched => Wings.Any(wing => wing.EdgeStretchP99Pct > k_BearableP99 || wing.EdgeStretchMaxPct > k_BearableMax);
+    public bool IsOverstretched => Overstretched != null;
+
+    /// <summary>The wing that is farthest outside what it bears; null where none is.</summary>
+    public WingSummary Overstretched => Wings.Where(wing => Strain(wing) > 1).MaxBy(Strain);
 
     /// <summary>Mean force of the air on all wings along the world's up, over the weight of the insect.</summary>
     public double LiftOverWeight { get; }
@@ -47,6 +51,9 @@ internal sealed class FlightSummary
     public int Triangles { get; }
 
     public static FlightSummary Of(FlightRecord flight) => new(flight);
+
+    // Of a wing over what it bears.
+    private static double Strain(WingSummary wing) => Math.Max(wing.EdgeStretchP99Pct / k_BearableP99, wing.EdgeStretchMaxPct / k_BearableMax);
 
     private static (float3 Force, float3 Moment) MeanAir(FlightRecord flight)
     {

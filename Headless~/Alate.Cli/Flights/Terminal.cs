@@ -60,7 +60,7 @@ internal sealed class Terminal
         m_Console.WriteLine("The last beat:");
         m_Console.Write(SummaryTable(summary));
         if (summary.IsOverstretched)
-            m_Console.WriteLine(Overstretched(summary));
+            m_Console.Profile.Out.Writer.WriteLine(Overstretched(summary)); // not wrapped
         ShowFiles(folder, files);
     }
 
@@ -137,9 +137,9 @@ internal sealed class Terminal
     // One line: which wing, how much, and what to change.
     private static string Overstretched(FlightSummary summary)
     {
-        WingSummary worst = summary.Wings.MaxBy(wing => wing.EdgeStretchMaxPct);
+        WingSummary worst = summary.Overstretched;
         return FormattableString.Invariant(
-            $"The {worst.Name} is driven outside what it bears: its edges stretch by up to {worst.EdgeStretchMaxPct:0} %. Lower the wind or the speed, or raise its elasticity.");
+            $"The {worst.Name} is driven outside what it bears: an edge stretches by {worst.EdgeStretchMaxPct:0} %, one in a hundred by {worst.EdgeStretchP99Pct:0} % (25 and 8 are bearable). Lower the wind or the speed, or raise its elasticity.");
     }
 
     private static string Milli(Unity.Mathematics.float3 value) => $"{Number(1e3 * value.x, 2)}, {Number(1e3 * value.y, 2)}, {Number(1e3 * value.z, 2)}";

@@ -9,6 +9,9 @@ internal static class OutputFile
     /// <summary>Folders of files that are devices: they are written to, never replaced.</summary>
     private static readonly string[] s_Devices = ["/dev/", "/proc/"];
 
+    /// <summary>Folder of ordinary files in memory among them.</summary>
+    private const string k_SharedMemory = "/dev/shm/";
+
     /// <summary>Tries whether the file can be written, and leaves no trace.</summary>
     /// <exception cref="UserException">It cannot.</exception>
     public static void Check(string file) => Try(file, () =>
@@ -31,14 +34,15 @@ internal static class OutputFile
         Check(file);
         using var content = new MemoryStream();
         write(content);
-        if (IsDevice(file))
-        {
-            Try(file, () => WriteBytes(file, content));
-            return;
-        }
 
         // What a link points to is written, not the link.
         string final = File.Exists(file) ? File.ResolveLinkTarget(file, true)?.FullName ?? file : file;
+        if (IsDevice(final))
+        {
+            Try(file, () => WriteBytes(final, content));
+            return;
+        }
+
         using OutputFolder folder = OutputFolder.Around(final, file);
         folder.Write(Path.GetFileName(final), content.WriteTo);
         folder.Commit();
@@ -47,7 +51,7 @@ internal static class OutputFile
     private static bool IsDevice(string file)
     {
         string path = Path.GetFullPath(file);
-        return Array.Exists(s_Devices, folder => path.StartsWith(folder, StringComparison.Ordinal));
+        return Array.Exists(s_Devices, folder => path.StartsWith(folder, StringComparison.Ordinal)) && !path.StartsWith(k_SharedMemory, StringComparison.Ordinal);
     }
 
     private static void WriteBytes(string file, MemoryStream content)

@@ -14,14 +14,12 @@ internal sealed class SweepPlan
     private const double k_Wide = 10;
 
     /// <summary>Plans a sweep between two values.</summary>
-    /// <exception cref="UserException">The values are the same or out of the parameter's range.</exception>
+    /// <exception cref="UserException">The values are the same.</exception>
     public SweepPlan(FlownParameter parameter, double from, double to, int steps, FlightPlan flight, SweepWaves waves)
     {
         Parameter = parameter;
         Flight = flight;
         Waves = waves;
-        Check("FROM", from);
-        Check("TO", to);
         IsLogarithmic = from > 0 && to > 0 && Math.Max(from / to, to / from) >= k_Wide;
         var values = new List<double>();
         for (int k = 0; k < steps; k++)
@@ -49,15 +47,6 @@ internal sealed class SweepPlan
     public FlightPlan Flight { get; }
 
     public SweepWaves Waves { get; }
-
-    private void Check(string name, double value)
-    {
-        if (value < Parameter.Min || value > Parameter.Max)
-        {
-            throw new UserException(FormattableString.Invariant(
-                $"{name} must lie between {Parameter.Min:G6} and {Parameter.Max:G6} for {Parameter.Name}; it is {value}."));
-        }
-    }
 
     // Six digits: so that a table says 0.5, not 0.5000000001.
     private static double Rounded(double value) => value == 0 ? 0 : double.Parse(

@@ -88,6 +88,37 @@ namespace Alate.Tests.Cli
             Assert.That(new FileInfo(folder.PathOf("link.json")).LinkTarget, Is.Not.Null);
         }
 
+        [Test]
+        public void ALinkToADevice_IsWrittenTo_NotReplaced()
+        {
+            using var folder = new TemporaryFolder();
+            File.CreateSymbolicLink(folder.PathOf("link.json"), k_Full);
+
+            var problem = Assert.Throws<UserException>(() => OutputFile.Write(folder.PathOf("link.json"), stream => stream.Write("after"u8)));
+
+            Assert.That(problem.Message, Does.Contain("No space left"));
+            Assert.That(new FileInfo(folder.PathOf("link.json")).LinkTarget, Is.EqualTo(k_Full));
+        }
+
+        [Test]
+        public void AFileInSharedMemory_IsAnOrdinaryOne()
+        {
+            if (!Directory.Exists("/dev/shm"))
+                Assert.Ignore("There is no /dev/shm on this system.");
+            string file = $"/dev/shm/alate-{Guid.NewGuid():N}.json";
+            try
+            {
+                OutputFile.Write(file, stream => stream.Write("a long one"u8));
+                OutputFile.Write(file, stream => stream.Write("short"u8));
+
+                Assert.That(File.ReadAllText(file), Is.EqualTo("short"));
+            }
+            finally
+            {
+                File.Delete(file);
+            }
+        }
+
         [TestCase("species > /dev/full")]
         [TestCase("species monarch > /dev/full")]
         [TestCase("--help > /dev/full")]

@@ -91,9 +91,12 @@ namespace Alate.Tests.Cli
         [TestCase("wind", 1, 1)]
         public void ValuesThatCannotBe_AreRefused_WithTheParametersName(string parameter, double from, double to)
         {
-            Assert.That(
-                () => new SweepPlan(FlownParameters.Find(parameter), from, to, 5, new FlightPlan(), SweepWaves.On),
-                Throws.InstanceOf<UserException>().With.Message.Contains(parameter));
+            using var run = new CommandRun();
+
+            int code = run.Run("sweep", parameter, from.ToString(CultureInfo.InvariantCulture), to.ToString(CultureInfo.InvariantCulture));
+
+            Assert.That(code, Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain(parameter));
         }
     }
 }

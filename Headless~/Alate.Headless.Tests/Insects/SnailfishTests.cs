@@ -79,8 +79,7 @@ namespace Alate.Tests.Insects
             return PhaseDelay.Of(fin.Frames, frame => section.Leading(frame.Positions).y, frame => section.Trailing(frame.Positions).y);
         }
 
-        // Wing lengths a second.
-        // Mean over the beat, of the leading ray: in water the soft rear rays flick, for a moment faster than in air.
+        // Wing lengths a second, mean over the beat, of the leading ray: in water the soft rear rays flick, for a moment faster than in air.
         private static float TipSpeed(RecordedWing wing)
         {
             int tip = wing.JointsPerChain - 1;

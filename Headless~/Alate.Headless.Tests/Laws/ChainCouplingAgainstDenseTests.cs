@@ -8,9 +8,10 @@ namespace Alate.Tests
     public sealed unsafe class ChainCouplingAgainstDenseTests
     {
         private const int k_Bones = 4;
+        private const double k_Off = 0.2;
         private const double k_FreeSlope = 0.1, k_FreeStrain = 0.05, k_Stiffness = 100.0;
 
-        // Chains as far apart as they come in still air: the passes that there are find the minimum.
+        // Chains as far apart as they come in still air. The passes end where one changes a slope by less than a tenth of the free slope.
         [TestCase(3, 0.5f, 0.01f, 0)]
         [TestCase(3, 0.5f, 0.02f, 0)]
         [TestCase(5, 0.5f, 0.005f, 0)]
@@ -31,7 +32,7 @@ namespace Alate.Tests
             TestContext.Progress.WriteLine(FormattableString.Invariant(
                 $"{chains} chains over {chord}, bends to {bend}, axis {axis}: off by {error:P2} of the largest bend, strips turn hinges by {pull:P1} of it"));
             Assert.That(pull, Is.GreaterThan(0.1), "the strips pull");
-            Assert.That(error, Is.LessThan(0.02));
+            Assert.That(error, Is.LessThan(k_Off * pull), "bends that are not coupled are off by all of the pull");
         }
 
         // Far apart, as in a gale, the passes end before the bends are found (they are off by up to two fifths of the largest); the tear is gone all the same.
@@ -83,7 +84,7 @@ namespace Alate.Tests
             for (int k = 0; k < count; k++)
             {
                 found[k] = fixture.Pack.bendAngles[k][0][axis];
-                error = Math.Max(error, Math.Abs(fixture.Pack.bendAngles[k][0][axis] - minimum[k]));
+                error = Math.Max(error, Math.Abs(found[k] - minimum[k]) / bend);
                 pull = Math.Max(pull, Math.Abs(minimum[k] - wanted[k]) / bend);
             }
 

@@ -10,12 +10,12 @@ namespace Alate.Tests
         private const uint k_Seed = 20261122;
 
         [Test]
-        public void OfTwoHundredWings_NoneIsReset() => AssertNoneIsReset(0, 200);
+        public void OfAHundredWings_NoneIsReset() => AssertNoneIsReset(0, 100);
 
         [Test]
         [Explicit]
         [Category("Long")]
-        public void OfAThousandWings_NoneIsReset() => AssertNoneIsReset(200, 1000);
+        public void OfNineHundredMoreWings_NoneIsReset() => AssertNoneIsReset(100, 1000);
 
         private static void AssertNoneIsReset(int first, int end)
         {

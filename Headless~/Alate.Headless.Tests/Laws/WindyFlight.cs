@@ -4,11 +4,9 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>Wings that meet wind from many sides at once, one each, and how far the edges of their skins stretch.</summary>
+    /// <summary>Wings that meet wind from many sides at once, one each, in steps of one of their substeps, and how far the edges of their skins stretch.</summary>
     internal static class WindyFlight
     {
-        private const int k_Steps = 24;
-
         /// <summary>The 26 directions of a cube's corners, edges and faces.</summary>
         public static readonly float3[] Directions = (
             from x in new[] { -1, 0, 1 }
@@ -39,13 +37,13 @@ namespace Alate.Tests
         /// <param name="beats">How many to fly.</param>
         /// <param name="speed">Of the body, metres a second; null for its cruise.</param>
         public static Stretch Steady(SpeciesFlight flight, float wind, float3[] directions = null, int beats = 6, float? speed = null) =>
-            Fly(flight, wind == 0f ? s_None : directions ?? Directions, direction => _ => flight.Air(wind * direction, speed ?? flight.Speed), (beats - 2) * k_Steps, beats * k_Steps);
+            Fly(flight, wind == 0f ? s_None : directions ?? Directions, direction => _ => flight.Air(wind * direction, speed ?? flight.Speed), beats - 2, beats);
 
         /// <summary>Two smooth gusts of a beat each and a sharp one of one and a half, over six beats.</summary>
         /// <param name="flight">The wing.</param>
         /// <param name="wind">Metres a second at their strongest.</param>
         public static Stretch Gusts(SpeciesFlight flight, float wind) =>
-            Fly(flight, Directions, direction => beat => flight.Air(wind * Gust(beat) * direction), k_Steps, 6 * k_Steps);
+            Fly(flight, Directions, direction => beat => flight.Air(wind * Gust(beat) * direction), 1, 6);
 
         /// <summary>The largest bend of the tip over the last two of six beats, in a head wind, radians.</summary>
         public static double TipBend(SpeciesFlight flight, float headWind)
@@ -53,12 +51,13 @@ namespace Alate.Tests
             using var world = new WingWorld();
             WingHandle wing = world.Add(flight.Rig, flight.parameters, flight.Air(new float3(0f, 0f, -headWind), flight.Speed));
             var measurement = new BeatMeasurement(flight.Rest, flight.Triangles);
-            float dt = 1f / (k_Steps * world.Read(wing).Frequency);
+            int steps = flight.parameters.substepsPerBeat;
+            float dt = 1f / (steps * world.Read(wing).Frequency);
             double largest = 0.0;
-            for (int k = 0; k < 6 * k_Steps; k++)
+            for (int k = 0; k < 6 * steps; k++)
             {
                 world.Step(dt);
-                if (k < 4 * k_Steps)
+                if (k < 4 * steps)
                     continue;
                 world.Skin();
                 WingReading reading = world.Read(wing);
@@ -69,7 +68,7 @@ namespace Alate.Tests
             return largest;
         }
 
-        private static Stretch Fly(SpeciesFlight flight, float3[] directions, Func<float3, Func<float, WingSurroundings>> airOf, int from, int to)
+        private static Stretch Fly(SpeciesFlight flight, float3[] directions, Func<float3, Func<float, WingSurroundings>> airOf, int firstBeat, int beats)
         {
             using var world = new WingWorld();
             var edges = new EdgeStretch(flight.Rest, flight.Triangles);
@@ -79,14 +78,15 @@ namespace Alate.Tests
             var counts = new int[directions.Length][];
             for (int k = 0; k < counts.Length; k++)
                 counts[k] = new int[4001];
-            float dt = 1f / (k_Steps * world.Read(wings[0]).Frequency), largest = 0f;
+            int steps = flight.parameters.substepsPerBeat;
+            float dt = 1f / (steps * world.Read(wings[0]).Frequency), largest = 0f;
             string where = "";
-            for (int step = 0; step < to; step++)
+            for (int step = 0; step < beats * steps; step++)
             {
                 for (int k = 0; k < wings.Length; k++)
-                    world.SetSurroundings(wings[k], airs[k]((float)step / k_Steps));
+                    world.SetSurroundings(wings[k], airs[k]((float)step / steps));
                 world.Step(dt);
-                if (step < from)
+                if (step < firstBeat * steps)
                     continue;
                 world.Skin();
                 for (int k = 0; k < wings.Length; k++)
