@@ -1,4 +1,5 @@
 using System;
+using Alate.Authoring;
 using UnityEngine;
 
 namespace Alate.Editor

@@ -1,3 +1,4 @@
+using Alate.Authoring;
 using UnityEditor;
 using UnityEngine;
 

@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -59,17 +60,17 @@ namespace Alate.Samples
         {
             m_Species = m_Wanted;
             m_Study.IsLeft = false;
-            m_Stage.Show(Species.All[m_Species], ComparisonColumn.All, m_Tuning);
+            m_Stage.Show(InsectCatalogue.All[m_Species], ComparisonColumn.All, m_Tuning);
         }
 
         private void DrawControls()
         {
             GUILayout.BeginHorizontal();
             if (GUILayout.Button("<"))
-                m_Wanted = (m_Wanted + Species.All.Count - 1) % Species.All.Count;
-            GUILayout.Label(Species.All[m_Wanted].DisplayName);
+                m_Wanted = (m_Wanted + InsectCatalogue.All.Count - 1) % InsectCatalogue.All.Count;
+            GUILayout.Label(InsectCatalogue.All[m_Wanted].DisplayName);
             if (GUILayout.Button(">"))
-                m_Wanted = (m_Wanted + 1) % Species.All.Count;
+                m_Wanted = (m_Wanted + 1) % InsectCatalogue.All.Count;
             GUILayout.EndHorizontal();
             m_Tuning.elasticity = Factor("Elasticity", m_Tuning.elasticity, 0.1f, 4f);
             m_Tuning.delay = Factor("Delay", m_Tuning.delay, 0f, 3f);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -44,7 +45,7 @@ namespace Alate.Samples
             if (m_Study.IsOver || m_Shown == m_Study.Done)
                 return;
             m_Shown = m_Study.Done;
-            m_Stage.Show(Species.Find(m_Study.Species), new[] { m_Study.Left, m_Study.Right }, Tuning.None);
+            m_Stage.Show(InsectCatalogue.Find(m_Study.Species), new[] { m_Study.Left, m_Study.Right }, Tuning.None);
         }
 
         /// <summary>Draws the questions, or the results.</summary>

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -21,11 +22,11 @@ namespace Alate.Samples
 
         private void Awake()
         {
-            int rows = (Species.All.Count + k_Columns - 1) / k_Columns;
-            for (int k = 0; k < Species.All.Count; k++)
+            int rows = (InsectCatalogue.All.Count + k_Columns - 1) / k_Columns;
+            for (int k = 0; k < InsectCatalogue.All.Count; k++)
             {
                 float right = k % k_Columns - 0.5f * (k_Columns - 1), down = k / k_Columns - 0.5f * (rows - 1);
-                m_Insects.Add(new ShownInsect(Species.All[k], transform, k_Spacing * new Vector3(-right, 0f, down)));
+                m_Insects.Add(new ShownInsect(InsectCatalogue.All[k], transform, k_Spacing * new Vector3(-right, 0f, down)));
             }
 
             m_Camera = OrbitCamera.Create(transform, transform.position, k_CameraDistance);

@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Samples

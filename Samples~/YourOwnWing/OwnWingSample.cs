@@ -1,4 +1,6 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
+using Alate.Fitting;
 using UnityEngine;
 
 namespace Alate.Samples

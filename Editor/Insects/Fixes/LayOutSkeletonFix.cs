@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Fitting;
 using UnityEngine;
 
 namespace Alate.Editor

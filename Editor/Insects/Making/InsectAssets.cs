@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;

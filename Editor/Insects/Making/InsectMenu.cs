@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using UnityEditor;
 using UnityEngine;
 
@@ -55,7 +56,7 @@ namespace Alate.Editor
 
         private static void Save(string species)
         {
-            SpeciesDefinition definition = Species.Find(species);
+            SpeciesDefinition definition = InsectCatalogue.Find(species);
             string folder = AssetDatabase.GenerateUniqueAssetPath($"{AssetFolder.Of(Selection.activeObject)}/{definition.DisplayName}");
             ProjectWindowUtil.ShowCreatedAsset(new InsectAssets(folder).FindOrSave(definition));
         }

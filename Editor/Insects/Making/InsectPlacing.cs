@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
@@ -30,7 +31,7 @@ namespace Alate.Editor
         /// <exception cref="ArgumentException">There is no such species.</exception>
         public GameObject Place(string species, GameObject parent)
         {
-            SpeciesDefinition definition = Species.Find(species);
+            SpeciesDefinition definition = InsectCatalogue.Find(species);
             GameObject made = Application.isPlaying ? InsectFactory.Create(definition).gameObject : Instance(definition);
             Undo.RegisterCreatedObjectUndo(made, "Create " + definition.DisplayName);
             ObjectFactory.PlaceGameObject(made, parent);

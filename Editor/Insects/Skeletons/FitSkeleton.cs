@@ -1,3 +1,4 @@
+using Alate.Fitting;
 using UnityEngine;
 
 namespace Alate.Editor

@@ -1,4 +1,6 @@
 using System;
+using Alate.Catalogue;
+using Alate.Fitting;
 using UnityEngine;
 
 namespace Alate.Editor

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Editor

@@ -1,5 +1,8 @@
 using System;
 using System.Diagnostics;
+using Alate.Authoring;
+using Alate.Catalogue;
+using Alate.Fitting;
 using UnityEngine;
 using Object = UnityEngine.Object;
 using Random = System.Random;
@@ -13,7 +16,7 @@ internal static class AuthoringFigures
 
     public static void Run(Report report)
     {
-        SpeciesWing wing = Species.Find("monarch").Wings[0];
+        SpeciesWing wing = InsectCatalogue.Find("monarch").Wings[0];
         WingSurface surface = wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name);
         SkeletonFitSettings hints = SkeletonFitSettings.Default;
         WingPicture picture = Photo(wing.Contour);

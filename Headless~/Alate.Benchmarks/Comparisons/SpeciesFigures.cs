@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 
 namespace Alate.Benchmarks;
 
@@ -14,7 +15,7 @@ internal static class SpeciesFigures
 
     public static void Run(Report report)
     {
-        foreach (var species in Species.All)
+        foreach (var species in InsectCatalogue.All)
         {
             var kinds = species.Wings.Select(wing => new Specimen(wing)).ToList();
             var earlierKinds = species.Wings.Select(Specimen.OfVersion01).ToList();

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Unity.StandIns;
 using UnityEngine;
 
@@ -30,7 +31,7 @@ internal static class SystemFigures
 
     private static void Hatch(int insects)
     {
-        var monarch = new Brood(Species.Find("monarch").Wings[0]);
+        var monarch = new Brood(InsectCatalogue.Find("monarch").Wings[0]);
         for (int k = 0; k < insects; k++)
             monarch.Hatch(k);
     }

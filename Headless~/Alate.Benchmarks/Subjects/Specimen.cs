@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using Unity.Mathematics;
 
 namespace Alate.Benchmarks;
@@ -46,7 +47,7 @@ internal sealed class Specimen : IDisposable
     public WingSurroundings Flight { get; }
 
     /// <summary>The monarch by <see cref="OfVersion01"/>.</summary>
-    public static Specimen MonarchOfVersion01() => OfVersion01(Species.Find("monarch").Wings[0]);
+    public static Specimen MonarchOfVersion01() => OfVersion01(InsectCatalogue.Find("monarch").Wings[0]);
 
     /// <summary>A wing as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.</summary>
     public static Specimen OfVersion01(SpeciesWing wing)
@@ -57,7 +58,7 @@ internal sealed class Specimen : IDisposable
         return new Specimen(wing, parameters, new WingRigSettings { patchCount = Version01.Patches });
     }
 
-    public static Specimen Monarch() => new(Species.Find("monarch").Wings[0]);
+    public static Specimen Monarch() => new(InsectCatalogue.Find("monarch").Wings[0]);
 
     /// <summary>A rig of its own; the caller releases it.</summary>
     public WingRig Bake() => WingRig.Bake(

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Output;
 
 namespace Alate.Cli.Accuracy;

@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Alate.Catalogue;
 using Alate.Cli.Comparisons;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;
@@ -21,7 +22,7 @@ internal static class CompareCommand
         var species = new Argument<string[]>("SPECIES")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = $"The insects: {string.Join(", ", Species.Names)}.",
+            Description = $"The insects: {string.Join(", ", InsectCatalogue.Names)}.",
         };
         Option<double> elasticity = Numbers.Option(
             "--elasticity", "FACTOR", ComparisonColumn.OtherElasticity, PlanRange.LeastElasticity, PlanRange.MostElasticity,

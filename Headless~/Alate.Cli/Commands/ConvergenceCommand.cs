@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Alate.Catalogue;
 using Alate.Cli.Accuracy;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;

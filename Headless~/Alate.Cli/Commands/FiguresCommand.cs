@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Alate.Catalogue;
 using Alate.Cli.Comparisons;
 using Alate.Cli.Figures;
 using Alate.Cli.Flights;
@@ -47,23 +48,23 @@ internal static class FiguresCommand
         string accuracy = TextFile(Path.Combine(path, AccuracyFigures.Page));
         var files = new List<string> { k_Page, k_Sweep };
         files.AddRange(AccuracyFigures.Files);
-        foreach (string name in Species.Names)
+        foreach (string name in InsectCatalogue.Names)
             files.AddRange([Portrait(name), Compared(name)]);
         using OutputFolder folder = OutputFolder.Prepare(path, files.ToArray());
         var terminal = new Terminal(output);
-        terminal.ShowProgress(Species.All.Sum(species => species.Variants.Count) + 2, (done, stage) =>
+        terminal.ShowProgress(InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (done, stage) =>
         {
             List<FlightSummary> summaries = Measure(folder, done);
             page = PageBlock.Replace(page, "numbers", MarkdownTable.Write(SpeciesTable.Measured(summaries)));
-            foreach (SpeciesDefinition species in Species.All)
+            foreach (SpeciesDefinition species in InsectCatalogue.All)
                 page = PageBlock.Replace(page, "sources of " + species.Name, MarkdownTable.Write(SpeciesTable.Sources(species)));
             Write(folder, k_Page, page);
             stage("comparing");
-            var comparisons = new ComparisonPlan(Species.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
+            var comparisons = new ComparisonPlan(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
             foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))
                 Write(folder, Compared(comparison.Plan.Species), ComparisonPicture.Draw(comparison));
             stage("sweeping");
-            FlightPlan fishfly = Plan(Species.Find("fishfly")) with { Substeps = k_SweptSubsteps };
+            FlightPlan fishfly = Plan(InsectCatalogue.Find("fishfly")) with { Substeps = k_SweptSubsteps };
             var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
             Write(folder, k_Sweep, SweepPicture.Draw(Sweep.Fly(sweep, _ => { })));
             stage("measuring errors and winds");
@@ -77,7 +78,7 @@ internal static class FiguresCommand
     private static List<FlightSummary> Measure(OutputFolder folder, System.Action<int> done)
     {
         var summaries = new List<FlightSummary>();
-        foreach (SpeciesDefinition species in Species.All)
+        foreach (SpeciesDefinition species in InsectCatalogue.All)
         {
             foreach (SpeciesVariant variant in species.Variants)
             {

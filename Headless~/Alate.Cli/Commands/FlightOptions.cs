@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Commands;
@@ -12,7 +13,7 @@ internal static class FlightOptions
     public static Argument<string[]> AnySpecies() => new("SPECIES")
     {
         Arity = ArgumentArity.ZeroOrMore,
-        Description = $"The insects: {string.Join(", ", Species.Names)}; all where none is named.",
+        Description = $"The insects: {string.Join(", ", InsectCatalogue.Names)}; all where none is named.",
     };
 
     public static Option<double?> Speed() => Numbers.Optional(
@@ -34,9 +35,9 @@ internal static class FlightOptions
 
     /// <summary>The species of a name.</summary>
     /// <exception cref="UserException">There is none; the message lists those there are.</exception>
-    public static SpeciesDefinition Find(string name) => Species.TryFind(name, out SpeciesDefinition definition)
+    public static SpeciesDefinition Find(string name) => InsectCatalogue.TryFind(name, out SpeciesDefinition definition)
         ? definition
-        : throw new UserException($"Unknown species '{name}'. Known: {string.Join(", ", Species.Names)}.");
+        : throw new UserException($"Unknown species '{name}'. Known: {string.Join(", ", InsectCatalogue.Names)}.");
 
     /// <summary>The species of a name that has a variant.</summary>
     /// <exception cref="UserException">There is no such species, or it has no such variant; the message lists those there are.</exception>
@@ -51,7 +52,7 @@ internal static class FlightOptions
     /// <summary>The species of <see cref="AnySpecies"/>, each once: those that are named, or all that have the variant.</summary>
     /// <exception cref="UserException">There is no such species, or it has no such variant; the message lists those there are.</exception>
     public static List<SpeciesDefinition> FindAny(string[] names, SpeciesVariant variant) => names.Length == 0
-        ? Species.All.Where(species => species.Variants.Contains(variant)).ToList()
+        ? InsectCatalogue.All.Where(species => species.Variants.Contains(variant)).ToList()
         : names.Select(name => Find(name, variant)).Distinct().ToList();
 
     /// <summary>What a variant is called on the command line.</summary>

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Commands;
@@ -15,7 +16,7 @@ internal static class FlyCommand
         var species = new Argument<string>("SPECIES")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"The insect: {string.Join(", ", Species.Names)}. Not with --mesh.",
+            Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}. Not with --mesh.",
         };
         var options = new FlyOptions();
         var command = new Command("fly", "Flies an insect and writes pictures, a 3D file and numbers of its last beat.") { species };

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
 
@@ -97,7 +98,7 @@ internal sealed class FlyOptions
             Species = name,
             MeshFile = parsed.GetValue(m_Mesh),
             SkeletonFile = parsed.GetValue(m_Skeleton),
-            Speed = parsed.GetValue(m_Speed) ?? (Species.TryFind(name, out SpeciesDefinition found) ? FlightPlan.CruiseOf(found) : 0),
+            Speed = parsed.GetValue(m_Speed) ?? (InsectCatalogue.TryFind(name, out SpeciesDefinition found) ? FlightPlan.CruiseOf(found) : 0),
             Variant = parsed.GetValue(m_Variant) ?? SpeciesVariant.Standard,
             Climb = parsed.GetValue(m_Climb),
             PitchDegrees = parsed.GetValue(m_Pitch),
@@ -120,7 +121,7 @@ internal sealed class FlyOptions
 
     private static void Check(FlightPlan plan, string species, string preset)
     {
-        string known = string.Join(", ", Species.Names);
+        string known = string.Join(", ", InsectCatalogue.Names);
         if ((plan.MeshFile == null) != (plan.SkeletonFile == null))
             throw new UserException("A wing of your own needs both --mesh and --skeleton.");
         if (plan.MeshFile == null && preset != null)

@@ -3,9 +3,11 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Text;
+using Alate.Authoring;
 using Alate.Cli.Input;
 using Alate.Cli.Output;
 using Alate.Cli.Pictures;
+using Alate.Fitting;
 using UnityEngine;
 
 namespace Alate.Cli.Commands;

@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Alate.Authoring;
 using Alate.Cli.Input;
 using Alate.Cli.Output;
 using Alate.Cli.Pictures;

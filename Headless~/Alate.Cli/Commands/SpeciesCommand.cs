@@ -4,6 +4,7 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;
@@ -18,7 +19,7 @@ internal static class SpeciesCommand
         var name = new Argument<string>("NAME")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"One of them, with every number and its source: {string.Join(", ", Species.Names)}.",
+            Description = $"One of them, with every number and its source: {string.Join(", ", InsectCatalogue.Names)}.",
         };
         var json = new Option<string>("--json") { HelpName = "FILE", Description = "Also write the numbers and their sources as JSON to this file." };
         var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json };
@@ -26,7 +27,7 @@ internal static class SpeciesCommand
         command.SetAction(parsed =>
         {
             string wanted = parsed.GetValue(name), file = parsed.GetValue(json);
-            List<SpeciesNumbers> sheets = (wanted == null ? Species.All : [FlightOptions.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
+            List<SpeciesNumbers> sheets = (wanted == null ? InsectCatalogue.All : [FlightOptions.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
             if (file != null)
                 OutputFile.Write(file, stream => SpeciesJson.Write(sheets, stream));
 

@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;
 using Alate.Cli.Parameters;

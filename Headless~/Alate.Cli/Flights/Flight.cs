@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using Alate.Authoring;
+using Alate.Catalogue;
 using Unity.Collections;
 using Unity.Mathematics;
 

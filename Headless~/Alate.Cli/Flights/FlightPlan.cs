@@ -1,5 +1,6 @@
 using System;
 using Alate.Benchmarks;
+using Alate.Catalogue;
 using Alate.Cli.Parameters;
 using Alate.Cli.Pictures;
 using Unity.Mathematics;

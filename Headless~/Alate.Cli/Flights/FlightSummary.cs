@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;

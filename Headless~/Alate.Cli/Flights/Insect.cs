@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Alate.Authoring;
+using Alate.Catalogue;
 using Alate.Cli.Commands;
 using Alate.Cli.Input;
 using Unity.Mathematics;

@@ -1,3 +1,5 @@
+using Alate.Authoring;
+using Alate.Catalogue;
 using Unity.Mathematics;
 using UnityEngine;
 

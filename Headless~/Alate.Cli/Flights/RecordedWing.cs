@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Authoring;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;

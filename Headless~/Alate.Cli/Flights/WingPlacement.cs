@@ -1,3 +1,4 @@
+using Alate.Authoring;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Alate.Authoring;
 using Unity.StandIns;
 
 namespace Alate.Cli.Input;

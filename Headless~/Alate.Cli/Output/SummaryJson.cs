@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text.Json;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Output;

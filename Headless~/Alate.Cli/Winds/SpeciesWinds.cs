@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Winds;
@@ -21,7 +22,7 @@ internal sealed record SpeciesWinds(FlightPlan Plan, string DisplayName, double 
         foreach (FlightPlan flight in plan.Flights)
         {
             Insect insect = Insect.Of(flight);
-            double share = WindPlan.ShareOf(Species.Find(flight.Species));
+            double share = WindPlan.ShareOf(InsectCatalogue.Find(flight.Species));
             List<double> speeds = plan.Speeds.Select(speed => share * speed).ToList();
             List<WingWinds> wings = insect.Wings
                 .Select(wing => new WingWinds(wing.Name, Points(flight, wing, speeds, plan.InGusts), Points(flight.AsVersion01(), wing, speeds, plan.InGusts)))

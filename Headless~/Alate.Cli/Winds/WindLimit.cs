@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
 
 namespace Alate.Cli.Winds;
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Winds;

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using Alate.Catalogue;
 using Alate.Cli.Output;
 
 namespace Alate.Cli.Winds;

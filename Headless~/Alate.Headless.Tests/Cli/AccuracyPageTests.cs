@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Alate.Catalogue;
 using Alate.Cli.Figures;
 using Alate.Cli.Projects;
 using NUnit.Framework;
@@ -25,7 +26,7 @@ namespace Alate.Tests.Cli
             string[] rows = page.Substring(from, page.IndexOf(PageBlock.End(part), StringComparison.Ordinal) - from).Split('\n', StringSplitOptions.RemoveEmptyEntries);
 
             Assert.That(rows.Skip(2).Select(row => string.Join(' ', row.Split('|').Skip(1).Take(2).Select(cell => cell.Trim()))), Is.EqualTo(
-                from species in Species.All from wing in species.Wings select $"{species.Name} {wing.Name}"), "run the command figures");
+                from species in InsectCatalogue.All from wing in species.Wings select $"{species.Name} {wing.Name}"), "run the command figures");
         }
 
         [Test]

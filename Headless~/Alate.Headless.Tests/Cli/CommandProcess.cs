@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.IO;
+using Alate.Catalogue;
 using Alate.Cli;
 
 namespace Alate.Tests.Cli

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Cli.Figures;
 using Alate.Cli.Flights;
@@ -17,14 +18,14 @@ namespace Alate.Tests.Cli
         private static readonly string s_Folder = Path.Combine(PackageRoot.Find(), "Documentation~");
         private static readonly Lazy<string> s_Page = new Lazy<string>(() => File.ReadAllText(Path.Combine(s_Folder, "species.md")).ReplaceLineEndings("\n"));
 
-        private static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
 
         [Test]
         public void EveryPictureOfThePage_IsThere_AndSmall()
         {
             string[] pictures = Regex.Matches(s_Page.Value, @"\]\((images/[^)]+)\)").Select(match => match.Groups[1].Value).ToArray();
 
-            Assert.That(pictures, Has.Length.EqualTo(1 + 2 * Species.All.Count));
+            Assert.That(pictures, Has.Length.EqualTo(1 + 2 * InsectCatalogue.All.Count));
             foreach (string picture in pictures)
                 Assert.That(new FileInfo(Path.Combine(s_Folder, picture)).Length, Is.InRange(1_000, 500_000), picture);
         }

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
+using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Cli.Parameters;
 using NUnit.Framework;
@@ -67,7 +68,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheOtherWing_IsMovedAlong_ByTheSameFactorOrDifference()
         {
-            List<WingSpecies> wings = Species.Find("swallowtail").Wings.Select(wing => wing.CreateSpecies()).ToList();
+            List<WingSpecies> wings = InsectCatalogue.Find("swallowtail").Wings.Select(wing => wing.CreateSpecies()).ToList();
             float range = wings[1].Beat.flapRange / wings[0].Beat.flapRange, mean = wings[1].Beat.meanFlap - wings[0].Beat.meanFlap;
 
             FlownParameters.Find("flap-range").Set(wings, 60f);

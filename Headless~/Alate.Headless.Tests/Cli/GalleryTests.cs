@@ -1,5 +1,6 @@
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Input;
 using NUnit.Framework;
 using Unity.StandIns;
@@ -31,7 +32,7 @@ namespace Alate.Tests.Cli
         {
             Assert.That(m_Picture.Width, Is.EqualTo(k_Width));
             Assert.That(m_Picture.Height, Is.EqualTo(2 * k_Row));
-            Assert.That(Species.All, Has.Count.EqualTo(6));
+            Assert.That(InsectCatalogue.All, Has.Count.EqualTo(6));
         }
 
         [Test]

@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 
 namespace Alate.Tests.Cli

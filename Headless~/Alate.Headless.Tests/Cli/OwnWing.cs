@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using Alate.Authoring;
 using UnityEngine;
 
 namespace Alate.Tests.Cli

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -11,7 +12,7 @@ namespace Alate.Tests.Cli
     {
         private const int k_KeyFrames = 24;
 
-        private static IEnumerable<TestCaseData> All => Species.All.SelectMany(
+        private static IEnumerable<TestCaseData> All => InsectCatalogue.All.SelectMany(
             species => species.Variants.Select(variant => new TestCaseData(species.Name, variant)));
 
         [TestCaseSource(nameof(All))]
@@ -55,7 +56,7 @@ namespace Alate.Tests.Cli
 
         private static FlightRecord Fly(string name, SpeciesVariant variant, int beats)
         {
-            SpeciesDefinition species = Species.Find(name);
+            SpeciesDefinition species = InsectCatalogue.Find(name);
             double speed = FlightPlan.CruiseOf(species);
             double frequency = MonarchFlight.Fly(new FlightPlan { Species = name, Variant = variant, Speed = speed }).Wings[0].Frequency;
             return MonarchFlight.Fly(new FlightPlan { Species = name, Variant = variant, Speed = speed, Seconds = beats / frequency });

@@ -1,4 +1,5 @@
 using System.IO;
+using Alate.Authoring;
 using NUnit.Framework;
 using UnityEngine;
 

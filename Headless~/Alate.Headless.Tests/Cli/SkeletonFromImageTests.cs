@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
+using Alate.Authoring;
 using Alate.Cli.Input;
 using NUnit.Framework;
 using UnityEngine;

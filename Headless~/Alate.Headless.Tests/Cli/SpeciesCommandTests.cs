@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Alate.Catalogue;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -14,7 +15,7 @@ namespace Alate.Tests.Cli
 
             Assert.That(run.Run("species"), Is.Zero, run.Errors);
 
-            foreach (SpeciesDefinition species in Species.All)
+            foreach (SpeciesDefinition species in InsectCatalogue.All)
                 Assert.That(run.Output, Does.Contain(species.Name));
             Assert.That(run.Output, Does.Contain("biological").And.Contain("12568"));
         }
@@ -39,13 +40,13 @@ namespace Alate.Tests.Cli
 
             using JsonDocument json = JsonDocument.Parse(File.ReadAllText(file));
             JsonElement[] species = json.RootElement.GetProperty("species").EnumerateArray().ToArray();
-            Assert.That(species.Select(one => one.GetProperty("name").GetString()), Is.EqualTo(Species.Names));
+            Assert.That(species.Select(one => one.GetProperty("name").GetString()), Is.EqualTo(InsectCatalogue.Names));
             JsonElement firefly = species.Single(one => one.GetProperty("name").GetString() == "firefly");
             JsonElement variants = firefly.GetProperty("wings")[0].GetProperty("variants");
             Assert.That(variants.EnumerateObject().Select(variant => variant.Name), Is.EqualTo(new[] { "standard", "biological", "expressive" }));
             Assert.That(variants.GetProperty("biological").GetProperty("max_frequency").GetDouble(), Is.EqualTo(62));
             Assert.That(json.RootElement.GetProperty("units").GetProperty("max_frequency").GetString(), Is.EqualTo("Hz"));
-            Assert.That(firefly.GetProperty("sources").GetArrayLength(), Is.EqualTo(Species.Find("firefly").Sources.Count));
+            Assert.That(firefly.GetProperty("sources").GetArrayLength(), Is.EqualTo(InsectCatalogue.Find("firefly").Sources.Count));
         }
     }
 }

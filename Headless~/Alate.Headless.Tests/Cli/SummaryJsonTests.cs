@@ -2,6 +2,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;
 using NUnit.Framework;

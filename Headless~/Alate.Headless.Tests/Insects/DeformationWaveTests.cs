@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using NUnit.Framework;
 
@@ -15,7 +16,7 @@ namespace Alate.Tests.Insects
 
         private static readonly float[] s_Delays = { 0f, 0.05f, 0.1f, 0.2f, 0.3f };
 
-        private static IEnumerable<string> Names => Species.Names;
+        private static IEnumerable<string> Names => InsectCatalogue.Names;
 
         [TestCaseSource(nameof(Names))]
         public void TheDriveAlone_HasNoDelayWithoutTheWave_AndMoreTheLargerLambdaIs(string species)
@@ -50,7 +51,7 @@ namespace Alate.Tests.Insects
         {
             var plan = new FlightPlan
             {
-                Species = species, Speed = FlightPlan.CruiseOf(Species.Find(species)), Substeps = 48, HoldJoints = holdJoints,
+                Species = species, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)), Substeps = 48, HoldJoints = holdJoints,
                 Column = chordDelay > 0f ? ComparisonColumn.FullModel : ComparisonColumn.NoWave,
             };
             Insect insect = Insect.Of(plan);

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Unity.Mathematics;
 
@@ -15,7 +16,7 @@ namespace Alate.Tests.Insects
 
         private FlownSpecies(string name, SpeciesVariant variant)
         {
-            var plan = new FlightPlan { Species = name, Variant = variant, Speed = FlightPlan.CruiseOf(Species.Find(name)) };
+            var plan = new FlightPlan { Species = name, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(name)) };
             using var flight = new Flight(plan, Insect.Of(plan));
             Flight = flight.Run(_ => { });
             Wings = Flight.Wings.Where(wing => !wing.Placement.IsLeft).ToList();

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Parameters;
 using NUnit.Framework;
@@ -60,7 +61,7 @@ namespace Alate.Tests.Insects
         {
             get
             {
-                WingSpecies species = Species.Find("snailfish").Wings[0].CreateSpecies();
+                WingSpecies species = InsectCatalogue.Find("snailfish").Wings[0].CreateSpecies();
                 double drive = 1.0 / (1.0 + Math.Exp(-16.0 * (Cruise / species.Beat.maxSpeed - 0.5)));
                 double frequency = species.Beat.maxFrequency * Math.Max(drive, species.Beat.frequencyFloor);
                 UnityEngine.Object.DestroyImmediate(species);
@@ -68,7 +69,7 @@ namespace Alate.Tests.Insects
             }
         }
 
-        private static double Cruise => FlightPlan.CruiseOf(Species.Find("snailfish"));
+        private static double Cruise => FlightPlan.CruiseOf(InsectCatalogue.Find("snailfish"));
 
         private static FlightPlan Swimming(int beats) => new FlightPlan { Species = "snailfish", Speed = Cruise, Seconds = beats / SetFrequency };
 

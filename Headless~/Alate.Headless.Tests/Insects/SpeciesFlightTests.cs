@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -10,7 +11,7 @@ namespace Alate.Tests.Insects
     /// <summary>Every species in every variant, as it flies.</summary>
     public sealed class SpeciesFlightTests
     {
-        private static IEnumerable<TestCaseData> All => Species.All.SelectMany(
+        private static IEnumerable<TestCaseData> All => InsectCatalogue.All.SelectMany(
             species => species.Variants.Select(variant => new TestCaseData(species.Name, variant)));
 
         [TestCaseSource(nameof(All))]
@@ -53,7 +54,7 @@ namespace Alate.Tests.Insects
         }
 
         private static FlightRecord Fly(string species, SpeciesVariant variant) =>
-            Flight.Fly(new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(Species.Find(species)) });
+            Flight.Fly(new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)) });
 
         // Of the inner half of the hind wing's front edge, where the wings lie against one another, from the nearest place of the fore wing.
         private static double LargestGap(FlightRecord flight, out double atBottom)

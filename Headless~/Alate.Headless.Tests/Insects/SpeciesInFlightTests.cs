@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli.Flights;
+using Alate.Geometry;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -11,7 +13,7 @@ namespace Alate.Tests.Insects
     /// <summary>Every species in every variant, as it flies: a wing is one sheet that neither tears nor folds through itself or the body.</summary>
     public sealed class SpeciesInFlightTests
     {
-        private static IEnumerable<TestCaseData> All => Species.All.SelectMany(
+        private static IEnumerable<TestCaseData> All => InsectCatalogue.All.SelectMany(
             species => species.Variants.Select(variant => new TestCaseData(species.Name, variant)));
 
         [TestCaseSource(nameof(All))]

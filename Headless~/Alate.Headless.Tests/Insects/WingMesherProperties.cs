@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using FsCheck;
 using FsCheck.Fluent;
 using NUnit.Framework;
@@ -50,7 +51,7 @@ namespace Alate.Tests
         [Test]
         public void TheMonarch_IsMeshedExactly_WithEveryCount([NUnit.Framework.Range(50, 3000, 59)] int count)
         {
-            var wing = Species.Find("monarch").Wings[0];
+            var wing = InsectCatalogue.Find("monarch").Wings[0];
 
             Assert.That(WingMesher.Strips(wing.Contour, count).TriangleCount, Is.EqualTo(count));
             Assert.That(WingMesher.Strips(wing.Outline, count).TriangleCount, Is.EqualTo(count));

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Cli.Flights;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Tests.Insects

@@ -2,6 +2,7 @@ using System.IO;
 using System.Linq;
 using System.Runtime.CompilerServices;
 using System.Text.RegularExpressions;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;
@@ -33,7 +34,7 @@ namespace Alate.Tests.Insects
         [Test]
         public void WithoutIt_StandardIsTaken_WithATexturePainted()
         {
-            Material body = WingMaterial.ForBody(Species.Find("firefly"), 64);
+            Material body = WingMaterial.ForBody(InsectCatalogue.Find("firefly"), 64);
 
             Assert.That(body.shader.name, Is.EqualTo("Standard"));
             Assert.That(body.mainTexture.width, Is.EqualTo(64));
@@ -93,8 +94,8 @@ namespace Alate.Tests.Insects
         public void AFishWithClearFins_IsDrawnBeforeItsPectoralFins_AndStillHidesItsFarSide()
         {
             ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
-            Material fish = WingMaterial.ForBody(Species.Find("snailfish"));
-            Material monarch = WingMaterial.ForBody(Species.Find("monarch"));
+            Material fish = WingMaterial.ForBody(InsectCatalogue.Find("snailfish"));
+            Material monarch = WingMaterial.ForBody(InsectCatalogue.Find("monarch"));
 
             Assert.That(fish.renderQueue, Is.EqualTo(2999));
             Assert.That(fish.GetFloat("_ZWrite"), Is.EqualTo(1f));
@@ -154,7 +155,7 @@ namespace Alate.Tests.Insects
         [Test]
         public void TheShadersText_HasTheNameAndEveryProperty_ThatTheCodeUses()
         {
-            string materials = Path.Combine(PackageRoot(), "Runtime", "Insects", "Materials");
+            string materials = Path.Combine(PackageRoot(), "Runtime", "Catalogue", "Materials");
             string shader = File.ReadAllText(Path.Combine(materials, "Resources", "Alate", "Wing.shader"));
             string code = File.ReadAllText(Path.Combine(materials, "LookProperties.cs"));
             string own = "\"_MainTex\"" + Regex.Match(code, @"void WriteOwn\(.*?\n        }", RegexOptions.Singleline).Value
@@ -171,7 +172,7 @@ namespace Alate.Tests.Insects
         [Test]
         public void TheShader_TellsUrpAndTheBuiltInPipelineApart()
         {
-            string text = File.ReadAllText(Path.Combine(PackageRoot(), "Runtime", "Insects", "Materials", "Resources", "Alate", "Wing.shader"));
+            string text = File.ReadAllText(Path.Combine(PackageRoot(), "Runtime", "Catalogue", "Materials", "Resources", "Alate", "Wing.shader"));
             string[] subshaders = Regex.Split(text, @"\n    SubShader\b").Skip(1).ToArray();
 
             Assert.That(subshaders, Has.Length.EqualTo(3));

@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -9,7 +10,7 @@ namespace Alate.Tests
         [Test]
         public void TurningASpeciesIntoParameters_AllocatesNothing()
         {
-            var species = Species.Monarch();
+            var species = InsectCatalogue.Monarch();
             species.ToParameters();
 
             // The least of some rounds: the runtime itself may allocate once in between.

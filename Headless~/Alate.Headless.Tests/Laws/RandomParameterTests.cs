@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -19,8 +20,8 @@ namespace Alate.Tests
 
         private static void AssertNoneIsReset(int first, int end)
         {
-            using var monarch = new SpeciesFlight(Species.Find("monarch").Wings[0], patches: 16);
-            using var fishfly = new SpeciesFlight(Species.Find("fishfly").Wings[1], patches: 16);
+            using var monarch = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0], patches: 16);
+            using var fishfly = new SpeciesFlight(InsectCatalogue.Find("fishfly").Wings[1], patches: 16);
             int resets = 0;
             for (int k = first; k < end; k++)
             {

@@ -2,6 +2,8 @@ using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Authoring;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -27,7 +29,7 @@ namespace Alate.Tests
         public void ATracedWing_HoldsInStillAirAndInWind(string name, SpeciesVariant variant)
         {
             WingTrace trace = s_Traces.GetOrAdd(name, wing => Trace(Outline(wing)));
-            WingSpecies species = Species.Find("monarch").Wings[0].CreateSpecies(ModelPreset.Physical, variant);
+            WingSpecies species = InsectCatalogue.Find("monarch").Wings[0].CreateSpecies(ModelPreset.Physical, variant);
             using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface.ToWingSurface(name), species);
             WindyFlight.Stretch still = WindyFlight.Steady(flight, 0f), windy = WindyFlight.Steady(flight, k_Wind, WindyFlight.SixDirections);
             TestContext.Progress.WriteLine($"{name} {variant}: still air {still}; 3 m/s {windy}");

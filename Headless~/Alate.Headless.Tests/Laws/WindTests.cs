@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
+using Alate.Geometry;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -43,7 +45,7 @@ namespace Alate.Tests
         [Test]
         public void AFirefly_ShowsTheWind()
         {
-            using var flight = new SpeciesFlight(Species.Find("firefly").Wings[0]);
+            using var flight = new SpeciesFlight(InsectCatalogue.Find("firefly").Wings[0]);
             double still = WindyFlight.TipBend(flight, 0f), windy = WindyFlight.TipBend(flight, 5f);
             Tell($"firefly: tip bends by {math.degrees(still):F1} degrees in still air, by {math.degrees(windy):F1} in 5 m/s");
 
@@ -71,7 +73,7 @@ namespace Alate.Tests
         [TestCase("fishfly")]
         public void WithTheSettingsOfVersion01_AGaleTearsAWing(string species)
         {
-            using var flight = new SpeciesFlight(Species.Find(species).Wings[0]);
+            using var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[0]);
             flight.parameters = SpeciesFlight.FirstOrder(flight.parameters);
             WindyFlight.Stretch stretch = WindyFlight.Steady(flight, 10f, WindyFlight.SixDirections);
             Tell($"{species} as in version 0.1: {stretch}");
@@ -81,7 +83,7 @@ namespace Alate.Tests
 
         private static void AssertHolds(string species, int wing, SpeciesVariant variant, bool isGusty)
         {
-            using var flight = new SpeciesFlight(Species.Find(species).Wings[wing], variant);
+            using var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing], variant);
             foreach (float speed in new[] { 3f, 5f, 10f })
             {
                 // Water is as much slower as the fish is.
@@ -94,7 +96,7 @@ namespace Alate.Tests
 
         private static void AssertSoft(string species, int wing, SpeciesVariant variant)
         {
-            using var flight = new SpeciesFlight(Species.Find(species).Wings[wing], variant);
+            using var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing], variant);
             foreach (float factor in new[] { 0.1f, 0.3f, 10f })
                 AssertStill(flight, variant, factor, flight.Speed);
             AssertStill(flight, variant, 1f, flight.TopSpeed);
@@ -129,7 +131,7 @@ namespace Alate.Tests
         private static void AssertBack(string species, int wing, SpeciesVariant variant)
         {
             const int steps = 24;
-            using var flight = new SpeciesFlight(Species.Find(species).Wings[wing], variant);
+            using var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing], variant);
             using var world = new WingWorld();
             float gale = species == "snailfish" ? 1f : 10f;
             WingHandle still = world.Add(flight.Rig, flight.parameters, flight.Air());
@@ -160,7 +162,7 @@ namespace Alate.Tests
         }
 
         private static IEnumerable<TestCaseData> Cases(Func<string, int, SpeciesVariant, bool> wanted) =>
-            from species in Species.All
+            from species in InsectCatalogue.All
             from wing in Enumerable.Range(0, species.Wings.Count)
             from variant in species.Wings[wing].Variants
             where wanted(species.Name, wing, variant)

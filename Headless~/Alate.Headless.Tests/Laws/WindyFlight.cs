@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Tests

@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -14,7 +15,7 @@ namespace Alate.Tests.Play
         {
             Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
             WingSkeleton skeleton = Keep(TestWings.Fan());
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             for (int k = 0; k < insects; k++)
                 Hatch(mesh, skeleton, species);
             yield return Frames(60);

@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using StandIns;
 using Unity.StandIns;

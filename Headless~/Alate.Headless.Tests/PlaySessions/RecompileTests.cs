@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;

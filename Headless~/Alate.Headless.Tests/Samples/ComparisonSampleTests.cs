@@ -1,6 +1,7 @@
 using System.Collections;
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Samples;
 using NUnit.Framework;
 using StandIns;
@@ -51,7 +52,7 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
         DrawnScreen.Slide("Elasticity", 2f);
         DrawnScreen.Slide("Head wind", 2f);
         yield return Frames(7);
-        WingSpecies usual = Keep(Species.All[0].Wings[0].CreateSpecies());
+        WingSpecies usual = Keep(InsectCatalogue.All[0].Wings[0].CreateSpecies());
         foreach (InsectWings insect in Insects)
         {
             Assert.That(insect.Species.Beat.maxFrequency, Is.EqualTo(2f * usual.Beat.maxFrequency));

@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Samples;
 using NUnit.Framework;
 using StandIns;
@@ -15,8 +16,8 @@ public sealed class InsectsSampleTests : SampleFixture<InsectsSample>
     {
         yield return Begin();
         yield return Frames(2);
-        Assert.That(Insects.Count(), Is.EqualTo(Species.All.Count));
-        foreach (SpeciesDefinition species in Species.All)
+        Assert.That(Insects.Count(), Is.EqualTo(InsectCatalogue.All.Count));
+        foreach (SpeciesDefinition species in InsectCatalogue.All)
             Assert.That(DrawnScreen.Text, Does.Contain(species.DisplayName));
         foreach (InsectWings insect in Insects)
         {
@@ -34,7 +35,7 @@ public sealed class InsectsSampleTests : SampleFixture<InsectsSample>
         yield return Frames(4);
         Assert.That(Insects.Single(insect => insect.name == "Firefly").Species.Beat.maxFrequency, Is.EqualTo(62f));
         Assert.That(DrawnScreen.Text, Does.Contain("Monarch\nStandard"));
-        Assert.That(Insects.Count(), Is.EqualTo(Species.All.Count));
+        Assert.That(Insects.Count(), Is.EqualTo(InsectCatalogue.All.Count));
 
         DrawnScreen.Press("Standard");
         yield return Frames(4);

@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Samples;
 using NUnit.Framework;
 using StandIns;

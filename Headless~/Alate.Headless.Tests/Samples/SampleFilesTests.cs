@@ -69,7 +69,9 @@ public sealed class SampleFilesTests
     {
         string folder = Path.Combine(Root, path);
         using JsonDocument assembly = JsonDocument.Parse(File.ReadAllText(Directory.GetFiles(folder, "*.asmdef").Single()));
-        Assert.That(assembly.RootElement.GetProperty("references").EnumerateArray().Select(name => name.GetString()), Is.EqualTo(new[] { "Alate" }));
+        Assert.That(
+            assembly.RootElement.GetProperty("references").EnumerateArray().Select(name => name.GetString()),
+            Is.EqualTo(new[] { "Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model" }));
 
         // All samples are one assembly here: what a file uses must be declared in its own folder.
         string own = TextOf(folder);

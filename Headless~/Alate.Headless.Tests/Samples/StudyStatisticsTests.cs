@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using System;
 using System.Collections.Generic;
 using System.IO;

@@ -22,7 +22,7 @@ public sealed class WingShaderCompileTests
 
     private static string Root => PackageRoot.Find();
 
-    private static string ShaderFolder => Path.Combine(Root, "Runtime", "Insects", "Materials", "Resources", "Alate");
+    private static string ShaderFolder => Path.Combine(Root, "Runtime", "Catalogue", "Materials", "Resources", "Alate");
 
     private static string Includes => Path.Combine(Root, "Headless~", "Alate.Headless.Tests", "Shaders", "Includes");
 

@@ -1,4 +1,6 @@
 using System;
+using Alate.Authoring;
+using Alate.Geometry;
 using UnityEngine;
 
 namespace Alate.Tests

@@ -1,3 +1,5 @@
+using Alate.Catalogue;
+using Alate.Fitting;
 using Unity.Mathematics;
 using UnityEngine;
 

@@ -1,4 +1,5 @@
 using System.Linq;
+using Alate.Fitting;
 using FsCheck;
 using FsCheck.Fluent;
 using NUnit.Framework;

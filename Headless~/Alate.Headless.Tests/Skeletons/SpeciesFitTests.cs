@@ -3,7 +3,9 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Alate.Catalogue;
 using Alate.Cli.Projects;
+using Alate.Fitting;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -17,7 +19,7 @@ namespace Alate.Tests
 
         private static IEnumerable<TestCaseData> Wings()
         {
-            foreach (SpeciesDefinition species in Species.All)
+            foreach (SpeciesDefinition species in InsectCatalogue.All)
             {
                 foreach (SpeciesWing wing in species.Wings)
                     yield return new TestCaseData(wing).SetArgDisplayNames(species.Name, wing.Name);
@@ -80,7 +82,7 @@ namespace Alate.Tests
                 .Where(line => line.StartsWith("| ") && line.Contains("° → "))
                 .Select(line => Regex.Matches(line, @"[\d.]+").Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray())
                 .ToArray();
-            SpeciesWing[] wings = Species.All.SelectMany(species => species.Wings).ToArray();
+            SpeciesWing[] wings = InsectCatalogue.All.SelectMany(species => species.Wings).ToArray();
 
             Assert.That(rows, Has.Length.EqualTo(wings.Length));
             for (int k = 0; k < wings.Length; k++)

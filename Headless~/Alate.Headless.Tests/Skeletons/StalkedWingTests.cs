@@ -1,5 +1,7 @@
 using System;
 using System.Linq;
+using Alate.Fitting;
+using Alate.Geometry;
 using NUnit.Framework;
 using UnityEngine;
 

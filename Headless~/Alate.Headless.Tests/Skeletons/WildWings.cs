@@ -1,4 +1,5 @@
 using System;
+using Alate.Fitting;
 using UnityEngine;
 using Random = System.Random;
 

@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 using FsCheck;
 using FsCheck.Fluent;
 using NUnit.Framework;

@@ -1,3 +1,5 @@
+using Alate.Catalogue;
+
 namespace Alate.Samples
 {
     /// <summary>One choice between two columns that somebody made.</summary>

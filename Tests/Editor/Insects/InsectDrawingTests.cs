@@ -1,4 +1,5 @@
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -77,7 +78,7 @@ namespace Alate.Editor.Tests
             return new Wing { Renderer = renderer, Side = side, Skeleton = skeleton };
         }
 
-        protected static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
+        protected static SpeciesWing Monarch => InsectCatalogue.Find("monarch").Wings[0];
 
         protected static Mesh MeshOf(Wing wing) => wing.Renderer.GetComponent<MeshFilter>().sharedMesh;
 

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -13,7 +14,7 @@ namespace Alate.Editor.Tests
 
         private readonly List<GameObject> m_Made = new List<GameObject>();
 
-        private static IEnumerable<string> Names => Species.Names;
+        private static IEnumerable<string> Names => InsectCatalogue.Names;
 
         [TearDown]
         public void TakeAllAway()
@@ -34,7 +35,7 @@ namespace Alate.Editor.Tests
         public void EverySpecies_IsAnInstanceOfAPrefab_WhosePartsAreAllSaved([ValueSource(nameof(Names))] string name)
         {
             GameObject insect = Place(name);
-            SpeciesDefinition species = Species.Find(name);
+            SpeciesDefinition species = InsectCatalogue.Find(name);
             Assert.That(PrefabUtility.IsPartOfPrefabInstance(insect), Is.True);
             Assert.That(insect.activeSelf, Is.True);
             Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/{species.DisplayName}/{species.DisplayName}.prefab") != null, Is.True);

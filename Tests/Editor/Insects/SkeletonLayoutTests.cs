@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Fitting;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;

@@ -1,4 +1,6 @@
 using System.IO;
+using Alate.Authoring;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -13,8 +15,8 @@ namespace Alate.Editor.Tests
         [SetUp]
         public void Begin()
         {
-            m_Skeleton = Species.Find("monarch").Wings[0].CreateSkeleton(WingSide.Right);
-            m_Other = Species.Find("snailfish").Wings[0].CreateSkeleton(WingSide.Left);
+            m_Skeleton = InsectCatalogue.Find("monarch").Wings[0].CreateSkeleton(WingSide.Right);
+            m_Other = InsectCatalogue.Find("snailfish").Wings[0].CreateSkeleton(WingSide.Left);
             m_Path = Path.GetTempFileName();
         }
 

@@ -1,4 +1,5 @@
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -67,6 +68,6 @@ namespace Alate.Editor.Tests
             Assert.That(report.Problems, Is.Not.Empty);
         }
 
-        private static WingSkeleton Monarch() => Species.Find("monarch").Wings[0].CreateSkeleton(WingSide.Right);
+        private static WingSkeleton Monarch() => InsectCatalogue.Find("monarch").Wings[0].CreateSkeleton(WingSide.Right);
     }
 }

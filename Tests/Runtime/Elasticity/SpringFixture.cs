@@ -29,7 +29,7 @@ namespace Alate.Tests
                 joints = chains * joints,
                 bones = chains * (joints - 1),
                 springs = springs.Count,
-                bandBlocks = BlockCholesky.BandSize(pack.rig),
+                bandBlocks = pack.rig.BandBlocks,
                 patches = 1,
             };
             StepScratch.Layout(size, Block(StepScratch.Layout(size, null, out _)), out scratch);

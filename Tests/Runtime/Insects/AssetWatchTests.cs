@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -13,7 +14,7 @@ namespace Alate.Tests
         [SetUp]
         public void Begin()
         {
-            m_Species = Alate.Species.Monarch();
+            m_Species = InsectCatalogue.Monarch();
             m_Watch = new SpeciesWatch();
         }
 
@@ -66,7 +67,7 @@ namespace Alate.Tests
         public void NoPreset_AndADestroyedOne_AreAMonarch_AndNotWatched()
         {
             SpeciesValues none = m_Watch.Of(null);
-            WingSpecies gone = Alate.Species.Monarch();
+            WingSpecies gone = InsectCatalogue.Monarch();
             Object.DestroyImmediate(gone);
 
             Assert.That(m_Watch.Of(gone), Is.SameAs(none));

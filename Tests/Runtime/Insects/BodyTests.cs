@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -9,7 +10,7 @@ namespace Alate.Tests
     {
         private const float k_Millimetres = 1000f;
 
-        private static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
 
         private static SurfaceMesh BodyOf(SpeciesDefinition species) => species.Body.CreateSurface(k_Millimetres);
 
@@ -113,7 +114,7 @@ namespace Alate.Tests
         public void ABody_IsAsLongAsTheAnimal_FromHeadToTail(string name, float shortest, float longest)
         {
             float front = float.MinValue, rear = float.MaxValue;
-            foreach (var place in BodyOf(Species.Find(name)).positions)
+            foreach (var place in BodyOf(InsectCatalogue.Find(name)).positions)
             {
                 if (Math.Abs(place.x) < 1e-4f)
                 {
@@ -143,12 +144,12 @@ namespace Alate.Tests
         [Test]
         public void TheMeshes_OfTwoCalls_ShareNoArray()
         {
-            var first = BodyOf(Species.Find("monarch"));
+            var first = BodyOf(InsectCatalogue.Find("monarch"));
             first.colours[0] = new Color32(1, 2, 3, 4);
             first.uvs[0] = new Vector2(-1f, -1f);
             first.triangles[0] = -1;
             first.normals[0] = default;
-            var second = BodyOf(Species.Find("monarch"));
+            var second = BodyOf(InsectCatalogue.Find("monarch"));
 
             Assert.That(second.colours[0].a, Is.EqualTo(255));
             Assert.That(second.uvs[0].x, Is.Not.Negative);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -9,7 +10,7 @@ namespace Alate.Tests
     {
         private const int k_Size = 512;
 
-        private static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
 
         [TestCaseSource(nameof(All))]
         public void TheTextureOfABody_HasTheColoursOfItsTriangles_AtTheirPlacesInIt(SpeciesDefinition species)

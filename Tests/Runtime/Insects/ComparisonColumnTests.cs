@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -12,7 +13,7 @@ namespace Alate.Tests
         [SetUp]
         public void CreateSpecies()
         {
-            m_Full = Species.Find("fishfly").Wings[0].CreateSpecies();
+            m_Full = InsectCatalogue.Find("fishfly").Wings[0].CreateSpecies();
             m_Full.name = "Fishfly";
         }
 

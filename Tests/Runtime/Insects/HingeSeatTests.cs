@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -9,7 +10,7 @@ namespace Alate.Tests
     {
         private const float k_Millimetres = 1000f;
 
-        private static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
 
         [TestCaseSource(nameof(All))]
         public void AWingAtRest_PassesThroughNoPartOfTheBody(SpeciesDefinition species)
@@ -55,7 +56,7 @@ namespace Alate.Tests
         [Test]
         public void TheSeat_PushesTheSkinInAndPullsItOut_AndLeavesTheRestAlone()
         {
-            var wing = Species.Find("monarch").Wings[0];
+            var wing = InsectCatalogue.Find("monarch").Wings[0];
             var hinge = k_Millimetres * wing.Hinge;
             var middle = new Vector3(0f, hinge.y, hinge.z - 0.6f);
             foreach (var width in new[] { 0.8f, 1f, 1.2f })

@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -8,7 +9,7 @@ namespace Alate.Tests
     {
         private const double k_LastTipSpan = 26.9 / 61.0;
 
-        private static WingOutline Outline => Species.Find("monarch").Wings[0].Outline;
+        private static WingOutline Outline => InsectCatalogue.Find("monarch").Wings[0].Outline;
 
         private WingSkeleton m_Skeleton;
 

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
+using Alate.Fitting;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -7,14 +9,14 @@ namespace Alate.Tests
 {
     public sealed class SpeciesTests
     {
-        private static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
 
         [TestCase("monarch")]
         [TestCase("Monarch")]
         [TestCase(" MON-arch ")]
         public void ASpecies_IsFound_HoweverItsNameIsWritten(string name)
         {
-            Assert.That(Species.TryFind(name, out var found), Is.True);
+            Assert.That(InsectCatalogue.TryFind(name, out var found), Is.True);
             Assert.That(found.DisplayName, Is.EqualTo("Monarch"));
         }
 
@@ -23,10 +25,10 @@ namespace Alate.Tests
         [TestCase(null)]
         public void AnUnknownSpecies_IsRefused_WithTheNamesThereAre(string name)
         {
-            Assert.That(Species.TryFind(name, out _), Is.False);
-            Assert.That(Species.TryCreate(name, out var species), Is.False);
+            Assert.That(InsectCatalogue.TryFind(name, out _), Is.False);
+            Assert.That(InsectCatalogue.TryCreate(name, out var species), Is.False);
             Assert.That(species == null, Is.True);
-            Assert.That(() => Species.Find(name), Throws.ArgumentException.With.Message.Contains("monarch"));
+            Assert.That(() => InsectCatalogue.Find(name), Throws.ArgumentException.With.Message.Contains("monarch"));
         }
 
         [TestCase("monarch", 4192)]
@@ -35,7 +37,7 @@ namespace Alate.Tests
         [TestCase("painted-lichen-moth", 1648)]
         public void TheSpeciesOfThePapersTable2_HaveItsTriangles(string species, int triangles)
         {
-            var definition = Species.Find(species);
+            var definition = InsectCatalogue.Find(species);
             var meshed = 0;
             foreach (var wing in definition.Wings)
             {

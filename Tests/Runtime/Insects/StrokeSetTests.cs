@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using NUnit.Framework;
 
 namespace Alate.Tests

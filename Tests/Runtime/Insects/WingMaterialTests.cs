@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -7,7 +8,7 @@ namespace Alate.Tests
 {
     public sealed class WingMaterialTests
     {
-        private static IEnumerable<SpeciesDefinition> All => Species.All;
+        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
 
         [TestCase(null, RenderPipelineKind.BuiltIn)]
         [TestCase("UniversalRenderPipelineAsset", RenderPipelineKind.Universal)]
@@ -67,7 +68,7 @@ namespace Alate.Tests
         [Test]
         public void TheTextureOfAWing_HasTheWingsProportions_AndTheSizeAskedFor()
         {
-            var wing = Species.Find("monarch").Wings[0];
+            var wing = InsectCatalogue.Find("monarch").Wings[0];
             var material = WingMaterial.ForWing(wing, 64);
             var texture = material.mainTexture;
 
@@ -89,7 +90,7 @@ namespace Alate.Tests
         [TestCase(-1)]
         public void ATexturesSize_OutOfRange_IsRefused_WithTheRange(int size)
         {
-            var monarch = Species.Find("monarch");
+            var monarch = InsectCatalogue.Find("monarch");
             Assert.That(
                 () => WingMaterial.ForWing(monarch.Wings[0], size), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("16 to 8192"));
             Assert.That(

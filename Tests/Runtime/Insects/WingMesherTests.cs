@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -7,7 +8,7 @@ namespace Alate.Tests
 {
     public sealed class WingMesherTests
     {
-        private static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
+        private static SpeciesWing Monarch => InsectCatalogue.Find("monarch").Wings[0];
 
         [Test]
         public void Grid_SpreadsItsVerticesEvenly_FromLeadingToTrailingEdge()

@@ -1,11 +1,12 @@
 using System;
+using Alate.Catalogue;
 using NUnit.Framework;
 
 namespace Alate.Tests
 {
     public sealed class WingOutlineTests
     {
-        private static WingOutline Monarch => Species.Find("monarch").Wings[0].Outline;
+        private static WingOutline Monarch => InsectCatalogue.Find("monarch").Wings[0].Outline;
 
         [Test]
         public void AMonarchsWing_HasTheMeasuredArea()

@@ -1,11 +1,12 @@
 using System;
+using Alate.Catalogue;
 using NUnit.Framework;
 
 namespace Alate.Tests
 {
     public sealed class WingPatternTests
     {
-        private static SpeciesWing Monarch => Species.Find("monarch").Wings[0];
+        private static SpeciesWing Monarch => InsectCatalogue.Find("monarch").Wings[0];
 
         [Test]
         public void AMonarch_IsOrangeInside_AndDarkAtItsMargin()

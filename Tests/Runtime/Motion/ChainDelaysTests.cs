@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -13,7 +14,7 @@ namespace Alate.Tests
         [TestCase(2f)]
         public void WithoutCoupling_DelaysAreThoseOfEquation2(float chordDelay)
         {
-            foreach (SpeciesDefinition species in Species.All)
+            foreach (SpeciesDefinition species in InsectCatalogue.All)
             {
                 WingParameters parameters = species.Wings[0].CreateSpecies().ToParameters();
                 parameters.chordDelay = chordDelay;
@@ -26,7 +27,7 @@ namespace Alate.Tests
         [Test]
         public void OfASmallStroke_DelaysAreThoseOfEquation2()
         {
-            foreach (SpeciesDefinition species in Species.All)
+            foreach (SpeciesDefinition species in InsectCatalogue.All)
             {
                 WingParameters parameters = species.Wings[0].CreateSpecies().ToParameters();
                 parameters.amplitude.x = 0.05f;

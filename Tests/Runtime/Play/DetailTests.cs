@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -201,7 +202,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator BoundsHoldEveryVertex([Values(1f, 0.1f)] float elasticity)
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             species.Stiffness.elasticity = elasticity;
             species.Beat.flapRange = 180f;
             species.Beat.amplitudeFloor = 1f;

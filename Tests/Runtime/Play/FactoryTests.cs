@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -10,12 +11,12 @@ namespace Alate.Tests.Play
 {
     public sealed class FactoryTests : PlayFixture
     {
-        private static IEnumerable<string> Names => Alate.Species.Names;
+        private static IEnumerable<string> Names => InsectCatalogue.Names;
 
         [UnityTest]
         public IEnumerator EverySpecies_ComesReady_WithAllItsWingsBeating([ValueSource(nameof(Names))] string name)
         {
-            SpeciesDefinition species = Alate.Species.Find(name);
+            SpeciesDefinition species = InsectCatalogue.Find(name);
             InsectWings insect = Made(name);
             yield return Frames(2);
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);

@@ -1,4 +1,5 @@
 using System.Collections;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -12,7 +13,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeenAtTheNextStep_WithoutRebuilding()
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             InsectWings insect = Hatch(made => made.Species = species);
             yield return Frames(30);
             Mesh living = Shown(insect, 0);
@@ -31,7 +32,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeenByAllThatShareIt_AndByNoOthers()
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             InsectWings first = Hatch(made => made.Species = species), second = Hatch(made => made.Species = species), other = Hatch();
             yield return Frames(10);
             species.Beat.maxFrequency = 40f;
@@ -45,7 +46,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeen_ThoughAnotherInsectWasSteppedManyTimes()
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             InsectWings insect = Hatch(made => made.Species = species), stepped = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
             yield return Frames(5);
             for (int step = 0; step < 200; step++)
@@ -59,7 +60,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnotherSpecies_IsFollowedInPhase_WithoutRebuilding([Values] bool ofWing, [Values] bool paper)
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             if (paper)
                 species.ApplyPreset(ModelPreset.Paper);
             species.Beat.maxFrequency = 20f;
@@ -86,7 +87,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ASpeciesOfNonsense_IsClamped()
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             InsectWings insect = Hatch(made => made.Species = species);
             yield return Frames(10);
             species.Beat.maxFrequency = float.NaN;
@@ -109,7 +110,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ADestroyedSpecies_LeavesTheBeatAsItWas()
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             species.Beat.maxFrequency = 20f;
             InsectWings insect = Hatch(made => made.Species = species);
             yield return Frames(10);

@@ -1,4 +1,5 @@
 using System.Collections;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;

@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -49,7 +50,7 @@ namespace Alate.Tests.Play
         /// <summary>A monarch of two wings, each with mesh and skeleton of its own, under a root without the component.</summary>
         protected GameObject Bare(float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
         {
-            SpeciesWing kind = Alate.Species.Find("monarch").Wings[0];
+            SpeciesWing kind = InsectCatalogue.Find("monarch").Wings[0];
             var root = Keep(new GameObject("insect"));
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
@@ -66,7 +67,7 @@ namespace Alate.Tests.Play
         /// <summary>The same, alive, computed also where no camera sees it.</summary>
         protected InsectWings Insect(float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
         {
-            SpeciesWing kind = Alate.Species.Find("monarch").Wings[0];
+            SpeciesWing kind = InsectCatalogue.Find("monarch").Wings[0];
             GameObject root = Bare(unitsPerMetre);
             root.SetActive(false);
             var insect = root.AddComponent<InsectWings>();

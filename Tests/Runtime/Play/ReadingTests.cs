@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using System.Text.RegularExpressions;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -35,7 +36,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator OfManyBeatsInAFrame_OneIsTold()
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             species.Beat.maxFrequency = 600f;
             InsectWings insect = Hatch(made => made.Species = species);
             yield return Frames(5);

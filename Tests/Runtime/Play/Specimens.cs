@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Tests.Play

@@ -1,4 +1,5 @@
 using System.Collections;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -11,7 +12,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator Frequency_AndAmplitude_FollowTheirFactors_WithoutRebuilding()
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             InsectWings insect = Hatch(made => made.Species = species), other = Hatch(made => made.Species = species);
             yield return Frames(30);
             Mesh living = Shown(insect, 0);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -184,7 +185,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AFastBeat_KeepsItsFrequencyInSlowSteps([Values(62f, 250f, 600f)] float frequency)
         {
-            WingSpecies species = Keep(Alate.Species.Monarch());
+            WingSpecies species = Keep(InsectCatalogue.Monarch());
             species.Beat.maxFrequency = frequency;
             species.Beat.frequencyFloor = 1f;
             InsectWings insect = Hatch(made => made.Species = species);

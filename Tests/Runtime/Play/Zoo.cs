@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -27,8 +28,8 @@ namespace Alate.Tests.Play
             m_Meshes[2] = Keep(TestWings.ToMesh(TestWings.Rectangle(10, 4)));
             m_Skeletons[0] = Keep(TestWings.Fan());
             m_Skeletons[1] = Keep(TestWings.Fan(4, 4));
-            m_Species[1] = Keep(Alate.Species.Monarch());
-            m_Species[2] = Keep(Alate.Species.Monarch());
+            m_Species[1] = Keep(InsectCatalogue.Monarch());
+            m_Species[2] = Keep(InsectCatalogue.Monarch());
             m_Species[2].Beat.maxFrequency = 40f;
             for (int home = 0; home < 3; home++)
                 m_Homes.Add(new GameObject("home " + home).transform);

@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 using NUnit.Framework;
 
 namespace Alate.Tests

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
 using Unity.Collections;
 using Unity.Mathematics;
 
@@ -13,7 +14,7 @@ namespace Alate.Tests
         public static WingDeformation Measure(in WingParameters parameters, float speed = 1.3f)
         {
             WingRig rig = Monarch.Rig();
-            SurfaceMesh mesh = Species.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
+            SurfaceMesh mesh = InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
             return Measure(mesh, rig, parameters, Monarch.Flying(speed), rig.Frame);
         }
 

@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -26,7 +27,7 @@ namespace Alate.Tests
         [Test]
         public void AfterAResume_TheWingIsSoonBackInItsBeat()
         {
-            using (var flight = new SpeciesFlight(Species.Find("monarch").Wings[0]))
+            using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             using (WingWorld one = new WingWorld(), other = new WingWorld())
             {
                 WingHandle steady = one.Add(flight.Rig, flight.parameters, flight.Air()), halted = other.Add(flight.Rig, flight.parameters, flight.Air());
@@ -98,7 +99,7 @@ namespace Alate.Tests
         [Test]
         public void AResetWing_FliesAsANewOne()
         {
-            using (var flight = new SpeciesFlight(Species.Find("monarch").Wings[0]))
+            using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             using (WingWorld one = new WingWorld(), other = new WingWorld())
             {
                 WingHandle reset = one.Add(flight.Rig, flight.parameters, flight.Air());
@@ -119,7 +120,7 @@ namespace Alate.Tests
         public void AWingThatMovesToAnotherLane_FliesOn_ToTheBit()
         {
             // The neighbour beats as often, in more wind; where both worlds step alike, its leaving must not be felt.
-            using (var flight = new SpeciesFlight(Species.Find("monarch").Wings[0]))
+            using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             using (WingWorld one = new WingWorld(), other = new WingWorld())
             {
                 one.Add(flight.Rig, flight.parameters, flight.Air(new float3(0f, 0f, -1f), flight.Speed));
@@ -145,7 +146,7 @@ namespace Alate.Tests
         // Interrupts one of two settled wings and flies the other one on for as long; both are at the same phase then, a reset one after whole beats.
         private static void AssertBack(int steps, Action<WingWorld, WingHandle, float> interrupt)
         {
-            using (var flight = new SpeciesFlight(Species.Find("monarch").Wings[0]))
+            using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             using (WingWorld one = new WingWorld(), other = new WingWorld())
             {
                 WingHandle steady = one.Add(flight.Rig, flight.parameters, flight.Air()), interrupted = other.Add(flight.Rig, flight.parameters, flight.Air());

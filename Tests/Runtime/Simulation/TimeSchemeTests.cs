@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -26,7 +27,7 @@ namespace Alate.Tests
         [TestCaseSource(nameof(Bounds))]
         public void AtItsOwnSubsteps_AWingIsNearerToItsConvergedMotion_ThanInVersion01(string species, int wing, double bound, double better)
         {
-            using (var flight = new SpeciesFlight(Species.Find(species).Wings[wing]))
+            using (var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing]))
             {
                 WingParameters first = SpeciesFlight.FirstOrder(flight.parameters);
                 double now = Error(flight, flight.parameters, flight.parameters.substepsPerBeat), before = Error(flight, first, 24);
@@ -74,7 +75,7 @@ namespace Alate.Tests
         // Between 24 and 96 substeps, against 480. Finer still, what Newton's method leaves undone adds up over the substeps to a hundredth of a per cent.
         private static double Order(Func<SpeciesFlight, WingParameters> of)
         {
-            using (var flight = new SpeciesFlight(Species.Find("monarch").Wings[0]))
+            using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             {
                 WingParameters parameters = of(flight);
                 double coarse = Error(flight, parameters, 24), fine = Error(flight, parameters, 96), order = 0.5 * Math.Log(coarse / fine, 2.0);

@@ -1,4 +1,5 @@
 using System;
+using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Jobs;
@@ -15,7 +16,7 @@ namespace Alate.Tests
             still.amplitude = float3.zero;
             still.meanFlap = 0f;
             WingRig rig = Monarch.Rig();
-            SurfaceMesh mesh = Species.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
+            SurfaceMesh mesh = InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
             using (var world = new WingWorld())
             {
                 WingHandle wing = world.Add(rig, still);

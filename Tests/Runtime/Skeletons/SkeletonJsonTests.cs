@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Threading;
+using Alate.Authoring;
 using NUnit.Framework;
 using UnityEngine;
 using Random = System.Random;

@@ -1,4 +1,5 @@
 using System;
+using Alate.Authoring;
 using Object = UnityEngine.Object;
 
 namespace Alate.Editor

@@ -1,4 +1,5 @@
 using System;
+using Alate.Fitting;
 using Object = UnityEngine.Object;
 
 namespace Alate.Editor

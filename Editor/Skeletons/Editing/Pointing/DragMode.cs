@@ -1,3 +1,5 @@
+using Alate.Fitting;
+
 namespace Alate.Editor
 {
     /// <summary>Where dragged joints go.</summary>

@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Unity.Mathematics;
 using UnityEngine;
@@ -45,7 +46,7 @@ internal static class Gallery
 
     private static Color32[] Photo(in Exhibit exhibit, int2 size)
     {
-        SpeciesDefinition species = Species.Find(exhibit.Species);
+        SpeciesDefinition species = InsectCatalogue.Find(exhibit.Species);
         var plan = new FlightPlan { Species = species.Name, Variant = SpeciesVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
         using var flight = new Flight(plan, Insect.Of(plan));
         return InsectPhoto.Take(

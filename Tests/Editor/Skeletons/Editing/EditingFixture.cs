@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -39,10 +40,10 @@ namespace Alate.Editor.Tests
             m_Made.Clear();
         }
 
-        private protected static WingSkeleton Monarch(WingSide side) => Species.Find("monarch").Wings[0].CreateSkeleton(side);
+        private protected static WingSkeleton Monarch(WingSide side) => InsectCatalogue.Find("monarch").Wings[0].CreateSkeleton(side);
 
         private protected static WingSurface Surface() =>
-            Species.Find("monarch").Wings[0].CreateSurface(WingSide.Right).ToWingSurface("Right wing");
+            InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right).ToWingSurface("Right wing");
 
         private protected SkeletonEditing Edit(WingSkeleton skeleton) => new SkeletonEditing(Keep(JointSelection.Create(skeleton)), m_Undo);
 

@@ -1,3 +1,4 @@
+using Alate.Authoring;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -28,7 +29,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void ClosestPoint_IsNoFartherThanAnyPointOfTheSurface()
         {
-            SurfaceMesh wing = Species.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
+            SurfaceMesh wing = InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
             var surface = new SnapSurface(wing.ToWingSurface("wing"));
             var random = new System.Random(5);
             for (int k = 0; k < 50; k++)

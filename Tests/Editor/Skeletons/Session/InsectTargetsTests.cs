@@ -1,5 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
+using Alate.Fitting;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -14,7 +16,7 @@ namespace Alate.Editor.Tests
 
             Assert.That(targets.Select(t => t.Skeleton), Is.EqualTo(new[] { Right.Skeleton, Left.Skeleton }));
             Assert.That(targets[0].HasSurface);
-            Assert.That(targets[0].Surface.triangles.Length / 3, Is.EqualTo(Species.Find("monarch").Wings[0].TriangleCount));
+            Assert.That(targets[0].Surface.triangles.Length / 3, Is.EqualTo(InsectCatalogue.Find("monarch").Wings[0].TriangleCount));
             Assert.That(targets[0].LocalToWorld, Is.EqualTo(Right.Renderer.transform.localToWorldMatrix));
         }
 
@@ -66,8 +68,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void WingsOwnPreset_GoesBeforeTheInsects()
         {
-            Insect.Species = Keep(Species.Monarch());
-            Left.Species = Keep(Species.Monarch());
+            Insect.Species = Keep(InsectCatalogue.Monarch());
+            Left.Species = Keep(InsectCatalogue.Monarch());
 
             List<SkeletonTarget> targets = Find();
 
@@ -99,7 +101,7 @@ namespace Alate.Editor.Tests
             Right.Skeleton.Hinge = Vector3.one;
             Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.EqualTo(before));
 
-            Insect.Species = Keep(Species.Monarch());
+            Insect.Species = Keep(InsectCatalogue.Monarch());
             Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.Not.EqualTo(before));
             Insect.Species = null;
 

@@ -1,4 +1,5 @@
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -73,7 +74,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void Beat_FollowsThePreset()
         {
-            WingSpecies preset = Keep(Species.Monarch());
+            WingSpecies preset = Keep(InsectCatalogue.Monarch());
             Insect.Species = preset;
             m_Session.Dispose();
             m_Session = new SkeletonSession(InsectTargets.Find(new[] { Insect }), m_Undo);
@@ -92,7 +93,7 @@ namespace Alate.Editor.Tests
         [TestCase(float.PositiveInfinity)]
         public void Beat_OfABrokenPreset_BreaksNothing(float number)
         {
-            WingSpecies preset = Keep(Species.Monarch());
+            WingSpecies preset = Keep(InsectCatalogue.Monarch());
             preset.Beat.maxSpeed = number;
             preset.Beat.flapRange = number;
             Insect.Species = preset;

@@ -1,5 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
+using Alate.Fitting;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -17,12 +19,12 @@ namespace Alate.Editor.Tests
         [SetUp]
         public void Begin()
         {
-            m_Skeleton = Species.Find("monarch").Wings[0].CreateSkeleton(WingSide.Right);
+            m_Skeleton = InsectCatalogue.Find("monarch").Wings[0].CreateSkeleton(WingSide.Right);
             m_Selection = JointSelection.Create(m_Skeleton);
             m_Undo = new EditorUndo();
             m_Editing = new SkeletonEditing(m_Selection, m_Undo)
             {
-                Surface = new SnapSurface(Species.Find("monarch").Wings[0].CreateSurface(WingSide.Right).ToWingSurface("wing")),
+                Surface = new SnapSurface(InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right).ToWingSurface("wing")),
             };
         }
 
@@ -72,7 +74,7 @@ namespace Alate.Editor.Tests
         public void Drag_IsOneStep_ThoughTheEditorBeginsAGroupWithEachEvent()
         {
             m_Editing.Select(new[] { new JointIndex(2, 2) });
-            WingSkeleton other = Species.Find("monarch").Wings[0].CreateSkeleton(WingSide.Left);
+            WingSkeleton other = InsectCatalogue.Find("monarch").Wings[0].CreateSkeleton(WingSide.Left);
             try
             {
                 string before = State(), others = SkeletonText.Of(other);

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -206,7 +207,7 @@ namespace Alate.Tests
         [Test]
         public void TheWingsOfEverySpecies_AreFound_WithoutNames()
         {
-            foreach (var species in Species.All)
+            foreach (var species in InsectCatalogue.All)
             {
                 // Without names the firefly's open elytra, thin and mirrored, cannot be told from wings.
                 if (species.Name == "firefly")

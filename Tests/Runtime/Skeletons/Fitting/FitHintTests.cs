@@ -1,3 +1,4 @@
+using Alate.Fitting;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,4 +1,6 @@
 using System;
+using Alate.Authoring;
+using Alate.Fitting;
 using NUnit.Framework;
 using UnityEngine;
 

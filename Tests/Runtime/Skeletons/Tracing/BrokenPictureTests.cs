@@ -1,4 +1,6 @@
 using System;
+using Alate.Authoring;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 

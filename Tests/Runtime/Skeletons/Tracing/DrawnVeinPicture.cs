@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Tests

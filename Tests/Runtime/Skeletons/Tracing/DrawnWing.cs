@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Tests
@@ -32,7 +33,7 @@ namespace Alate.Tests
 
         public static DrawnWing Monarch()
         {
-            WingOutline outline = Species.Find("monarch").Wings[0].Contour;
+            WingOutline outline = InsectCatalogue.Find("monarch").Wings[0].Contour;
             return Of("monarch", 400, x => outline.LeadingAt(x), x => outline.TrailingAt(x));
         }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using NUnit.Framework;
 
 namespace Alate.Tests

@@ -1,5 +1,8 @@
 using System;
 using System.Collections.Generic;
+using Alate.Authoring;
+using Alate.Catalogue;
+using Alate.Geometry;
 using NUnit.Framework;
 
 namespace Alate.Tests

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using Alate.Authoring;
+using Alate.Geometry;
 using UnityEngine;
 
 namespace Alate.Tests

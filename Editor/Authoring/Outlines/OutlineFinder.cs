@@ -1,0 +1,25 @@
+using System;
+using System.Collections.Generic;
+using Alate.Geometry;
+
+namespace Alate.Authoring
+{
+    /// <summary>The outline of the wing in a picture.</summary>
+    internal static class OutlineFinder
+    {
+        /// <summary>Rounds of smoothing, which take steps of single pixels and noise off the rim: a bell of one pixel.</summary>
+        private const int k_SmoothingRounds = 4;
+
+        /// <summary>Furthest that a point of the rim may lie from the outline: a share of the wing's length, but no less than a part of a pixel.</summary>
+        private const double k_Tolerance = 5e-4, k_LeastTolerance = 0.25;
+
+        /// <summary>The outline, counterclockwise with x to the right and z up: z is minus the row. Pixels of the whole picture.</summary>
+        public static PlanPoint[] Find(WingSeparation wing, int factor)
+        {
+            List<PlanPoint> rim = ContourTracer.Longest(wing.SignedField());
+            rim.Reverse();
+            PlanPoint[] smooth = ClosedPath.Smoothed(rim.ConvertAll(p => new PlanPoint(p.x * factor, -p.z * factor)), k_SmoothingRounds);
+            return ClosedPath.Simplified(smooth, Math.Max(k_LeastTolerance * factor, k_Tolerance * ClosedPath.Extent(smooth)));
+        }
+    }
+}

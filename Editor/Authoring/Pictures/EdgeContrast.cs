@@ -1,0 +1,51 @@
+using System;
+
+namespace Alate.Authoring
+{
+    /// <summary>How far the pixels of a picture stand out from its ground, and where that makes the rim of a wing.</summary>
+    internal sealed class EdgeContrast
+    {
+        /// <summary>Above 0 where a pixel is one of the wing's, shades.</summary>
+        public readonly PixelPlane excess;
+
+        /// <summary>The rim lies where the contrast to the ground is this share of the highest one nearby: halfway through a blurred edge.</summary>
+        private const float k_EdgeShare = 0.5f;
+
+        /// <summary>An edge is clear where the contrast behind it is this many times what the ground's own noise may reach.</summary>
+        private const double k_Clear = 1.5;
+
+        private readonly PixelPlane m_Highest;
+        private readonly double m_Noise;
+
+        /// <param name="contrast">How far each pixel is from the ground, shades.</param>
+        /// <param name="noise">What pixels of the ground may reach, shades.</param>
+        /// <param name="blur">Width of the bell by which the picture was smoothed, pixels.</param>
+        public EdgeContrast(PixelPlane contrast, double noise, double blur)
+        {
+            m_Highest = contrast.Highest((int)Math.Ceiling(2.5 * blur));
+            m_Noise = noise;
+            excess = new PixelPlane(contrast.width, contrast.height);
+            for (int k = 0; k < excess.values.Length; k++)
+                excess.values[k] = contrast.values[k] - Math.Max((float)noise, k_EdgeShare * m_Highest.values[k]);
+        }
+
+        /// <summary>Share of a mask's rim that lies on a clear edge, 0 to 1; the picture's own edge does not count.</summary>
+        public double ClearShareOfRim(PixelMask mask)
+        {
+            int rim = 0, clear = 0;
+            for (int row = 1; row < mask.height - 1; row++)
+            {
+                for (int column = 1; column < mask.width - 1; column++)
+                {
+                    bool isInner = mask[column - 1, row] && mask[column + 1, row] && mask[column, row - 1] && mask[column, row + 1];
+                    if (!mask[column, row] || isInner)
+                        continue;
+                    rim++;
+                    clear += m_Highest[column, row] > k_Clear * m_Noise ? 1 : 0;
+                }
+            }
+
+            return rim == 0 ? 1.0 : (double)clear / rim;
+        }
+    }
+}

@@ -1,0 +1,125 @@
+using System;
+
+namespace Alate.Authoring
+{
+    /// <summary>One number a pixel; rows from top to bottom.</summary>
+    internal sealed class PixelPlane
+    {
+        public readonly int width;
+        public readonly int height;
+
+        /// <summary>[row * width + column]</summary>
+        public readonly float[] values;
+
+        public PixelPlane(int width, int height)
+        {
+            this.width = width;
+            this.height = height;
+            values = new float[width * height];
+        }
+
+        public float this[int column, int row]
+        {
+            get => values[row * width + column];
+            set => values[row * width + column] = value;
+        }
+
+        /// <summary>The plane convolved with a Gaussian bell; at the rim the last pixels go on.</summary>
+        /// <param name="sigma">Width of the bell, pixels.</param>
+        public PixelPlane Blurred(double sigma)
+        {
+            float[] kernel = Kernel(sigma);
+            int reach = kernel.Length - 1;
+            var across = new PixelPlane(width, height);
+            var line = new float[width + 2 * reach];
+            for (int row = 0; row < height; row++)
+                BlurRow(kernel, row, line, across);
+            var both = new PixelPlane(width, height);
+            for (int row = 0; row < height; row++)
+                across.BlurDown(kernel, row, both);
+            return both;
+        }
+
+        /// <summary>The largest value within a square around each pixel.</summary>
+        /// <param name="radius">Half a side of the square, pixels.</param>
+        public PixelPlane Highest(int radius)
+        {
+            var across = new PixelPlane(width, height);
+            for (int row = 0; row < height; row++)
+            {
+                var from = new ReadOnlySpan<float>(values, row * width, width);
+                var into = new Span<float>(across.values, row * width, width);
+                for (int column = 0; column < into.Length; column++)
+                {
+                    float highest = from[column];
+                    int last = Math.Min(width - 1, column + radius);
+                    for (int near = Math.Max(0, column - radius); near <= last; near++)
+                        highest = from[near] > highest ? from[near] : highest;
+                    into[column] = highest;
+                }
+            }
+
+            var both = new PixelPlane(width, height);
+            for (int row = 0; row < height; row++)
+            {
+                var into = new Span<float>(both.values, row * width, width);
+                new ReadOnlySpan<float>(across.values, row * width, width).CopyTo(into);
+                int last = Math.Min(height - 1, row + radius);
+                for (int near = Math.Max(0, row - radius); near <= last; near++)
+                {
+                    var from = new ReadOnlySpan<float>(across.values, near * width, width);
+                    for (int column = 0; column < into.Length; column++)
+                        into[column] = from[column] > into[column] ? from[column] : into[column];
+                }
+            }
+
+            return both;
+        }
+
+        private void BlurRow(float[] kernel, int row, float[] line, PixelPlane into)
+        {
+            int reach = kernel.Length - 1, start = row * width;
+            Array.Copy(values, start, line, reach, width);
+            Array.Fill(line, values[start], 0, reach);
+            Array.Fill(line, values[start + width - 1], reach + width, reach);
+            for (int column = 0; column < width; column++)
+            {
+                int middle = column + reach;
+                float sum = kernel[0] * line[middle];
+                for (int k = 1; k <= reach; k++)
+                    sum += kernel[k] * (line[middle - k] + line[middle + k]);
+                into.values[start + column] = sum;
+            }
+        }
+
+        private void BlurDown(float[] kernel, int row, PixelPlane into)
+        {
+            int start = row * width;
+            for (int k = 0; k < kernel.Length; k++)
+            {
+                float weight = k == 0 ? 0.5f * kernel[0] : kernel[k];
+                var above = new ReadOnlySpan<float>(values, Math.Max(0, row - k) * width, width);
+                var below = new ReadOnlySpan<float>(values, Math.Min(height - 1, row + k) * width, width);
+                var target = new Span<float>(into.values, start, width);
+                for (int column = 0; column < target.Length; column++)
+                    target[column] += weight * (above[column] + below[column]);
+            }
+        }
+
+        // The half of the bell from its middle on; both halves together sum to 1.
+        private static float[] Kernel(double sigma)
+        {
+            var kernel = new float[1 + (int)Math.Ceiling(3.0 * sigma)];
+            double sum = 0.0;
+            for (int k = 0; k < kernel.Length; k++)
+            {
+                kernel[k] = (float)Math.Exp(-0.5 * k * k / (sigma * sigma));
+                sum += k == 0 ? kernel[k] : 2.0 * kernel[k];
+            }
+
+            for (int k = 0; k < kernel.Length; k++)
+                kernel[k] = (float)(kernel[k] / sum);
+            return kernel;
+        }
+    }
+}

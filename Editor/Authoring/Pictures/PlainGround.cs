@@ -1,0 +1,184 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate.Authoring
+{
+    /// <summary>
+    /// The colour of the ground behind a wing, which may change smoothly over the picture: a quadratic surface for each channel, fitted so that pixels
+    /// of the wing among those of the ground do not count.
+    /// </summary>
+    internal sealed class PlainGround
+    {
+        /// <summary>Width of the border that is taken for ground at first, as a share of the shorter side.</summary>
+        private const double k_BorderShare = 0.02;
+
+        /// <summary>Most pixels that a fit looks at.</summary>
+        private const int k_MostSamples = 6000;
+
+        private const int k_Rounds = 12;
+
+        /// <summary>Pixels further away than this many robust standard deviations do not count (Tukey's biweight).</summary>
+        private const double k_TukeyReach = 4.7;
+
+        /// <summary>Least spread that is assumed, shades: pictures hold whole ones.</summary>
+        private const double k_LeastSpread = 0.7;
+
+        /// <summary>The spread of a normal distribution over its median absolute deviation.</summary>
+        private const double k_SpreadOverMedian = 1.4826;
+
+        /// <summary>Spreads above the ground's median distance from which on a pixel is surely no ground.</summary>
+        private const double k_SureSpreads = 6.0;
+
+        /// <summary>Least distance, shades, at which a pixel is told from the ground.</summary>
+        private const double k_LeastContrast = 8.0;
+
+        private readonly PixelPlane[] m_Channels;
+        private readonly SmoothSurface[] m_Surfaces;
+        private readonly PixelPlane m_Distance;
+
+        private PlainGround(PixelPlane[] channels)
+        {
+            m_Channels = channels;
+            m_Distance = new PixelPlane(channels[0].width, channels[0].height);
+            m_Surfaces = Array.ConvertAll(channels, channel => new SmoothSurface(channel.width, channel.height));
+        }
+
+        /// <summary>How far the colour of each pixel is from the ground's: the root of the mean squared difference of the channels, shades.</summary>
+        public PixelPlane Distance => m_Distance;
+
+        /// <summary>Distance below which a pixel may well be ground, shades.</summary>
+        public double Noise { get; private set; }
+
+        /// <summary>The ground as the picture's border shows it.</summary>
+        public static PlainGround FromBorder(params PixelPlane[] channels)
+        {
+            int width = channels[0].width, height = channels[0].height;
+            int band = Math.Max(1, (int)(k_BorderShare * Math.Min(width, height)));
+            return From((column, row) => column < band || row < band || column >= width - band || row >= height - band, channels);
+        }
+
+        /// <summary>The ground as all pixels outside a mask show it.</summary>
+        public static PlainGround Outside(PixelMask wing, params PixelPlane[] channels) => From((column, row) => !wing[column, row], channels);
+
+        private static PlainGround From(Func<int, int, bool> isGround, PixelPlane[] channels)
+        {
+            var ground = new PlainGround(channels);
+            List<(int Column, int Row)> samples = ground.Sample(isGround);
+            ground.Fit(samples);
+            ground.MeasureDistances();
+            ground.MeasureNoise(samples);
+            return ground;
+        }
+
+        private List<(int Column, int Row)> Sample(Func<int, int, bool> isGround)
+        {
+            int count = 0;
+            for (int k = 0; k < m_Distance.values.Length; k++)
+                count += isGround(k % m_Distance.width, k / m_Distance.width) ? 1 : 0;
+            int wanted = Math.Min(count, k_MostSamples);
+            var samples = new List<(int Column, int Row)>(wanted);
+            for (int k = 0, passed = 0; samples.Count < wanted; k++)
+            {
+                int column = k % m_Distance.width, row = k / m_Distance.width;
+                if (isGround(column, row) && passed++ == (int)((long)samples.Count * count / wanted))
+                    samples.Add((column, row));
+            }
+
+            return samples;
+        }
+
+        private void Fit(List<(int Column, int Row)> samples)
+        {
+            var residuals = new double[samples.Count];
+            double reach = double.MaxValue;
+            StartFromMedians(samples);
+            for (int round = 0; round < k_Rounds; round++)
+            {
+                for (int k = 0; k < residuals.Length; k++)
+                    residuals[k] = DistanceAt(samples[k].Column, samples[k].Row);
+                reach = k_TukeyReach * Math.Max(k_LeastSpread, k_SpreadOverMedian * Median(residuals));
+                for (int k = 0; k < residuals.Length; k++)
+                    AddSample(samples[k], Biweight(residuals[k] / reach));
+                foreach (SmoothSurface surface in m_Surfaces)
+                    surface.Fit();
+            }
+        }
+
+        private void StartFromMedians(List<(int Column, int Row)> samples)
+        {
+            for (int c = 0; c < m_Channels.Length; c++)
+            {
+                var values = new double[samples.Count];
+                for (int k = 0; k < values.Length; k++)
+                    values[k] = m_Channels[c][samples[k].Column, samples[k].Row];
+                double median = Median(values);
+                foreach ((int column, int row) in samples)
+                    m_Surfaces[c].Add(column, row, median, 1.0);
+                m_Surfaces[c].Fit();
+            }
+        }
+
+        private void AddSample((int Column, int Row) sample, double weight)
+        {
+            for (int c = 0; c < m_Channels.Length; c++)
+                m_Surfaces[c].Add(sample.Column, sample.Row, m_Channels[c][sample.Column, sample.Row], weight);
+        }
+
+        private void MeasureDistances()
+        {
+            var squares = new double[m_Distance.width];
+            for (int row = 0; row < m_Distance.height; row++)
+            {
+                Array.Clear(squares, 0, squares.Length);
+                for (int c = 0; c < m_Channels.Length; c++)
+                {
+                    var shades = new ReadOnlySpan<float>(m_Channels[c].values, row * squares.Length, squares.Length);
+                    SmoothSurface.Row ground = m_Surfaces[c].RowAt(row);
+                    for (int column = 0; column < squares.Length; column++)
+                    {
+                        double difference = shades[column] - ground.At(column);
+                        squares[column] += difference * difference;
+                    }
+                }
+
+                for (int column = 0; column < squares.Length; column++)
+                    m_Distance[column, row] = (float)Math.Sqrt(squares[column] / m_Channels.Length);
+            }
+        }
+
+        private void MeasureNoise(List<(int Column, int Row)> samples)
+        {
+            double[] distances = samples.ConvertAll(sample => (double)m_Distance[sample.Column, sample.Row]).ToArray();
+            double middle = Median(distances);
+            double spread = k_SpreadOverMedian * Median(Array.ConvertAll(distances, distance => Math.Abs(distance - middle)));
+            Noise = Math.Max(k_LeastContrast, middle + k_SureSpreads * spread);
+        }
+
+        private double DistanceAt(int column, int row)
+        {
+            double sum = 0.0;
+            for (int c = 0; c < m_Channels.Length; c++)
+            {
+                double difference = m_Channels[c][column, row] - m_Surfaces[c].At(column, row);
+                sum += difference * difference;
+            }
+
+            return Math.Sqrt(sum / m_Channels.Length);
+        }
+
+        private static double Biweight(double ratio)
+        {
+            double rest = 1.0 - ratio * ratio;
+            return rest > 0.0 ? rest * rest : 0.0;
+        }
+
+        private static double Median(double[] values)
+        {
+            if (values.Length == 0)
+                return 0.0;
+            var sorted = (double[])values.Clone();
+            Array.Sort(sorted);
+            return sorted[sorted.Length / 2];
+        }
+    }
+}

@@ -1,0 +1,197 @@
+using System;
+using System.Collections.Generic;
+using Alate.Geometry;
+
+namespace Alate.Authoring
+{
+    /// <summary>Tells the one wing of a picture from the ground behind it.</summary>
+    internal sealed class WingSeparation
+    {
+        /// <summary>Width of the bell by which noise is smoothed, pixels, and as a share of the longer side where that is more.</summary>
+        private const double k_LeastBlur = 0.8, k_BlurShare = 0.0012;
+
+        /// <summary>Contrast of a half transparent pixel must be above this for it to be looked at, shades.</summary>
+        private const double k_AlphaNoise = 32.0;
+
+        /// <summary>
+        /// Half widths of gaps in a drawn outline, shares of the longer side, and how many times as large the enclosed area must become for them to be closed.
+        /// </summary>
+        private static readonly (double Share, double Gain)[] s_Gaps = { (0.004, 1.02), (0.012, 1.08), (0.03, 1.3) };
+
+        /// <summary>What covers more than this share of the area that it encloses is no line drawing.</summary>
+        private const double k_Solid = 0.6;
+
+        /// <summary>Half width of whiskers that are cut off, pixels.</summary>
+        private const double k_Whisker = 1.0;
+
+        /// <summary>Parts above this share of the largest one count as wings of their own.</summary>
+        private const double k_OtherWing = 0.25;
+
+        /// <summary>Shortest wing, pixels.</summary>
+        private const int k_ShortestWing = 40;
+
+        /// <summary>A wing is thicker than this share of its length over the second share of its area; lines are so only where some of them meet.</summary>
+        private const double k_LeastThickness = 0.02, k_ThickShare = 0.5;
+
+        /// <summary>Largest share of the picture that a wing covers; more is a frame or ground that is not plain.</summary>
+        private const double k_MostCover = 0.92;
+
+        /// <summary>Width of a line around the picture that is passed over, as a share of the longer side.</summary>
+        private const double k_Frame = 0.01;
+
+        private readonly EdgeContrast m_Contrast;
+
+        private WingSeparation(EdgeContrast contrast, PixelMask mask)
+        {
+            m_Contrast = contrast;
+            Mask = mask;
+        }
+
+        /// <summary>The pixels of the wing, without holes.</summary>
+        public PixelMask Mask { get; }
+
+        /// <summary>Share of the wing's rim where it stands out from the ground clearly, 0 to 1.</summary>
+        public double ClearRim => m_Contrast.ClearShareOfRim(Mask);
+
+        /// <summary>The middle of where the wing runs out of the picture, pixels, z minus the row; null where it does not.</summary>
+        public PlanPoint? MiddleOfCut
+        {
+            get
+            {
+                PlanPoint sum = default;
+                int count = 0;
+                for (int row = 0; row < Mask.height; row++)
+                {
+                    int step = row == 0 || row == Mask.height - 1 ? 1 : Mask.width - 1;
+                    for (int column = 0; column < Mask.width; column += step)
+                    {
+                        if (!Mask[column, row])
+                            continue;
+                        sum += new PlanPoint(column + 0.5, -(row + 0.5));
+                        count++;
+                    }
+                }
+
+                return count > 0 ? sum * (1.0 / count) : (PlanPoint?)null;
+            }
+        }
+
+        /// <summary>Finds the wing.</summary>
+        /// <exception cref="FormatException">There is none, more than one, or it cannot be told from the ground.</exception>
+        public static WingSeparation Of(WorkingPicture picture)
+        {
+            double blur = Math.Max(k_LeastBlur, k_BlurShare * Math.Max(picture.Width, picture.Height));
+            if (picture.HasTransparentGround)
+                return Of(picture, new EdgeContrast(picture.Alpha.Blurred(blur), k_AlphaNoise, blur));
+            PixelPlane[] channels = { picture.Red.Blurred(blur), picture.Green.Blurred(blur), picture.Blue.Blurred(blur) };
+            PlainGround ground = PlainGround.FromBorder(channels);
+            PixelMask spared = Above(new EdgeContrast(ground.Distance, ground.Noise, blur).excess).Filled().Grown(4.0 * blur);
+            // The border alone says little of the middle, where most of the ground may lie.
+            if (spared.Count < 0.7 * picture.Width * picture.Height)
+                ground = PlainGround.Outside(spared, channels);
+            return Of(picture, new EdgeContrast(ground.Distance, ground.Noise, blur));
+        }
+
+        /// <summary>Above 0 within the wing and below 0 outside, passing through 0 on its rim between the centres of two pixels.</summary>
+        public PixelPlane SignedField()
+        {
+            const float least = 0.5f;
+            var field = new PixelPlane(Mask.width, Mask.height);
+            for (int row = 0; row < Mask.height; row++)
+            {
+                for (int column = 0; column < Mask.width; column++)
+                {
+                    float excess = m_Contrast.excess[column, row];
+                    field[column, row] = Mask[column, row] ? Math.Max(excess, least) : Math.Min(excess, -least);
+                }
+            }
+
+            return field;
+        }
+
+        private static WingSeparation Of(WorkingPicture picture, EdgeContrast contrast)
+        {
+            List<PixelPart> parts = Solid(contrast.excess).Parts();
+            if (parts.Count == 0)
+                throw new FormatException("No wing was found: nothing in the picture stands out from its ground.");
+            int length = parts[0].Extent;
+            if (length < k_ShortestWing)
+            {
+                throw new FormatException(
+                    $"No wing was found: the largest thing in the picture is {length * picture.Factor} pixels long; a wing needs at least {k_ShortestWing * picture.Factor}.");
+            }
+
+            if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
+                return WithoutFrame(picture, contrast);
+            PixelMask mask = parts[0].ToMask(picture.Height);
+            if (!IsThick(mask))
+                throw new FormatException("No wing was found: the picture shows lines, but none that closes around a wing.");
+            int wings = parts.FindAll(part => part.Count > k_OtherWing * parts[0].Count && part.Extent >= k_ShortestWing).Count;
+            if (wings > 1)
+                throw new FormatException($"The picture shows {wings} wings or other things of similar size; it must show one wing alone.");
+            return new WingSeparation(contrast, mask);
+        }
+
+        // A line around the picture encloses everything.
+        private static WingSeparation WithoutFrame(WorkingPicture picture, EdgeContrast contrast)
+        {
+            PixelPlane excess = contrast.excess;
+            int band = 1 + (int)(k_Frame * Math.Max(picture.Width, picture.Height));
+            bool hadFrame = false;
+            for (int row = 0; row < picture.Height; row++)
+            {
+                for (int column = 0; column < picture.Width; column++)
+                {
+                    bool isInside = column >= band && row >= band && column < picture.Width - band && row < picture.Height - band;
+                    hadFrame |= !isInside && excess[column, row] > 0f;
+                    excess[column, row] = isInside ? excess[column, row] : Math.Min(-1f, excess[column, row]);
+                }
+            }
+
+            return hadFrame ? Of(picture, contrast) : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
+        }
+
+        private static PixelMask Solid(PixelPlane excess)
+        {
+            PixelMask mask = Above(excess), filled = mask.Filled();
+            bool isThick = IsThick(filled);
+            if (mask.Count < k_Solid * filled.Count || !isThick)
+            {
+                foreach ((double share, double gain) in s_Gaps)
+                {
+                    double radius = 1.0 + share * Math.Max(mask.width, mask.height);
+                    PixelMask closed = mask.Grown(radius).Filled().Shrunk(radius);
+                    filled = closed.Count > gain * filled.Count ? closed : filled;
+                }
+
+                isThick = IsThick(filled);
+            }
+
+            return isThick ? filled.Shrunk(k_Whisker).Grown(k_Whisker) : filled;
+        }
+
+        // Whether it is more than lines.
+        private static bool IsThick(PixelMask mask)
+        {
+            List<PixelPart> parts = mask.Parts();
+            if (parts.Count == 0)
+                return false;
+            double radius = Math.Max(1.0, 0.5 * k_LeastThickness * parts[0].Extent);
+            double least = k_ThickShare * parts[0].Count;
+            PixelMask core = parts[0].ToMask(mask.height).Shrunk(radius);
+            return core.Count > least || core.Grown(radius).Count > least;
+        }
+
+        private static PixelMask Above(PixelPlane excess)
+        {
+            var mask = new PixelMask(excess.width, excess.height);
+            for (int row = 0; row < excess.height; row++)
+            {
+                for (int column = 0; column < excess.width; column++)
+                    mask[column, row] = excess[column, row] > 0f;
+            }
+
+            return mask;
+        }
+    }
+}

@@ -1,0 +1,90 @@
+using System;
+using UnityEngine;
+
+namespace Alate.Authoring
+{
+    /// <summary>A picture shrunk by a whole factor to a size at which a wing is traced in a moment, as planes from 0 to 255.</summary>
+    internal sealed class WorkingPicture
+    {
+        /// <summary>Longest side, pixels. A thousandth of a wing is far finer than any wing is meshed.</summary>
+        private const int k_LongestSide = 1400;
+
+        /// <summary>Alpha below which a pixel counts as transparent.</summary>
+        private const int k_Transparent = 128;
+
+        private WorkingPicture(WingPicture picture)
+        {
+            Factor = (Math.Max(picture.Width, picture.Height) + k_LongestSide - 1) / k_LongestSide;
+            int width = picture.Width / Factor, height = picture.Height / Factor;
+            Red = new PixelPlane(width, height);
+            Green = new PixelPlane(width, height);
+            Blue = new PixelPlane(width, height);
+            Alpha = new PixelPlane(width, height);
+        }
+
+        /// <summary>Pixels of the picture along a side of one of these.</summary>
+        public int Factor { get; }
+
+        public PixelPlane Red { get; }
+
+        public PixelPlane Green { get; }
+
+        public PixelPlane Blue { get; }
+
+        public PixelPlane Alpha { get; }
+
+        public int Width => Alpha.width;
+
+        public int Height => Alpha.height;
+
+        /// <summary>Whether the ground is transparent: most of the picture's border is.</summary>
+        public bool HasTransparentGround { get; private set; }
+
+        public static WorkingPicture Of(WingPicture picture)
+        {
+            var working = new WorkingPicture(picture);
+            for (int row = 0; row < working.Height; row++)
+            {
+                for (int column = 0; column < working.Width; column++)
+                    working.Average(picture, column, row);
+            }
+
+            working.HasTransparentGround = TransparentShareOfBorder(picture) > 0.5;
+            return working;
+        }
+
+        private void Average(WingPicture picture, int column, int row)
+        {
+            int red = 0, green = 0, blue = 0, alpha = 0;
+            for (int y = row * Factor; y < (row + 1) * Factor; y++)
+            {
+                for (int x = column * Factor; x < (column + 1) * Factor; x++)
+                {
+                    Color32 pixel = picture[x, y];
+                    red += pixel.r;
+                    green += pixel.g;
+                    blue += pixel.b;
+                    alpha += pixel.a;
+                }
+            }
+
+            float share = 1f / (Factor * Factor);
+            Red[column, row] = share * red;
+            Green[column, row] = share * green;
+            Blue[column, row] = share * blue;
+            Alpha[column, row] = share * alpha;
+        }
+
+        private static double TransparentShareOfBorder(WingPicture picture)
+        {
+            int transparent = 0;
+            for (int x = 0; x < picture.Width; x++)
+                transparent += IsTransparent(picture[x, 0]) + IsTransparent(picture[x, picture.Height - 1]);
+            for (int y = 1; y + 1 < picture.Height; y++)
+                transparent += IsTransparent(picture[0, y]) + IsTransparent(picture[picture.Width - 1, y]);
+            return transparent / (2.0 * (picture.Width + picture.Height - 2));
+        }
+
+        private static int IsTransparent(Color32 pixel) => pixel.a < k_Transparent ? 1 : 0;
+    }
+}

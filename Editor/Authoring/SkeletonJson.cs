@@ -1,0 +1,92 @@
+using System;
+using System.Globalization;
+using System.Text;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Authoring
+{
+    /// <summary>Skeletons as JSON text, to carry them between tools.</summary>
+    /// <remarks>
+    /// <c>{"version":1,"hinge":[x,y,z],"span":[x,y,z],"up":[x,y,z],"chains":[[[x,y,z],…],…]}</c>: chains from leading to trailing
+    /// edge, joints from root to tip, positions in mesh space. All keys are required, in any order, and there are no others.
+    /// </remarks>
+    public static class SkeletonJson
+    {
+        internal const string k_Version = "version";
+        internal const string k_Hinge = "hinge";
+        internal const string k_Span = "span";
+        internal const string k_Up = "up";
+        internal const string k_Chains = "chains";
+
+        /// <summary>The skeleton as text, one chain a line; reading it gives the same numbers to the last bit.</summary>
+        /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
+        /// <exception cref="ArgumentException">A number is not finite, which JSON cannot say.</exception>
+        public static string Write(WingSkeleton skeleton) => Write(skeleton, default);
+
+        /// <summary>The JSON text of a skeleton whose positions are counted from a place of the space that the text is in.</summary>
+        internal static string Write(WingSkeleton skeleton, (double x, double y, double z) origin)
+        {
+            if (skeleton == null)
+                throw new ArgumentNullException(nameof(skeleton));
+            var text = new StringBuilder();
+            text.Append("{\n  \"").Append(k_Version).Append("\": ").Append(WingSkeleton.CurrentVersion);
+            AppendMember(text, k_Hinge, skeleton.Hinge, origin);
+            AppendMember(text, k_Span, skeleton.SpanAxis, default);
+            AppendMember(text, k_Up, skeleton.UpAxis, default);
+            AppendKey(text, k_Chains).Append('[');
+            JointChain[] chains = skeleton.Chains;
+            for (int i = 0; i < chains.Length; i++)
+            {
+                text.Append(i == 0 ? "\n    [" : ",\n    [");
+                for (int j = 0; j < chains[i].Length; j++)
+                    Append(j == 0 ? text : text.Append(", "), chains[i].joints[j], origin);
+                text.Append(']');
+            }
+
+            return text.Append("\n  ]\n}\n").ToString();
+        }
+
+        /// <summary>The skeleton that a text describes. Whether it is usable, <see cref="WingSkeleton.Validate"/> says.</summary>
+        /// <exception cref="ArgumentNullException">There is no text.</exception>
+        /// <exception cref="FormatException">The text is not such a skeleton; the message says where and why, in one line.</exception>
+        public static WingSkeleton Read(string json) => Read(json, default);
+
+        /// <summary>The skeleton that a text describes, its positions counted from a place of the text's space.</summary>
+        internal static WingSkeleton Read(string json, (double x, double y, double z) origin)
+        {
+            if (json == null)
+                throw new ArgumentNullException(nameof(json));
+            SkeletonJsonReader.Content content = new SkeletonJsonReader(json, origin).Read();
+            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            skeleton.Hinge = content.hinge;
+            skeleton.SpanAxis = content.span;
+            skeleton.UpAxis = content.up;
+            skeleton.Chains = content.chains;
+            return skeleton;
+        }
+
+        private static void AppendMember(StringBuilder text, string key, Vector3 value, (double x, double y, double z) origin) =>
+            Append(AppendKey(text, key), value, origin);
+
+        private static StringBuilder AppendKey(StringBuilder text, string key) => text.Append(",\n  \"").Append(key).Append("\": ");
+
+        private static void Append(StringBuilder text, Vector3 v, (double x, double y, double z) origin)
+        {
+            if (!math.all(math.isfinite((float3)v)))
+                throw new ArgumentException("A skeleton with a number that is not finite cannot be written as JSON.");
+            text.Append('[').Append(Number(v.x, origin.x)).Append(", ").Append(Number(v.y, origin.y)).Append(", ").Append(Number(v.z, origin.z)).Append(']');
+        }
+
+        // The shortest of the two formats that comes back as the same number.
+        private static string Number(float value, double origin)
+        {
+            if (origin != 0.0)
+                return (origin + value).ToString("R", CultureInfo.InvariantCulture);
+            string shortest = value.ToString("R", CultureInfo.InvariantCulture);
+            return float.Parse(shortest, CultureInfo.InvariantCulture) == value
+                ? shortest
+                : value.ToString("G9", CultureInfo.InvariantCulture);
+        }
+    }
+}

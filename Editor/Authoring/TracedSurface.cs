@@ -1,0 +1,33 @@
+using System;
+using Alate.Geometry;
+using UnityEngine;
+
+namespace Alate.Authoring
+{
+    /// <summary>The mesh of a traced wing as a user gets it.</summary>
+    internal static class TracedSurface
+    {
+        /// <summary>The triangles in the plane y = 0, facing up, with the picture's texture coordinates.</summary>
+        public static SurfaceMesh Make(TriangleLinks mesh, WingPlacement placement)
+        {
+            var normals = new Vector3[mesh.points.Length];
+            Array.Fill(normals, Vector3.up);
+            return new SurfaceMesh
+            {
+                positions = Array.ConvertAll(mesh.points, placement.ToMesh),
+                normals = normals,
+                uvs = Array.ConvertAll(mesh.points, placement.ToTexture),
+                triangles = FacingUp(mesh),
+            };
+        }
+
+        /// <summary>Vertex indices, three a triangle; counterclockwise seen from above faces down where Z points up in the plan.</summary>
+        public static int[] FacingUp(TriangleLinks mesh)
+        {
+            int[] triangles = mesh.corners.ToArray();
+            for (int k = 0; k < triangles.Length; k += 3)
+                (triangles[k + 1], triangles[k + 2]) = (triangles[k + 2], triangles[k + 1]);
+            return triangles;
+        }
+    }
+}

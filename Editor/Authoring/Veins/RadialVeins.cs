@@ -1,0 +1,141 @@
+using System;
+using System.Collections.Generic;
+using Alate.Geometry;
+
+namespace Alate.Authoring
+{
+    /// <summary>Finds the veins that run from near the hinge to the margin among all that a picture shows.</summary>
+    internal sealed class RadialVeins
+    {
+        /// <summary>Share of the way from the hinge to the margin that must be seen.</summary>
+        private const double k_LeastCoverage = 0.55;
+
+        /// <summary>Share of the way that two veins may have in common and still be two.</summary>
+        private const double k_MostShared = 0.7;
+
+        /// <summary>Length over which a vein's direction at its end is taken, a share of the wing's length.</summary>
+        private const double k_EndLength = 0.06;
+
+        /// <summary>Length at the end of a vein that is passed over, and distance from the margin beyond which it also turns outward; shares of the wing's length.</summary>
+        private const double k_Bent = 0.015, k_FarRim = 0.08;
+
+        /// <summary>Cosine of the most that a vein may turn from the line from the hinge at its end; others run along the margin or across.</summary>
+        private const double k_LeastCosine = 0.5;
+
+        /// <summary>
+        /// A line that keeps this close to the outline, a share of the wing's length and at most of its mean chord, over this share of its way is the
+        /// outline's own.
+        /// </summary>
+        private const double k_RimLine = 0.03, k_RimChord = 0.2, k_AlongRim = 0.6;
+
+        private readonly VeinGraph m_Graph;
+        private readonly VeinTree m_Tree;
+        private readonly RimLine m_Rim;
+        private readonly PlanPoint m_Hinge;
+        private readonly double m_Length;
+
+        private RadialVeins(VeinGraph graph, RimLine rim, PlanPoint hinge, double length)
+        {
+            m_Graph = graph;
+            m_Tree = new VeinTree(graph, hinge);
+            m_Rim = rim;
+            m_Hinge = hinge;
+            m_Length = length;
+        }
+
+        /// <summary>The veins, the best covered first. All places and lengths are in the pixels of the graph, z up.</summary>
+        public static List<RadialVein> Find(VeinGraph graph, RimLine rim, PlanPoint hinge, double length)
+        {
+            var search = new RadialVeins(graph, rim, hinge, length);
+            var found = new List<(RadialVein Vein, List<int> Way)>();
+            for (int vertex = 0; vertex < graph.Count; vertex++)
+            {
+                if (graph.IsNode(vertex) && search.Try(vertex, out RadialVein vein, out List<int> way))
+                    found.Add((vein, way));
+            }
+
+            found.Sort((a, b) => b.Vein.Coverage.CompareTo(a.Vein.Coverage));
+            var kept = new List<RadialVein>();
+            var taken = new List<HashSet<int>>();
+            foreach ((RadialVein vein, List<int> way) in found)
+            {
+                if (taken.Exists(other => way.FindAll(other.Contains).Count > k_MostShared * way.Count))
+                    continue;
+                taken.Add(new HashSet<int>(way));
+                kept.Add(vein);
+            }
+
+            return kept;
+        }
+
+        private bool Try(int vertex, out RadialVein vein, out List<int> way)
+        {
+            vein = null;
+            way = m_Tree.WayTo(vertex);
+            double covered = m_Tree.CoveredTo(vertex) - Trim(way);
+            if (way.Count < 3)
+                return false;
+            PlanPoint end = m_Graph[way[way.Count - 1]], outward = Unit(end - m_Hinge), direction = DirectionAtEnd(way);
+            if (PlanPoint.Dot(direction, outward) < k_LeastCosine)
+                return false;
+            double rest = m_Rim.Meet(end, direction, -1, out int met);
+            if (rest > k_FarRim * m_Length)
+            {
+                direction = Unit(direction + outward);
+                rest = m_Rim.Meet(end, direction, -1, out met);
+            }
+
+            double whole = Math.Sqrt((m_Graph[way[0]] - m_Hinge).LengthSquared) + PathLength(way) + rest;
+            if (met < 0 || covered < k_LeastCoverage * whole)
+                return false;
+            var path = new List<PlanPoint> { m_Hinge };
+            foreach (int pixel in way)
+                path.Add(m_Graph[pixel]);
+            PlanPoint tip = end + direction * rest;
+            path.Add(tip);
+            if (IsRim(way))
+                return false;
+            vein = new RadialVein(VeinPath.Smoothed(path, 0.01 * m_Length), m_Rim.Nearest(tip), covered / whole);
+            return true;
+        }
+
+        private bool IsRim(List<int> way)
+        {
+            double close = Math.Min(k_RimLine * m_Length, k_RimChord * ClosedPath.Area(m_Rim.Points) / m_Length);
+            int along = way.FindAll(pixel => (m_Rim.At(m_Rim.Nearest(m_Graph[pixel])) - m_Graph[pixel]).LengthSquared < close * close).Count;
+            return along > k_AlongRim * way.Count;
+        }
+
+        // Lines bend where they meet the margin; the direction before that is the better one.
+        private double Trim(List<int> way)
+        {
+            double cut = 0.0;
+            while (way.Count > 3 && cut < k_Bent * m_Length)
+            {
+                cut += Math.Sqrt((m_Graph[way[way.Count - 1]] - m_Graph[way[way.Count - 2]]).LengthSquared);
+                way.RemoveAt(way.Count - 1);
+            }
+
+            return cut;
+        }
+
+        private PlanPoint DirectionAtEnd(List<int> way)
+        {
+            int from = way.Count - 1;
+            PlanPoint end = m_Graph[way[from]];
+            while (from > 0 && (end - m_Graph[way[from]]).LengthSquared < k_EndLength * k_EndLength * m_Length * m_Length)
+                from--;
+            return Unit(end - m_Graph[way[from]]);
+        }
+
+        private double PathLength(List<int> way)
+        {
+            double length = 0.0;
+            for (int k = 0; k + 1 < way.Count; k++)
+                length += Math.Sqrt((m_Graph[way[k + 1]] - m_Graph[way[k]]).LengthSquared);
+            return length;
+        }
+
+        private static PlanPoint Unit(PlanPoint vector) => vector * (1.0 / Math.Max(1e-12, Math.Sqrt(vector.LengthSquared)));
+    }
+}

@@ -1,0 +1,96 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Xml.Linq;
+using Alate.Cli.Projects;
+using NUnit.Framework;
+
+namespace Alate.Tests.Architecture
+{
+    /// <summary>The rooms of the package and the arrows between them: each goes one way.</summary>
+    public sealed class ArrowsTests
+    {
+        private static IEnumerable<string> Assemblies => Rooms.Assemblies.Keys;
+
+        [Test]
+        public void BetweenAssemblies_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenAssemblies(Rooms.Assemblies), Is.Empty);
+
+        [Test]
+        public void BetweenTheRoomsOfTheModel_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenRooms(Rooms.Model), Is.Empty);
+
+        [Test]
+        public void NoRoom_LiesOnACircle()
+        {
+            AssertNoCircle(Rooms.Assemblies);
+            AssertNoCircle(Rooms.Model);
+        }
+
+        [Test]
+        public void AMissingArrow_IsToldWithFileTypeAndRule()
+        {
+            var rooms = new Dictionary<string, string[]>(Rooms.Model) { ["State"] = ["Soa"] };
+            var assemblies = new Dictionary<string, string[]>(Rooms.Assemblies) { ["Alate.Fitting"] = ["Alate.Model"] };
+
+            Assert.That(
+                Rooms.BetweenRooms(rooms).Select(violation => violation.ToString()),
+                Has.Member("Runtime/Model/State/WingPack.cs: WingPack uses RigView; there is no arrow State -> Rig"));
+            Assert.That(
+                Rooms.BetweenAssemblies(assemblies).Select(violation => violation.ToString()),
+                Has.Member("Runtime/Fitting/FanChains.cs: FanChains uses PlanPoint; there is no arrow Alate.Fitting -> Alate.Geometry"));
+        }
+
+        [TestCaseSource(nameof(Assemblies))]
+        public void EveryType_IsFoundInAFile(string assembly)
+        {
+            Dictionary<string, string> files = Rooms.Files(assembly);
+
+            Assert.That(Rooms.Types(assembly).Select(type => type.Name.Split('`')[0]), Is.SubsetOf(files.Keys));
+        }
+
+        [TestCaseSource(nameof(Assemblies))]
+        public void AssemblyDefinitionAndProject_SayTheSame(string assembly)
+        {
+            using JsonDocument definition = Definition(assembly);
+            XElement project = XElement.Load(Path.Combine(PackageRoot.Find(), "Headless~", assembly, assembly + ".csproj"));
+            IEnumerable<string> defined = definition.RootElement.GetProperty("references").EnumerateArray()
+                .Select(reference => reference.GetString()).Where(Rooms.Assemblies.ContainsKey);
+            IEnumerable<string> built = project.Descendants("ProjectReference")
+                .Select(reference => Path.GetFileNameWithoutExtension(reference.Attribute("Include").Value)).Where(Rooms.Assemblies.ContainsKey);
+
+            Assert.That(definition.RootElement.GetProperty("name").GetString(), Is.EqualTo(assembly));
+            Assert.That(defined, Is.EquivalentTo(Rooms.Assemblies[assembly]));
+            Assert.That(built, Is.EquivalentTo(Rooms.Assemblies[assembly]));
+            Assert.That(project.Descendants("AllowUnsafeBlocks").Single().Value == "true", Is.EqualTo(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean()));
+            Assert.That(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean(), Is.EqualTo(assembly == "Alate.Model"));
+        }
+
+        [TestCaseSource(nameof(Assemblies))]
+        public void OnlyWhatStandsInEditor_IsLeftOutOfPlayers(string assembly)
+        {
+            using JsonDocument definition = Definition(assembly);
+            string[] platforms = definition.RootElement.GetProperty("includePlatforms").EnumerateArray().Select(platform => platform.GetString()).ToArray();
+
+            Assert.That(platforms, Is.EqualTo(Rooms.Folders[assembly].StartsWith("Editor") ? new[] { "Editor" } : new string[0]));
+        }
+
+        private static JsonDocument Definition(string assembly) =>
+            JsonDocument.Parse(File.ReadAllText(Path.Combine(PackageRoot.Find(), Rooms.Folders[assembly], assembly + ".asmdef")));
+
+        private static void AssertNoCircle(IReadOnlyDictionary<string, string[]> arrows)
+        {
+            foreach (string room in arrows.Keys)
+            {
+                var reached = new HashSet<string>();
+                var open = new Stack<string>(arrows[room]);
+                while (open.TryPop(out string next))
+                {
+                    if (reached.Add(next))
+                        arrows[next].ToList().ForEach(open.Push);
+                }
+
+                Assert.That(reached, Has.No.Member(room));
+            }
+        }
+    }
+}

@@ -1,8 +1,0 @@
-using System.Runtime.CompilerServices;
-
-[assembly: InternalsVisibleTo("Alate.Editor")]
-[assembly: InternalsVisibleTo("Alate.Tests")]
-[assembly: InternalsVisibleTo("Alate.Editor.Tests")]
-[assembly: InternalsVisibleTo("Alate.Benchmarks")]
-[assembly: InternalsVisibleTo("Alate.Cli")]
-[assembly: InternalsVisibleTo("Alate.Headless.Tests")]

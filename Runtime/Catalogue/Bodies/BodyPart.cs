@@ -1,0 +1,108 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// One closed piece of a body, millimetres: triangles that face outwards, smooth normals, and texture coordinates from 0 to 1 of the piece itself, u around it
+    /// (0 on its upper line, 1 on its lower one, the same on both sides, so that no seam is needed) and v along it.
+    /// </summary>
+    internal sealed class BodyPart
+    {
+        public Vector3[] Positions { get; private set; }
+
+        public Vector3[] Normals { get; private set; }
+
+        public Vector2[] Uvs { get; private set; }
+
+        public int[] Triangles { get; private set; }
+
+        /// <summary>How wide and how long the piece is when unrolled: half its girth and its length, millimetres.</summary>
+        public Vector2 Extent { get; private set; }
+
+        /// <summary>A piece from its triangles; smooth normals are made, and the winding is turned where the volume comes out negative.</summary>
+        public static BodyPart Of(Vector3[] positions, Vector2[] uvs, int[] triangles, Vector2 extent)
+        {
+            var outward = Volume(positions, triangles) >= 0 ? triangles : Turned(triangles);
+            return new BodyPart
+            {
+                Positions = positions,
+                Normals = SmoothNormals(positions, outward),
+                Uvs = uvs,
+                Triangles = outward,
+                Extent = extent,
+            };
+        }
+
+        /// <summary>The mirror image in the plane x = 0, with the same texture coordinates.</summary>
+        public BodyPart Mirrored()
+        {
+            return new BodyPart
+            {
+                Positions = Array.ConvertAll(Positions, MirrorX),
+                Normals = Array.ConvertAll(Normals, MirrorX),
+                Uvs = Uvs,
+                Triangles = Turned(Triangles),
+                Extent = Extent,
+            };
+        }
+
+        /// <summary>The same piece with its points moved; normals follow.</summary>
+        public BodyPart Moved(Func<Vector3, Vector3> move)
+        {
+            return Of(Array.ConvertAll(Positions, place => move(place)), Uvs, Triangles, Extent);
+        }
+
+        /// <summary>The same piece with other normals.</summary>
+        public BodyPart WithNormals(Vector3[] normals)
+        {
+            return new BodyPart { Positions = Positions, Normals = normals, Uvs = Uvs, Triangles = Triangles, Extent = Extent };
+        }
+
+        private static double Volume(Vector3[] positions, int[] triangles)
+        {
+            var volume = 0.0;
+            var origin = positions[0];
+            for (var corner = 0; corner < triangles.Length; corner += 3)
+            {
+                var a = positions[triangles[corner]] - origin;
+                var b = positions[triangles[corner + 1]] - origin;
+                volume += Vector3.Dot(a, Vector3.Cross(b, positions[triangles[corner + 2]] - origin));
+            }
+
+            return volume / 6;
+        }
+
+        private static Vector3[] SmoothNormals(Vector3[] positions, IReadOnlyList<int> triangles)
+        {
+            var normals = new Vector3[positions.Length];
+            for (var corner = 0; corner < triangles.Count; corner += 3)
+            {
+                var origin = positions[triangles[corner]];
+                var doubledArea = Vector3.Cross(positions[triangles[corner + 1]] - origin, positions[triangles[corner + 2]] - origin);
+                for (var c = corner; c < corner + 3; c++)
+                {
+                    normals[triangles[c]] += doubledArea;
+                }
+            }
+
+            // Not Vector3.normalized, which gives up on vectors as short as those of the smallest triangles.
+            return Array.ConvertAll(normals, normal => normal / normal.magnitude);
+        }
+
+        private static int[] Turned(int[] triangles)
+        {
+            var turned = (int[])triangles.Clone();
+            for (var corner = 0; corner < turned.Length; corner += 3)
+            {
+                turned[corner + 1] = triangles[corner + 2];
+                turned[corner + 2] = triangles[corner + 1];
+            }
+
+            return turned;
+        }
+
+        private static Vector3 MirrorX(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
+    }
+}

@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>Gathers the parts of a body and joins them to one mesh. Whatever is added comes out the same on both sides.</summary>
+    internal sealed class BodyParts
+    {
+        private readonly List<BodyPatch> m_Patches = new List<BodyPatch>();
+        private readonly List<Vector2> m_Extents = new List<Vector2>();
+
+        /// <summary>Adds a part of the middle, itself symmetric.</summary>
+        public BodyPatch Add(BodyPart part, BodyPaint paint) => Add(part, paint, false);
+
+        /// <summary>Adds a part of the right side and its twin on the left; both share one patch of the texture.</summary>
+        public BodyPatch AddPair(BodyPart right, BodyPaint paint) => Add(right, paint, true);
+
+        /// <summary>Adds hair that grew on the right side of a patch; it takes the texture of the skin it grows on.</summary>
+        public void AddFur(BodyPatch skin, BodyPart hair, BodyPaint paint)
+        {
+            m_Patches.Add(new BodyPatch(hair, paint, true, skin.Shelf));
+        }
+
+        /// <summary>All parts as one mesh, millimetres.</summary>
+        public SurfaceMesh Join()
+        {
+            var shelves = UvShelves.Lay(m_Extents);
+            var mesh = new Gathering();
+            foreach (var patch in m_Patches)
+            {
+                var colours = Colours(patch);
+                mesh.Append(patch.Part, colours, shelves[patch.Shelf]);
+                if (patch.IsPair)
+                {
+                    mesh.Append(patch.Part.Mirrored(), colours, shelves[patch.Shelf]);
+                }
+            }
+
+            return mesh.ToSurface();
+        }
+
+        private BodyPatch Add(BodyPart part, BodyPaint paint, bool isPair)
+        {
+            m_Patches.Add(new BodyPatch(part, paint, isPair, m_Extents.Count));
+            m_Extents.Add(part.Extent);
+            return m_Patches[m_Patches.Count - 1];
+        }
+
+        // A part of the middle is painted as its right half everywhere.
+        private static Color32[] Colours(BodyPatch patch)
+        {
+            var part = patch.Part;
+            var colours = new Color32[part.Positions.Length];
+            for (var vertex = 0; vertex < colours.Length; vertex++)
+            {
+                var place = part.Positions[vertex];
+                var normal = part.Normals[vertex];
+                if (place.x < 0f && !patch.IsPair)
+                {
+                    place.x = -place.x;
+                    normal.x = -normal.x;
+                }
+
+                colours[vertex] = patch.Paint(new BodyPoint(place, normal, part.Uvs[vertex]));
+            }
+
+            return colours;
+        }
+
+        private sealed class Gathering
+        {
+            private readonly List<Vector3> m_Positions = new List<Vector3>();
+            private readonly List<Vector3> m_Normals = new List<Vector3>();
+            private readonly List<Vector2> m_Uvs = new List<Vector2>();
+            private readonly List<Color32> m_Colours = new List<Color32>();
+            private readonly List<int> m_Triangles = new List<int>();
+
+            public void Append(BodyPart part, Color32[] colours, Rect shelf)
+            {
+                var first = m_Positions.Count;
+                m_Positions.AddRange(part.Positions);
+                m_Normals.AddRange(part.Normals);
+                m_Colours.AddRange(colours);
+                foreach (var uv in part.Uvs)
+                {
+                    m_Uvs.Add(new Vector2(shelf.x + uv.x * shelf.width, shelf.y + uv.y * shelf.height));
+                }
+
+                foreach (var vertex in part.Triangles)
+                {
+                    m_Triangles.Add(first + vertex);
+                }
+            }
+
+            public SurfaceMesh ToSurface()
+            {
+                return new SurfaceMesh
+                {
+                    positions = m_Positions.ToArray(),
+                    normals = m_Normals.ToArray(),
+                    uvs = m_Uvs.ToArray(),
+                    colours = m_Colours.ToArray(),
+                    triangles = m_Triangles.ToArray(),
+                };
+            }
+        }
+    }
+}

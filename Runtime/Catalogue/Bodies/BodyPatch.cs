@@ -1,0 +1,23 @@
+namespace Alate.Catalogue
+{
+    /// <summary>A part in its place on a body: how it is painted, whether it has a twin on the left, and which patch of the texture it takes.</summary>
+    internal sealed class BodyPatch
+    {
+        public BodyPatch(BodyPart part, BodyPaint paint, bool isPair, int shelf)
+        {
+            Part = part;
+            Paint = paint;
+            IsPair = isPair;
+            Shelf = shelf;
+        }
+
+        /// <summary>The part in the middle, or that of the right side.</summary>
+        public BodyPart Part { get; }
+
+        public BodyPaint Paint { get; }
+
+        public bool IsPair { get; }
+
+        public int Shelf { get; }
+    }
+}

@@ -1,0 +1,28 @@
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>A place on the right side of a body, as its colouring sees it.</summary>
+    internal readonly struct BodyPoint
+    {
+        public BodyPoint(Vector3 place, Vector3 normal, Vector2 uv)
+        {
+            Place = place;
+            Normal = normal;
+            Around = uv.x;
+            Along = uv.y;
+        }
+
+        /// <summary>Millimetres; x is 0 or positive.</summary>
+        public Vector3 Place { get; }
+
+        /// <summary>Outwards, unit length.</summary>
+        public Vector3 Normal { get; }
+
+        /// <summary>Round the part: 0 on its upper line, 1 on its lower one.</summary>
+        public float Around { get; }
+
+        /// <summary>Along the part: 0 at its beginning, 1 at its end.</summary>
+        public float Along { get; }
+    }
+}

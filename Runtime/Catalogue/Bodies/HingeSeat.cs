@@ -1,0 +1,72 @@
+using System;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// The flat area of a body's side on which a wing sits: within it the skin is moved to the plane of the hinge, around it the move fades out. So the root of the wing
+    /// lies on the skin, neither in the air nor inside.
+    /// </summary>
+    internal sealed class HingeSeat
+    {
+        /// <summary>How far the skin stays inside the plane of the hinge, of the hinge's distance from the middle.</summary>
+        private const float k_Inset = 0.003f;
+
+        /// <summary>Flat skin all round the root, of the root's length: wider than the triangles are, which span the edge of the flat area.</summary>
+        private const float k_Margin = 0.22f;
+
+        private readonly Vector3 m_Hinge;
+        private readonly float m_Front, m_Rear, m_HalfHeight, m_Fade;
+
+        private HingeSeat(Vector3 hinge, float front, float rear, float halfHeight, float fade)
+        {
+            m_Hinge = hinge;
+            m_Front = front;
+            m_Rear = rear;
+            m_HalfHeight = halfHeight;
+            m_Fade = fade;
+        }
+
+        /// <summary>The seat of a wing: its root with a margin all round, and a fade as wide as half the root.</summary>
+        public static HingeSeat Of(SpeciesWing wing)
+        {
+            var length = 1000f * (float)wing.Outline.Length;
+            var hinge = 1000f * wing.Hinge;
+            var front = hinge.z + length * (float)wing.Outline.LeadingAt(0);
+            var rear = hinge.z + length * (float)wing.Outline.TrailingAt(0);
+            var root = front - rear;
+            var margin = k_Margin * root;
+            return new HingeSeat(hinge, front + margin, rear - margin, margin, 0.5f * root);
+        }
+
+        /// <summary>The part with its skin moved to the seat, on both sides where it lies on both.</summary>
+        public BodyPart Press(BodyPart part) => part.Moved(Move);
+
+        /// <summary>Whether a place is on or near the seat, where hair would grow through the wing.</summary>
+        public bool Covers(Vector3 place) => Away(place) < 0.5;
+
+        private Vector3 Move(Vector3 place)
+        {
+            var away = Away(place);
+            var target = (1f - k_Inset) * m_Hinge.x;
+
+            // What lies deep inside, such as the middle line of the back, is no skin of the side.
+            if (away >= 1 || Math.Abs(place.x) < 0.5f * target)
+            {
+                return place;
+            }
+
+            var share = (float)(1 - away * away * (3 - 2 * away));
+            place.x += share * (Math.Sign(place.x) * target - place.x);
+            return place;
+        }
+
+        // From the flat area, in widths of the fade.
+        private double Away(Vector3 place)
+        {
+            var beyond = Math.Max(0f, Math.Max(place.z - m_Front, m_Rear - place.z));
+            var above = Math.Max(0f, Math.Abs(place.y - m_Hinge.y) - m_HalfHeight);
+            return Math.Sqrt(beyond * beyond + above * above) / m_Fade;
+        }
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// A simple body made by code: X to the right, Y up, Z ahead, the origin in the middle of the thorax. It carries the wings in a picture and does
+    /// not take part in the model.
+    /// </summary>
+    public sealed class InsectBody
+    {
+        private readonly Lazy<SurfaceMesh> m_Millimetres;
+
+        internal InsectBody(Action<BodyParts> build)
+        {
+            m_Millimetres = new Lazy<SurfaceMesh>(() => Build(build));
+        }
+
+        /// <summary>
+        /// The body as one mesh of closed parts that reach into one another, the same on both sides, with smooth normals, vertex colours, and texture coordinates in
+        /// which every part has a patch of its own and the left side shares that of the right. Alpha below 255 lets light through, as in a fish's fins.
+        /// </summary>
+        /// <param name="unitsPerMetre">Mesh units of one metre of the real insect.</param>
+        public SurfaceMesh CreateSurface(float unitsPerMetre)
+        {
+            var made = m_Millimetres.Value;
+            return new SurfaceMesh
+            {
+                positions = Array.ConvertAll(made.positions, position => position * (unitsPerMetre * 1e-3f)),
+                normals = (Vector3[])made.normals.Clone(),
+                uvs = (Vector2[])made.uvs.Clone(),
+                colours = (Color32[])made.colours.Clone(),
+                triangles = (int[])made.triangles.Clone(),
+            };
+        }
+
+        private static SurfaceMesh Build(Action<BodyParts> build)
+        {
+            var parts = new BodyParts();
+            build(parts);
+            return parts.Join();
+        }
+    }
+}

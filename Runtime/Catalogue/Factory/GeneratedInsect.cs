@@ -1,0 +1,27 @@
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// Holds on to what an insect made by <see cref="InsectFactory"/> shares with others of its species: it is freed when the last of them, clones included, is destroyed.
+    /// </summary>
+    [AddComponentMenu("")]
+    [DisallowMultipleComponent]
+    public sealed class GeneratedInsect : MonoBehaviour
+    {
+        // Serialised, so that a clone knows it too.
+        [SerializeField, HideInInspector]
+        private string m_Species;
+
+        internal string Species
+        {
+            set => m_Species = value;
+        }
+
+        private void Awake() => InsectKits.Take(m_Species);
+
+        private void OnEnable() => PlayEnd.Listen();
+
+        private void OnDestroy() => InsectKits.Return(m_Species);
+    }
+}

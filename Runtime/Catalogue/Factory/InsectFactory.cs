@@ -1,0 +1,70 @@
+using System;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// Makes ready insects of the catalogue by code, without assets: body, wings, materials and a living <see cref="InsectWings"/>. All insects of one species
+    /// share their meshes, skeletons and materials, those of one variant also their presets, which are hidden, are never saved, and go with the last of them.
+    /// </summary>
+    /// <remarks>
+    /// To tune one insect alone give it a preset of its own: <c>insect.Species = Object.Instantiate(insect.Species)</c>, and likewise each
+    /// <see cref="Wing.Species"/> of hind wings. Clones share as well; of clones that were never active keep the original.
+    /// Outside of play nothing is shared: what is made belongs to the scene and is saved in it. The menu <i>GameObject > Alate</i> makes assets instead.
+    /// </remarks>
+    public static class InsectFactory
+    {
+        /// <summary>An active insect at the origin, X right, Y up, Z ahead, ten times life size (<see cref="SpeciesDefinition.UnitsPerMetre"/>).</summary>
+        /// <param name="species">Its name in the catalogue, see <see cref="InsectCatalogue.Names"/>; capitals, spaces and hyphens do not matter.</param>
+        /// <param name="variant">Which numbers of the species are taken.</param>
+        /// <param name="preset">How the paper's equations are read.</param>
+        /// <exception cref="ArgumentException">There is no such species or variant; the message lists those there are.</exception>
+        /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
+        public static InsectWings Create(
+            string species, SpeciesVariant variant = SpeciesVariant.Standard, ModelPreset preset = ModelPreset.Physical)
+        {
+            return Create(InsectCatalogue.Find(species), variant, preset);
+        }
+
+        /// <inheritdoc cref="Create(string, SpeciesVariant, ModelPreset)"/>
+        /// <exception cref="ArgumentNullException">The species is null.</exception>
+        public static InsectWings Create(
+            SpeciesDefinition species, SpeciesVariant variant = SpeciesVariant.Standard, ModelPreset preset = ModelPreset.Physical)
+        {
+            if (species == null)
+                throw new ArgumentNullException(nameof(species));
+            CheckVariant(species, variant);
+            if (Application.isPlaying)
+                return Share(species, variant, preset);
+            InsectKit kit = InsectKit.Make(species);
+            return Activated(kit.Assemble(kit.CreatePresets(variant, preset)));
+        }
+
+        private static void CheckVariant(SpeciesDefinition species, SpeciesVariant variant)
+        {
+            foreach (SpeciesVariant known in species.Variants)
+            {
+                if (known == variant)
+                    return;
+            }
+
+            throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
+        }
+
+        private static InsectWings Share(SpeciesDefinition species, SpeciesVariant variant, ModelPreset preset)
+        {
+            SharedKit kit = InsectKits.Take(species.Name);
+            GameObject made = kit.Assemble(variant, preset);
+            made.AddComponent<GeneratedInsect>().Species = species.Name;
+            InsectWings insect = Activated(made);
+            InsectKits.Return(species.Name);
+            return insect;
+        }
+
+        private static InsectWings Activated(GameObject made)
+        {
+            made.SetActive(true);
+            return made.GetComponent<InsectWings>();
+        }
+    }
+}

@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.Text;
+
+namespace Alate.Catalogue
+{
+    /// <summary>The catalogue of species this package can make by itself.</summary>
+    public static class InsectCatalogue
+    {
+        private static readonly SpeciesDefinition[] s_All =
+        {
+            SpeciesMonarch.Define(),
+            SpeciesSwallowtail.Define(),
+            SpeciesFirefly.Define(),
+            SpeciesFishfly.Define(),
+            SpeciesPaintedLichenMoth.Define(),
+            SpeciesSnailfish.Define(),
+        };
+
+        /// <summary>Every species.</summary>
+        public static IReadOnlyList<SpeciesDefinition> All => s_All;
+
+        /// <summary>The names of all species, lower case with hyphens.</summary>
+        public static IReadOnlyList<string> Names { get; } = Array.ConvertAll(s_All, definition => definition.Name);
+
+        /// <summary>Finds a species by its name; capitals, spaces, hyphens and underscores do not matter.</summary>
+        /// <returns>Whether there is one.</returns>
+        public static bool TryFind(string name, out SpeciesDefinition definition)
+        {
+            var wanted = Plain(name);
+            definition = Array.Find(s_All, candidate => Plain(candidate.Name) == wanted);
+            return definition != null;
+        }
+
+        /// <summary>Finds a species by its name; capitals, spaces, hyphens and underscores do not matter.</summary>
+        /// <exception cref="ArgumentException">There is none; the message lists those there are.</exception>
+        public static SpeciesDefinition Find(string name)
+        {
+            return TryFind(name, out var definition)
+                ? definition
+                : throw new ArgumentException($"There is no species '{name}'. Known: {string.Join(", ", Names)}.");
+        }
+
+        /// <summary>The preset of a species' first wing.</summary>
+        /// <returns>Whether there is such a species; otherwise <paramref name="species"/> is null.</returns>
+        public static bool TryCreate(string name, out WingSpecies species)
+        {
+            species = TryFind(name, out var definition) ? definition.Wings[0].CreateSpecies() : null;
+            return species != null;
+        }
+
+        /// <summary>A monarch's wing by <see cref="ModelPreset.Physical"/>.</summary>
+        public static WingSpecies Monarch() => Find("monarch").Wings[0].CreateSpecies();
+
+        private static string Plain(string name)
+        {
+            var plain = new StringBuilder();
+            foreach (var letter in name ?? "")
+            {
+                if (char.IsLetterOrDigit(letter))
+                {
+                    plain.Append(char.ToLowerInvariant(letter));
+                }
+            }
+
+            return plain.ToString();
+        }
+    }
+}

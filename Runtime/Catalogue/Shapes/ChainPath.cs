@@ -1,0 +1,31 @@
+using Alate.Geometry;
+
+namespace Alate.Catalogue
+{
+    /// <summary>Where one chain of a skeleton runs: from the base to its tip on the margin, straight or by way of a place inside the wing.</summary>
+    internal readonly struct ChainPath
+    {
+        /// <param name="tip">The tip on the margin: share of its length from the leading corner of the base, 0 to 1.</param>
+        /// <param name="via">A place on the way, wing lengths; null for a straight chain.</param>
+        public ChainPath(double tip, (double X, double Z)? via = null)
+        {
+            Tip = tip;
+            Via = via;
+        }
+
+        public double Tip { get; }
+
+        public (double X, double Z)? Via { get; }
+
+        /// <summary>Straight chains to the given tips.</summary>
+        public static ChainPath[] Straight(params double[] tips) => System.Array.ConvertAll(tips, tip => new ChainPath(tip));
+
+        /// <summary>The way from a root.</summary>
+        public PlanarPath From((double X, double Z) root, (double X, double Z) tip)
+        {
+            return Via == null
+                ? PlanarPath.Line(root, tip)
+                : PlanarPath.Join(PlanarPath.Line(root, Via.Value), PlanarPath.Line(Via.Value, tip));
+        }
+    }
+}

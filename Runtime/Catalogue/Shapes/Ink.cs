@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>What patterns are drawn with: shapes with soft edges, each a share from 0 outside to 1 inside.</summary>
+    internal static class Ink
+    {
+        private const int k_EdgeSamples = 96;
+
+        /// <summary>1 within the limit, 0 beyond it, with a soft step of the given width.</summary>
+        public static float Within(double distance, double limit, double softness)
+        {
+            return (float)Math.Clamp(0.5 + (limit - distance) / Math.Max(softness, 1e-9), 0, 1);
+        }
+
+        /// <summary>1 between two limits.</summary>
+        public static float Between(double value, double from, double to, double softness)
+        {
+            return Math.Min(Within(value, to, softness), Within(-value, -from, softness));
+        }
+
+        /// <summary>1 in an ellipse whose axes lie along the span and across it.</summary>
+        public static float Ellipse(double x, double z, double radiusX, double radiusZ, double softness)
+        {
+            var size = Math.Min(radiusX, radiusZ);
+            return Within((Math.Sqrt(x * x / (radiusX * radiusX) + z * z / (radiusZ * radiusZ)) - 1) * size, 0, softness);
+        }
+
+        /// <summary>1 in the spots of a row that runs along an edge.</summary>
+        /// <param name="along">Where along the edge.</param>
+        /// <param name="distance">How far from the edge.</param>
+        /// <param name="spacing">From one spot to the next.</param>
+        /// <param name="depth">Of the spots' middles below the edge.</param>
+        /// <param name="radiusAlong">Half their length.</param>
+        /// <param name="radiusAcross">Half their width.</param>
+        /// <param name="softness">Width of their edges.</param>
+        public static float Row(
+            double along, double distance, double spacing, double depth, double radiusAlong, double radiusAcross, double softness)
+        {
+            var beside = along - spacing * (Math.Floor(along / spacing) + 0.5);
+            return Ellipse(beside, distance - depth, radiusAlong, radiusAcross, softness);
+        }
+
+        /// <summary>Points x, z, x, z, … of an edge over a range of span.</summary>
+        public static List<double> Edge(Func<double, double> edge, double from, double to)
+        {
+            var points = new List<double>();
+            for (var i = 0; i <= k_EdgeSamples; i++)
+            {
+                var span = from + (to - from) * i / k_EdgeSamples;
+                points.Add(span);
+                points.Add(edge(span));
+            }
+
+            return points;
+        }
+
+        /// <summary>Points x, z, x, z, … of a part of a wing's margin, between two shares of its length from the leading corner of the base.</summary>
+        public static List<double> Margin(WingOutline outline, double from, double to)
+        {
+            var margin = WingRim.Margin(outline);
+            var points = new List<double>();
+            for (var i = 0; i <= k_EdgeSamples; i++)
+            {
+                var (x, z) = margin.At(margin.Length * (from + (to - from) * i / k_EdgeSamples));
+                points.Add(x);
+                points.Add(z);
+            }
+
+            return points;
+        }
+
+        /// <summary>The same points with both ends led on straight, so that a band along them does not end in a round.</summary>
+        public static List<double> Extended(List<double> points, double by)
+        {
+            var last = points.Count - 2;
+            var (startX, startZ) = Beyond(points, 2, 0, by);
+            var (endX, endZ) = Beyond(points, last - 2, last, by);
+            var extended = new List<double> { startX, startZ };
+            extended.AddRange(points);
+            extended.Add(endX);
+            extended.Add(endZ);
+            return extended;
+        }
+
+        private static (double X, double Z) Beyond(List<double> points, int before, int end, double by)
+        {
+            var x = points[end] - points[before];
+            var z = points[end + 1] - points[before + 1];
+            var length = Math.Sqrt(x * x + z * z);
+            return (points[end] + by * x / length, points[end + 1] + by * z / length);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+using System;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// A clear wing: a tinted membrane that lets things behind it show through, and opaque veins that thin out towards the margin. Opacity is in the
+    /// colour's alpha; a material that ignores alpha shows a pale membrane.
+    /// </summary>
+    internal sealed class MembranePattern : WingPattern
+    {
+        private const double k_LeastFeature = 0.3, k_RimWidth = 0.008, k_ThinnestShare = 0.45, k_CrossShare = 0.6, k_Stem = 0.1;
+
+        private readonly VeinFan m_Veins;
+        private readonly StrokeSet m_Rim = new StrokeSet();
+        private readonly StrokeSet m_Costa = new StrokeSet();
+
+        /// <param name="outline">The outline to draw into.</param>
+        /// <param name="veins">The veins.</param>
+        public MembranePattern(WingOutline outline, VeinFan veins)
+        {
+            m_Veins = veins;
+            m_Rim.Add(Ink.Margin(outline, 0, 1));
+            m_Costa.Add(Ink.Margin(outline, 0, 0.47));
+        }
+
+        /// <summary>The membrane, its alpha the opacity.</summary>
+        public Color Membrane { get; set; }
+
+        /// <summary>The membrane near the base.</summary>
+        public Color Base { get; set; }
+
+        /// <summary>Veins and margin.</summary>
+        public Color Vein { get; set; }
+
+        /// <summary>Half width of a vein near the base, wing lengths.</summary>
+        public double VeinHalfWidth { get; set; } = 0.006;
+
+        /// <summary>Half width of the thickened leading edge.</summary>
+        public double CostaHalfWidth { get; set; } = 0.014;
+
+        /// <summary>Pale and dark dapples along the veins: how strong they are, 0 to 1.</summary>
+        public float Dapple { get; set; }
+
+        /// <summary>From one dapple to the next, wing lengths.</summary>
+        public double DappleLength { get; set; } = 0.05;
+
+        /// <inheritdoc/>
+        public override Color ColourAt(double span, double forward, double softness)
+        {
+            var fromBase = Math.Sqrt(span * span + forward * forward);
+            var colour = Color.Lerp(Membrane, Base, Ink.Within(fromBase, k_Stem, 2 * k_Stem));
+            var vein = m_Veins.Distance(span, forward, out var along);
+            if (Dapple > 0f)
+            {
+                var wave = Math.Sin(2 * Math.PI * fromBase / DappleLength) + Math.Sin(2 * Math.PI * (span - 1.3 * forward) / (1.7 * DappleLength));
+                var dark = (float)(Math.Clamp(0.6 * wave - 0.1, 0, 1) * Math.Exp(-Math.Pow(vein / (3 * VeinHalfWidth), 2)));
+                colour = Color.Lerp(colour, Vein, Dapple * dark);
+            }
+
+            var taper = Math.Min(k_ThinnestShare + 2.5 * along, Math.Max(k_ThinnestShare, 1 - 0.6 * along));
+            var width = Math.Max(VeinHalfWidth * taper, k_LeastFeature * softness);
+            var cross = Math.Max(k_CrossShare * VeinHalfWidth, k_LeastFeature * softness);
+            var drawn = Math.Max(Ink.Within(vein, width, softness), Ink.Within(m_Veins.CrossDistance(span, forward), cross, softness));
+            drawn = Math.Max(drawn, Ink.Within(m_Rim.Distance(span, forward, out _), k_RimWidth, softness));
+            drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out var ahead), CostaHalfWidth * (1 - 0.7 * ahead), softness));
+            return Color.Lerp(colour, Vein, drawn);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using System.Collections.Generic;
+
+namespace Alate.Catalogue
+{
+    /// <summary>Polylines in the plane of the wing, asked for the distance to the nearest of them.</summary>
+    internal sealed class StrokeSet
+    {
+        private readonly List<Stroke> m_Strokes = new List<Stroke>();
+        private StrokeGrid m_Grid;
+
+        /// <summary>Adds a polyline given as x, z, x, z, …; the way along it counts on from <paramref name="start"/>.</summary>
+        public StrokeSet Add(IReadOnlyList<double> coordinates, double start = 0)
+        {
+            for (var i = 0; i + 3 < coordinates.Count; i += 2)
+            {
+                var stroke = new Stroke(coordinates[i], coordinates[i + 1], coordinates[i + 2], coordinates[i + 3], start);
+                m_Strokes.Add(stroke);
+                start += stroke.length;
+            }
+
+            m_Grid = null;
+            return this;
+        }
+
+        /// <summary>Distance to the nearest stroke, and how far along its polyline the nearest point lies; the largest number without strokes.</summary>
+        public double Distance(double x, double z, out double along)
+        {
+            along = 0;
+            if (m_Strokes.Count == 0)
+            {
+                return double.MaxValue;
+            }
+
+            m_Grid ??= new StrokeGrid(m_Strokes.ToArray());
+            var nearest = double.MaxValue;
+            var around = m_Grid.Around(x, z);
+            for (var k = 0; k < around.Length; k++)
+            {
+                var distance = around[k].Distance(x, z, out var here);
+                if (distance < nearest)
+                {
+                    nearest = distance;
+                    along = here;
+                }
+            }
+
+            return nearest;
+        }
+    }
+}

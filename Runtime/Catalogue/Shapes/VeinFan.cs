@@ -1,0 +1,118 @@
+using System;
+using System.Collections.Generic;
+using Alate.Geometry;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// Veins of a wing or rays of a fin: curves from the base to the margin, their forks, and cross veins between neighbours. They are laid out by shares of the
+    /// margin, so that they fit whatever outline they are drawn into.
+    /// </summary>
+    internal sealed class VeinFan
+    {
+        private const int k_Steps = 20;
+
+        private readonly WingOutline m_Outline;
+        private readonly PlanarPath m_Margin;
+        private readonly double m_Gather;
+        private readonly List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)> m_Veins = new List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)>();
+        private readonly StrokeSet m_Strokes = new StrokeSet();
+        private readonly StrokeSet m_Crosses = new StrokeSet();
+
+        /// <param name="outline">The outline to draw into.</param>
+        /// <param name="gather">How closely veins follow the leading edge before they turn to their tips: 0 runs straight, 1 along the edge.</param>
+        public VeinFan(WingOutline outline, double gather)
+        {
+            m_Outline = outline;
+            m_Margin = WingRim.Margin(outline);
+            m_Gather = gather;
+        }
+
+        /// <summary>Adds veins from leading to trailing edge, their roots even on the base, their tips at shares of the margin.</summary>
+        public VeinFan Add(params double[] tips)
+        {
+            for (var k = 0; k < tips.Length; k++)
+            {
+                var across = (k + 0.5) / tips.Length;
+                var root = new PlanPoint(0, m_Outline.LeadingAt(0) - across * m_Outline.ChordAt(0));
+                var tip = OnMargin(tips[k]);
+                var span = 0.5 * tip.x;
+                var straight = 0.5 * (root.z + tip.z);
+                var bend = new PlanPoint(span, straight + m_Gather * (m_Outline.LeadingAt(span) - straight));
+                m_Veins.Add((root, bend, tip));
+                m_Strokes.Add(Curve(root, bend, tip));
+            }
+
+            return this;
+        }
+
+        /// <summary>Adds a branch: it leaves a vein at a share of its length for a share of the margin.</summary>
+        public VeinFan Fork(int vein, double at, double tip)
+        {
+            var from = On(vein, at);
+            var ahead = On(vein, Math.Min(1, at + 0.2));
+            m_Strokes.Add(Curve(from, ahead, OnMargin(tip)), at);
+            return this;
+        }
+
+        /// <summary>Adds cross veins from a vein to the next one, at shares of its length.</summary>
+        public VeinFan Cross(int vein, params double[] at)
+        {
+            foreach (var share in at)
+            {
+                var from = On(vein, share);
+                var to = Nearest(vein + 1, from);
+                m_Crosses.Add(new[] { from.x, from.z, to.x, to.z });
+            }
+
+            return this;
+        }
+
+        /// <summary>Distance to the nearest vein; how far along it is.</summary>
+        public double Distance(double span, double forward, out double along) => m_Strokes.Distance(span, forward, out along);
+
+        /// <summary>Distance to the nearest cross vein.</summary>
+        public double CrossDistance(double span, double forward) => m_Crosses.Distance(span, forward, out _);
+
+        private PlanPoint On(int vein, double t)
+        {
+            var (root, bend, tip) = m_Veins[vein];
+            return At(root, bend, tip, t);
+        }
+
+        private PlanPoint Nearest(int vein, PlanPoint point)
+        {
+            const int samples = 64;
+            var nearest = On(vein, 0);
+            for (var k = 1; k <= samples; k++)
+            {
+                var candidate = On(vein, (double)k / samples);
+                nearest = (candidate - point).LengthSquared < (nearest - point).LengthSquared ? candidate : nearest;
+            }
+
+            return nearest;
+        }
+
+        private PlanPoint OnMargin(double share)
+        {
+            var (x, z) = m_Margin.At(m_Margin.Length * share);
+            return new PlanPoint(x, z);
+        }
+
+        private static double[] Curve(PlanPoint root, PlanPoint bend, PlanPoint tip)
+        {
+            var points = new double[2 * (k_Steps + 1)];
+            for (var step = 0; step <= k_Steps; step++)
+            {
+                var point = At(root, bend, tip, (double)step / k_Steps);
+                points[2 * step] = point.x;
+                points[2 * step + 1] = point.z;
+            }
+
+            return points;
+        }
+
+        private static PlanPoint At(PlanPoint root, PlanPoint bend, PlanPoint tip, double t) =>
+            root * ((1 - t) * (1 - t)) + bend * (2 * t * (1 - t)) + tip * (t * t);
+    }
+}

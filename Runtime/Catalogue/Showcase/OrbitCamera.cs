@@ -1,0 +1,145 @@
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// Turns a camera about a point: drag to turn, with the right button or Shift to move, the wheel to come nearer. It listens to the events of IMGUI, so it works with the
+    /// old and the new input system alike. To look at insects in an empty scene, <see cref="Create"/> makes one with a light.
+    /// </summary>
+    [AddComponentMenu("Alate/Orbit Camera")]
+    [RequireComponent(typeof(Camera))]
+    [DisallowMultipleComponent]
+    public sealed class OrbitCamera : MonoBehaviour
+    {
+        private const float k_DegreesPerPixel = 0.3f, k_ZoomPerLine = 0.05f, k_SteepestPitch = 89f;
+        private const float k_LeastDistance = 0.05f, k_MostDistance = 1000f, k_NearShare = 0.02f;
+
+        [SerializeField]
+        [Tooltip("The point that is looked at, world units.")]
+        private Vector3 m_Target;
+
+        [SerializeField]
+        [Range(k_LeastDistance, k_MostDistance)]
+        [Tooltip("World units from the camera to the point.")]
+        private float m_Distance = 3f;
+
+        [SerializeField]
+        [Tooltip("Degrees to the side the camera looks to; 0 looks along Z.")]
+        private float m_Yaw = 145f;
+
+        [SerializeField]
+        [Range(-k_SteepestPitch, k_SteepestPitch)]
+        [Tooltip("Degrees the camera looks down.")]
+        private float m_Pitch = 25f;
+
+        /// <summary>The point that is looked at, world units.</summary>
+        public Vector3 Target
+        {
+            get => m_Target;
+            set => m_Target = value;
+        }
+
+        /// <summary>World units to the point, 0.05 to 1000 (clamped).</summary>
+        public float Distance
+        {
+            get => m_Distance;
+            set => m_Distance = Mathf.Clamp(value, k_LeastDistance, k_MostDistance);
+        }
+
+        /// <summary>Degrees to the side the camera looks to; 0 looks along Z.</summary>
+        public float Yaw
+        {
+            get => m_Yaw;
+            set => m_Yaw = value;
+        }
+
+        /// <summary>Degrees the camera looks down, −89 to 89 (clamped).</summary>
+        public float Pitch
+        {
+            get => m_Pitch;
+            set => m_Pitch = Mathf.Clamp(value, -k_SteepestPitch, k_SteepestPitch);
+        }
+
+        /// <summary>
+        /// A camera below an object, and a light on it where the scene has no directional light that is on, so that they go with it. Where there is a main camera this one draws over it; it is the main camera where there
+        /// is none.
+        /// </summary>
+        /// <param name="parent">What it goes with.</param>
+        /// <param name="target">The point to look at, world units.</param>
+        /// <param name="distance">World units to it.</param>
+        public static OrbitCamera Create(Transform parent, Vector3 target, float distance)
+        {
+            Camera main = Camera.main;
+            var made = new GameObject("Orbit Camera");
+            made.transform.SetParent(parent, false);
+            var camera = made.AddComponent<Camera>();
+            camera.clearFlags = CameraClearFlags.SolidColor;
+            camera.backgroundColor = new Color(0.62f, 0.68f, 0.7f);
+            if (main == null)
+                made.tag = "MainCamera";
+            else
+                camera.depth = main.depth + 1f;
+            if (!HasSun())
+                AddLight(made.transform);
+            var orbit = made.AddComponent<OrbitCamera>();
+            orbit.m_Target = target;
+            orbit.Distance = distance;
+            orbit.LateUpdate();
+            return orbit;
+        }
+
+        // A second one would wash everything out.
+        private static bool HasSun()
+        {
+            foreach (Light light in Resources.FindObjectsOfTypeAll<Light>())
+            {
+                // Prefabs are in no scene. While a scene wakes it does not count as loaded yet, nor its lights as enabled in their hierarchy.
+                if (light.type == LightType.Directional && light.enabled && light.gameObject.activeInHierarchy && light.gameObject.scene.IsValid())
+                    return true;
+            }
+
+            return false;
+        }
+
+        private static void AddLight(Transform camera)
+        {
+            var lamp = new GameObject("Light");
+            lamp.transform.SetParent(camera, false);
+            lamp.transform.localRotation = Quaternion.Euler(40f, 35f, 0f);
+            var light = lamp.AddComponent<Light>();
+            light.type = LightType.Directional;
+            light.intensity = 1.1f;
+        }
+
+        private void Awake() => useGUILayout = false;
+
+        private void OnGUI()
+        {
+            Event now = Event.current;
+            if (now.type == EventType.ScrollWheel)
+                Distance *= Mathf.Exp(k_ZoomPerLine * now.delta.y);
+            else if (now.type == EventType.MouseDrag && GUIUtility.hotControl == 0)
+                Drag(now);
+        }
+
+        private void Drag(Event drag)
+        {
+            if (drag.button != 0 || drag.shift)
+            {
+                float unitsPerPixel = 2f * m_Distance * Mathf.Tan(0.5f * Mathf.Deg2Rad * GetComponent<Camera>().fieldOfView) / Screen.height;
+                m_Target += unitsPerPixel * (drag.delta.y * transform.up - drag.delta.x * transform.right);
+                return;
+            }
+
+            m_Yaw += k_DegreesPerPixel * drag.delta.x;
+            Pitch += k_DegreesPerPixel * drag.delta.y;
+        }
+
+        private void LateUpdate()
+        {
+            Quaternion turned = Quaternion.Euler(m_Pitch, m_Yaw, 0f);
+            transform.SetPositionAndRotation(m_Target - turned * new Vector3(0f, 0f, m_Distance), turned);
+            GetComponent<Camera>().nearClipPlane = Mathf.Min(0.3f, k_NearShare * m_Distance);
+        }
+    }
+}

@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using Alate.Geometry;
+
+namespace Alate.Fitting
+{
+    /// <summary>
+    /// A harmonic function on the wing between its first and last chain: 0 on the first, 1 on the last, rising evenly along the base and
+    /// along the margin. Its level lines never meet, never leave the wing, run straight where the wing is plain and bend around its notches:
+    /// so the other chains follow them.
+    /// </summary>
+    internal sealed class FanField
+    {
+        /// <summary>Grid cells along the field's longer axis and across it.</summary>
+        private const int k_Along = 160;
+        private const int k_Across = 96;
+
+        /// <summary>Nodes beyond the domain that take the nearest boundary's value, so that level lines reach it.</summary>
+        private const int k_Rings = 2;
+
+        private const double k_Start = 0.5;
+        private const int k_MostSweeps = 2000;
+        private const double k_Converged = 1e-6;
+
+        private readonly PlanPoint m_Origin;
+        private readonly PlanPoint m_Along;
+        private readonly PlanPoint m_Across;
+        private readonly double m_StepAlong;
+        private readonly double m_StepAcross;
+        private readonly bool[] m_Inside = new bool[Columns * Rows];
+
+        /// <param name="rim">Corners of the domain, in order around it.</param>
+        /// <param name="rimValues">The function's values there; between two corners they run straight.</param>
+        /// <param name="axis">The direction in which the domain is long.</param>
+        public FanField(IReadOnlyList<PlanPoint> rim, IReadOnlyList<double> rimValues, PlanPoint axis)
+        {
+            m_Along = WingView.Unit(axis);
+            m_Across = new PlanPoint(-m_Along.z, m_Along.x);
+            double lowX = double.MaxValue, highX = double.MinValue, lowZ = double.MaxValue, highZ = double.MinValue;
+            foreach (PlanPoint p in rim)
+            {
+                double x = PlanPoint.Dot(p, m_Along), z = PlanPoint.Dot(p, m_Across);
+                lowX = Math.Min(lowX, x);
+                highX = Math.Max(highX, x);
+                lowZ = Math.Min(lowZ, z);
+                highZ = Math.Max(highZ, z);
+            }
+
+            m_StepAlong = (highX - lowX) / k_Along;
+            m_StepAcross = (highZ - lowZ) / k_Across;
+            double left = lowX - (k_Rings + 0.5) * m_StepAlong, low = lowZ - (k_Rings + 0.5) * m_StepAcross;
+            m_Origin = m_Along * left + m_Across * low;
+            Values = new double[Columns * Rows];
+            Array.Fill(Values, double.NaN);
+
+            FindInside(rim);
+            SetRim(new RimValues(rim, rimValues));
+            Solve();
+        }
+
+        public static int Columns => k_Along + 2 * k_Rings + 2;
+
+        public static int Rows => k_Across + 2 * k_Rings + 2;
+
+        /// <summary>[row · Columns + column] NaN beyond the rings around the domain.</summary>
+        public double[] Values { get; }
+
+        /// <summary>Where a fractional node lies.</summary>
+        public PlanPoint At(double column, double row) => m_Origin + m_Along * (column * m_StepAlong) + m_Across * (row * m_StepAcross);
+
+        /// <summary>The larger side of a grid cell.</summary>
+        public double CellSize => Math.Max(m_StepAlong, m_StepAcross);
+
+        private void FindInside(IReadOnlyList<PlanPoint> rim)
+        {
+            var turned = new PlanPoint[rim.Count];
+            for (int k = 0; k < turned.Length; k++)
+                turned[k] = new PlanPoint(PlanPoint.Dot(rim[k] - m_Origin, m_Along), PlanPoint.Dot(rim[k] - m_Origin, m_Across));
+            var rows = new PolygonRows(turned);
+            var crossings = new List<double>();
+            for (int row = 0; row < Rows; row++)
+            {
+                rows.FindCrossings(row * m_StepAcross, crossings);
+                for (int k = 0; k + 1 < crossings.Count; k += 2)
+                {
+                    int last = Math.Min((int)Math.Floor(crossings[k + 1] / m_StepAlong), Columns - 1);
+                    for (int column = Math.Max((int)Math.Ceiling(crossings[k] / m_StepAlong), 0); column <= last; column++)
+                        m_Inside[row * Columns + column] = true;
+                }
+            }
+        }
+
+        private void SetRim(RimValues rim)
+        {
+            for (int row = 0; row < Rows; row++)
+            {
+                for (int column = 0; column < Columns; column++)
+                {
+                    int node = row * Columns + column;
+                    if (m_Inside[node])
+                        Values[node] = k_Start;
+                    else if (HasInside(column, row))
+                        Values[node] = rim.Nearest(At(column, row));
+                }
+            }
+        }
+
+        private bool HasInside(int column, int row)
+        {
+            for (int z = Math.Max(row - k_Rings, 0); z <= Math.Min(row + k_Rings, Rows - 1); z++)
+            {
+                for (int x = Math.Max(column - k_Rings, 0); x <= Math.Min(column + k_Rings, Columns - 1); x++)
+                {
+                    if (m_Inside[z * Columns + x])
+                        return true;
+                }
+            }
+
+            return false;
+        }
+
+        // Successive over-relaxation.
+        private void Solve()
+        {
+            double ratio = m_StepAlong / m_StepAcross, across = ratio * ratio, share = 1.0 / (2.0 + 2.0 * across);
+            double over = 2.0 / (1.0 + Math.Sin(Math.PI / k_Across));
+            for (int sweep = 0; sweep < k_MostSweeps; sweep++)
+            {
+                double change = 0.0;
+                for (int node = 0; node < Values.Length; node++)
+                {
+                    if (!m_Inside[node])
+                        continue;
+                    double mean = share * (Values[node - 1] + Values[node + 1] + across * (Values[node - Columns] + Values[node + Columns]));
+                    double step = over * (mean - Values[node]);
+                    Values[node] += step;
+                    change = Math.Max(change, Math.Abs(step));
+                }
+
+                if (change < k_Converged)
+                    return;
+            }
+        }
+    }
+}

@@ -1,0 +1,77 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Fitting
+{
+    /// <summary>What a user may say when a skeleton is fitted to a mesh; start from <see cref="Default"/>. Mesh space throughout.</summary>
+    /// <remarks>
+    /// What is not said is guessed, with less confidence and a warning. Of the three places, the hinge counts before the body's point,
+    /// and that before the body's side.
+    /// </remarks>
+    public struct SkeletonFitSettings
+    {
+        /// <summary>Chains, <see cref="WingSkeleton.MinChains"/> to <see cref="WingSkeleton.MaxChains"/>.</summary>
+        public int chains;
+
+        /// <summary>Joints of each chain, <see cref="WingSkeleton.MinJoints"/> to <see cref="WingSkeleton.MaxJoints"/>.</summary>
+        public int jointsPerChain;
+
+        /// <summary>The point about which the wing turns, on its base; null when it is not known.</summary>
+        public Vector3? hinge;
+
+        /// <summary>A point of the body: the wing's base lies where the wing comes closest to it. Null when it is not known.</summary>
+        public Vector3? bodyPoint;
+
+        /// <summary>From the wing to the body, any length: the wing's base lies farthest that way. Null when it is not known.</summary>
+        public Vector3? bodySide;
+
+        /// <summary>The way the insect faces, any length: the leading edge lies on that side. Null to guess it from the shape.</summary>
+        public Vector3? forward;
+
+        /// <summary>
+        /// The wing's upper side, any length. Null for the side towards +Y, and where the wing stands upright for the side of its triangles' front.
+        /// </summary>
+        public Vector3? up;
+
+        /// <summary>Whether the surface's origin is not that of its mesh, and so tells nothing about the body.</summary>
+        internal bool isOriginUnknown;
+
+        /// <summary>Five chains of five joints on a wing that leads with its edge towards +Z, as insects face; its base is guessed.</summary>
+        public static SkeletonFitSettings Default => new SkeletonFitSettings
+        {
+            chains = 5, jointsPerChain = 5, forward = new Vector3(0f, 0f, 1f),
+        };
+
+        /// <exception cref="ArgumentOutOfRangeException">A count is out of its range.</exception>
+        /// <exception cref="ArgumentException">A place is not finite, or a direction is zero or not finite.</exception>
+        internal void Check()
+        {
+            CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "chains");
+            CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "joints in a chain");
+            CheckVector(hinge, "hinge", false);
+            CheckVector(bodyPoint, "body's point", false);
+            CheckVector(bodySide, "body's side", true);
+            CheckVector(forward, "forward direction", true);
+            CheckVector(up, "up direction", true);
+        }
+
+        private static void CheckCount(int count, int least, int most, string name, string what)
+        {
+            if (count < least || count > most)
+                throw new ArgumentOutOfRangeException(name, count, $"A skeleton has {least} to {most} {what}.");
+        }
+
+        private static void CheckVector(Vector3? given, string what, bool isDirection)
+        {
+            if (!(given is Vector3 v))
+                return;
+            if (!math.all(math.isfinite((float3)v)))
+                throw new ArgumentException($"The {what} to fit a skeleton by is not finite: {Text(v)}.");
+            if (isDirection && math.cmax(math.abs((float3)v)) == 0f)
+                throw new ArgumentException($"The {what} to fit a skeleton by is zero; it must point somewhere.");
+        }
+
+        private static string Text(Vector3 v) => FormattableString.Invariant($"({v.x}, {v.y}, {v.z})");
+    }
+}

@@ -1,0 +1,22 @@
+namespace Alate.Fitting
+{
+    /// <summary>One thing a <see cref="SkeletonFit"/> is unsure about.</summary>
+    public readonly struct SkeletonFitWarning
+    {
+        /// <summary>A warning with its sentence.</summary>
+        public SkeletonFitWarning(SkeletonFitWarningKind kind, string message)
+        {
+            Kind = kind;
+            Message = message;
+        }
+
+        /// <summary>What it is about.</summary>
+        public SkeletonFitWarningKind Kind { get; }
+
+        /// <summary>One sentence for the user, with the number or the object in question.</summary>
+        public string Message { get; }
+
+        /// <summary>The message.</summary>
+        public override string ToString() => Message;
+    }
+}

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate.Geometry
+{
+    /// <summary>
+    /// An outline in plan, counterclockwise, resampled at even steps of its arc length, so that nothing depends on where the mesh has
+    /// its vertices. Places on it are arc lengths, which wrap round.
+    /// </summary>
+    internal sealed class ClosedCurve
+    {
+        private readonly PlanPoint[] m_Samples;
+        private readonly PolygonRows m_Rows;
+
+        /// <param name="corners">At least three.</param>
+        /// <param name="samples">How many.</param>
+        public ClosedCurve(IReadOnlyList<PlanPoint> corners, int samples)
+        {
+            Length = 0.0;
+            for (int k = 0; k < corners.Count; k++)
+                Length += Math.Sqrt((corners[(k + 1) % corners.Count] - corners[k]).LengthSquared);
+            Step = Length / samples;
+            m_Samples = Resample(corners, samples);
+            m_Rows = new PolygonRows(m_Samples);
+        }
+
+        /// <summary>Points evenly round the curve; the first lies at 0.</summary>
+        public IReadOnlyList<PlanPoint> Samples => m_Samples;
+
+        /// <summary>Once round.</summary>
+        public double Length { get; }
+
+        /// <summary>Arc length between two samples.</summary>
+        public double Step { get; }
+
+        /// <summary>The arc length within one round, from 0.</summary>
+        public double Wrap(double s)
+        {
+            double wrapped = s - Length * Math.Floor(s / Length);
+            return wrapped < Length ? wrapped : 0.0;
+        }
+
+        /// <summary>The point at an arc length.</summary>
+        public PlanPoint At(double s)
+        {
+            double at = Wrap(s) / Step;
+            int before = Math.Min((int)at, m_Samples.Length - 1);
+            PlanPoint from = m_Samples[before], to = m_Samples[(before + 1) % m_Samples.Length];
+            return from + (to - from) * (at - before);
+        }
+
+        /// <summary>The way from one arc length to another, counterclockwise.</summary>
+        public double Distance(double from, double to) => Wrap(to - from);
+
+        /// <summary>Whether p lies inside.</summary>
+        public bool Contains(PlanPoint p) => m_Rows.Contains(p);
+
+        /// <summary>The arc length closest to p.</summary>
+        public double Nearest(PlanPoint p)
+        {
+            double least = double.MaxValue, found = 0.0;
+            for (int k = 0; k < m_Samples.Length; k++)
+            {
+                PlanPoint from = m_Samples[k], to = m_Samples[(k + 1) % m_Samples.Length];
+                double reach = (from - p).LengthSquared;
+                if (reach >= (Math.Sqrt(least) + Step) * (Math.Sqrt(least) + Step))
+                    continue;
+                double share = PlanPoint.ClosestOnSegment(p, from, to);
+                double distance = (from + (to - from) * share - p).LengthSquared;
+                if (distance >= least)
+                    continue;
+                least = distance;
+                found = (k + share) * Step;
+            }
+
+            return found;
+        }
+
+        private PlanPoint[] Resample(IReadOnlyList<PlanPoint> corners, int samples)
+        {
+            var points = new PlanPoint[samples];
+            int corner = 0;
+            double start = 0.0;
+            double stretch = Math.Sqrt((corners[1 % corners.Count] - corners[0]).LengthSquared);
+            for (int k = 0; k < samples; k++)
+            {
+                double at = k * Step;
+                while (start + stretch < at && corner + 1 < corners.Count)
+                {
+                    start += stretch;
+                    corner++;
+                    stretch = Math.Sqrt((corners[(corner + 1) % corners.Count] - corners[corner]).LengthSquared);
+                }
+
+                PlanPoint from = corners[corner], to = corners[(corner + 1) % corners.Count];
+                double share = stretch > 0.0 ? Math.Min((at - start) / stretch, 1.0) : 0.0;
+                points[k] = from + (to - from) * share;
+            }
+
+            return points;
+        }
+    }
+}

@@ -1,0 +1,37 @@
+namespace Alate.Geometry
+{
+    /// <summary>Numbers from 0 that are joined into sets, in close to linear time.</summary>
+    internal readonly struct DisjointSets
+    {
+        private readonly int[] m_Parents;
+
+        public DisjointSets(int count)
+        {
+            m_Parents = new int[count];
+            for (var member = 0; member < count; member++)
+                m_Parents[member] = member;
+        }
+
+        /// <summary>The lowest member of the set that a number is in.</summary>
+        public int Find(int member)
+        {
+            while (m_Parents[member] != member)
+            {
+                m_Parents[member] = m_Parents[m_Parents[member]];
+                member = m_Parents[member];
+            }
+
+            return member;
+        }
+
+        public void Join(int a, int b)
+        {
+            a = Find(a);
+            b = Find(b);
+            if (a < b)
+                m_Parents[b] = a;
+            else
+                m_Parents[a] = b;
+        }
+    }
+}

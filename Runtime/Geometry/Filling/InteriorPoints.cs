@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate.Geometry
+{
+    /// <summary>Places vertices inside an outline: on a lattice of equilateral triangles, an exact number of them, clear of the rim.</summary>
+    internal static class InteriorPoints
+    {
+        /// <summary>Least distance from the rim, in steps of the lattice.</summary>
+        private const double k_Clearance = 0.55;
+
+        private const int k_Rounds = 30;
+
+        /// <summary>Least step over that of points spread evenly; where those find no room, smaller ones hardly do.</summary>
+        private const double k_LeastStep = 0.2;
+
+        /// <summary>Sideways shift of the lattice, in steps, so that it never lies on lines of the outline.</summary>
+        private const double k_ShiftX = 0.137, k_ShiftZ = 0.291;
+
+        /// <summary>That many places inside; fewer where there is no room.</summary>
+        public static List<PlanPoint> Place(List<PlanPoint> rim, int count)
+        {
+            var found = new List<(double Clearance, PlanPoint Point)>();
+            if (count <= 0)
+                return new List<PlanPoint>();
+            double area = ClosedPath.Area(rim), high = 2.0 * Math.Sqrt(area / count) + 2.0 * area / ClosedPath.Length(rim);
+            double low = k_LeastStep * Math.Sqrt(area / count);
+            // The coarsest lattice that has them all; the ones nearest to the rim are left out then.
+            for (int round = 0; round < k_Rounds && (round < 8 || found.Count != count); round++)
+            {
+                double step = 0.5 * (low + high);
+                List<(double Clearance, PlanPoint Point)> lattice = Lattice(rim, step, 50 + 8 * count);
+                if (lattice.Count < count)
+                {
+                    high = step;
+                    continue;
+                }
+
+                found = lattice;
+                low = step;
+            }
+
+            found.Sort((a, b) => b.Clearance.CompareTo(a.Clearance));
+            return found.ConvertAll(place => place.Point).GetRange(0, Math.Min(count, found.Count));
+        }
+
+        private static List<(double Clearance, PlanPoint Point)> Lattice(List<PlanPoint> rim, double step, int limit)
+        {
+            var places = new List<(double Clearance, PlanPoint Point)>();
+            var grid = new RimGrid(rim, step);
+            double rise = Math.Sqrt(0.75) * step;
+            for (int row = 0; grid.Low + (row + k_ShiftZ) * rise < grid.High; row++)
+            {
+                for (int column = 0; grid.Left + column * step < grid.Right; column++)
+                {
+                    var point = new PlanPoint(grid.Left + (column + k_ShiftX + 0.5 * (row % 2)) * step, grid.Low + (row + k_ShiftZ) * rise);
+                    double clearance = grid.Clearance(point, 2.0 * step);
+                    if (clearance < k_Clearance * step)
+                        continue;
+                    places.Add((clearance, point));
+                    if (places.Count > limit)
+                        return places;
+                }
+            }
+
+            return places;
+        }
+    }
+}

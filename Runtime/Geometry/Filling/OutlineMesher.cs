@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate.Geometry
+{
+    /// <summary>Fills any outline that does not cross itself with an exact number of nearly equilateral triangles.</summary>
+    internal static class OutlineMesher
+    {
+        /// <summary>Share of the sides of an even mesh that may lie on the rim before the rim is made coarser.</summary>
+        private const double k_MostRim = 0.8;
+
+        /// <summary>How much coarser the rim gets each time, and how often.</summary>
+        private const double k_Coarser = 1.12;
+        private const int k_Tries = 24;
+
+        private const int k_SmoothingRounds = 20;
+
+        /// <summary>Random shifts of the vertices, in spacings: no three shall lie exactly in a line.</summary>
+        private const double k_Jitter = 1e-5;
+
+        /// <summary>Triangles and their links; the first points are the rim, counterclockwise.</summary>
+        /// <param name="outline">Counterclockwise; simple.</param>
+        /// <param name="triangleCount">Exact.</param>
+        /// <param name="rimCount">How many points are the rim.</param>
+        /// <exception cref="ArgumentException">So few triangles cannot fill the outline.</exception>
+        public static TriangleLinks Mesh(PlanPoint[] outline, int triangleCount, out int rimCount)
+        {
+            double even = Math.Sqrt(4.0 * ClosedPath.Area(outline) / (Math.Sqrt(3.0) * triangleCount));
+            for (int attempt = 0; attempt < k_Tries; attempt++, even *= k_Coarser)
+            {
+                // A triangulation of i points inside a rim of r has 2 i + r − 2 triangles.
+                List<PlanPoint> points = RimSampler.Sample(outline, even, triangleCount % 2 != 0);
+                rimCount = points.Count;
+                int inside = (triangleCount + 2 - rimCount) / 2;
+                if (rimCount > k_MostRim * (triangleCount + 2) && attempt + 1 < k_Tries && rimCount > 4)
+                    continue;
+                if (inside < 0 || !RimCheck.IsSimple(points))
+                    continue;
+                List<PlanPoint> lattice = InteriorPoints.Place(points, inside);
+                if (lattice.Count < inside)
+                    continue;
+                points.AddRange(lattice);
+                TriangleLinks mesh = DelaunayTriangulation.Inside(Jittered(points, k_Jitter * even), rimCount);
+                TriangleSmoothing.Run(mesh, rimCount, k_SmoothingRounds);
+                return mesh;
+            }
+
+            throw new ArgumentException($"The wing's outline cannot be filled with {triangleCount} triangles; ask for more.");
+        }
+
+        private static PlanPoint[] Jittered(List<PlanPoint> points, double shift)
+        {
+            var random = new Random(1);
+            return points.ConvertAll(p => new PlanPoint(p.x + shift * (random.NextDouble() - 0.5), p.z + shift * (random.NextDouble() - 0.5))).ToArray();
+        }
+    }
+}

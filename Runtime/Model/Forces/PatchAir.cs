@@ -1,0 +1,74 @@
+using System.Runtime.CompilerServices;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>Aerodynamic force on one surface element in an air stream (Eq. 9, 10).</summary>
+    internal static class PatchAir
+    {
+        /// <summary>Below this air speed, L/s, there is no force.</summary>
+        private const float k_LeastSpeed = 1e-6f;
+
+        /// <summary>Below this sine of the angle between stream and normal there is no lift.</summary>
+        private const float k_LeastTangent = 1e-6f;
+
+        /// <summary>The damping estimate divides by the sine of the angle of attack, never by less.</summary>
+        private const float k_LeastSine = 0.05f;
+
+        /// <summary>Eq. 9 and 10 for one element of four wings, at once; a wing's many elements take the three steps one after the other.</summary>
+        /// <param name="options">Coefficients and tangent.</param>
+        /// <param name="wind">V, air minus surface velocity.</param>
+        /// <param name="normal">Unit normal of the element.</param>
+        /// <param name="alongSpan">|V·e_s| for the printed tangent (base to tip); not read else.</param>
+        /// <param name="halfDensityArea">½ρ*A.</param>
+        public static unsafe PatchLoad Load(
+            in ModelOptions options, in SoaFloat3 wind, in SoaFloat3 normal, float4 alongSpan, float4 halfDensityArea)
+        {
+            PatchStream stream = Meet(wind, normal);
+            if (options.tangent == AirTangent.BaseToTip)
+                stream.tangential = alongSpan;
+            Coefficients.Evaluate(options, &stream, 1);
+            PatchLoad load;
+            load.force = Force(stream, wind, normal, halfDensityArea);
+            load.damping = Damping(stream, halfDensityArea, out load.sinAttack);
+            return load;
+        }
+
+        /// <summary>First step: the stream seen from the element.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static PatchStream Meet(in SoaFloat3 wind, in SoaFloat3 normal)
+        {
+            float4 speed2 = SoaFloat3.LengthSquared(wind);
+            float4 across = SoaFloat3.Dot(wind, normal);
+            PatchStream stream = default;
+            stream.speed = math.sqrt(speed2);
+            stream.across = across;
+            stream.along = math.sqrt(math.max(speed2 - across * across, 0f));
+            stream.tangential = stream.along;
+            return stream;
+        }
+
+        /// <summary>Third step, after <see cref="Coefficients.Evaluate"/>: the force.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static SoaFloat3 Force(in PatchStream stream, in SoaFloat3 wind, in SoaFloat3 normal, float4 halfDensityArea)
+        {
+            // Lift acts along unit(n − (n·D)D) = (|V| n − (V·n) V/|V|) / along, so both forces are a sum of n and V.
+            float4 speed = stream.speed, across = math.abs(stream.across);
+            float4 turned = math.select(stream.lift / math.max(stream.along, 1e-12f), 0f, stream.along < k_LeastTangent * speed);
+            float4 alive = math.select(halfDensityArea * speed, 0f, speed < k_LeastSpeed);
+            float4 lifting = alive * turned * (speed * speed);
+            return normal * math.select(lifting, -lifting, stream.across < 0f) + wind * (alive * (stream.drag - turned * across));
+        }
+
+        /// <summary>Estimate of −dF/dv, with the sine of the angle of attack.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static float4 Damping(in PatchStream stream, float4 halfDensityArea, out float4 sinAttack)
+        {
+            float4 inverse = 1f / math.max(stream.speed, 1e-12f);
+            sinAttack = math.abs(stream.across) * inverse;
+            float4 sine = math.max(sinAttack, k_LeastSine);
+            float4 slope = math.max(stream.lift * stream.along * inverse + stream.drag * sine, 0f);
+            return halfDensityArea * stream.speed * (1f + sine * sine) * slope / sine;
+        }
+    }
+}

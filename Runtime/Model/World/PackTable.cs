@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate
+{
+    /// <summary>
+    /// Which wings share a pack: those of one rig with the same model options and pacing. Packs are kept dense: a wing that leaves is replaced by
+    /// the last one of its group, state and all, so only one pack of a group has empty lanes.
+    /// </summary>
+    internal sealed class PackTable : IDisposable
+    {
+        private readonly Dictionary<Key, List<PackMemory>> m_Groups = new Dictionary<Key, List<PackMemory>>();
+        private readonly List<PackMemory> m_Packs = new List<PackMemory>();
+
+        /// <summary>All packs, in no particular order.</summary>
+        public IReadOnlyList<PackMemory> Packs => m_Packs;
+
+        /// <summary>Finds a lane for a wing.</summary>
+        public PackMemory Add(WingEntry entry, int wing)
+        {
+            var key = new Key(entry.rig, entry.parameters.options, entry.pacing);
+            if (!m_Groups.TryGetValue(key, out List<PackMemory> group))
+                m_Groups.Add(key, group = new List<PackMemory>());
+            PackMemory pack = group.Count > 0 ? group[group.Count - 1] : null;
+            if (pack == null || pack.Count == WingPack.Lanes)
+            {
+                pack = new PackMemory(entry.rig.ViewAt(entry.pacing.detail >= WingDetail.CoarsePatches), entry.parameters.options, entry.pacing);
+                group.Add(pack);
+                m_Packs.Add(pack);
+            }
+
+            entry.pack = pack;
+            entry.lane = pack.Add(wing, entry.parameters, entry.surroundings);
+            return pack;
+        }
+
+        /// <summary>Takes a wing out; another may move into its lane.</summary>
+        /// <returns>The wing that moved, or −1.</returns>
+        public int Remove(WingEntry entry)
+        {
+            var key = new Key(entry.rig, entry.pack.view.options, entry.pack.pacing);
+            List<PackMemory> group = m_Groups[key];
+            PackMemory last = group[group.Count - 1];
+            int lastLane = last.Count - 1;
+            int moved = -1;
+            if (last != entry.pack || lastLane != entry.lane)
+            {
+                moved = last.wings[lastLane];
+                entry.pack.Take(last, lastLane, entry.lane);
+            }
+
+            last.RemoveLast();
+            if (last.Count == 0)
+            {
+                group.RemoveAt(group.Count - 1);
+                m_Packs.Remove(last);
+                last.Dispose();
+                if (group.Count == 0)
+                    m_Groups.Remove(key);
+            }
+
+            return moved;
+        }
+
+        public void Dispose()
+        {
+            foreach (PackMemory pack in m_Packs)
+                pack.Dispose();
+            m_Packs.Clear();
+            m_Groups.Clear();
+        }
+
+        private readonly struct Key : IEquatable<Key>
+        {
+            private readonly WingRig m_Rig;
+            private readonly ModelOptions m_Options;
+            private readonly WingPacing m_Pacing;
+
+            public Key(WingRig rig, in ModelOptions options, in WingPacing pacing)
+            {
+                m_Rig = rig;
+                m_Options = options;
+                m_Pacing = pacing;
+            }
+
+            public bool Equals(Key other) =>
+                ReferenceEquals(m_Rig, other.m_Rig) && m_Pacing.Equals(other.m_Pacing) && m_Options.Equals(other.m_Options);
+
+            public override bool Equals(object other) => other is Key key && Equals(key);
+
+            public override int GetHashCode() => (m_Rig.GetHashCode() * 397 ^ m_Options.GetHashCode()) * 397 ^ m_Pacing.GetHashCode();
+        }
+    }
+}
