@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Text;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
@@ -11,6 +12,7 @@ namespace Alate.Authoring
     /// <c>{"version":1,"hinge":[x,y,z],"span":[x,y,z],"up":[x,y,z],"chains":[[[x,y,z],…],…]}</c>: chains from leading to trailing
     /// edge, joints from root to tip, positions in mesh space. All keys are required, in any order, and there are no others.
     /// </remarks>
+    [MovedFrom(true, "Alate", "Alate")]
     public static class SkeletonJson
     {
         internal const string k_Version = "version";

@@ -63,7 +63,7 @@ namespace Alate.Authoring
         {
             var fit = new TracedFit(mesh);
             if (hinge.Warning != null)
-                fit.Doubt((float)hinge.Confidence, hinge.Warning);
+                fit.Warn((float)hinge.Confidence, hinge.Warning);
             SkeletonFitSettings wanted = SkeletonFitSettings.Default;
             wanted.chains = settings.chains;
             wanted.jointsPerChain = settings.jointsPerChain;
@@ -113,17 +113,17 @@ namespace Alate.Authoring
             {
                 // The first fit took the straighter edge for the leading one; its last chain lies on the other side.
                 isLeft = PlanPoint.Dot(left, Chains[Chains.Length - 1][Chains[0].Length - 1] - Hinge) < 0.0;
-                Doubt(k_ShapeConfidence, settings.forward == null ? k_PointsUp : k_RunsAlong);
+                Warn(k_ShapeConfidence, settings.forward == null ? k_PointsUp : k_RunsAlong);
             }
             else if (settings.forward == null)
             {
-                Doubt(k_UpConfidence, k_UpperEdge);
+                Warn(k_UpConfidence, k_UpperEdge);
             }
 
             return (isLeft ? 1f : -1f) * new Vector3((float)left.x, 0f, (float)left.z);
         }
 
-        private void Doubt(float confidence, string warning)
+        private void Warn(float confidence, string warning)
         {
             Confidence *= confidence;
             m_Warnings.Add(warning);

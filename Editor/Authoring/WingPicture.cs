@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
@@ -7,6 +8,7 @@ namespace Alate.Authoring
     /// <remarks>
     /// Places in a picture are in pixels from its top left corner, x to the right and y down, so that the centre of the first pixel lies at (0.5, 0.5).
     /// </remarks>
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class WingPicture
     {
         /// <summary>Shortest side of a picture, pixels.</summary>

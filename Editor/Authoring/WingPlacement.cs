@@ -1,10 +1,12 @@
 using System;
 using Alate.Geometry;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
     /// <summary>How a wing's mesh lies in the picture that it was traced from: turned, scaled and moved, never mirrored.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public readonly struct WingPlacement
     {
         private readonly PlanPoint m_Hinge;

@@ -1,10 +1,12 @@
 using System.Collections.Generic;
 using Alate.Fitting;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
     /// <summary>What <see cref="WingTracer"/> found in a picture: places in it are in pixels from its top left corner, y down.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class WingTrace
     {
         internal WingTrace(

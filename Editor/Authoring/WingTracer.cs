@@ -2,10 +2,12 @@ using System;
 using System.Collections.Generic;
 using Alate.Geometry;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
     /// <summary>Makes a mesh and a skeleton from a picture of one wing: its outline, triangles that fill it, and chains along its veins.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public static class WingTracer
     {
         /// <summary>Where less than this share of the wing's rim is clear, the outline is in doubt.</summary>

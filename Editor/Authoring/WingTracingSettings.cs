@@ -1,9 +1,11 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
     /// <summary>What a user may say when a wing is traced from a picture; start from <see cref="Default"/>.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public struct WingTracingSettings
     {
         /// <summary>Fewest triangles.</summary>

@@ -32,17 +32,17 @@ namespace Alate.Editor
         private readonly LivePanel m_Live = new LivePanel();
         private readonly GizmoPanel m_Gizmos = new GizmoPanel();
         private readonly PresetPanel m_Presets = new PresetPanel(new PresetSaving(AssetPath.Ask));
-        private readonly SpeciesPanel m_Tuning = new SpeciesPanel();
+        private readonly PresetFields m_Tuning = new PresetFields();
         private readonly InsectFix m_Find = new FindWingsFix();
         private readonly InsectFix m_LayOut = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
 
-        private SerializedProperty m_Species, m_Wings, m_UpdateMode, m_StartPhase, m_Steering, m_Motion, m_Air, m_Quality, m_OnWingBeat;
+        private SerializedProperty m_Preset, m_Wings, m_UpdateMode, m_StartPhase, m_Steering, m_Motion, m_Air, m_Quality, m_OnWingBeat;
         private InsectWings[] m_Insects;
 
         private void OnEnable()
         {
             m_Insects = Array.ConvertAll(targets, chosen => (InsectWings)chosen);
-            m_Species = serializedObject.FindProperty("m_Species");
+            m_Preset = serializedObject.FindProperty("m_Preset");
             m_Wings = serializedObject.FindProperty("m_Wings");
             m_UpdateMode = serializedObject.FindProperty("m_UpdateMode");
             m_StartPhase = serializedObject.FindProperty("m_StartPhase");
@@ -51,12 +51,12 @@ namespace Alate.Editor
             m_Air = serializedObject.FindProperty("m_Air");
             m_Quality = serializedObject.FindProperty("m_Quality");
             m_OnWingBeat = serializedObject.FindProperty("m_OnWingBeat");
-            EditorApplication.update += Watch;
+            EditorApplication.update += RepaintWhileLive;
         }
 
         private void OnDisable()
         {
-            EditorApplication.update -= Watch;
+            EditorApplication.update -= RepaintWhileLive;
             m_Tuning.Close();
         }
 
@@ -65,12 +65,12 @@ namespace Alate.Editor
         {
             bool changed = serializedObject.UpdateIfRequiredOrScript();
             if (Event.current.type == EventType.Layout)
-                m_Status.Look(m_Insects, changed);
+                m_Status.Refresh(m_Insects, changed);
             if (m_Status.Draw())
                 Refresh();
-            EditorGUILayout.PropertyField(m_Species);
+            EditorGUILayout.PropertyField(m_Preset);
             serializedObject.ApplyModifiedProperties();
-            m_Tuning.Draw(m_Species);
+            m_Tuning.Draw(m_Preset);
             if (m_Presets.Draw(m_Insects, out FixOutcome saved))
                 Refresh(saved);
             DrawWings();
@@ -131,13 +131,13 @@ namespace Alate.Editor
         private void Refresh()
         {
             serializedObject.Update();
-            m_Status.Look(m_Insects, true);
+            m_Status.Refresh(m_Insects, true);
             GUIUtility.ExitGUI();
         }
 
-        private void Watch()
+        private void RepaintWhileLive()
         {
-            if (m_Insects.Length == 1 && m_LiveSection.IsOpen && m_Live.Look(m_Insects[0]))
+            if (m_Insects.Length == 1 && m_LiveSection.IsOpen && m_Live.Refresh(m_Insects[0]))
                 Repaint();
         }
     }

@@ -13,7 +13,7 @@ namespace Alate.Editor
         {
             var editing = new SkeletonEditing(JointSelection.Of(skeleton), undo) { Lock = SkeletonSessions.LockOf(skeleton) };
             editing.Start(out EditStart start);
-            return editing.Commit("Import Skeleton", start, ImportAct.Make(File.ReadAllText(path))).Message;
+            return editing.Commit("Import Skeleton", start, ImportCommand.Make(File.ReadAllText(path))).Message;
         });
 
         /// <summary>Writes a skeleton, over what the file holds.</summary>

@@ -64,7 +64,7 @@ namespace Alate.Editor
         public override void OnInspectorGUI()
         {
             if (serializedObject.UpdateIfRequiredOrScript() || m_Report == null)
-                Look();
+                UpdateReport();
             ShowState();
             if (m_Rig != null)
                 ShowTools();
@@ -74,10 +74,10 @@ namespace Alate.Editor
             EditorGUILayout.PropertyField(m_UpAxis, Content.UpAxis);
             EditorGUILayout.PropertyField(m_Chains, Content.Chains);
             if (serializedObject.ApplyModifiedProperties())
-                Look();
+                UpdateReport();
         }
 
-        private void Look() => m_Report = SkeletonReport.Of(Array.ConvertAll(targets, chosen => (WingSkeleton)chosen));
+        private void UpdateReport() => m_Report = SkeletonReport.Of(Array.ConvertAll(targets, chosen => (WingSkeleton)chosen));
 
         private void ShowState()
         {

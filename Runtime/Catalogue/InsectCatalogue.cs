@@ -1,31 +1,33 @@
 using System;
 using System.Collections.Generic;
 using System.Text;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
     /// <summary>The catalogue of species this package can make by itself.</summary>
+    [MovedFrom(true, "Alate", "Alate", "Species")]
     public static class InsectCatalogue
     {
-        private static readonly SpeciesDefinition[] s_All =
+        private static readonly InsectDefinition[] s_All =
         {
-            SpeciesMonarch.Define(),
-            SpeciesSwallowtail.Define(),
-            SpeciesFirefly.Define(),
-            SpeciesFishfly.Define(),
-            SpeciesPaintedLichenMoth.Define(),
-            SpeciesSnailfish.Define(),
+            MonarchDefinition.Define(),
+            SwallowtailDefinition.Define(),
+            FireflyDefinition.Define(),
+            FishflyDefinition.Define(),
+            PaintedLichenMothDefinition.Define(),
+            SnailfishDefinition.Define(),
         };
 
         /// <summary>Every species.</summary>
-        public static IReadOnlyList<SpeciesDefinition> All => s_All;
+        public static IReadOnlyList<InsectDefinition> All => s_All;
 
         /// <summary>The names of all species, lower case with hyphens.</summary>
         public static IReadOnlyList<string> Names { get; } = Array.ConvertAll(s_All, definition => definition.Name);
 
         /// <summary>Finds a species by its name; capitals, spaces, hyphens and underscores do not matter.</summary>
         /// <returns>Whether there is one.</returns>
-        public static bool TryFind(string name, out SpeciesDefinition definition)
+        public static bool TryFind(string name, out InsectDefinition definition)
         {
             var wanted = Plain(name);
             definition = Array.Find(s_All, candidate => Plain(candidate.Name) == wanted);
@@ -34,7 +36,7 @@ namespace Alate.Catalogue
 
         /// <summary>Finds a species by its name; capitals, spaces, hyphens and underscores do not matter.</summary>
         /// <exception cref="ArgumentException">There is none; the message lists those there are.</exception>
-        public static SpeciesDefinition Find(string name)
+        public static InsectDefinition Find(string name)
         {
             return TryFind(name, out var definition)
                 ? definition
@@ -43,14 +45,14 @@ namespace Alate.Catalogue
 
         /// <summary>The preset of a species' first wing.</summary>
         /// <returns>Whether there is such a species; otherwise <paramref name="species"/> is null.</returns>
-        public static bool TryCreate(string name, out WingSpecies species)
+        public static bool TryCreate(string name, out WingPreset species)
         {
-            species = TryFind(name, out var definition) ? definition.Wings[0].CreateSpecies() : null;
+            species = TryFind(name, out var definition) ? definition.Wings[0].CreatePreset() : null;
             return species != null;
         }
 
-        /// <summary>A monarch's wing by <see cref="ModelPreset.Physical"/>.</summary>
-        public static WingSpecies Monarch() => Find("monarch").Wings[0].CreateSpecies();
+        /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
+        public static WingPreset Monarch() => Find("monarch").Wings[0].CreatePreset();
 
         private static string Plain(string name)
         {

@@ -57,7 +57,7 @@ namespace Alate.Fitting
             foreach (OutlineStretch tail in tails)
             {
                 PlanPoint end = marks.Trimmed.EndOf(tail);
-                if (tail.Holds(marks.Last))
+                if (tail.Contains(marks.Last))
                 {
                     m_Tails[last] = marks.IsLastInReach(end) ? tail : (OutlineStretch?)null;
                     continue;

@@ -19,10 +19,10 @@ namespace Alate.Fitting
         public void Warn(SkeletonFitWarningKind kind, double confidence, string message)
         {
             m_Warnings.Add(new SkeletonFitWarning(kind, message));
-            Doubt(confidence);
+            LowerConfidence(confidence);
         }
 
         /// <summary>A doubt that needs no words.</summary>
-        public void Doubt(double confidence) => Confidence *= confidence;
+        public void LowerConfidence(double confidence) => Confidence *= confidence;
     }
 }

@@ -14,7 +14,7 @@ namespace Alate.Fitting
 
         public double Length => to - from;
 
-        public bool Holds(double s) => s > from && s < to;
+        public bool Contains(double s) => s > from && s < to;
 
         public bool Overlaps(in OutlineStretch other) => from < other.to && to > other.from;
     }

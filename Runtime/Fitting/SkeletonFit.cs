@@ -1,9 +1,11 @@
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Fitting
 {
     /// <summary>A skeleton that <see cref="SkeletonFitter"/> laid into a wing, and how sure it is.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class SkeletonFit
     {
         internal SkeletonFit(

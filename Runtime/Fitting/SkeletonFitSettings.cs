@@ -1,6 +1,7 @@
 using System;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Fitting
 {
@@ -9,6 +10,7 @@ namespace Alate.Fitting
     /// What is not said is guessed, with less confidence and a warning. Of the three places, the hinge counts before the body's point,
     /// and that before the body's side.
     /// </remarks>
+    [MovedFrom(true, "Alate", "Alate")]
     public struct SkeletonFitSettings
     {
         /// <summary>Chains, <see cref="WingSkeleton.MinChains"/> to <see cref="WingSkeleton.MaxChains"/>.</summary>

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate.Fitting
 {
     /// <summary>One thing a <see cref="SkeletonFit"/> is unsure about.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public readonly struct SkeletonFitWarning
     {
         /// <summary>A warning with its sentence.</summary>

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate.Fitting
 {
     /// <summary>What a <see cref="SkeletonFit"/> may be unsure about.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public enum SkeletonFitWarningKind
     {
         /// <summary>Nobody said where the body is; the hinge is guessed.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Alate.Geometry;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Fitting
 {
@@ -13,6 +14,7 @@ namespace Alate.Fitting
     /// The result does not depend on where the mesh has its vertices, nor on its position, size or side: it is computed on the outline
     /// resampled by arc length, in a view in which every wing is a right one of length 1.
     /// </remarks>
+    [MovedFrom(true, "Alate", "Alate")]
     public static class SkeletonFitter
     {
         /// <summary>Points of the resampled outline.</summary>

@@ -56,7 +56,7 @@ namespace Alate.Fitting
         /// <summary>Whether an arc length lies on a tail, and which.</summary>
         public bool TryFindTail(double s, out OutlineStretch tail)
         {
-            int index = m_Tails.FindIndex(stretch => stretch.Holds(s));
+            int index = m_Tails.FindIndex(stretch => stretch.Contains(s));
             tail = index >= 0 ? m_Tails[index] : default;
             return index >= 0;
         }

@@ -74,7 +74,7 @@ namespace Alate.Geometry
         }
 
         /// <summary>Whether a point lies inside (even and odd crossings).</summary>
-        public static bool Holds(IReadOnlyList<PlanPoint> path, PlanPoint point)
+        public static bool Contains(IReadOnlyList<PlanPoint> path, PlanPoint point)
         {
             bool inside = false;
             for (int k = 0, before = path.Count - 1; k < path.Count; before = k++)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace Alate
 {
@@ -16,7 +17,8 @@ namespace Alate
     {
         [SerializeField]
         [Tooltip("The preset: how the wings are driven and how stiff they are. None: a monarch's.")]
-        private WingSpecies m_Species;
+        [FormerlySerializedAs("m_Species")]
+        private WingPreset m_Preset;
 
         [SerializeField]
         [Tooltip("The wings, one entry each. Find Wings fills the list.")]
@@ -47,10 +49,10 @@ namespace Alate
         private Rigidbody m_Carrier;
 
         /// <summary>The preset; null stands for a monarch. A preset that changes is followed from the next step on.</summary>
-        public WingSpecies Species
+        public WingPreset Preset
         {
-            get => m_Species;
-            set => m_Species = value;
+            get => m_Preset;
+            set => m_Preset = value;
         }
 
         /// <summary>The wings. The list may be changed at any time; what changed is built anew in the next frame.</summary>
@@ -191,7 +193,7 @@ namespace Alate
         private void OnEnable()
         {
             foreach (Wing wing in m_Wings)
-                InsectCheck.Heal(wing);
+                InsectCheck.Repair(wing);
             WingSystem.Enter(this);
         }
 

@@ -15,7 +15,7 @@ namespace Alate
         private const float k_Patience = 10f;
 
         private static WingSystem s_Instance;
-        private WingCrowd m_Crowd;
+        private FrameLoop m_Crowd;
         private double m_EmptySince = double.PositiveInfinity;
 
         /// <summary>Insects whose wings beat.</summary>
@@ -39,7 +39,7 @@ namespace Alate
         /// <summary>Looks for wind zones again; done by itself when a scene is loaded or an insect starts.</summary>
         public static void FindWindZones() => Crowd?.FindWindZones();
 
-        internal static WingCrowd Crowd => s_Instance is null ? null : s_Instance.m_Crowd;
+        internal static FrameLoop Crowd => s_Instance is null ? null : s_Instance.m_Crowd;
 
         /// <summary>An insect wants to live.</summary>
         internal static void Enter(InsectWings insect)
@@ -85,7 +85,7 @@ namespace Alate
         private void Begin()
         {
             s_Instance = this;
-            m_Crowd = new WingCrowd();
+            m_Crowd = new FrameLoop();
             SceneManager.sceneLoaded += OnSceneLoaded;
         }
 

@@ -11,7 +11,7 @@ namespace Alate.Samples
 
         private readonly List<Stand> m_Stands = new List<Stand>();
         private readonly Transform m_Place;
-        private WingSpecies[] m_Full = new WingSpecies[0], m_Tuned = new WingSpecies[0];
+        private WingPreset[] m_Full = new WingPreset[0], m_Tuned = new WingPreset[0];
 
         /// <param name="place">The middle; insects fly ahead of it.</param>
         public Stage(Transform place)
@@ -23,12 +23,12 @@ namespace Alate.Samples
         public IReadOnlyList<Stand> Stands => m_Stands;
 
         /// <summary>Shows a species in some columns, from left to right.</summary>
-        public void Show(SpeciesDefinition species, IReadOnlyList<ComparisonColumn> columns, in Tuning tuning)
+        public void Show(InsectDefinition species, IReadOnlyList<ComparisonColumn> columns, in Tuning tuning)
         {
             Clear();
-            m_Full = new WingSpecies[species.Wings.Count];
+            m_Full = new WingPreset[species.Wings.Count];
             for (int k = 0; k < m_Full.Length; k++)
-                m_Full[k] = species.Wings[k].CreateSpecies();
+                m_Full[k] = species.Wings[k].CreatePreset();
             m_Tuned = System.Array.ConvertAll(m_Full, preset => Object.Instantiate(preset));
             foreach (ComparisonColumn column in columns)
                 m_Stands.Add(new Stand(column, species, m_Full, m_Place));
@@ -65,9 +65,9 @@ namespace Alate.Samples
             foreach (Stand stand in m_Stands)
                 stand.Destroy();
             m_Stands.Clear();
-            foreach (WingSpecies preset in m_Full)
+            foreach (WingPreset preset in m_Full)
                 Object.Destroy(preset);
-            foreach (WingSpecies preset in m_Tuned)
+            foreach (WingPreset preset in m_Tuned)
                 Object.Destroy(preset);
         }
     }

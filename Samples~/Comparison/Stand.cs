@@ -9,28 +9,28 @@ namespace Alate.Samples
         private const float k_WingLength = 0.8f, k_ShareOfFullSpeed = 0.65f;
 
         private readonly InsectWings m_Insect;
-        private readonly WingSpecies[] m_Presets;
+        private readonly WingPreset[] m_Presets;
         private readonly float m_UnitsPerMetre;
 
         /// <param name="column">What is left out or changed.</param>
         /// <param name="species">The insect.</param>
         /// <param name="full">[kind of wing] The species' presets, tuned; each column takes copies.</param>
         /// <param name="parent">Of the insect.</param>
-        public Stand(ComparisonColumn column, SpeciesDefinition species, WingSpecies[] full, Transform parent)
+        public Stand(ComparisonColumn column, InsectDefinition species, WingPreset[] full, Transform parent)
         {
             Column = column;
-            m_Presets = System.Array.ConvertAll(full, column.CreateSpecies);
+            m_Presets = System.Array.ConvertAll(full, column.CreatePreset);
             m_Insect = InsectFactory.Create(species);
             m_Insect.name = column.Title;
             m_Insect.transform.SetParent(parent, false);
-            float scale = k_WingLength / (full[0].WingLength * SpeciesDefinition.UnitsPerMetre);
+            float scale = k_WingLength / (full[0].WingLength * InsectDefinition.UnitsPerMetre);
             m_Insect.transform.localScale = scale * Vector3.one;
-            m_UnitsPerMetre = SpeciesDefinition.UnitsPerMetre * scale;
+            m_UnitsPerMetre = InsectDefinition.UnitsPerMetre * scale;
 
             // The factory lists right and left wing of each kind in turn.
             for (int wing = 0; wing < m_Insect.Wings.Count; wing++)
-                m_Insect.Wings[wing].Species = m_Presets[wing / 2];
-            m_Insect.Species = m_Presets[0];
+                m_Insect.Wings[wing].Preset = m_Presets[wing / 2];
+            m_Insect.Preset = m_Presets[0];
             m_Insect.Quality.culling = WingCulling.AlwaysSimulate;
             m_Insect.Quality.levelOfDetail = false;
             m_Insect.Motion.source = VelocitySource.Script;
@@ -60,7 +60,7 @@ namespace Alate.Samples
         /// <summary>Takes over presets that were tuned.</summary>
         /// <param name="full">[kind of wing]</param>
         /// <param name="wind">Head wind, metres per second.</param>
-        public void Tune(WingSpecies[] full, float wind)
+        public void Tune(WingPreset[] full, float wind)
         {
             for (int k = 0; k < full.Length; k++)
                 Column.Refresh(full[k], m_Presets[k]);
@@ -75,7 +75,7 @@ namespace Alate.Samples
         {
             if (m_Insect != null)
                 Object.Destroy(m_Insect.gameObject);
-            foreach (WingSpecies preset in m_Presets)
+            foreach (WingPreset preset in m_Presets)
                 Object.Destroy(preset);
         }
     }

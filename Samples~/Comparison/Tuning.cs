@@ -15,7 +15,7 @@ namespace Alate.Samples
         public static Tuning None => new Tuning { elasticity = 1f, delay = 1f, amplitude = 1f, frequency = 1f };
 
         /// <summary>Writes a species' values, tuned, into a copy.</summary>
-        public void Write(WingSpecies full, WingSpecies tuned)
+        public void Write(WingPreset full, WingPreset tuned)
         {
             tuned.Stiffness.elasticity = full.Stiffness.elasticity * elasticity;
             tuned.Wave.chordDelay = full.Wave.chordDelay * delay;

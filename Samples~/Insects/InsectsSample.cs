@@ -16,7 +16,7 @@ namespace Alate.Samples
 
         private readonly List<ShownInsect> m_Insects = new List<ShownInsect>();
         private OrbitCamera m_Camera;
-        private SpeciesVariant m_Variant = SpeciesVariant.Expressive;
+        private InsectVariant m_Variant = InsectVariant.Expressive;
         private float m_TimeScale = 0.1f;
         private bool m_Labels = true;
 
@@ -45,7 +45,7 @@ namespace Alate.Samples
         {
             GUILayout.BeginArea(new Rect(10f, 10f, 300f, 190f), GUI.skin.box);
             GUILayout.Label("Drag to turn, right button to move, wheel to come nearer");
-            var chosen = (SpeciesVariant)GUILayout.Toolbar((int)m_Variant, s_Variants);
+            var chosen = (InsectVariant)GUILayout.Toolbar((int)m_Variant, s_Variants);
             GUILayout.Label($"Time × {m_TimeScale:0.000}");
             m_TimeScale = Mathf.Pow(10f, GUILayout.HorizontalSlider(Mathf.Log10(m_TimeScale), -3f, 0f));
             m_Labels = GUILayout.Toggle(m_Labels, "Names");
@@ -61,7 +61,7 @@ namespace Alate.Samples
                 Choose(chosen);
         }
 
-        private void Choose(SpeciesVariant variant)
+        private void Choose(InsectVariant variant)
         {
             m_Variant = variant;
             foreach (ShownInsect insect in m_Insects)

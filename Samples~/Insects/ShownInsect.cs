@@ -8,14 +8,14 @@ namespace Alate.Samples
     {
         private const float k_WingLength = 0.8f, k_ShareOfFullSpeed = 0.65f;
 
-        private readonly SpeciesDefinition m_Species;
+        private readonly InsectDefinition m_Species;
         private readonly Transform m_Place;
         private InsectWings m_Insect;
 
         /// <param name="species">What is shown.</param>
         /// <param name="parent">Of its place.</param>
         /// <param name="place">Below the parent.</param>
-        public ShownInsect(SpeciesDefinition species, Transform parent, Vector3 place)
+        public ShownInsect(InsectDefinition species, Transform parent, Vector3 place)
         {
             m_Species = species;
             m_Place = new GameObject(species.DisplayName).transform;
@@ -30,29 +30,29 @@ namespace Alate.Samples
         public string Label { get; private set; } = "";
 
         /// <summary>Shows a variant; the standard one where the species does not have it.</summary>
-        public void Show(SpeciesVariant variant)
+        public void Show(InsectVariant variant)
         {
             if (m_Insect != null)
                 Object.Destroy(m_Insect.gameObject);
-            SpeciesVariant shown = Has(variant) ? variant : SpeciesVariant.Standard;
+            InsectVariant shown = Has(variant) ? variant : InsectVariant.Standard;
             m_Insect = InsectFactory.Create(m_Species, shown);
             m_Insect.transform.SetParent(m_Place, false);
-            float scale = k_WingLength / (m_Insect.Species.WingLength * SpeciesDefinition.UnitsPerMetre);
+            float scale = k_WingLength / (m_Insect.Preset.WingLength * InsectDefinition.UnitsPerMetre);
             m_Insect.transform.localScale = scale * Vector3.one;
 
             // It stands still and is told how fast it flies, in the units of the large insect that is drawn.
             m_Insect.Motion.source = VelocitySource.Script;
-            m_Insect.Velocity = k_ShareOfFullSpeed * m_Insect.Species.Beat.maxSpeed * SpeciesDefinition.UnitsPerMetre * scale * m_Place.forward;
+            m_Insect.Velocity = k_ShareOfFullSpeed * m_Insect.Preset.Beat.maxSpeed * InsectDefinition.UnitsPerMetre * scale * m_Place.forward;
             m_Insect.UpdateMode = WingUpdateMode.Manual;
-            Label = $"{m_Species.DisplayName}\n{shown}, {m_Insect.Species.Beat.maxFrequency:0.#} Hz";
+            Label = $"{m_Species.DisplayName}\n{shown}, {m_Insect.Preset.Beat.maxFrequency:0.#} Hz";
         }
 
         /// <summary>Lets its time go by, seconds.</summary>
         public void Step(float dt) => m_Insect.Step(dt);
 
-        private bool Has(SpeciesVariant variant)
+        private bool Has(InsectVariant variant)
         {
-            foreach (SpeciesVariant known in m_Species.Variants)
+            foreach (InsectVariant known in m_Species.Variants)
             {
                 if (known == variant)
                     return true;

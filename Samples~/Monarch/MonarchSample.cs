@@ -31,7 +31,7 @@ namespace Alate.Samples
         private float m_TimeScale = 0.2f;
 
         private InsectWings m_Insect;
-        private WingSpecies m_Species;
+        private WingPreset m_Species;
         private float m_UsualElasticity;
 
         private void Awake()
@@ -41,8 +41,8 @@ namespace Alate.Samples
             OrbitCamera.Create(transform, transform.position, k_CameraDistance);
 
             // A preset of its own, so that no other monarch is tuned along with this one.
-            m_UsualElasticity = m_Insect.Species.Stiffness.elasticity;
-            m_Insect.Species = m_Species = Instantiate(m_Insect.Species);
+            m_UsualElasticity = m_Insect.Preset.Stiffness.elasticity;
+            m_Insect.Preset = m_Species = Instantiate(m_Insect.Preset);
 
             // It stands still and is told how fast it flies; steps by hand are smooth however slowly time goes by.
             m_Insect.Motion.source = VelocitySource.Script;
@@ -54,7 +54,7 @@ namespace Alate.Samples
             m_Species.Stiffness.elasticity = m_UsualElasticity * m_Elasticity;
             m_Species.Wave.chordDelay = m_Wave;
             m_Insect.transform.localRotation = Quaternion.Euler(-m_Pitch, 0f, 0f);
-            m_Insect.Velocity = m_Speed * SpeciesDefinition.UnitsPerMetre * transform.forward;
+            m_Insect.Velocity = m_Speed * InsectDefinition.UnitsPerMetre * transform.forward;
             m_Insect.Step(m_TimeScale * Time.deltaTime);
         }
 

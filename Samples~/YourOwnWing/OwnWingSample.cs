@@ -24,7 +24,7 @@ namespace Alate.Samples
         private readonly List<Object> m_Made = new List<Object>();
         private Transform m_Insect;
         private InsectWings m_Wings;
-        private WingSpecies m_Preset;
+        private WingPreset m_Preset;
         private int m_Step;
         private int m_Wanted = s_Steps.Length - 1;
         private string m_Found = "";
@@ -128,11 +128,11 @@ namespace Alate.Samples
 
         private void GivePreset()
         {
-            m_Preset = Keep(ScriptableObject.CreateInstance<WingSpecies>());
+            m_Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
             m_Preset.Size.wingLength = 0.03f;
             m_Preset.Size.wingMass = 6e-6f;
             m_Preset.Beat.maxFrequency = 20f;
-            m_Wings.Species = m_Preset;
+            m_Wings.Preset = m_Preset;
             m_Found = "A wing of 30 mm and 6 mg. Play with it:";
         }
 

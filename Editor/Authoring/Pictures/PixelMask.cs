@@ -37,7 +37,7 @@ namespace Alate.Authoring
         }
 
         /// <summary>Whether a pixel is in the set; those outside the picture are not.</summary>
-        public bool Holds(int column, int row) => column >= 0 && row >= 0 && column < width && row < height && this[column, row];
+        public bool Contains(int column, int row) => column >= 0 && row >= 0 && column < width && row < height && this[column, row];
 
         public PixelMask Copy()
         {

@@ -122,7 +122,7 @@ namespace Alate.Authoring
                 for (int dx = -1; dx <= 1; dx++)
                 {
                     bool isCorner = dx != 0 && dy != 0;
-                    if ((dx == 0 && dy == 0) || !m_Thin.Holds(x + dx, y + dy) || (isCorner && (m_Thin.Holds(x + dx, y) || m_Thin.Holds(x, y + dy))))
+                    if ((dx == 0 && dy == 0) || !m_Thin.Contains(x + dx, y + dy) || (isCorner && (m_Thin.Contains(x + dx, y) || m_Thin.Contains(x, y + dy))))
                         continue;
                     found.Add(pixel + dy * m_Thin.width + dx);
                 }

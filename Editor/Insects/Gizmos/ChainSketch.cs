@@ -34,13 +34,13 @@ namespace Alate.Editor
         /// <summary>A wing of an insect: as it lives now, else its skeleton at rest; null where it has none that can be used.</summary>
         public static ChainSketch Of(InsectWings insect, int wing)
         {
-            WingSpecies own = insect.Wings[wing].Species;
-            WingSpecies species = own == null ? insect.Species : own;
-            SpeciesWave wave = species == null ? WingSpeciesPresets.PhysicalWave : species.Wave;
+            WingPreset own = insect.Wings[wing].Preset;
+            WingPreset species = own == null ? insect.Preset : own;
+            PresetWave wave = species == null ? PresetDefaults.PhysicalWave : species.Wave;
             return insect.Live == null ? AtRest(insect.Wings[wing], wave) : Living(insect, wing, wave);
         }
 
-        private static ChainSketch Living(InsectWings insect, int wing, in SpeciesWave wave)
+        private static ChainSketch Living(InsectWings insect, int wing, in PresetWave wave)
         {
             LiveWing live = insect.Live.wings[wing];
             WingReading reading = insect.Read(wing);
@@ -60,7 +60,7 @@ namespace Alate.Editor
             return sketch;
         }
 
-        private static ChainSketch AtRest(Wing wing, in SpeciesWave wave)
+        private static ChainSketch AtRest(Wing wing, in PresetWave wave)
         {
             WingSkeleton skeleton = wing.Skeleton;
             if (skeleton == null || wing.Renderer == null || !skeleton.IsValid)
@@ -82,7 +82,7 @@ namespace Alate.Editor
         }
 
         // Eq. 2: the delay grows with the distance of the chain's root from the first one's, and here along the chain too.
-        private void Time(float3[] rest, in SpeciesWave wave)
+        private void Time(float3[] rest, in PresetWave wave)
         {
             bool still = wave.chordDelay + wave.spanDelay <= 0f;
             float chord = still ? 1f : wave.chordDelay, whole = still ? 1f : wave.chordDelay + wave.spanDelay;

@@ -28,7 +28,7 @@ namespace Alate.Editor
                 case WingUpdateMode.Manual:
                     return 0.0;
                 default:
-                    return 0.5 * insect.Frequency * Pacer.FrameStep;
+                    return 0.5 * insect.Frequency * Clocks.FrameStep;
             }
         }
 

@@ -39,7 +39,7 @@ namespace Alate.Editor
         public BeatTrace Trace => m_Trace;
 
         /// <summary>Takes in what the insect does now; says whether there is something new to show.</summary>
-        public bool Look(InsectWings insect)
+        public bool Refresh(InsectWings insect)
         {
             if (!BeatReader.TryRead(insect, out BeatSample sample))
             {

@@ -25,22 +25,22 @@ namespace Alate.Editor
         }
 
         /// <summary>Where the prefab of a species lies.</summary>
-        public string PrefabPath(SpeciesDefinition species) => $"{m_Folder}/{species.DisplayName}.prefab";
+        public string PrefabPath(InsectDefinition species) => $"{m_Folder}/{species.DisplayName}.prefab";
 
         /// <summary>The prefab: the one that is there, or a new one.</summary>
-        public GameObject FindOrSave(SpeciesDefinition species)
+        public GameObject FindOrSave(InsectDefinition species)
         {
             var existing = AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species));
             return existing != null ? existing : Save(species);
         }
 
-        private GameObject Save(SpeciesDefinition species)
+        private GameObject Save(InsectDefinition species)
         {
             AssetFolder.Ensure(m_Folder);
-            InsectKit kit = InsectKit.Make(species, keepPixels: true);
+            InsectParts kit = InsectParts.Make(species, keepPixels: true);
             kit.BodyMesh = Keep(kit.BodyMesh);
             kit.BodyMaterial = Keep(kit.BodyMaterial);
-            foreach (WingKit wing in kit.Wings)
+            foreach (GeneratedWing wing in kit.Wings)
             {
                 wing.Mesh = Keep(wing.Mesh);
                 wing.Skeleton = Keep(wing.Skeleton);
@@ -56,12 +56,12 @@ namespace Alate.Editor
         }
 
         // Those of the standard variant; the others lie beside them, to be dragged into the field Species.
-        private WingSpecies[] KeepPresets(InsectKit kit, SpeciesDefinition species)
+        private WingPreset[] KeepPresets(InsectParts kit, InsectDefinition species)
         {
-            WingSpecies[] standard = null;
-            foreach (SpeciesVariant variant in species.Variants)
+            WingPreset[] standard = null;
+            foreach (InsectVariant variant in species.Variants)
             {
-                WingSpecies[] kept = Array.ConvertAll(kit.CreatePresets(variant, ModelPreset.Physical), Keep);
+                WingPreset[] kept = Array.ConvertAll(kit.CreatePresets(variant, ModelReading.Physical), Keep);
                 standard = standard ?? kept;
             }
 

@@ -56,7 +56,7 @@ namespace Alate.Editor
 
         private static void Save(string species)
         {
-            SpeciesDefinition definition = InsectCatalogue.Find(species);
+            InsectDefinition definition = InsectCatalogue.Find(species);
             string folder = AssetDatabase.GenerateUniqueAssetPath($"{AssetFolder.Of(Selection.activeObject)}/{definition.DisplayName}");
             ProjectWindowUtil.ShowCreatedAsset(new InsectAssets(folder).FindOrSave(definition));
         }

@@ -31,7 +31,7 @@ namespace Alate.Editor
         /// <exception cref="ArgumentException">There is no such species.</exception>
         public GameObject Place(string species, GameObject parent)
         {
-            SpeciesDefinition definition = InsectCatalogue.Find(species);
+            InsectDefinition definition = InsectCatalogue.Find(species);
             GameObject made = Application.isPlaying ? InsectFactory.Create(definition).gameObject : Instance(definition);
             Undo.RegisterCreatedObjectUndo(made, "Create " + definition.DisplayName);
             ObjectFactory.PlaceGameObject(made, parent);
@@ -39,7 +39,7 @@ namespace Alate.Editor
             return made;
         }
 
-        private GameObject Instance(SpeciesDefinition species)
+        private GameObject Instance(InsectDefinition species)
         {
             var assets = new InsectAssets($"{m_Home}/{species.DisplayName}");
             GameObject prefab = assets.FindOrSave(species);

@@ -21,7 +21,7 @@ namespace Alate.Editor
             string obstacle = AssetPath.FindProblem(path);
             if (obstacle != null)
                 return FixOutcome.Refused(obstacle);
-            WingSpecies saved = AssetWriter.Save(preset.Copy(), path, k_Act);
+            WingPreset saved = AssetWriter.Save(preset.Copy(), path, k_Act);
             Edits.Change(insect, k_Act, _ => preset.Use(saved));
             return FixOutcome.Done($"Saved as '{path}'; the wings beat by it now.");
         }

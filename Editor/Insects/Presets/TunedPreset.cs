@@ -16,14 +16,14 @@ namespace Alate.Editor
         private readonly InsectWings m_Insect;
         private readonly List<int> m_Wings = new List<int>();
 
-        private TunedPreset(InsectWings insect, WingSpecies source)
+        private TunedPreset(InsectWings insect, WingPreset source)
         {
             m_Insect = insect;
             Source = source;
         }
 
         /// <summary>The preset; null stands for the monarch's that wings without one have.</summary>
-        public WingSpecies Source { get; }
+        public WingPreset Source { get; }
 
         /// <summary>Places in the insect's list of the wings that beat by it.</summary>
         public IReadOnlyList<int> Wings => m_Wings;
@@ -34,12 +34,12 @@ namespace Alate.Editor
         /// <summary>The presets by which an insect's wings beat, its own first; one at least.</summary>
         public static List<TunedPreset> Of(InsectWings insect)
         {
-            var presets = new List<TunedPreset> { new TunedPreset(insect, insect.Species) };
+            var presets = new List<TunedPreset> { new TunedPreset(insect, insect.Preset) };
             for (int w = 0; w < insect.Wings.Count; w++)
             {
                 if (insect.Wings[w] == null)
                     continue;
-                WingSpecies source = SourceOf(insect, insect.Wings[w]);
+                WingPreset source = SourceOf(insect, insect.Wings[w]);
                 TunedPreset preset = presets.Find(known => known.Source == source);
                 if (preset == null)
                     presets.Add(preset = new TunedPreset(insect, source));
@@ -50,9 +50,9 @@ namespace Alate.Editor
         }
 
         /// <summary>A copy with the values as they are now; the caller saves or destroys it.</summary>
-        public WingSpecies Copy()
+        public WingPreset Copy()
         {
-            WingSpecies copy = Source == null ? ScriptableObject.CreateInstance<WingSpecies>() : Object.Instantiate(Source);
+            WingPreset copy = Source == null ? ScriptableObject.CreateInstance<WingPreset>() : Object.Instantiate(Source);
             copy.name = Name;
             Scale(copy, Share);
             copy.Beat.phaseLead = Wrap(copy.Beat.phaseLead + Lead);
@@ -63,16 +63,16 @@ namespace Alate.Editor
         }
 
         /// <summary>Lets the wings beat by a copy: what has gone into it is taken off the wings, and off the insect when no other wings need it.</summary>
-        public void Use(WingSpecies copy)
+        public void Use(WingPreset copy)
         {
             float share = Share, lead = Lead;
-            if (Source == m_Insect.Species)
-                m_Insect.Species = copy;
+            if (Source == m_Insect.Preset)
+                m_Insect.Preset = copy;
             foreach (int w in m_Wings)
             {
                 Wing wing = m_Insect.Wings[w];
-                if (wing.Species != null)
-                    wing.Species = copy;
+                if (wing.Preset != null)
+                    wing.Preset = copy;
                 wing.AmplitudeScale = share > 0f ? wing.AmplitudeScale / share : 1f;
                 wing.PhaseLead -= lead;
             }
@@ -87,7 +87,7 @@ namespace Alate.Editor
             get
             {
                 float scale = Common(wing => wing.AmplitudeScale, 1f);
-                SpeciesBeat beat = Source == null ? WingSpeciesPresets.MonarchBeat : Source.Beat;
+                PresetBeat beat = Source == null ? PresetDefaults.MonarchBeat : Source.Beat;
                 float widest = math.max(beat.flapRange, math.max(beat.featherRange, beat.sweepRange));
                 return widest > 0f ? math.min(scale, k_LargestRange / widest) : 1f;
             }
@@ -110,7 +110,7 @@ namespace Alate.Editor
         }
 
         // Stiffness and the strongest wind are measured against the reference frequency, which knows the range: they are kept as they were.
-        private static void Scale(WingSpecies species, float share)
+        private static void Scale(WingPreset species, float share)
         {
             float before = species.ReferenceFrequency;
             species.Beat.flapRange *= share;
@@ -130,6 +130,6 @@ namespace Alate.Editor
             return degrees > k_LargestLead ? degrees - whole : degrees < -k_LargestLead ? degrees + whole : degrees;
         }
 
-        private static WingSpecies SourceOf(InsectWings insect, Wing wing) => wing.Species == null ? insect.Species : wing.Species;
+        private static WingPreset SourceOf(InsectWings insect, Wing wing) => wing.Preset == null ? insect.Preset : wing.Preset;
     }
 }

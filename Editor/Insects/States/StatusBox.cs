@@ -19,7 +19,7 @@ namespace Alate.Editor
         /// <summary>Looks at the selected insects; a status that has changed takes back the last answer.</summary>
         /// <param name="insects">All that are selected.</param>
         /// <param name="changed">Whether they have been changed since the last look.</param>
-        public void Look(IReadOnlyList<InsectWings> insects, bool changed)
+        public void Refresh(IReadOnlyList<InsectWings> insects, bool changed)
         {
             double now = EditorApplication.timeSinceStartup;
             if (!changed && now - m_Looked < k_Patience)

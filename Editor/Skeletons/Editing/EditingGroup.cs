@@ -62,7 +62,7 @@ namespace Alate.Editor
 
         /// <summary>Does an act to those that are <see cref="Acting"/>, in one step of undo.</summary>
         /// <returns>Why one of them refused, where one did.</returns>
-        public EditOutcome Do(SkeletonAct act)
+        public EditOutcome Do(EditCommand act)
         {
             if (Active == null)
                 return EditOutcome.Refused("There is no skeleton to edit.");

@@ -5,7 +5,7 @@ namespace Alate.Editor
     /// <summary>Acts that belong together in menus and panels.</summary>
     internal sealed class SkeletonActGroup
     {
-        public SkeletonActGroup(string name, params SkeletonAct[] acts)
+        public SkeletonActGroup(string name, params EditCommand[] acts)
         {
             Name = name;
             Acts = acts;
@@ -13,6 +13,6 @@ namespace Alate.Editor
 
         public string Name { get; }
 
-        public IReadOnlyList<SkeletonAct> Acts { get; }
+        public IReadOnlyList<EditCommand> Acts { get; }
     }
 }

@@ -20,7 +20,7 @@ namespace Alate.Editor
         }
 
         /// <summary>A preset's wing in level flight.</summary>
-        public static PreviewFlight Of(SpeciesValues species)
+        public static PreviewFlight Of(PresetValues species)
         {
             float speed = k_CruiseShare * species.parameters.maxSpeed;
             return new PreviewFlight(species.parameters, new WingSurroundings

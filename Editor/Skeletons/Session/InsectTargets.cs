@@ -28,7 +28,7 @@ namespace Alate.Editor
                     Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
                     if (mesh == null)
                         continue;
-                    WingSpecies species = wing.Species != null ? wing.Species : insect.Species;
+                    WingPreset species = wing.Preset != null ? wing.Preset : insect.Preset;
                     int skeleton = wing.Skeleton == null ? 0 : wing.Skeleton.GetHashCode();
                     int part = ((int)wing.Part * 31 + wing.Submesh) * 31 + wing.Point.GetHashCode();
                     stamp = ((stamp * 31 + mesh.GetHashCode()) * 31 + skeleton) * 31 + part + (int)wing.Side * 7 + (int)wing.Pair;
@@ -83,7 +83,7 @@ namespace Alate.Editor
                 {
                     WithoutSurface = without,
                     Insect = insect.transform,
-                    Species = wing.Species != null ? wing.Species : insect.Species,
+                    Species = wing.Preset != null ? wing.Preset : insect.Preset,
                 };
                 targets.Add(target);
                 own.Add((wing, target));

@@ -78,10 +78,10 @@ namespace Alate.Editor
         }
 
         /// <summary>Does an act.</summary>
-        public EditOutcome Do(SkeletonAct act) => Tell(Group.Do(act));
+        public EditOutcome Do(EditCommand act) => Report(Group.Do(act));
 
         /// <summary>Notes an outcome, for the panel.</summary>
-        public EditOutcome Tell(EditOutcome outcome)
+        public EditOutcome Report(EditOutcome outcome)
         {
             LastRefusal = outcome.Message;
             return outcome;

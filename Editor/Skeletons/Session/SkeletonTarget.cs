@@ -45,7 +45,7 @@ namespace Alate.Editor
         public string Lock => FindLock?.Invoke(Skeleton);
 
         /// <summary>The preset by which it beats; null for a monarch.</summary>
-        public WingSpecies Species { get; set; }
+        public WingPreset Species { get; set; }
 
         /// <summary>What is known for laying the skeleton out anew: where the insect is and how it lies, in the wing's space.</summary>
         public SkeletonFitSettings Known()

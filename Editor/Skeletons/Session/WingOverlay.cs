@@ -14,7 +14,7 @@ namespace Alate.Editor
         private readonly BeatPreview m_Preview = new BeatPreview();
         private readonly InspectionMesh m_Inspection = new InspectionMesh();
         private readonly SkeletonWatch m_Skeletons = new SkeletonWatch();
-        private readonly SpeciesWatch m_Presets = new SpeciesWatch();
+        private readonly PresetWatch m_Presets = new PresetWatch();
         private OverlayKey m_Inspected;
         private OverlayKey m_Coloured;
         private OverlayKey m_Previewed;
@@ -64,7 +64,7 @@ namespace Alate.Editor
 
             m_Skeletons.Refresh();
             m_Presets.Refresh();
-            SpeciesValues species = m_Presets.Of(target.Species);
+            PresetValues species = m_Presets.Of(target.Species);
             Parameters = species.parameters;
             var key = new OverlayKey(target, m_Skeletons.Of(target.Skeleton).Hash);
             if (!hurries || Colours != null)
@@ -99,7 +99,7 @@ namespace Alate.Editor
             m_Inspection.Show(Rig, Colours.Value, selected, Parameters);
         }
 
-        private void Beat(SkeletonTarget target, OverlayKey key, SpeciesValues species)
+        private void Beat(SkeletonTarget target, OverlayKey key, PresetValues species)
         {
             if (!ShowsBeat)
                 return;

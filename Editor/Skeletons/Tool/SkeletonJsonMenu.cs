@@ -14,7 +14,7 @@ namespace Alate.Editor
         {
             string path = EditorUtility.OpenFilePanel(k_Title, "", "json");
             if (!string.IsNullOrEmpty(path))
-                Tell(SkeletonFile.Read((WingSkeleton)command.context, path, new EditorUndo()));
+                ShowRefusal(SkeletonFile.Read((WingSkeleton)command.context, path, new EditorUndo()));
         }
 
         [MenuItem(k_Export)]
@@ -23,10 +23,10 @@ namespace Alate.Editor
             var skeleton = (WingSkeleton)command.context;
             string path = EditorUtility.SaveFilePanel(k_Title, "", skeleton.name, "json");
             if (!string.IsNullOrEmpty(path))
-                Tell(SkeletonFile.Write(skeleton, path));
+                ShowRefusal(SkeletonFile.Write(skeleton, path));
         }
 
-        private static void Tell(string refusal)
+        private static void ShowRefusal(string refusal)
         {
             if (refusal != null)
                 EditorUtility.DisplayDialog(k_Title, refusal, "OK");

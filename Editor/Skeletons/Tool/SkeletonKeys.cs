@@ -43,11 +43,11 @@ namespace Alate.Editor
                     session.Group.Select(null, Array.Empty<JointIndex>(), adds: false);
                     break;
                 case k_InvertSelection:
-                    session.Do(SkeletonActs.Find("Invert Selection"));
+                    session.Do(SkeletonCommands.Find("Invert Selection"));
                     break;
                 case k_Delete:
                 case k_SoftDelete:
-                    session.Do(SkeletonActs.Delete);
+                    session.Do(SkeletonCommands.Delete);
                     break;
             }
         }
@@ -74,7 +74,7 @@ namespace Alate.Editor
                 return true;
             }
 
-            SkeletonAct act = SkeletonActs.Find(key, shift);
+            EditCommand act = SkeletonCommands.Find(key, shift);
             if (act != null && !session.Pointer.IsDown)
                 session.Do(act);
             return act != null;

@@ -9,11 +9,11 @@ namespace Alate.Editor
         public static void Show(SkeletonSession session)
         {
             var menu = new GenericMenu();
-            foreach (SkeletonActGroup group in SkeletonActs.Groups)
+            foreach (SkeletonActGroup group in SkeletonCommands.Groups)
             {
-                if (group != SkeletonActs.Groups[0])
+                if (group != SkeletonCommands.Groups[0])
                     menu.AddSeparator("");
-                foreach (SkeletonAct act in group.Acts)
+                foreach (EditCommand act in group.Acts)
                     menu.AddItem(new GUIContent(act.Title), false, () => session.Do(act));
             }
 

@@ -83,7 +83,7 @@ namespace Alate.Editor
             EditOutcome? outcome = SkeletonMakerGui.Draw();
             if (!outcome.HasValue)
                 return;
-            session.Tell(outcome.Value);
+            session.Report(outcome.Value);
 
             // A dialog was open meanwhile: what is drawn of this event is out of date.
             GUIUtility.ExitGUI();
@@ -119,7 +119,7 @@ namespace Alate.Editor
             int wantedChains = EditorGUILayout.IntSlider(Content.Chains, chains, WingSkeleton.MinChains, WingSkeleton.MaxChains);
             int wantedJoints = EditorGUILayout.IntSlider(Content.Joints, joints, WingSkeleton.MinJoints, WingSkeleton.MaxJoints);
             if (wantedChains != chains || wantedJoints != joints)
-                session.Tell(editing.Do("Set Counts", (present, selected) => ResampleActs.ToCounts(present, wantedChains, wantedJoints)));
+                session.Report(editing.Do("Set Counts", (present, selected) => ResampleCommands.ToCounts(present, wantedChains, wantedJoints)));
         }
 
         private static void Problems(SkeletonSession session, SkeletonEditing editing)
@@ -129,7 +129,7 @@ namespace Alate.Editor
             {
                 SkeletonProblem problem = problems[k];
                 if (Problem(problem.Message, MessageType.Error))
-                    Show(session, editing, SelectActs.Of(editing.Skeleton, problem));
+                    Show(session, editing, SelectCommands.Of(editing.Skeleton, problem));
             }
 
             IReadOnlyList<RigProblem> weaknesses = session.Overlay.Problems;
@@ -189,7 +189,7 @@ namespace Alate.Editor
 
         private static void Acts(SkeletonSession session)
         {
-            foreach (SkeletonActGroup group in SkeletonActs.Groups)
+            foreach (SkeletonActGroup group in SkeletonCommands.Groups)
             {
                 EditorGUILayout.LabelField(group.Name, EditorStyles.miniBoldLabel);
                 for (int k = 0; k < group.Acts.Count; k += 2)
@@ -204,7 +204,7 @@ namespace Alate.Editor
             }
         }
 
-        private static void Act(SkeletonSession session, SkeletonAct act)
+        private static void Act(SkeletonSession session, EditCommand act)
         {
             string tooltip = act.Key == KeyCode.None ? act.Tooltip : $"{act.Tooltip} ({act.Shortcut})";
             if (GUILayout.Button(new GUIContent(act.Name, tooltip), EditorStyles.miniButton, GUILayout.Width(0.5f * k_Width)))

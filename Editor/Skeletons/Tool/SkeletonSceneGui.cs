@@ -31,7 +31,7 @@ namespace Alate.Editor
                     ContextClick(session, now);
                     break;
                 case EventType.MouseDrag when GUIUtility.hotControl == id:
-                    session.Tell(session.Pointer.Move(now.mousePosition, RayAt(now), ModeOf(session, now)));
+                    session.Report(session.Pointer.Move(now.mousePosition, RayAt(now), ModeOf(session, now)));
                     now.Use();
                     break;
                 case EventType.MouseUp when GUIUtility.hotControl == id && now.button == 0:

@@ -16,7 +16,7 @@ internal static class AuthoringFigures
 
     public static void Run(Report report)
     {
-        SpeciesWing wing = InsectCatalogue.Find("monarch").Wings[0];
+        WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];
         WingSurface surface = wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name);
         SkeletonFitSettings hints = SkeletonFitSettings.Default;
         WingPicture picture = Photo(wing.Contour);

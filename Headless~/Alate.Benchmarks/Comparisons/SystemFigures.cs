@@ -54,7 +54,7 @@ internal static class SystemFigures
     }
 
     /// <summary>Monarchs with one mesh and skeleton a side.</summary>
-    private sealed class Brood(SpeciesWing kind)
+    private sealed class Brood(WingDefinition kind)
     {
         private static readonly WingSide[] s_Sides = [WingSide.Right, WingSide.Left];
         private readonly Mesh[] _meshes = [.. s_Sides.Select(side => kind.CreateSurface(side).ToMesh($"monarch {side}"))];

@@ -11,15 +11,15 @@ internal sealed class Specimen : IDisposable
     private const float k_Gravity = 9.81f;
     private readonly WingRigSettings m_Settings;
 
-    public Specimen(SpeciesWing wing)
-        : this(wing, wing.CreateSpecies().ToParameters(), WingRigSettings.Default)
+    public Specimen(WingDefinition wing)
+        : this(wing, wing.CreatePreset().ToParameters(), WingRigSettings.Default)
     {
     }
 
-    private Specimen(SpeciesWing wing, in WingParameters parameters, in WingRigSettings settings)
+    private Specimen(WingDefinition wing, in WingParameters parameters, in WingRigSettings settings)
     {
         Wing = wing;
-        var species = wing.CreateSpecies();
+        var species = wing.CreatePreset();
         Parameters = parameters;
         m_Settings = settings;
         Surface = wing.CreateSurface(WingSide.Right);
@@ -34,7 +34,7 @@ internal sealed class Specimen : IDisposable
         };
     }
 
-    public SpeciesWing Wing { get; }
+    public WingDefinition Wing { get; }
 
     public SurfaceMesh Surface { get; }
 
@@ -50,9 +50,9 @@ internal sealed class Specimen : IDisposable
     public static Specimen MonarchOfVersion01() => OfVersion01(InsectCatalogue.Find("monarch").Wings[0]);
 
     /// <summary>A wing as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.</summary>
-    public static Specimen OfVersion01(SpeciesWing wing)
+    public static Specimen OfVersion01(WingDefinition wing)
     {
-        var parameters = wing.CreateSpecies().ToParameters();
+        var parameters = wing.CreatePreset().ToParameters();
         Version01.ApplyTo(ref parameters);
         parameters.substepsPerBeat = Version01.Substeps;
         return new Specimen(wing, parameters, new WingRigSettings { patchCount = Version01.Patches });

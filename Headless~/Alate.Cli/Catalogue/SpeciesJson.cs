@@ -38,7 +38,7 @@ internal static class SpeciesJson
             Write(json, wing);
         json.WriteEndArray();
         json.WriteStartArray("sources");
-        foreach (SpeciesSource source in sheet.Definition.Sources)
+        foreach (InsectSource source in sheet.Definition.Sources)
         {
             json.WriteStartObject();
             json.WriteString("quantity", source.Quantity);

@@ -5,7 +5,7 @@ using Alate.Catalogue;
 namespace Alate.Cli.Catalogue;
 
 /// <summary>Every number of a species.</summary>
-internal sealed record SpeciesNumbers(SpeciesDefinition Definition, IReadOnlyList<WingNumbers> Wings)
+internal sealed record SpeciesNumbers(InsectDefinition Definition, IReadOnlyList<WingNumbers> Wings)
 {
-    public static SpeciesNumbers Of(SpeciesDefinition definition) => new(definition, definition.Wings.Select(WingNumbers.Of).ToList());
+    public static SpeciesNumbers Of(InsectDefinition definition) => new(definition, definition.Wings.Select(WingNumbers.Of).ToList());
 }

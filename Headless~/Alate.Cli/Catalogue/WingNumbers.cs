@@ -8,20 +8,20 @@ namespace Alate.Cli.Catalogue;
 /// <summary>Every number of one kind of wing, in each of its variants.</summary>
 /// <param name="Wing">The kind of wing.</param>
 /// <param name="Values">[variant][parameter]</param>
-internal sealed record WingNumbers(SpeciesWing Wing, IReadOnlyList<IReadOnlyList<float>> Values)
+internal sealed record WingNumbers(WingDefinition Wing, IReadOnlyList<IReadOnlyList<float>> Values)
 {
     public static IReadOnlyList<FlownParameter> Parameters => FlownParameters.OfSpecies;
 
-    public IReadOnlyList<SpeciesVariant> Variants => Wing.Variants;
+    public IReadOnlyList<InsectVariant> Variants => Wing.Variants;
 
     /// <summary>A number of the standard variant by its name.</summary>
     public float this[string name] => Values[0][Parameters.Select(parameter => parameter.Name).ToList().IndexOf(name)];
 
-    public static WingNumbers Of(SpeciesWing wing) => new(wing, wing.Variants.Select(variant => Read(wing, variant)).ToList());
+    public static WingNumbers Of(WingDefinition wing) => new(wing, wing.Variants.Select(variant => Read(wing, variant)).ToList());
 
-    private static float[] Read(SpeciesWing wing, SpeciesVariant variant)
+    private static float[] Read(WingDefinition wing, InsectVariant variant)
     {
-        WingSpecies species = wing.CreateSpecies(variant: variant);
+        WingPreset species = wing.CreatePreset(variant: variant);
         float[] values = Parameters.Select(parameter => parameter.Of(species)).ToArray();
         UnityEngine.Object.DestroyImmediate(species);
         return values;

@@ -29,7 +29,7 @@ internal static class CompareCommand
             "Factor on the elasticity in the last column, 0.001 to 1000000; below 1 is softer.");
         Option<int?> phases = Numbers.OptionalCount(
             "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, "Rows of the pictures, 1 to 12. [default: 4]");
-        Option<SpeciesVariant?> variant = FlightOptions.Variant();
+        Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
         Option<PictureView?> view = FlightOptions.View();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/compare]" };
@@ -41,12 +41,12 @@ internal static class CompareCommand
         command.SetAction(parsed =>
         {
             var flights = new List<FlightPlan>();
-            foreach (SpeciesDefinition definition in parsed.GetValue(species).Select(FlightOptions.Find).Distinct())
+            foreach (InsectDefinition definition in parsed.GetValue(species).Select(FlightOptions.Find).Distinct())
             {
                 flights.Add(new FlightPlan
                 {
                     Species = definition.Name,
-                    Variant = parsed.GetValue(variant) ?? SpeciesVariant.Standard,
+                    Variant = parsed.GetValue(variant) ?? InsectVariant.Standard,
                     Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),
                     View = parsed.GetValue(view) ?? PictureView.FrontLeft,
                 });

@@ -19,14 +19,14 @@ internal static class ConvergenceCommand
     public static Command Create(TextWriter output)
     {
         Argument<string[]> species = FlightOptions.AnySpecies();
-        Option<SpeciesVariant?> variant = FlightOptions.Variant();
+        Option<InsectVariant?> variant = FlightOptions.Variant();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/convergence]" };
         var command = new Command("convergence", "Measures how far wings are off at some substeps of a beat, and what these cost.") { species, variant, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            SpeciesVariant shown = parsed.GetValue(variant) ?? SpeciesVariant.Standard;
-            List<SpeciesDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), shown);
+            InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
+            List<InsectDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), shown);
             var plan = new ConvergencePlan(insects.ConvertAll(insect => FlightPlan.Cruise(insect, shown)));
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "convergence"), output);
             return 0;

@@ -56,7 +56,7 @@ internal static class FiguresCommand
         {
             List<FlightSummary> summaries = Measure(folder, done);
             page = PageBlock.Replace(page, "numbers", MarkdownTable.Write(SpeciesTable.Measured(summaries)));
-            foreach (SpeciesDefinition species in InsectCatalogue.All)
+            foreach (InsectDefinition species in InsectCatalogue.All)
                 page = PageBlock.Replace(page, "sources of " + species.Name, MarkdownTable.Write(SpeciesTable.Sources(species)));
             Write(folder, k_Page, page);
             stage("comparing");
@@ -78,12 +78,12 @@ internal static class FiguresCommand
     private static List<FlightSummary> Measure(OutputFolder folder, System.Action<int> done)
     {
         var summaries = new List<FlightSummary>();
-        foreach (SpeciesDefinition species in InsectCatalogue.All)
+        foreach (InsectDefinition species in InsectCatalogue.All)
         {
-            foreach (SpeciesVariant variant in species.Variants)
+            foreach (InsectVariant variant in species.Variants)
             {
                 FlightRecord flight = Flight.Fly(Plan(species) with { Variant = variant, Substeps = MeasuredSubsteps });
-                if (variant == SpeciesVariant.Standard)
+                if (variant == InsectVariant.Standard)
                     Write(folder, Portrait(species.Name), SpeciesPortrait.Draw(flight));
                 summaries.Add(FlightSummary.Of(flight));
                 done(summaries.Count);
@@ -93,7 +93,7 @@ internal static class FiguresCommand
         return summaries;
     }
 
-    private static FlightPlan Plan(SpeciesDefinition species) => new() { Species = species.Name, Speed = FlightPlan.CruiseOf(species) };
+    private static FlightPlan Plan(InsectDefinition species) => new() { Species = species.Name, Speed = FlightPlan.CruiseOf(species) };
 
     private static string Portrait(string species) => $"images/species-{species}.svg";
 

@@ -24,10 +24,10 @@ internal static class FlightOptions
         "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps,
         "Substeps of a beat, 12 to 480. [default: the species']");
 
-    public static Option<SpeciesVariant?> Variant() => Choice.Optional<SpeciesVariant>(
+    public static Option<InsectVariant?> Variant() => Choice.Optional<InsectVariant>(
         "--variant", "Which numbers of the species: the tables', measured ones where there are any, or softer ones. [default: standard]", new()
         {
-            ["standard"] = SpeciesVariant.Standard, ["biological"] = SpeciesVariant.Biological, ["expressive"] = SpeciesVariant.Expressive,
+            ["standard"] = InsectVariant.Standard, ["biological"] = InsectVariant.Biological, ["expressive"] = InsectVariant.Expressive,
         });
 
     public static Option<PictureView?> View() => Choice.Optional(
@@ -35,15 +35,15 @@ internal static class FlightOptions
 
     /// <summary>The species of a name.</summary>
     /// <exception cref="UserException">There is none; the message lists those there are.</exception>
-    public static SpeciesDefinition Find(string name) => InsectCatalogue.TryFind(name, out SpeciesDefinition definition)
+    public static InsectDefinition Find(string name) => InsectCatalogue.TryFind(name, out InsectDefinition definition)
         ? definition
         : throw new UserException($"Unknown species '{name}'. Known: {string.Join(", ", InsectCatalogue.Names)}.");
 
     /// <summary>The species of a name that has a variant.</summary>
     /// <exception cref="UserException">There is no such species, or it has no such variant; the message lists those there are.</exception>
-    public static SpeciesDefinition Find(string name, SpeciesVariant variant)
+    public static InsectDefinition Find(string name, InsectVariant variant)
     {
-        SpeciesDefinition definition = Find(name);
+        InsectDefinition definition = Find(name);
         return definition.Variants.Contains(variant)
             ? definition
             : throw new UserException($"There is no {Word(variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
@@ -51,10 +51,10 @@ internal static class FlightOptions
 
     /// <summary>The species of <see cref="AnySpecies"/>, each once: those that are named, or all that have the variant.</summary>
     /// <exception cref="UserException">There is no such species, or it has no such variant; the message lists those there are.</exception>
-    public static List<SpeciesDefinition> FindAny(string[] names, SpeciesVariant variant) => names.Length == 0
+    public static List<InsectDefinition> FindAny(string[] names, InsectVariant variant) => names.Length == 0
         ? InsectCatalogue.All.Where(species => species.Variants.Contains(variant)).ToList()
         : names.Select(name => Find(name, variant)).Distinct().ToList();
 
     /// <summary>What a variant is called on the command line.</summary>
-    public static string Word(SpeciesVariant variant) => variant.ToString().ToLowerInvariant();
+    public static string Word(InsectVariant variant) => variant.ToString().ToLowerInvariant();
 }

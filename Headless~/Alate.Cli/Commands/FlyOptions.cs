@@ -43,13 +43,13 @@ internal sealed class FlyOptions
             ["dickinson"] = CoefficientSet.Dickinson1999, ["paper"] = CoefficientSet.Paper, ["flatplate"] = CoefficientSet.FlatPlate,
         });
 
-    private readonly Option<ModelPreset?> m_Preset = Choice.Optional<ModelPreset>(
+    private readonly Option<ModelReading?> m_Preset = Choice.Optional<ModelReading>(
         "--preset", "The paper's equations as printed, or as resolved. [default: physical]", new()
         {
-            ["physical"] = ModelPreset.Physical, ["paper"] = ModelPreset.Paper,
+            ["physical"] = ModelReading.Physical, ["paper"] = ModelReading.Paper,
         });
 
-    private readonly Option<SpeciesVariant?> m_Variant = FlightOptions.Variant();
+    private readonly Option<InsectVariant?> m_Variant = FlightOptions.Variant();
 
     private readonly Option<bool> m_NoWave = new("--no-wave") { Description = "No deformation wave: the whole wing is driven at once." };
 
@@ -98,8 +98,8 @@ internal sealed class FlyOptions
             Species = name,
             MeshFile = parsed.GetValue(m_Mesh),
             SkeletonFile = parsed.GetValue(m_Skeleton),
-            Speed = parsed.GetValue(m_Speed) ?? (InsectCatalogue.TryFind(name, out SpeciesDefinition found) ? FlightPlan.CruiseOf(found) : 0),
-            Variant = parsed.GetValue(m_Variant) ?? SpeciesVariant.Standard,
+            Speed = parsed.GetValue(m_Speed) ?? (InsectCatalogue.TryFind(name, out InsectDefinition found) ? FlightPlan.CruiseOf(found) : 0),
+            Variant = parsed.GetValue(m_Variant) ?? InsectVariant.Standard,
             Climb = parsed.GetValue(m_Climb),
             PitchDegrees = parsed.GetValue(m_Pitch),
             Seconds = parsed.GetValue(m_Seconds),
@@ -109,7 +109,7 @@ internal sealed class FlyOptions
             Substeps = parsed.GetValue(m_Substeps),
             Patches = FlyCommand.Patches(parsed.GetValue(m_Elements)),
             Coefficients = parsed.GetValue(m_Coefficients),
-            Preset = parsed.GetValue(m_Preset) ?? ModelPreset.Physical,
+            Preset = parsed.GetValue(m_Preset) ?? ModelReading.Physical,
             Column = parsed.GetValue(m_Rigid) ? ComparisonColumn.RigidWing
                 : parsed.GetValue(m_NoWave) ? ComparisonColumn.NoWave : ComparisonColumn.FullModel,
             View = parsed.GetValue(m_View) ?? PictureView.FrontLeft,

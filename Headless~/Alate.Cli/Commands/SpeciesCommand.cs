@@ -70,10 +70,10 @@ internal static class SpeciesCommand
             yield return [WingNumbers.Parameters[k].Title, .. wing.Values.Select(values => Number(values[k]))];
     }
 
-    private static IEnumerable<IReadOnlyList<string>> Sources(SpeciesDefinition definition)
+    private static IEnumerable<IReadOnlyList<string>> Sources(InsectDefinition definition)
     {
         yield return ["number", "variant", "value", "source"];
-        foreach (SpeciesSource source in definition.Sources)
+        foreach (InsectSource source in definition.Sources)
             yield return [source.Quantity, source.Variant.ToString().ToLowerInvariant(), source.Value, source.Source];
     }
 

@@ -35,7 +35,7 @@ internal static class SweepCommand
             ["on"] = SweepWaves.On, ["off"] = SweepWaves.Off, ["both"] = SweepWaves.Both,
         });
         Option<int?> substeps = FlightOptions.Substeps();
-        Option<SpeciesVariant?> variant = FlightOptions.Variant();
+        Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
         Option<PictureView?> view = FlightOptions.View();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/sweep-PARAMETER]" };
@@ -47,11 +47,11 @@ internal static class SweepCommand
         command.SetAction(parsed =>
         {
             FlownParameter known = FlownParameters.Find(parsed.GetValue(parameter));
-            SpeciesDefinition definition = FlightOptions.Find(parsed.GetValue(species) ?? "fishfly");
+            InsectDefinition definition = FlightOptions.Find(parsed.GetValue(species) ?? "fishfly");
             var flight = new FlightPlan
             {
                 Species = definition.Name,
-                Variant = parsed.GetValue(variant) ?? SpeciesVariant.Standard,
+                Variant = parsed.GetValue(variant) ?? InsectVariant.Standard,
                 Substeps = parsed.GetValue(substeps),
                 Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),
                 View = parsed.GetValue(view) ?? PictureView.FrontLeft,

@@ -22,15 +22,15 @@ internal static class WindCommand
         Option<double[]> speeds = Numbers.List(
             "--speeds", "V,V,...", WindPlan.MostSpeeds, WindPlan.MinSpeed, WindPlan.MaxSpeed,
             $"Speeds of the wind, metres per second, up to {WindPlan.MostSpeeds} of them, each 0 to 100. [default: {string.Join(',', WindPlan.DefaultSpeeds)}]");
-        Option<SpeciesVariant?> variant = FlightOptions.Variant();
+        Option<InsectVariant?> variant = FlightOptions.Variant();
         var gusts = new Option<bool>("--gusts") { Description = "Two smooth gusts of a beat each and a sharp one, instead of a steady wind." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/wind]" };
         var command = new Command("wind", "Measures how much wings stretch in wind from 26 directions.") { species, speeds, variant, gusts, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            SpeciesVariant shown = parsed.GetValue(variant) ?? SpeciesVariant.Standard;
-            List<SpeciesDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), shown);
+            InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
+            List<InsectDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), shown);
             IReadOnlyList<double> winds = parsed.GetValue(speeds) is { Length: > 0 } given ? given.Order().Distinct().ToList() : WindPlan.DefaultSpeeds;
             var plan = new WindPlan(insects.ConvertAll(insect => FlightPlan.Cruise(insect, shown)), winds, parsed.GetValue(gusts));
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "wind"), output);

@@ -26,7 +26,7 @@ internal sealed class Comparison
 
     /// <summary>What it is called, with its variant where that is not the standard one.</summary>
     public string Name => Flights[0].Summary.Flight.Insect.DisplayName
-        + (Plan.Variant == SpeciesVariant.Standard ? "" : $", {Plan.Variant.ToString().ToLowerInvariant()}");
+        + (Plan.Variant == InsectVariant.Standard ? "" : $", {Plan.Variant.ToString().ToLowerInvariant()}");
 
     /// <summary>Flies every insect by every column.</summary>
     /// <param name="plan">What to fly.</param>

@@ -29,9 +29,9 @@ internal sealed record MeasureBound(string Title, double Low, double High, Func<
     public string Range => Low > 0 ? Text($"{Low}–{High}") : Text($"< {High}");
 
     /// <summary>The number, marked where it lies outside.</summary>
-    public string Cell(WingSummary wing, SpeciesVariant variant)
+    public string Cell(WingSummary wing, InsectVariant variant)
     {
-        double value = Math.Round(Of(wing), 1), high = Title.StartsWith("stretch", StringComparison.Ordinal) && variant == SpeciesVariant.Expressive ? 8 : High;
+        double value = Math.Round(Of(wing), 1), high = Title.StartsWith("stretch", StringComparison.Ordinal) && variant == InsectVariant.Expressive ? 8 : High;
         return Text($"{value:0.0}") + (value >= Low && value <= high ? "" : " †");
     }
 

@@ -26,16 +26,16 @@ internal static class SpeciesTable
     }
 
     /// <summary>One row for each number.</summary>
-    public static IEnumerable<IReadOnlyList<string>> Sources(SpeciesDefinition species)
+    public static IEnumerable<IReadOnlyList<string>> Sources(InsectDefinition species)
     {
         yield return ["number", "variant", "value", "source"];
-        foreach (SpeciesSource source in species.Sources)
+        foreach (InsectSource source in species.Sources)
             yield return [source.Quantity, source.Variant.ToString().ToLowerInvariant(), source.Value, source.Source];
     }
 
     private static string[] Cells(FlightSummary summary, WingSummary wing)
     {
-        SpeciesVariant variant = summary.Flight.Plan.Variant;
+        InsectVariant variant = summary.Flight.Plan.Variant;
         return
         [
             summary.Flight.Insect.Name, variant.ToString().ToLowerInvariant(), wing.Name, Number(wing.FrequencyHz, 1),

@@ -37,14 +37,14 @@ internal sealed record FlightPlan
     /// <summary>0 is one per triangle.</summary>
     public int Patches { get; init; } = WingRigSettings.Default.patchCount;
     public CoefficientSet? Coefficients { get; init; }
-    public ModelPreset Preset { get; init; }
+    public ModelReading Preset { get; init; }
 
     /// <summary>How time advances; null is the preset's.</summary>
     public TimeScheme? TimeScheme { get; init; }
 
     /// <summary>Whether the model is version 0.1's; see <see cref="AsVersion01"/>.</summary>
     public bool IsVersion01 { get; init; }
-    public SpeciesVariant Variant { get; init; }
+    public InsectVariant Variant { get; init; }
 
     /// <summary>A number of the species at another value; null changes none.</summary>
     public ParameterChange Change { get; init; }
@@ -65,24 +65,24 @@ internal sealed record FlightPlan
     public double BodySpeed => Math.Sqrt(Speed * Speed + Climb * Climb);
 
     /// <summary>The speed ahead of a species that is not told any, m/s: 0.65 of its top speed, 1.3 for every insect.</summary>
-    public static double CruiseOf(SpeciesDefinition definition)
+    public static double CruiseOf(InsectDefinition definition)
     {
         const double k_Share = 0.65;
-        WingSpecies species = definition.Wings[0].CreateSpecies();
+        WingPreset species = definition.Wings[0].CreatePreset();
         double cruise = Math.Round(k_Share * species.Beat.maxSpeed, 3);
         UnityEngine.Object.DestroyImmediate(species);
         return cruise;
     }
 
     /// <summary>Level flight of a species at <see cref="CruiseOf"/>.</summary>
-    public static FlightPlan Cruise(SpeciesDefinition definition, SpeciesVariant variant) =>
+    public static FlightPlan Cruise(InsectDefinition definition, InsectVariant variant) =>
         new() { Species = definition.Name, Variant = variant, Speed = CruiseOf(definition) };
 
     /// <summary>The species' parameters with this plan's changes.</summary>
     /// <exception cref="UserException">They leave the range that the model takes.</exception>
-    public WingParameters ParametersOf(WingSpecies species)
+    public WingParameters ParametersOf(WingPreset species)
     {
-        WingSpecies shown = Column.CreateSpecies(species);
+        WingPreset shown = Column.CreatePreset(species);
         WingParameters parameters = shown.ToParameters();
         UnityEngine.Object.DestroyImmediate(shown);
         parameters.elasticity *= (float)Elasticity;
@@ -102,12 +102,12 @@ internal sealed record FlightPlan
     public FlightPlan AsVersion01() => this with
     {
         IsVersion01 = true,
-        Substeps = Variant == SpeciesVariant.Expressive ? Version01.SoftSubsteps : Version01.Substeps,
+        Substeps = Variant == InsectVariant.Expressive ? Version01.SoftSubsteps : Version01.Substeps,
         Patches = Version01.Patches,
     };
 
     /// <summary>What a wing of a body in this flight feels, in the frame of its right wing or mirrored into that of its left one.</summary>
-    public WingSurroundings SurroundingsOf(WingSpecies species, WingSide side)
+    public WingSurroundings SurroundingsOf(WingPreset species, WingSide side)
     {
         const float k_Gravity = 9.81f;
         float pitch = math.radians((float)PitchDegrees);

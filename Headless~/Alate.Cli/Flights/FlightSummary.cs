@@ -61,7 +61,7 @@ internal sealed class FlightSummary
         float3 force = default, moment = default;
         foreach (RecordedWing wing in flight.Wings)
         {
-            SpeciesSize size = wing.Wing.Species.Size;
+            PresetSize size = wing.Wing.Species.Size;
             float unit = size.wingMass * size.wingLength / wing.Frames.Count;
             foreach (RecordedFrame frame in wing.Frames)
             {

@@ -35,27 +35,27 @@ internal sealed class Insect
     /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>
     public static Insect Of(FlightPlan plan)
     {
-        SpeciesDefinition definition = FlightOptions.Find(plan.Species, plan.Variant);
+        InsectDefinition definition = FlightOptions.Find(plan.Species, plan.Variant);
         Insect insect = plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
         plan.Change?.ApplyTo(insect.Wings.Select(wing => wing.Species).ToList());
         return insect;
     }
 
-    private static Insect FromCatalogue(SpeciesDefinition definition, FlightPlan plan)
+    private static Insect FromCatalogue(InsectDefinition definition, FlightPlan plan)
     {
         var wings = new List<InsectWing>();
-        foreach (SpeciesWing wing in definition.Wings)
+        foreach (WingDefinition wing in definition.Wings)
         {
             SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
             wings.Add(new InsectWing
             {
                 Name = wing.Name,
-                Species = wing.CreateSpecies(plan.Preset, plan.Variant),
+                Species = wing.CreatePreset(plan.Preset, plan.Variant),
                 Skeleton = wing.CreateSkeleton(WingSide.Right),
                 Surface = surface.ToWingSurface(wing.Name),
                 Colours = surface.colours,
                 Pattern = wing.Pattern,
-                PatternScale = (float)wing.Outline.Length * SpeciesDefinition.UnitsPerMetre,
+                PatternScale = (float)wing.Outline.Length * InsectDefinition.UnitsPerMetre,
                 Origin = (float3)wing.Hinge,
             });
         }
@@ -63,7 +63,7 @@ internal sealed class Insect
         return new Insect(definition.Name, definition.DisplayName, wings, definition.Body.CreateSurface(1f));
     }
 
-    private static Insect FromFiles(SpeciesDefinition definition, FlightPlan plan)
+    private static Insect FromFiles(InsectDefinition definition, FlightPlan plan)
     {
         string name = Path.GetFileNameWithoutExtension(plan.MeshFile);
         ObjMesh mesh = TextFile.Read(plan.MeshFile, ObjReader.Read);
@@ -71,11 +71,11 @@ internal sealed class Insect
         List<SkeletonProblem> problems = skeleton.Validate();
         if (problems.Count > 0)
             throw new UserException($"{plan.SkeletonFile}: {problems[0].Message}");
-        SpeciesWing model = definition.Wings[0];
+        WingDefinition model = definition.Wings[0];
         var wing = new InsectWing
         {
             Name = model.Name,
-            Species = model.CreateSpecies(plan.Preset, plan.Variant),
+            Species = model.CreatePreset(plan.Preset, plan.Variant),
             Skeleton = skeleton,
             Surface = mesh.ToWingSurface(plan.MeshFile),
             Colours = mesh.Colours,

@@ -21,7 +21,7 @@ internal static class PlanRange
     /// <exception cref="UserException">It does; the message has the range of the option for the species.</exception>
     public static void CheckElasticity(FlightPlan plan, double factor)
     {
-        string subject = plan.Variant == SpeciesVariant.Standard ? plan.Species : $"{plan.Species}, {FlightOptions.Word(plan.Variant)}";
+        string subject = plan.Variant == InsectVariant.Standard ? plan.Species : $"{plan.Species}, {FlightOptions.Word(plan.Variant)}";
         TypedRange.Check(
             "--elasticity", factor, LeastElasticity, MostElasticity, subject, 1, value => Holds(plan with { Elasticity = value }));
     }
@@ -43,7 +43,7 @@ internal static class PlanRange
     {
         if (parameter.Of == null)
             return 1;
-        List<WingSpecies> wings = Wings(plan);
+        List<WingPreset> wings = Wings(plan);
         double own = parameter.Of(wings[0]);
         wings.ForEach(UnityEngine.Object.DestroyImmediate);
         return own;
@@ -51,14 +51,14 @@ internal static class PlanRange
 
     private static bool Holds(FlightPlan plan)
     {
-        List<WingSpecies> wings = Wings(plan);
+        List<WingPreset> wings = Wings(plan);
         plan.Change?.ApplyTo(wings);
         bool holds = wings.TrueForAll(wing => Holds(wing, plan));
         wings.ForEach(UnityEngine.Object.DestroyImmediate);
         return holds;
     }
 
-    private static bool Holds(WingSpecies wing, FlightPlan plan)
+    private static bool Holds(WingPreset wing, FlightPlan plan)
     {
         if (plan.Change?.Parameter is FlownParameter changed && (changed.Of(wing) < (float)changed.Min || changed.Of(wing) > (float)changed.Max))
             return false;
@@ -67,9 +67,9 @@ internal static class PlanRange
     }
 
     // A wing of the user's own is of the first kind.
-    private static List<WingSpecies> Wings(FlightPlan plan) =>
+    private static List<WingPreset> Wings(FlightPlan plan) =>
         FlightOptions.Find(plan.Species, plan.Variant).Wings.Take(plan.MeshFile == null ? int.MaxValue : 1)
-            .Select(wing => wing.CreateSpecies(plan.Preset, plan.Variant)).ToList();
+            .Select(wing => wing.CreatePreset(plan.Preset, plan.Variant)).ToList();
 
     private static WingParameterRange Range(string name) => WingParameterRange.All.First(range => range.Name == name);
 }

@@ -8,7 +8,7 @@ namespace Alate.Cli.Parameters;
 internal sealed class FlownParameter
 {
     /// <summary>Where a species keeps the number.</summary>
-    public delegate ref float Field(WingSpecies species);
+    public delegate ref float Field(WingPreset species);
 
     private readonly Func<FlightPlan, double, FlightPlan> m_Planned;
 
@@ -61,10 +61,10 @@ internal sealed class FlownParameter
     /// Gives the first wing of an insect the value, and moves the others along: by the same factor, or by the same difference where the number may be
     /// negative or was zero.
     /// </summary>
-    public void Set(IReadOnlyList<WingSpecies> wings, float value)
+    public void Set(IReadOnlyList<WingPreset> wings, float value)
     {
         float before = Of(wings[0]);
-        foreach (WingSpecies wing in wings)
+        foreach (WingPreset wing in wings)
         {
             ref float field = ref Of(wing);
             field = Min < 0 || before == 0f ? field + (value - before) : field * (value / before);

@@ -6,5 +6,5 @@ namespace Alate.Cli.Parameters;
 internal sealed record ParameterChange(FlownParameter Parameter, float Value)
 {
     /// <summary>Changes the kinds of wings of one insect.</summary>
-    public void ApplyTo(IReadOnlyList<WingSpecies> wings) => Parameter.Set(wings, Value);
+    public void ApplyTo(IReadOnlyList<WingPreset> wings) => Parameter.Set(wings, Value);
 }

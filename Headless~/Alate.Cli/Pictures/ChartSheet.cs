@@ -21,7 +21,7 @@ internal sealed class ChartSheet
     /// <param name="title">Its heading, to which a variant other than the standard one is added.</param>
     /// <param name="variant">That of all species.</param>
     /// <param name="caption">One line below the heading: what the axes are.</param>
-    public ChartSheet(string title, SpeciesVariant variant, string caption)
+    public ChartSheet(string title, InsectVariant variant, string caption)
     {
         Page.Text(Edge, 38f, 22f, Title(title, variant), look: "b");
         Page.Text(Edge, 60f, 13f, caption, look: "t");
@@ -36,8 +36,8 @@ internal sealed class ChartSheet
     public float LegendTop => 86f;
 
     /// <summary>A heading with the variant where that is not the standard one.</summary>
-    public static string Title(string name, SpeciesVariant variant) =>
-        name + (variant == SpeciesVariant.Standard ? "" : $", {variant.ToString().ToLowerInvariant()}");
+    public static string Title(string name, InsectVariant variant) =>
+        name + (variant == InsectVariant.Standard ? "" : $", {variant.ToString().ToLowerInvariant()}");
 
     /// <summary>Begins the chart of an index, row by row.</summary>
     public PointChart Chart(int index, string title, ChartAxis across, ChartAxis up)

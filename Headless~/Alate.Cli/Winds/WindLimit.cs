@@ -9,7 +9,7 @@ namespace Alate.Cli.Winds;
 internal sealed record WindLimit(double Speed, double StretchPct)
 {
     /// <summary>The limits of a variant, from weak wind to strong.</summary>
-    public static IReadOnlyList<WindLimit> Of(SpeciesVariant variant) => variant == SpeciesVariant.Expressive
+    public static IReadOnlyList<WindLimit> Of(InsectVariant variant) => variant == InsectVariant.Expressive
         ? [new(3, 15), new(5, 20), new(10, 28)]
         : [new(3, 10), new(5, 12), new(10, 15)];
 }

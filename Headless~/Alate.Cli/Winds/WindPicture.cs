@@ -16,7 +16,7 @@ internal static class WindPicture
     /// <summary>The whole picture.</summary>
     public static string Draw(IReadOnlyList<SpeciesWinds> species, bool inGusts)
     {
-        SpeciesVariant variant = species[0].Plan.Variant;
+        InsectVariant variant = species[0].Plan.Variant;
         var sheet = new ChartSheet(
             inGusts ? "What gusts do to wings" : "What wind does to wings",
             variant,
@@ -36,7 +36,7 @@ internal static class WindPicture
     private static void Draw(ChartSheet sheet, int index, SpeciesWinds species)
     {
         List<double> speeds = species.Wings[0].Now.Select(point => point.Speed).ToList();
-        double most = speeds[^1] > 0.0 ? speeds[^1] : 1.0, tick = species.Plan.Variant == SpeciesVariant.Expressive ? 10.0 : 5.0, high = k_Ticks * tick;
+        double most = speeds[^1] > 0.0 ? speeds[^1] : 1.0, tick = species.Plan.Variant == InsectVariant.Expressive ? 10.0 : 5.0, high = k_Ticks * tick;
         var across = new ChartAxis(0.0, most, false, speeds);
         var up = new ChartAxis(0.0, high, false, Enumerable.Range(0, k_Ticks + 1).Select(k => k * tick).ToList());
         string name = species.DisplayName + (species.SpeedShare < 1.0 ? ", in water" : "");

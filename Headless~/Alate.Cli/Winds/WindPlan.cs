@@ -23,9 +23,9 @@ internal sealed record WindPlan(IReadOnlyList<FlightPlan> Flights, IReadOnlyList
     public static IReadOnlyList<double> DefaultSpeeds { get; } = [0, 1, 2, 3, 5, 10];
 
     /// <summary>Factor on the speeds for a species: a tenth in water, else 1.</summary>
-    public static double ShareOf(SpeciesDefinition definition)
+    public static double ShareOf(InsectDefinition definition)
     {
-        WingSpecies species = definition.Wings[0].CreateSpecies();
+        WingPreset species = definition.Wings[0].CreatePreset();
         double share = species.Size.fluidDensity > k_Liquid ? k_WaterShare : 1.0;
         UnityEngine.Object.DestroyImmediate(species);
         return share;

@@ -18,7 +18,7 @@ namespace Alate.Tests.Cli
         private static readonly string s_Folder = Path.Combine(PackageRoot.Find(), "Documentation~");
         private static readonly Lazy<string> s_Page = new Lazy<string>(() => File.ReadAllText(Path.Combine(s_Folder, "species.md")).ReplaceLineEndings("\n"));
 
-        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
+        private static IEnumerable<InsectDefinition> All => InsectCatalogue.All;
 
         [Test]
         public void EveryPictureOfThePage_IsThere_AndSmall()
@@ -31,13 +31,13 @@ namespace Alate.Tests.Cli
         }
 
         [TestCaseSource(nameof(All))]
-        public void ThePagesSources_AreThoseOfTheSpecies(SpeciesDefinition species)
+        public void ThePagesSources_AreThoseOfTheSpecies(InsectDefinition species)
         {
             Assert.That(Part("sources of " + species.Name), Is.EqualTo(MarkdownTable.Write(SpeciesTable.Sources(species))), "run the command figures");
         }
 
         [TestCaseSource(nameof(All))]
-        public void ThePagesNumbers_AreThoseMeasuredNow(SpeciesDefinition species)
+        public void ThePagesNumbers_AreThoseMeasuredNow(InsectDefinition species)
         {
             FlightSummary measured = FlightSummary.Of(Flight.Fly(
                 new FlightPlan { Species = species.Name, Speed = FlightPlan.CruiseOf(species), Substeps = Alate.Cli.Commands.FiguresCommand.MeasuredSubsteps }));

@@ -11,7 +11,7 @@ namespace Alate.Tests.Cli
 {
     public sealed class FlownParametersTests
     {
-        private static readonly FieldInfo[] s_Sliders = new[] { typeof(SpeciesSize), typeof(SpeciesBeat), typeof(SpeciesWave), typeof(SpeciesStiffness) }
+        private static readonly FieldInfo[] s_Sliders = new[] { typeof(PresetSize), typeof(PresetBeat), typeof(PresetWave), typeof(PresetStiffness) }
             .SelectMany(group => group.GetFields(BindingFlags.Public | BindingFlags.Instance)).ToArray();
 
         [Test]
@@ -35,7 +35,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void EverySlider_IsAFieldOfItsOwn()
         {
-            var species = ScriptableObject.CreateInstance<WingSpecies>();
+            var species = ScriptableObject.CreateInstance<WingPreset>();
             foreach (FlownParameter parameter in FlownParameters.OfSpecies)
                 parameter.Of(species) = 0f;
             for (int k = 0; k < FlownParameters.OfSpecies.Count; k++)
@@ -68,7 +68,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheOtherWing_IsMovedAlong_ByTheSameFactorOrDifference()
         {
-            List<WingSpecies> wings = InsectCatalogue.Find("swallowtail").Wings.Select(wing => wing.CreateSpecies()).ToList();
+            List<WingPreset> wings = InsectCatalogue.Find("swallowtail").Wings.Select(wing => wing.CreatePreset()).ToList();
             float range = wings[1].Beat.flapRange / wings[0].Beat.flapRange, mean = wings[1].Beat.meanFlap - wings[0].Beat.meanFlap;
 
             FlownParameters.Find("flap-range").Set(wings, 60f);

@@ -16,7 +16,7 @@ namespace Alate.Tests.Cli
             species => species.Variants.Select(variant => new TestCaseData(species.Name, variant)));
 
         [TestCaseSource(nameof(All))]
-        public void AFlightOfOneBeat_HasTheBeatOfALongOne(string name, SpeciesVariant variant)
+        public void AFlightOfOneBeat_HasTheBeatOfALongOne(string name, InsectVariant variant)
         {
             FlightRecord one = Fly(name, variant, 1), many = Fly(name, variant, 40);
 
@@ -30,7 +30,7 @@ namespace Alate.Tests.Cli
         }
 
         [TestCaseSource(nameof(All))]
-        public void NoStepBetweenKeyFrames_IsLargerThanThoseBesideIt_AllRound(string name, SpeciesVariant variant)
+        public void NoStepBetweenKeyFrames_IsLargerThanThoseBesideIt_AllRound(string name, InsectVariant variant)
         {
             foreach (RecordedWing wing in Fly(name, variant, 1).Wings)
             {
@@ -47,16 +47,16 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheClock_StartsAfterSettling()
         {
-            FlightRecord flight = Fly("monarch", SpeciesVariant.Standard, 1);
+            FlightRecord flight = Fly("monarch", InsectVariant.Standard, 1);
             List<RecordedFrame> frames = flight.Wings[0].Frames;
 
             Assert.That(frames[0].Time, Is.EqualTo(flight.Seconds / frames.Count).Within(1e-6));
             Assert.That(frames[^1].Time, Is.EqualTo(flight.Seconds).Within(1e-6));
         }
 
-        private static FlightRecord Fly(string name, SpeciesVariant variant, int beats)
+        private static FlightRecord Fly(string name, InsectVariant variant, int beats)
         {
-            SpeciesDefinition species = InsectCatalogue.Find(name);
+            InsectDefinition species = InsectCatalogue.Find(name);
             double speed = FlightPlan.CruiseOf(species);
             double frequency = MonarchFlight.Fly(new FlightPlan { Species = name, Variant = variant, Speed = speed }).Wings[0].Frequency;
             return MonarchFlight.Fly(new FlightPlan { Species = name, Variant = variant, Speed = speed, Seconds = beats / frequency });

@@ -15,7 +15,7 @@ namespace Alate.Tests.Cli
 
             Assert.That(run.Run("species"), Is.Zero, run.Errors);
 
-            foreach (SpeciesDefinition species in InsectCatalogue.All)
+            foreach (InsectDefinition species in InsectCatalogue.All)
                 Assert.That(run.Output, Does.Contain(species.Name));
             Assert.That(run.Output, Does.Contain("biological").And.Contain("12568"));
         }

@@ -15,7 +15,7 @@ namespace Alate.Tests.Editor
         [Test]
         public void EveryAct_HasALineWithItsKey()
         {
-            foreach (SkeletonAct act in SkeletonActs.All)
+            foreach (EditCommand act in SkeletonCommands.All)
                 Assert.That(s_Manual, Does.Match($@"(?m)^\| {Regex.Escape(act.Name)} \| {Regex.Escape(act.Shortcut)} ?\| \S"), act.Name);
         }
 
@@ -25,7 +25,7 @@ namespace Alate.Tests.Editor
             int begin = s_Manual.IndexOf("| act | key |", StringComparison.Ordinal), end = s_Manual.IndexOf("\n\n", begin, StringComparison.Ordinal);
             int lines = s_Manual[begin..end].Split('\n').Length - 2;
 
-            Assert.That(lines, Is.EqualTo(SkeletonActs.All.Count));
+            Assert.That(lines, Is.EqualTo(SkeletonCommands.All.Count));
         }
 
         [Test]

@@ -25,7 +25,7 @@ public sealed class InsectMenuTests
     public void EverySpecies_HasAnItemThatPlacesIt_AndOneThatSavesIt()
     {
         string[] items = Items().Select(item => item.Path).ToArray();
-        foreach (SpeciesDefinition species in InsectCatalogue.All)
+        foreach (InsectDefinition species in InsectCatalogue.All)
         {
             Assert.That(items, Has.One.EqualTo("GameObject/Alate/" + species.DisplayName).IgnoreCase);
             Assert.That(items, Has.One.EqualTo("Assets/Create/Alate/Insects/" + species.DisplayName).IgnoreCase);

@@ -61,7 +61,7 @@ namespace Alate.Tests.Insects
         {
             get
             {
-                WingSpecies species = InsectCatalogue.Find("snailfish").Wings[0].CreateSpecies();
+                WingPreset species = InsectCatalogue.Find("snailfish").Wings[0].CreatePreset();
                 double drive = 1.0 / (1.0 + Math.Exp(-16.0 * (Cruise / species.Beat.maxSpeed - 0.5)));
                 double frequency = species.Beat.maxFrequency * Math.Max(drive, species.Beat.frequencyFloor);
                 UnityEngine.Object.DestroyImmediate(species);

@@ -15,12 +15,12 @@ namespace Alate.Tests.Insects
             species => species.Variants.Select(variant => new TestCaseData(species.Name, variant)));
 
         [TestCaseSource(nameof(All))]
-        public void NoEdge_IsStretchedBeyondItsBound(string species, SpeciesVariant variant)
+        public void NoEdge_IsStretchedBeyondItsBound(string species, InsectVariant variant)
         {
             FlightSummary summary = FlightSummary.Of(Fly(species, variant));
 
             Assert.That(summary.Resets, Is.Zero);
-            Assert.That(summary.Wings.Select(wing => wing.EdgeStretchMaxPct), Is.All.LessThan(variant == SpeciesVariant.Expressive ? 8.0 : 6.0));
+            Assert.That(summary.Wings.Select(wing => wing.EdgeStretchMaxPct), Is.All.LessThan(variant == InsectVariant.Expressive ? 8.0 : 6.0));
         }
 
         [TestCase("monarch")]
@@ -31,17 +31,17 @@ namespace Alate.Tests.Insects
         [TestCase("snailfish")]
         public void TheExpressiveVariant_DeformsMoreThanTheStandardOne(string species)
         {
-            WingSummary standard = FlightSummary.Of(Fly(species, SpeciesVariant.Standard)).Main;
-            WingSummary expressive = FlightSummary.Of(Fly(species, SpeciesVariant.Expressive)).Main;
+            WingSummary standard = FlightSummary.Of(Fly(species, InsectVariant.Standard)).Main;
+            WingSummary expressive = FlightSummary.Of(Fly(species, InsectVariant.Expressive)).Main;
 
             Assert.That(expressive.TwistPpDeg, Is.GreaterThan(standard.TwistPpDeg));
             Assert.That(expressive.TipBendMaxDeg, Is.GreaterThan(1.3 * standard.TipBendMaxDeg));
             Assert.That(expressive.TipLagDeg, Is.GreaterThan(standard.TipLagDeg));
         }
 
-        [TestCase(SpeciesVariant.Standard)]
-        [TestCase(SpeciesVariant.Expressive)]
-        public void TheSwallowtailsHindWing_StaysWithItsForeWing(SpeciesVariant variant)
+        [TestCase(InsectVariant.Standard)]
+        [TestCase(InsectVariant.Expressive)]
+        public void TheSwallowtailsHindWing_StaysWithItsForeWing(InsectVariant variant)
         {
             FlightRecord flight = Fly("swallowtail", variant);
             double flexible = LargestGap(flight, out double atBottom);
@@ -53,7 +53,7 @@ namespace Alate.Tests.Insects
             Assert.That(flexible, Is.LessThan(rigid), "the wings bend towards one another");
         }
 
-        private static FlightRecord Fly(string species, SpeciesVariant variant) =>
+        private static FlightRecord Fly(string species, InsectVariant variant) =>
             Flight.Fly(new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)) });
 
         // Of the inner half of the hind wing's front edge, where the wings lie against one another, from the nearest place of the fore wing.

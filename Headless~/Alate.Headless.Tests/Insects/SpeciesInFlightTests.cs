@@ -17,9 +17,9 @@ namespace Alate.Tests.Insects
             species => species.Variants.Select(variant => new TestCaseData(species.Name, variant)));
 
         [TestCaseSource(nameof(All))]
-        public void NoWing_Tears(string name, SpeciesVariant variant)
+        public void NoWing_Tears(string name, InsectVariant variant)
         {
-            float bound = variant == SpeciesVariant.Expressive ? 0.08f : 0.06f;
+            float bound = variant == InsectVariant.Expressive ? 0.08f : 0.06f;
             foreach (RecordedWing wing in FlownSpecies.Of(name, variant).Wings)
             {
                 var edges = new EdgeStretch(wing.Rest, wing.Triangles);
@@ -38,7 +38,7 @@ namespace Alate.Tests.Insects
 
         // The root is one stiff line. It turns with feathering, so that the rear end of a broad one leaves the skin.
         [TestCaseSource(nameof(All))]
-        public void TheRoot_StaysAtTheBody(string name, SpeciesVariant variant)
+        public void TheRoot_StaysAtTheBody(string name, InsectVariant variant)
         {
             FlownSpecies flown = FlownSpecies.Of(name, variant);
             foreach (RecordedWing wing in flown.Wings)
@@ -55,7 +55,7 @@ namespace Alate.Tests.Insects
         }
 
         [TestCaseSource(nameof(All))]
-        public void TheInnerThird_NeverPassesThroughItself(string name, SpeciesVariant variant)
+        public void TheInnerThird_NeverPassesThroughItself(string name, InsectVariant variant)
         {
             foreach (RecordedWing wing in FlownSpecies.Of(name, variant).Wings)
             {
@@ -67,7 +67,7 @@ namespace Alate.Tests.Insects
         }
 
         [TestCaseSource(nameof(All))]
-        public void HardlyAnyOfAWing_IsWithinTheBody(string name, SpeciesVariant variant)
+        public void HardlyAnyOfAWing_IsWithinTheBody(string name, InsectVariant variant)
         {
             FlownSpecies flown = FlownSpecies.Of(name, variant);
             var pieces = BodyPieces.Of(flown.Body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(flown.Body, piece)));
@@ -81,9 +81,9 @@ namespace Alate.Tests.Insects
             }
         }
 
-        [TestCase(SpeciesVariant.Standard)]
-        [TestCase(SpeciesVariant.Expressive)]
-        public void TheHindWingOfASwallowtail_StaysBeneathTheForeWing_AndNear(SpeciesVariant variant)
+        [TestCase(InsectVariant.Standard)]
+        [TestCase(InsectVariant.Expressive)]
+        public void TheHindWingOfASwallowtail_StaysBeneathTheForeWing_AndNear(InsectVariant variant)
         {
             FlownSpecies flown = FlownSpecies.Of("swallowtail", variant);
             RecordedWing fore = flown.Wings[0], hind = flown.Wings[1];

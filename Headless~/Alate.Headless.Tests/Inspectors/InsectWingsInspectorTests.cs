@@ -20,7 +20,7 @@ namespace Alate.Tests.Inspectors
             if (m_Editor != null)
                 UnityEngine.Object.DestroyImmediate(m_Editor);
             ProjectAssets.Clear();
-            foreach (string section in new[] { "Live", "Gizmos", "Events", "Species" })
+            foreach (string section in new[] { "Live", "Gizmos", "Events", "Preset" })
                 SessionState.EraseBool("Alate.InsectWings.Section." + section);
             EditorPrefs.DeleteKey("Alate.InsectWings.Gizmos");
         }
@@ -30,7 +30,7 @@ namespace Alate.Tests.Inspectors
         {
             DrawnInspector page = Draw(Insect());
 
-            foreach (string label in new[] { "Species", "Wings", "Update Mode", "Start Phase", "Motion", "Air", "Quality" })
+            foreach (string label in new[] { "Preset", "Wings", "Update Mode", "Start Phase", "Motion", "Air", "Quality" })
                 Assert.That(page.Controls.Count(c => c.Text == label), Is.EqualTo(1), label);
             Assert.That(page.HelpBoxes, Is.Empty);
         }
@@ -255,7 +255,7 @@ namespace Alate.Tests.Inspectors
             InsectWings insect = Insect();
             Open(insect);
             Assert.That(DrawnInspector.Of(m_Editor).Controls.Select(c => c.Text), Does.Not.Contain("Tune Preset"));
-            insect.Species = Keep(ScriptableObject.CreateInstance<WingSpecies>());
+            insect.Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
 
             DrawnInspector page = DrawnInspector.Press(m_Editor, "Tune Preset");
 
@@ -267,8 +267,8 @@ namespace Alate.Tests.Inspectors
         public void PresetInAPackage_IsShown_ButCannotBeTuned()
         {
             InsectWings insect = Insect();
-            insect.Species = Keep(ScriptableObject.CreateInstance<WingSpecies>());
-            ProjectAssets.AddToPackage("Packages/com.alate.insect-wings/Monarch.asset", insect.Species);
+            insect.Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
+            ProjectAssets.AddToPackage("Packages/com.alate.insect-wings/Monarch.asset", insect.Preset);
             Open(insect);
 
             DrawnInspector page = DrawnInspector.Press(m_Editor, "Tune Preset");

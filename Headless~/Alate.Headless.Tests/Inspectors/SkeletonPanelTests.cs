@@ -34,7 +34,7 @@ namespace Alate.Tests.Inspectors
         {
             DrawnInspector page = Draw();
 
-            foreach (SkeletonAct act in SkeletonActs.All)
+            foreach (EditCommand act in SkeletonCommands.All)
                 Assert.That(page.Control(act.Name).Tooltip, Does.StartWith(act.Tooltip).And.EndsWith(act.Shortcut == "" ? "." : $"({act.Shortcut})"));
         }
 
@@ -66,7 +66,7 @@ namespace Alate.Tests.Inspectors
         [Test]
         public void Weaknesses_AreListedToo()
         {
-            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideActs.By(draft, new[] { new JointIndex(0, 3), new JointIndex(0, 4) }, -0.15f));
+            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 3), new JointIndex(0, 4) }, -0.15f));
             m_Session.Place();
 
             Assert.That(Draw().HelpBoxes, Has.Some.Contains("beside the joints"));

@@ -62,7 +62,7 @@ namespace Alate.Tests.Inspectors
         {
             SkeletonMeshMemory.Set(Right.Skeleton, Right.Renderer.GetComponent<MeshFilter>().sharedMesh);
             SkeletonDraft.Read(Right.Skeleton, out SkeletonDraft draft);
-            SlideActs.By(draft, new[] { new JointIndex(0, 3), new JointIndex(0, 4) }, -0.15f).Draft.WriteTo(Right.Skeleton);
+            SlideCommands.By(draft, new[] { new JointIndex(0, 3), new JointIndex(0, 4) }, -0.15f).Draft.WriteTo(Right.Skeleton);
             Draw();
 
             DrawnInspector.Press(m_Editor, "Select");

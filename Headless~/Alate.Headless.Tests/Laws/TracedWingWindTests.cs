@@ -22,19 +22,19 @@ namespace Alate.Tests
 
         private static IEnumerable<TestCaseData> All =>
             from name in s_Names
-            from variant in new[] { SpeciesVariant.Standard, SpeciesVariant.Expressive }
+            from variant in new[] { InsectVariant.Standard, InsectVariant.Expressive }
             select new TestCaseData(name, variant);
 
         [TestCaseSource(nameof(All))]
-        public void ATracedWing_HoldsInStillAirAndInWind(string name, SpeciesVariant variant)
+        public void ATracedWing_HoldsInStillAirAndInWind(string name, InsectVariant variant)
         {
             WingTrace trace = s_Traces.GetOrAdd(name, wing => Trace(Outline(wing)));
-            WingSpecies species = InsectCatalogue.Find("monarch").Wings[0].CreateSpecies(ModelPreset.Physical, variant);
+            WingPreset species = InsectCatalogue.Find("monarch").Wings[0].CreatePreset(ModelReading.Physical, variant);
             using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface.ToWingSurface(name), species);
             WindyFlight.Stretch still = WindyFlight.Steady(flight, 0f), windy = WindyFlight.Steady(flight, k_Wind, WindyFlight.SixDirections);
             TestContext.Progress.WriteLine($"{name} {variant}: still air {still}; 3 m/s {windy}");
 
-            bool isExpressive = variant == SpeciesVariant.Expressive;
+            bool isExpressive = variant == InsectVariant.Expressive;
             foreach (WindyFlight.Stretch stretch in new[] { still, windy })
             {
                 Assert.That(stretch.Largest, Is.LessThanOrEqualTo(isExpressive ? 0.15 : 0.10), $"largest: {stretch}");

@@ -21,25 +21,25 @@ namespace Alate.Tests
 
         private static IEnumerable<TestCaseData> All => Cases((_, _, _) => true);
 
-        private static bool IsQuick(string species, int wing, SpeciesVariant variant) => wing == 0 && variant != SpeciesVariant.Biological && s_Some.Contains(species);
+        private static bool IsQuick(string species, int wing, InsectVariant variant) => wing == 0 && variant != InsectVariant.Biological && s_Some.Contains(species);
 
         [TestCaseSource(nameof(Some))]
-        public void SteadyWindFromAnySide_TearsNoWing(string species, int wing, SpeciesVariant variant) => AssertHolds(species, wing, variant, isGusty: false);
+        public void SteadyWindFromAnySide_TearsNoWing(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: false);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void SteadyWindFromAnySide_TearsNoOtherWing(string species, int wing, SpeciesVariant variant) => AssertHolds(species, wing, variant, isGusty: false);
+        public void SteadyWindFromAnySide_TearsNoOtherWing(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: false);
 
-        [TestCase("firefly", 0, SpeciesVariant.Standard)]
-        [TestCase("fishfly", 1, SpeciesVariant.Standard)]
-        [TestCase("monarch", 0, SpeciesVariant.Expressive)]
-        public void GustsFromAnySide_TearNoWing(string species, int wing, SpeciesVariant variant) => AssertHolds(species, wing, variant, isGusty: true);
+        [TestCase("firefly", 0, InsectVariant.Standard)]
+        [TestCase("fishfly", 1, InsectVariant.Standard)]
+        [TestCase("monarch", 0, InsectVariant.Expressive)]
+        public void GustsFromAnySide_TearNoWing(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: true);
 
         [TestCaseSource(nameof(All))]
         [Explicit]
         [Category("Long")]
-        public void GustsFromAnySide_TearNoWingOfAll(string species, int wing, SpeciesVariant variant) => AssertHolds(species, wing, variant, isGusty: true);
+        public void GustsFromAnySide_TearNoWingOfAll(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: true);
 
         // The standard one: the biological beats six times as fast, and 5 m/s are a breeze to it.
         [Test]
@@ -53,20 +53,20 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(Some))]
-        public void AfterAGale_AWingIsBackInItsBeat_WithinFourBeats(string species, int wing, SpeciesVariant variant) => AssertBack(species, wing, variant);
+        public void AfterAGale_AWingIsBackInItsBeat_WithinFourBeats(string species, int wing, InsectVariant variant) => AssertBack(species, wing, variant);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void AfterAGale_AnyOtherWingIsBackInItsBeat_WithinFourBeats(string species, int wing, SpeciesVariant variant) => AssertBack(species, wing, variant);
+        public void AfterAGale_AnyOtherWingIsBackInItsBeat_WithinFourBeats(string species, int wing, InsectVariant variant) => AssertBack(species, wing, variant);
 
         [TestCaseSource(nameof(Some))]
-        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAWing(string species, int wing, SpeciesVariant variant) => AssertSoft(species, wing, variant);
+        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAWing(string species, int wing, InsectVariant variant) => AssertSoft(species, wing, variant);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAnyOtherWing(string species, int wing, SpeciesVariant variant) => AssertSoft(species, wing, variant);
+        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAnyOtherWing(string species, int wing, InsectVariant variant) => AssertSoft(species, wing, variant);
 
         // The same measurement of what the first version did, so that it can fail.
         [TestCase("firefly")]
@@ -81,7 +81,7 @@ namespace Alate.Tests
             Assert.That(stretch.Largest, Is.GreaterThan(0.5));
         }
 
-        private static void AssertHolds(string species, int wing, SpeciesVariant variant, bool isGusty)
+        private static void AssertHolds(string species, int wing, InsectVariant variant, bool isGusty)
         {
             using var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing], variant);
             foreach (float speed in new[] { 3f, 5f, 10f })
@@ -94,7 +94,7 @@ namespace Alate.Tests
             }
         }
 
-        private static void AssertSoft(string species, int wing, SpeciesVariant variant)
+        private static void AssertSoft(string species, int wing, InsectVariant variant)
         {
             using var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing], variant);
             foreach (float factor in new[] { 0.1f, 0.3f, 10f })
@@ -102,7 +102,7 @@ namespace Alate.Tests
             AssertStill(flight, variant, 1f, flight.TopSpeed);
         }
 
-        private static void AssertStill(SpeciesFlight flight, SpeciesVariant variant, float factor, float speed)
+        private static void AssertStill(SpeciesFlight flight, InsectVariant variant, float factor, float speed)
         {
             WingParameters own = flight.parameters;
             flight.parameters.elasticity *= factor;
@@ -112,9 +112,9 @@ namespace Alate.Tests
             AssertWithin(stretch, 0f, variant, $"elasticity x {factor} at {speed} m/s");
         }
 
-        private static void AssertWithin(WindyFlight.Stretch stretch, float speed, SpeciesVariant variant, string what)
+        private static void AssertWithin(WindyFlight.Stretch stretch, float speed, InsectVariant variant, string what)
         {
-            (double largest, double share99) = (variant == SpeciesVariant.Expressive, speed) switch
+            (double largest, double share99) = (variant == InsectVariant.Expressive, speed) switch
             {
                 (false, <= 3f) => (0.10, 0.04),
                 (false, <= 5f) => (0.12, 0.05),
@@ -128,7 +128,7 @@ namespace Alate.Tests
             Assert.That(stretch.Resets, Is.Zero, what);
         }
 
-        private static void AssertBack(string species, int wing, SpeciesVariant variant)
+        private static void AssertBack(string species, int wing, InsectVariant variant)
         {
             const int steps = 24;
             using var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing], variant);
@@ -161,7 +161,7 @@ namespace Alate.Tests
             }
         }
 
-        private static IEnumerable<TestCaseData> Cases(Func<string, int, SpeciesVariant, bool> wanted) =>
+        private static IEnumerable<TestCaseData> Cases(Func<string, int, InsectVariant, bool> wanted) =>
             from species in InsectCatalogue.All
             from wing in Enumerable.Range(0, species.Wings.Count)
             from variant in species.Wings[wing].Variants

@@ -15,13 +15,13 @@ namespace Alate.Tests.Play
         {
             Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
             WingSkeleton skeleton = Keep(TestWings.Fan());
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
+            WingPreset species = Keep(InsectCatalogue.Monarch());
             for (int k = 0; k < insects; k++)
                 Hatch(mesh, skeleton, species);
             yield return Frames(60);
             Assert.That(WingSystem.InsectCount, Is.EqualTo(insects));
 
-            WingCrowd crowd = WingSystem.Crowd;
+            FrameLoop crowd = WingSystem.Crowd;
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int round = 0; round < 10; round++)
             {
@@ -37,13 +37,13 @@ namespace Alate.Tests.Play
             Assert.That(crowd.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
         }
 
-        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingSpecies species)
+        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset species)
         {
             var root = Keep(new GameObject("insect"));
             root.SetActive(false);
             var insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
-            insect.Species = species;
+            insect.Preset = species;
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
                 var wing = new GameObject("wing");

@@ -34,13 +34,13 @@ namespace Alate.Tests.PlaySessions
             yield return null;
             yield return null;
             Assert.That(BodyOf(young) != null, Is.True, "the body's mesh went with the old insect");
-            Assert.That(young.Species != null, Is.True, "the preset went with the old insect");
+            Assert.That(young.Preset != null, Is.True, "the preset went with the old insect");
             Assert.That(young.State, Is.EqualTo(InsectState.Ready), young.Problem.Message);
 
             Object.Destroy(young.gameObject);
             yield return null;
             yield return null;
-            Assert.That(InsectKits.Count, Is.Zero);
+            Assert.That(GeneratedAssets.Count, Is.Zero);
             Assert.That(Count(), Is.EqualTo(before));
             yield return new ExitPlayMode();
         }
@@ -50,7 +50,7 @@ namespace Alate.Tests.PlaySessions
         {
             yield return new EnterPlayMode(false);
             int before = Count();
-            InsectWings one = InsectFactory.Create("fishfly"), two = InsectFactory.Create("fishfly", SpeciesVariant.Expressive);
+            InsectWings one = InsectFactory.Create("fishfly"), two = InsectFactory.Create("fishfly", InsectVariant.Expressive);
             yield return null;
             DomainReload.Run();
             yield return null;

@@ -52,16 +52,16 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
         DrawnScreen.Slide("Elasticity", 2f);
         DrawnScreen.Slide("Head wind", 2f);
         yield return Frames(7);
-        WingSpecies usual = Keep(InsectCatalogue.All[0].Wings[0].CreateSpecies());
+        WingPreset usual = Keep(InsectCatalogue.All[0].Wings[0].CreatePreset());
         foreach (InsectWings insect in Insects)
         {
-            Assert.That(insect.Species.Beat.maxFrequency, Is.EqualTo(2f * usual.Beat.maxFrequency));
+            Assert.That(insect.Preset.Beat.maxFrequency, Is.EqualTo(2f * usual.Beat.maxFrequency));
             float delay = insect.name is "Rigid wing" or "No deformation wave" ? 0f : 3f * usual.Wave.chordDelay;
-            Assert.That(insect.Species.Wave.chordDelay, Is.EqualTo(delay).Within(1e-5f), insect.name);
+            Assert.That(insect.Preset.Wave.chordDelay, Is.EqualTo(delay).Within(1e-5f), insect.name);
             Assert.That(Vector3.Dot(insect.Air.wind, insect.transform.forward), Is.LessThan(0f));
         }
 
-        float soft = Insects.Single(insect => insect.name.StartsWith("Elasticity")).Species.Stiffness.elasticity;
+        float soft = Insects.Single(insect => insect.name.StartsWith("Elasticity")).Preset.Stiffness.elasticity;
         Assert.That(soft, Is.EqualTo(2f * ComparisonColumn.OtherElasticity * usual.Stiffness.elasticity).Within(1e-5f));
     }
 
@@ -89,7 +89,7 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
         yield return Frames(5);
         Assert.That(Insects.Count(), Is.EqualTo(4));
         Assert.That(Insects.Select(insect => insect.State), Is.All.EqualTo(InsectState.Ready));
-        Assert.That(Insects.First().Species.WingLength, Is.EqualTo(0.03f).Within(1e-6f), "the snailfish comes before the monarch");
+        Assert.That(Insects.First().Preset.WingLength, Is.EqualTo(0.03f).Within(1e-6f), "the snailfish comes before the monarch");
     }
 
     [UnityTest]

@@ -17,7 +17,7 @@ public sealed class InsectsSampleTests : SampleFixture<InsectsSample>
         yield return Begin();
         yield return Frames(2);
         Assert.That(Insects.Count(), Is.EqualTo(InsectCatalogue.All.Count));
-        foreach (SpeciesDefinition species in InsectCatalogue.All)
+        foreach (InsectDefinition species in InsectCatalogue.All)
             Assert.That(DrawnScreen.Text, Does.Contain(species.DisplayName));
         foreach (InsectWings insect in Insects)
         {
@@ -33,13 +33,13 @@ public sealed class InsectsSampleTests : SampleFixture<InsectsSample>
         yield return Begin();
         DrawnScreen.Press("Biological");
         yield return Frames(4);
-        Assert.That(Insects.Single(insect => insect.name == "Firefly").Species.Beat.maxFrequency, Is.EqualTo(62f));
+        Assert.That(Insects.Single(insect => insect.name == "Firefly").Preset.Beat.maxFrequency, Is.EqualTo(62f));
         Assert.That(DrawnScreen.Text, Does.Contain("Monarch\nStandard"));
         Assert.That(Insects.Count(), Is.EqualTo(InsectCatalogue.All.Count));
 
         DrawnScreen.Press("Standard");
         yield return Frames(4);
-        Assert.That(Insects.Single(insect => insect.name == "Firefly").Species.Beat.maxFrequency, Is.EqualTo(11f));
+        Assert.That(Insects.Single(insect => insect.name == "Firefly").Preset.Beat.maxFrequency, Is.EqualTo(11f));
     }
 
     [UnityTest]

@@ -10,15 +10,15 @@ namespace Alate.Tests
     {
         private const float k_CruiseShare = 0.65f;
 
-        private readonly SpeciesWing m_Wing;
-        private readonly WingSpecies m_Species;
+        private readonly WingDefinition m_Wing;
+        private readonly WingPreset m_Species;
         private readonly SurfaceMesh m_Mesh;
         private readonly WingFrame m_Frame;
 
-        public FittedFlight(SpeciesWing wing)
+        public FittedFlight(WingDefinition wing)
         {
             m_Wing = wing;
-            m_Species = wing.CreateSpecies();
+            m_Species = wing.CreatePreset();
             m_Mesh = wing.CreateSurface(WingSide.Right);
             WingSkeleton hand = wing.CreateSkeleton(WingSide.Right);
             WingRig rig = Bake(hand);
@@ -36,7 +36,7 @@ namespace Alate.Tests
         public WingDeformation Fitted { get; }
 
         /// <summary>What a user says: the side of the body, and as many chains and joints as the author has.</summary>
-        public static SkeletonFitSettings Hints(SpeciesWing wing)
+        public static SkeletonFitSettings Hints(WingDefinition wing)
         {
             SkeletonFitSettings hints = SkeletonFitSettings.Default;
             hints.bodySide = Vector3.left;

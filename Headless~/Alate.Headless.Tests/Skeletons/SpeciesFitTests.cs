@@ -19,15 +19,15 @@ namespace Alate.Tests
 
         private static IEnumerable<TestCaseData> Wings()
         {
-            foreach (SpeciesDefinition species in InsectCatalogue.All)
+            foreach (InsectDefinition species in InsectCatalogue.All)
             {
-                foreach (SpeciesWing wing in species.Wings)
+                foreach (WingDefinition wing in species.Wings)
                     yield return new TestCaseData(wing).SetArgDisplayNames(species.Name, wing.Name);
             }
         }
 
         [TestCaseSource(nameof(Wings))]
-        public void ItsChains_LieInsideTheWing_AlongTheLeadingEdge(SpeciesWing wing)
+        public void ItsChains_LieInsideTheWing_AlongTheLeadingEdge(WingDefinition wing)
         {
             SkeletonFit fit = SkeletonFitter.Fit(Surface(wing, wing.TriangleCount), FittedFlight.Hints(wing));
             var measure = new FitMeasure(fit.Skeleton, fit.Outline);
@@ -39,7 +39,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(Wings))]
-        public void AnotherPlaceSizeSideAndTriangulation_GiveTheSame(SpeciesWing wing)
+        public void AnotherPlaceSizeSideAndTriangulation_GiveTheSame(WingDefinition wing)
         {
             SkeletonFitSettings hints = FittedFlight.Hints(wing);
             SkeletonFit fit = SkeletonFitter.Fit(Surface(wing, wing.TriangleCount), hints);
@@ -63,7 +63,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(Wings))]
-        public void Flown_ItTwistsBowsAndStretches_AsTheAuthorsDoes(SpeciesWing wing)
+        public void Flown_ItTwistsBowsAndStretches_AsTheAuthorsDoes(WingDefinition wing)
         {
             var flight = new FittedFlight(wing);
             WingDeformation hand = flight.ByHand, fitted = flight.Fitted;
@@ -82,7 +82,7 @@ namespace Alate.Tests
                 .Where(line => line.StartsWith("| ") && line.Contains("° → "))
                 .Select(line => Regex.Matches(line, @"[\d.]+").Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray())
                 .ToArray();
-            SpeciesWing[] wings = InsectCatalogue.All.SelectMany(species => species.Wings).ToArray();
+            WingDefinition[] wings = InsectCatalogue.All.SelectMany(species => species.Wings).ToArray();
 
             Assert.That(rows, Has.Length.EqualTo(wings.Length));
             for (int k = 0; k < wings.Length; k++)
@@ -122,7 +122,7 @@ namespace Alate.Tests
             return new WingSurface { name = surface.name, positions = positions.ToArray(), triangles = triangles.ToArray() };
         }
 
-        private static WingSurface Surface(SpeciesWing wing, int triangles)
+        private static WingSurface Surface(WingDefinition wing, int triangles)
         {
             SurfaceMesh mesh = wing.IsFilled
                 ? WingMesher.Fill(wing.Contour, wing.Scallops, triangles, 1f) : WingMesher.Strips(wing.Contour, triangles);

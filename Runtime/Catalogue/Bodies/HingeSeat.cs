@@ -28,7 +28,7 @@ namespace Alate.Catalogue
         }
 
         /// <summary>The seat of a wing: its root with a margin all round, and a fade as wide as half the root.</summary>
-        public static HingeSeat Of(SpeciesWing wing)
+        public static HingeSeat Of(WingDefinition wing)
         {
             var length = 1000f * (float)wing.Outline.Length;
             var hinge = 1000f * wing.Hinge;

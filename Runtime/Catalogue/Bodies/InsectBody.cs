@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -7,6 +8,7 @@ namespace Alate.Catalogue
     /// A simple body made by code: X to the right, Y up, Z ahead, the origin in the middle of the thorax. It carries the wings in a picture and does
     /// not take part in the model.
     /// </summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class InsectBody
     {
         private readonly Lazy<SurfaceMesh> m_Millimetres;

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -7,6 +8,7 @@ namespace Alate.Catalogue
     /// </summary>
     [AddComponentMenu("")]
     [DisallowMultipleComponent]
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class GeneratedInsect : MonoBehaviour
     {
         // Serialised, so that a clone knows it too.
@@ -18,10 +20,10 @@ namespace Alate.Catalogue
             set => m_Species = value;
         }
 
-        private void Awake() => InsectKits.Take(m_Species);
+        private void Awake() => GeneratedAssets.Take(m_Species);
 
         private void OnEnable() => PlayEnd.Listen();
 
-        private void OnDestroy() => InsectKits.Return(m_Species);
+        private void OnDestroy() => GeneratedAssets.Return(m_Species);
     }
 }

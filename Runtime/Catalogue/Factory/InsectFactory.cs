@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -9,40 +10,41 @@ namespace Alate.Catalogue
     /// </summary>
     /// <remarks>
     /// To tune one insect alone give it a preset of its own: <c>insect.Species = Object.Instantiate(insect.Species)</c>, and likewise each
-    /// <see cref="Wing.Species"/> of hind wings. Clones share as well; of clones that were never active keep the original.
+    /// <see cref="Wing.Preset"/> of hind wings. Clones share as well; of clones that were never active keep the original.
     /// Outside of play nothing is shared: what is made belongs to the scene and is saved in it. The menu <i>GameObject > Alate</i> makes assets instead.
     /// </remarks>
+    [MovedFrom(true, "Alate", "Alate")]
     public static class InsectFactory
     {
-        /// <summary>An active insect at the origin, X right, Y up, Z ahead, ten times life size (<see cref="SpeciesDefinition.UnitsPerMetre"/>).</summary>
+        /// <summary>An active insect at the origin, X right, Y up, Z ahead, ten times life size (<see cref="InsectDefinition.UnitsPerMetre"/>).</summary>
         /// <param name="species">Its name in the catalogue, see <see cref="InsectCatalogue.Names"/>; capitals, spaces and hyphens do not matter.</param>
         /// <param name="variant">Which numbers of the species are taken.</param>
         /// <param name="preset">How the paper's equations are read.</param>
         /// <exception cref="ArgumentException">There is no such species or variant; the message lists those there are.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
         public static InsectWings Create(
-            string species, SpeciesVariant variant = SpeciesVariant.Standard, ModelPreset preset = ModelPreset.Physical)
+            string species, InsectVariant variant = InsectVariant.Standard, ModelReading preset = ModelReading.Physical)
         {
             return Create(InsectCatalogue.Find(species), variant, preset);
         }
 
-        /// <inheritdoc cref="Create(string, SpeciesVariant, ModelPreset)"/>
+        /// <inheritdoc cref="Create(string, InsectVariant, ModelReading)"/>
         /// <exception cref="ArgumentNullException">The species is null.</exception>
         public static InsectWings Create(
-            SpeciesDefinition species, SpeciesVariant variant = SpeciesVariant.Standard, ModelPreset preset = ModelPreset.Physical)
+            InsectDefinition species, InsectVariant variant = InsectVariant.Standard, ModelReading preset = ModelReading.Physical)
         {
             if (species == null)
                 throw new ArgumentNullException(nameof(species));
             CheckVariant(species, variant);
             if (Application.isPlaying)
                 return Share(species, variant, preset);
-            InsectKit kit = InsectKit.Make(species);
+            InsectParts kit = InsectParts.Make(species);
             return Activated(kit.Assemble(kit.CreatePresets(variant, preset)));
         }
 
-        private static void CheckVariant(SpeciesDefinition species, SpeciesVariant variant)
+        private static void CheckVariant(InsectDefinition species, InsectVariant variant)
         {
-            foreach (SpeciesVariant known in species.Variants)
+            foreach (InsectVariant known in species.Variants)
             {
                 if (known == variant)
                     return;
@@ -51,13 +53,13 @@ namespace Alate.Catalogue
             throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
         }
 
-        private static InsectWings Share(SpeciesDefinition species, SpeciesVariant variant, ModelPreset preset)
+        private static InsectWings Share(InsectDefinition species, InsectVariant variant, ModelReading preset)
         {
-            SharedKit kit = InsectKits.Take(species.Name);
+            SharedAssets kit = GeneratedAssets.Take(species.Name);
             GameObject made = kit.Assemble(variant, preset);
             made.AddComponent<GeneratedInsect>().Species = species.Name;
             InsectWings insect = Activated(made);
-            InsectKits.Return(species.Name);
+            GeneratedAssets.Return(species.Name);
             return insect;
         }
 

@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -7,6 +8,7 @@ namespace Alate.Catalogue
     /// Plain materials for generated wings and bodies in every render pipeline: the package's own shader in the built-in pipeline and URP, HDRP/Lit with a
     /// painted texture in HDRP. Materials made here belong to the caller; <see cref="Destroy"/> frees one with its texture.
     /// </summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public static class WingMaterial
     {
         /// <summary>Name of the package's shader. It lies in a Resources folder, so that player builds have it.</summary>
@@ -41,10 +43,10 @@ namespace Alate.Catalogue
         /// <param name="textureSize">Pixels along the longer side, 16 to 8192.</param>
         /// <exception cref="ArgumentOutOfRangeException">The size is out of range.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
-        public static Material ForWing(SpeciesWing wing, int textureSize = DefaultTextureSize) => ForWing(wing, textureSize, false);
+        public static Material ForWing(WingDefinition wing, int textureSize = DefaultTextureSize) => ForWing(wing, textureSize, false);
 
         /// <summary>The same, where the pixels are asked for with a texture that can be read and saved.</summary>
-        internal static Material ForWing(SpeciesWing wing, int textureSize, bool keepPixels)
+        internal static Material ForWing(WingDefinition wing, int textureSize, bool keepPixels)
         {
             if (wing == null)
             {
@@ -74,9 +76,9 @@ namespace Alate.Catalogue
         /// <param name="textureSize">Pixels along each side, 16 to 8192, where a texture is needed.</param>
         /// <exception cref="ArgumentOutOfRangeException">The size is out of range.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
-        public static Material ForBody(SpeciesDefinition species, int textureSize = DefaultTextureSize) => ForBody(species, textureSize, false);
+        public static Material ForBody(InsectDefinition species, int textureSize = DefaultTextureSize) => ForBody(species, textureSize, false);
 
-        internal static Material ForBody(SpeciesDefinition species, int textureSize, bool keepPixels)
+        internal static Material ForBody(InsectDefinition species, int textureSize, bool keepPixels)
         {
             if (species == null)
             {
@@ -85,7 +87,7 @@ namespace Alate.Catalogue
 
             CheckSize(textureSize);
             var shader = RequireShader();
-            var body = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre);
+            var body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
             var name = species.DisplayName + " body";
             var texture = ShowsVertexColours(shader)
                 ? null

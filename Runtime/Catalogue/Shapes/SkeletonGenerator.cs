@@ -1,6 +1,7 @@
 using System;
 using Alate.Geometry;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -8,6 +9,7 @@ namespace Alate.Catalogue
     /// Makes the radial skeleton of a right or left wing from its outline (Sec. 4.1): roots evenly on the base chord, tips evenly along the contour from the leading corner
     /// of the tip over the trailing edge, chain 0 along the leading edge, the others straight, joints evenly along each chain.
     /// </summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public static class SkeletonGenerator
     {
         /// <summary>Even steps of span in which an edge is walked to measure its arc length, here to 3·10⁻⁵ of it.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -9,6 +10,7 @@ namespace Alate.Catalogue
     /// long times <c>scale</c>. Texture coordinates: u along the span, v from the rearmost to the foremost point of the outline. The same input gives
     /// the same mesh, bit for bit.
     /// </summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public static class WingMesher
     {
         /// <summary>Fewest triangles <see cref="Strips"/> and <see cref="Fill(WingOutline, int, float)"/> make.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Alate.Geometry;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -8,6 +9,7 @@ namespace Alate.Catalogue
     /// The contour of a right wing at rest, lying in the plane y = 0: a leading and a trailing edge over the span. Inside, lengths are in wing lengths;
     /// the origin lies on the hinge line at the wing base, X runs to the tip and Z forward.
     /// </summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class WingOutline
     {
         private const int k_CapPanels = 64, k_PinchSteps = 16;

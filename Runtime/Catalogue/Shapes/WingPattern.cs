@@ -1,9 +1,11 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
     /// <summary>The colouring of a right wing as a function of the place on it, for vertex colours as well as for textures of any size.</summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public abstract class WingPattern
     {
         /// <summary>The colour at a place on the wing.</summary>

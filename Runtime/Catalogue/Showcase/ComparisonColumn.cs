@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -7,14 +8,15 @@ namespace Alate.Catalogue
     /// One column of the paper's comparisons (Fig. 14, and methods I to III of its user study): the same wing by a model with parts left out, or of another
     /// elasticity.
     /// </summary>
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class ComparisonColumn
     {
         /// <summary>The elasticity of the last of <see cref="All"/>, as a factor on the species': soft enough that the eye sees it.</summary>
         public const float OtherElasticity = 0.25f;
 
-        private readonly Action<WingSpecies> m_Change;
+        private readonly Action<WingPreset> m_Change;
 
-        private ComparisonColumn(string name, string title, string description, Action<WingSpecies> change)
+        private ComparisonColumn(string name, string title, string description, Action<WingPreset> change)
         {
             Name = name;
             Title = title;
@@ -65,7 +67,7 @@ namespace Alate.Catalogue
 
         /// <summary>A copy of a preset as this column has it; the caller destroys it.</summary>
         /// <exception cref="ArgumentNullException">There is no preset.</exception>
-        public WingSpecies CreateSpecies(WingSpecies full)
+        public WingPreset CreatePreset(WingPreset full)
         {
             if (full == null)
             {
@@ -80,10 +82,10 @@ namespace Alate.Catalogue
 
         /// <summary>Takes the values of a preset over into a copy that was made before, so that one slider moves all columns.</summary>
         /// <param name="full">The preset; it stays as it is.</param>
-        /// <param name="copy">What <see cref="CreateSpecies"/> returned; living wings are told.</param>
+        /// <param name="copy">What <see cref="CreatePreset"/> returned; living wings are told.</param>
         /// <exception cref="ArgumentNullException">One of them is missing.</exception>
         /// <exception cref="ArgumentException">Both are the same.</exception>
-        public void Refresh(WingSpecies full, WingSpecies copy)
+        public void Refresh(WingPreset full, WingPreset copy)
         {
             if (full == null)
             {
@@ -112,14 +114,14 @@ namespace Alate.Catalogue
         /// <inheritdoc/>
         public override string ToString() => Title;
 
-        private static void MakeRigid(WingSpecies species)
+        private static void MakeRigid(WingPreset species)
         {
             StopWave(species);
             species.Wave.rootShare = 1f;
             species.Stiffness.jointLimit = 0f;
         }
 
-        private static void StopWave(WingSpecies species)
+        private static void StopWave(WingPreset species)
         {
             species.Wave.chordDelay = 0f;
             species.Wave.spanDelay = 0f;

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -9,6 +10,7 @@ namespace Alate.Catalogue
     [AddComponentMenu("Alate/Orbit Camera")]
     [RequireComponent(typeof(Camera))]
     [DisallowMultipleComponent]
+    [MovedFrom(true, "Alate", "Alate")]
     public sealed class OrbitCamera : MonoBehaviour
     {
         private const float k_DegreesPerPixel = 0.3f, k_ZoomPerLine = 0.05f, k_SteepestPitch = 89f;

@@ -61,7 +61,7 @@ namespace Alate.Catalogue
             },
         };
 
-        public static InsectBody Create(SpeciesWing fore, SpeciesWing hind)
+        public static InsectBody Create(WingDefinition fore, WingDefinition hind)
         {
             return new InsectBody(parts => Build(parts, HingeSeat.Of(fore), HingeSeat.Of(hind)));
         }

@@ -49,7 +49,7 @@ namespace Alate.Geometry
         /// <summary>Distance of a point inside from the line, at most a limit; −1 outside.</summary>
         public double Clearance(PlanPoint point, double limit)
         {
-            if (!Holds(point))
+            if (!Contains(point))
                 return -1.0;
             double least = limit * limit;
             int reach = (int)Math.Ceiling(limit / m_Cell), column = Column(point.x), row = Row(point.z);
@@ -66,7 +66,7 @@ namespace Alate.Geometry
         }
 
         /// <summary>Whether a point lies inside (even and odd crossings).</summary>
-        public bool Holds(PlanPoint point)
+        public bool Contains(PlanPoint point)
         {
             bool inside = false;
             if (point.x < Left || point.x > Right || point.z < Low || point.z > High)

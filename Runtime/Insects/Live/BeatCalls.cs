@@ -10,7 +10,7 @@ namespace Alate
         private readonly List<InsectWings> m_Beating = new List<InsectWings>();
 
         /// <summary>Tells all whose first wing has begun a new cycle since the last call; once, however many it began.</summary>
-        public void Tell(List<LiveInsect> insects, WingWorld world)
+        public void RaiseBeatEvents(List<LiveInsect> insects, WingWorld world)
         {
             foreach (LiveInsect live in insects)
             {
@@ -27,14 +27,14 @@ namespace Alate
                 foreach (InsectWings insect in m_Beating)
                 {
                     if (insect != null && insect.Live != null)
-                        Tell(insect);
+                        RaiseBeatEvents(insect);
                 }
             }
 
             m_Beating.Clear();
         }
 
-        private static void Tell(InsectWings insect)
+        private static void RaiseBeatEvents(InsectWings insect)
         {
             try
             {

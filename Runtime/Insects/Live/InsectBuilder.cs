@@ -19,7 +19,7 @@ namespace Alate
         }
 
         /// <summary>An insect without meshes and wings.</summary>
-        public LiveInsect Conceive(InsectWings insect) => new LiveInsect(insect, m_NextOwner++);
+        public LiveInsect Create(InsectWings insect) => new LiveInsect(insect, m_NextOwner++);
 
         /// <summary>Follows what was made anew but says the same.</summary>
         /// <returns>False when meshes, wings or skeletons are no longer those that the insect was built of.</returns>

@@ -72,7 +72,7 @@ namespace Alate
         }
 
         /// <summary>Lets a wing show its authored mesh again where it came as a clone of a living one.</summary>
-        public static void Heal(Wing wing)
+        public static void Repair(Wing wing)
         {
             MeshFilter filter = wing == null ? null : FilterOf(wing);
             Mesh mesh = wing == null ? null : MeshOf(wing, filter);

@@ -3,7 +3,7 @@ namespace Alate
     /// <summary>What an insect says of all its wings: preset, steering, substeps, and how far its beat has faded.</summary>
     internal readonly struct InsectTuning
     {
-        public readonly WingSpecies preset;
+        public readonly WingPreset preset;
         private readonly InsectSteering m_Steering;
         private readonly int m_Substeps;
 
@@ -11,7 +11,7 @@ namespace Alate
         /// <param name="fade">Factor on the amplitudes: 0 while the wings are to come to rest.</param>
         public InsectTuning(InsectWings insect, float fade)
         {
-            preset = insect.Species;
+            preset = insect.Preset;
             m_Substeps = insect.SubstepsPerBeat;
             m_Steering = insect.Steering.Clamped();
             m_Steering.amplitudeScale *= fade;

@@ -27,7 +27,7 @@ namespace Alate
         /// <summary>Beats completed when they were last looked at.</summary>
         public int beats;
 
-        private WingPacing m_Pacing;
+        private PackKey m_Pacing;
         private bool m_Resting, m_Seen, m_Skinned = true;
         private double m_RestingSince, m_AsleepSince;
 
@@ -45,7 +45,7 @@ namespace Alate
         public float Pitch => flight.Pitch;
 
         /// <summary>The clock the wings keep.</summary>
-        public WingClock Clock => ClockOf(insect.UpdateMode);
+        public ClockId Clock => ClockOf(insect.UpdateMode);
 
         /// <summary>Factor on the amplitudes: 0 while the wings are to come to rest.</summary>
         private float Fade => m_Resting ? 0f : 1f;
@@ -66,19 +66,19 @@ namespace Alate
         /// <param name="world">Where all wings are.</param>
         /// <param name="species">The presets in use.</param>
         /// <param name="leader">A wing of the insect whose beat goes on; none starts a new one.</param>
-        public void Enter(WingWorld world, SpeciesWatch species, WingHandle leader = default)
+        public void Enter(WingWorld world, PresetWatch species, WingHandle leader = default)
         {
             if (leader.IsNone)
             {
-                m_Pacing = new WingPacing(Clock, owner, WingDetail.Full);
-                Sense(Physics.gravity, default);
+                m_Pacing = new PackKey(Clock, owner, WingDetail.Full);
+                UpdateSurroundings(Physics.gravity, default);
             }
 
             foreach (LiveWing wing in wings)
             {
                 if (!wing.handle.IsNone)
                     continue;
-                wing.Tune(species, new InsectTuning(insect, Fade), out WingParameters parameters);
+                wing.ApplyParameters(species, new InsectTuning(insect, Fade), out WingParameters parameters);
                 wing.Place();
                 WingSurroundings around = wing.Surroundings(flight);
                 wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing);
@@ -100,19 +100,19 @@ namespace Alate
         }
 
         /// <summary>Takes over sliders and presets.</summary>
-        public void Tune(WingWorld world, SpeciesWatch species)
+        public void ApplyParameters(WingWorld world, PresetWatch species)
         {
             var tuning = new InsectTuning(insect, Fade);
             foreach (LiveWing wing in wings)
             {
-                if (wing.Tune(species, tuning, out WingParameters parameters))
+                if (wing.ApplyParameters(species, tuning, out WingParameters parameters))
                     world.SetParameters(wing.handle, parameters);
             }
         }
 
         /// <summary>Looks how the body moved in the frame.</summary>
         /// <returns>Whether it jumped.</returns>
-        public bool Watch(float dt)
+        public bool SampleMotion(float dt)
         {
             InsectMotion settings = insect.MotionSettings;
             float length = wings[0].placed.isValid ? wings[0].placed.length : 1f;
@@ -125,7 +125,7 @@ namespace Alate
         /// <summary>Notes what the body does and feels now.</summary>
         /// <param name="gravity">World units per second squared.</param>
         /// <param name="zoneWind">Of the wind zones, world units per second.</param>
-        public void Sense(float3 gravity, float3 zoneWind)
+        public void UpdateSurroundings(float3 gravity, float3 zoneWind)
         {
             InsectMotion settings = insect.MotionSettings;
             flight.position = root.position;
@@ -149,7 +149,7 @@ namespace Alate
 
         /// <summary>Tells the wings what they feel.</summary>
         /// <returns>False when a wing has no size.</returns>
-        public bool Feel(WingWorld world)
+        public bool WriteSurroundings(WingWorld world)
         {
             bool valid = true;
             foreach (LiveWing wing in wings)
@@ -166,7 +166,7 @@ namespace Alate
 
         /// <summary>Chooses the level of detail by what cameras see of the insect, and whether to deform its meshes.</summary>
         /// <returns>Whether its meshes have to be drawn anew though nothing may have moved.</returns>
-        public bool ChooseDetail(WingWorld world, Viewers viewers, Pacer pacer)
+        public bool ChooseDetail(WingWorld world, Viewers viewers, Clocks pacer)
         {
             // No camera has had a look at a new one.
             visible = !m_Seen;
@@ -174,7 +174,7 @@ namespace Alate
             foreach (LiveMesh mesh in meshes)
                 visible |= mesh.renderer != null && mesh.renderer.isVisible;
             bool outOfSight = !visible && insect.Quality.culling == WingCulling.CullCompletely && !insect.Quality.keepForces;
-            if (Clock == WingClock.Own)
+            if (Clock == ClockId.Own)
                 Pace(world, WingDetail.Full, false, pacer);
             else
                 Pace(world, Wanted(viewers), outOfSight, pacer);
@@ -203,9 +203,9 @@ namespace Alate
         }
 
         /// <summary>Changes clock and level of detail to what is wanted, without a jump.</summary>
-        public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Pacer pacer)
+        public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Clocks pacer)
         {
-            WingClock clock = Clock;
+            ClockId clock = Clock;
             double now = pacer.TimeOf(clock), shift = now - pacer.TimeOf(m_Pacing.clock);
             m_RestingSince += shift;
             m_AsleepSince += shift;
@@ -220,7 +220,7 @@ namespace Alate
                 wanted = (now - m_RestingSince) * frequency > k_BeatsToRest ? WingDetail.Frozen : WingDetail.WavesOnly;
             }
 
-            var pacing = new WingPacing(clock, owner, outOfSight ? WingDetail.Frozen : wanted);
+            var pacing = new PackKey(clock, owner, outOfSight ? WingDetail.Frozen : wanted);
             if (pacing.Equals(m_Pacing))
                 return;
             bool wakes = m_Pacing.detail == WingDetail.Frozen && pacing.detail != WingDetail.Frozen;
@@ -253,7 +253,7 @@ namespace Alate
         }
 
         /// <summary>The clock of an update mode.</summary>
-        public static WingClock ClockOf(WingUpdateMode mode) => (WingClock)(int)mode;
+        public static ClockId ClockOf(WingUpdateMode mode) => (ClockId)(int)mode;
 
         private void Start(WingWorld world)
         {

@@ -17,10 +17,10 @@ namespace Alate
         public PlacedWing placed;
 
         /// <summary>Current values of its preset.</summary>
-        public SpeciesValues values;
+        public PresetValues values;
 
         private Wing m_Wing;
-        private WingSpecies m_OwnSpecies;
+        private WingPreset m_OwnPreset;
         private InsectTuning m_Tuning;
         private int m_Stamp;
         private float m_Amplitude, m_Lead;
@@ -70,12 +70,12 @@ namespace Alate
         /// <param name="tuning">What the insect says of all its wings.</param>
         /// <param name="parameters">What the wing is to be stepped with.</param>
         /// <returns>Whether anything changed since the last call.</returns>
-        public bool Tune(SpeciesWatch species, in InsectTuning tuning, out WingParameters parameters)
+        public bool ApplyParameters(PresetWatch species, in InsectTuning tuning, out WingParameters parameters)
         {
-            if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnSpecies, m_Wing.Species) || !ReferenceEquals(m_Tuning.preset, tuning.preset))
+            if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnPreset, m_Wing.Preset) || !ReferenceEquals(m_Tuning.preset, tuning.preset))
             {
-                m_OwnSpecies = m_Wing.Species;
-                values = species.Of(m_OwnSpecies == null ? tuning.preset : m_OwnSpecies);
+                m_OwnPreset = m_Wing.Preset;
+                values = species.Of(m_OwnPreset == null ? tuning.preset : m_OwnPreset);
                 m_Stamp = -1;
             }
 

@@ -7,11 +7,11 @@ namespace Alate
     {
         public static readonly ProfilerMarker fixedStep = new ProfilerMarker("Alate.FixedStep");
         public static readonly ProfilerMarker frame = new ProfilerMarker("Alate.Frame");
-        public static readonly ProfilerMarker renew = new ProfilerMarker("Alate.Renew");
-        public static readonly ProfilerMarker admit = new ProfilerMarker("Alate.Admit");
-        public static readonly ProfilerMarker tune = new ProfilerMarker("Alate.Tune");
-        public static readonly ProfilerMarker watch = new ProfilerMarker("Alate.Watch");
-        public static readonly ProfilerMarker sense = new ProfilerMarker("Alate.Sense");
+        public static readonly ProfilerMarker rebuild = new ProfilerMarker("Alate.Rebuild");
+        public static readonly ProfilerMarker start = new ProfilerMarker("Alate.Start");
+        public static readonly ProfilerMarker parameters = new ProfilerMarker("Alate.Parameters");
+        public static readonly ProfilerMarker motion = new ProfilerMarker("Alate.Motion");
+        public static readonly ProfilerMarker surroundings = new ProfilerMarker("Alate.Surroundings");
         public static readonly ProfilerMarker detail = new ProfilerMarker("Alate.Detail");
         public static readonly ProfilerMarker schedule = new ProfilerMarker("Alate.Schedule");
         public static readonly ProfilerMarker wait = new ProfilerMarker("Alate.Wait");

@@ -13,7 +13,7 @@ namespace Alate
         public bool Any => m_Viewers.Count > 0;
 
         /// <summary>Looks where the cameras are now.</summary>
-        public void Look()
+        public void UpdateCameras()
         {
             m_Viewers.Clear();
             float bias = QualitySettings.lodBias;

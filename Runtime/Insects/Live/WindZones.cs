@@ -25,7 +25,7 @@ namespace Alate
         public void Forget() => m_IsKnown = false;
 
         /// <summary>There may be others, as somebody has come: they are looked for soon, however many come.</summary>
-        public void Doubt() => m_MayHaveChanged = true;
+        public void Invalidate() => m_MayHaveChanged = true;
 
         /// <summary>Reads what all zones do now; those that are gone or switched off do not blow.</summary>
         /// <param name="time">Seconds.</param>

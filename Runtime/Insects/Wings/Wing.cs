@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace Alate
 {
@@ -37,7 +38,8 @@ namespace Alate
 
         [SerializeField]
         [Tooltip("A preset of this wing's own; none takes the insect's. For hind wings that are built or driven differently.")]
-        private WingSpecies m_Species;
+        [FormerlySerializedAs("m_Species")]
+        private WingPreset m_Preset;
 
         [SerializeField]
         [Range(0f, 2f)]
@@ -114,10 +116,10 @@ namespace Alate
         }
 
         /// <summary>A preset of its own; null takes the insect's.</summary>
-        public WingSpecies Species
+        public WingPreset Preset
         {
-            get => m_Species;
-            set => m_Species = value;
+            get => m_Preset;
+            set => m_Preset = value;
         }
 
         /// <summary>Factor on the amplitudes, 0 to 2 (clamped).</summary>

@@ -1,8 +1,10 @@
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>A wing at one time of its beat.</summary>
+    [MovedFrom(true, null, "Alate")]
     public readonly struct BeatFrame
     {
         /// <summary>A frame of the given content; the array is kept, not copied.</summary>

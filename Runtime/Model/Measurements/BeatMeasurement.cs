@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -8,6 +9,7 @@ namespace Alate
     /// mesh.</summary>
     /// <remarks>Nothing here depends on how the wing was moved: any mesh that deforms over a cycle can be measured, also a filmed
     /// one.</remarks>
+    [MovedFrom(true, null, "Alate")]
     public sealed class BeatMeasurement
     {
         /// <summary>Span of the inner section of the twist, wing lengths. A mesh that begins farther out is cut a little past its

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -9,6 +10,7 @@ namespace Alate
     /// less what a wing that only turns with its root has by its feathering. Each edge's height has a phase of its own here and the two
     /// are subtracted; the phase of the difference in height is another number (15° where the monarch's lag is 27°).
     /// </summary>
+    [MovedFrom(true, null, "Alate")]
     public static class EdgeLag
     {
         /// <summary>Heights that swing less than this, wing lengths, have no phase.</summary>

@@ -1,10 +1,12 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>How much the edges of a mesh are longer or shorter than at rest.</summary>
+    [MovedFrom(true, null, "Alate")]
     public sealed class EdgeStretch
     {
         private readonly Edge[] m_Edges;

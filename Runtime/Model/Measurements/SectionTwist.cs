@@ -1,4 +1,5 @@
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -7,6 +8,7 @@ namespace Alate
     /// outer one nose-down as in feathering. The leading edge is the straight line between the leading places of the two sections as they
     /// are now, so a wing that turns as a whole, about whatever axis, has no twist.
     /// </summary>
+    [MovedFrom(true, null, "Alate")]
     public static class SectionTwist
     {
         /// <summary>The angle in the given shape, radians, −π to π; a wing whose rest shape is twisted has one at rest.</summary>

@@ -1,9 +1,11 @@
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>Bend of a wing: how far its tip stands out of the wing's plane, as an angle at the hinge, where the plane turns with the
     /// root.</summary>
+    [MovedFrom(true, null, "Alate")]
     public static class TipBend
     {
         /// <summary>The vertex farthest out on the span, of several the most forward.</summary>

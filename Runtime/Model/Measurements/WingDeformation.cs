@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>What one beat did to a wing: the numbers by which wings are compared. Radians and ratios.</summary>
+    [MovedFrom(true, null, "Alate")]
     public readonly struct WingDeformation
     {
         /// <summary>The numbers in the order of the properties.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -8,6 +9,7 @@ namespace Alate
     /// A cut through a wing at one rest span, as places on the edges of its mesh from the leading to the trailing edge. Baked once on the
     /// rest mesh; it follows the deformed mesh.
     /// </summary>
+    [MovedFrom(true, null, "Alate")]
     public sealed class WingSection
     {
         /// <summary>Places nearer to each other than this, wing lengths, are one: edges that meet in a vertex on the cut.</summary>

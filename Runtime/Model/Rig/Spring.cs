@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>A spring of the elastic network (Eq. 12) between two joints, by joint index.</summary>
+    [MovedFrom(true, null, "Alate")]
     public struct Spring
     {
         /// <summary>One joint.</summary>

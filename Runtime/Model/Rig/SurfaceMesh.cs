@@ -1,6 +1,7 @@
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -8,6 +9,7 @@ namespace Alate
     /// A triangle mesh as plain arrays, one entry per vertex: what the generators make, before or without a <see cref="Mesh"/>. Triangles are three indices
     /// each, wound so that (x1 − x0) × (x2 − x0) is the outward or upper side.
     /// </summary>
+    [MovedFrom(true, null, "Alate")]
     public sealed class SurfaceMesh
     {
         /// <summary>Positions, in the units the generator was asked for.</summary>

@@ -1,4 +1,5 @@
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -6,6 +7,7 @@ namespace Alate
     /// The frame in which a wing is computed: origin at the hinge, X to the tip, Y up, Z forward, one wing length long. For a left
     /// wing the axes are a mirror image, so that every wing is computed as a right one.
     /// </summary>
+    [MovedFrom(true, null, "Alate")]
     public readonly struct WingFrame
     {
         /// <summary>The hinge, mesh space.</summary>

@@ -2,6 +2,7 @@ using System;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -11,6 +12,7 @@ namespace Alate
     /// mesh serves both. In native memory, which is freed when the last user has called <see cref="Release"/>.
     /// </summary>
     /// <remarks>For the main thread. Reading a property of a disposed rig throws <see cref="ObjectDisposedException"/>.</remarks>
+    [MovedFrom(true, null, "Alate")]
     public sealed class WingRig
     {
         private readonly RigMemory m_Memory;

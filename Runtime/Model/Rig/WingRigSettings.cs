@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>What a user may choose when a rig is baked.</summary>
+    [MovedFrom(true, null, "Alate")]
     public struct WingRigSettings
     {
         /// <summary>

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -8,6 +9,7 @@ namespace Alate
     /// A single sheet, a double-sided one (each triangle twice, with or without vertices of its own) or a thin closed shell. Two
     /// sheets one above the other that are open at the rim count as twice the area.
     /// </remarks>
+    [MovedFrom(true, null, "Alate")]
     public struct WingSurface
     {
         /// <summary>How messages call it; may be null.</summary>

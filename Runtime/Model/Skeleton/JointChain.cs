@@ -1,10 +1,12 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>One chain of joints of a <see cref="WingSkeleton"/>, radiating from the wing's base.</summary>
     [Serializable]
+    [MovedFrom(true, null, "Alate")]
     public struct JointChain
     {
         /// <summary>Rest positions from root to tip, mesh space.</summary>

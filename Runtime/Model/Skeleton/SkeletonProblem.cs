@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>One reason why a <see cref="WingSkeleton"/> cannot be used, and where it lies.</summary>
+    [MovedFrom(true, null, "Alate")]
     public readonly struct SkeletonProblem
     {
         /// <summary>Stands in <see cref="Chain"/> or <see cref="Joint"/> when the problem concerns none in particular.</summary>

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>What can be wrong with a <see cref="WingSkeleton"/>.</summary>
+    [MovedFrom(true, null, "Alate")]
     public enum SkeletonProblemKind
     {
         /// <summary>Written by a newer version of the package.</summary>

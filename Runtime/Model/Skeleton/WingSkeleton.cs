@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -13,6 +14,7 @@ namespace Alate
     /// lies is the wing's forward side, so that the skeleton of a left wing is simply the mirror image of the right one's.
     /// </remarks>
     [CreateAssetMenu(fileName = "Wing Skeleton", menuName = "Alate/Wing Skeleton", order = 310)]
+    [MovedFrom(true, null, "Alate")]
     public sealed class WingSkeleton : ScriptableObject
     {
         /// <summary>The version that this package writes.</summary>

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>Against which direction of the surface the angle of attack is measured (Eq. 10).</summary>
+    [MovedFrom(true, null, "Alate")]
     public enum AirTangent
     {
         /// <summary>

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>The lift and drag coefficients as functions of the angle of attack (Sec. 5.2, Fig. 6).</summary>
+    [MovedFrom(true, null, "Alate")]
     public enum CoefficientSet
     {
         /// <summary>

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>How frequency and amplitude go from one cycle's values to the next (Eq. 6 and 7 set them once per cycle).</summary>
+    [MovedFrom(true, null, "Alate")]
     public enum CycleChange
     {
         /// <summary>They move over the first half of the new cycle by 3x² − 2x³, so that angle and angular rate are continuous. The default.</summary>

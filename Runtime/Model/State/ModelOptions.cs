@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -8,6 +9,7 @@ namespace Alate
     /// each option's own page gives the reason.
     /// </summary>
     [Serializable]
+    [MovedFrom(true, null, "Alate")]
     public struct ModelOptions : IEquatable<ModelOptions>
     {
         /// <summary>Lift and drag coefficients (Fig. 6).</summary>
@@ -45,10 +47,10 @@ namespace Alate
         [Tooltip("Second Order: the error falls with the square of the substep. Backward Euler: as printed; needs about twice the substeps.")]
         public TimeScheme timeScheme;
 
-        /// <summary>The options of <see cref="ModelPreset.Physical"/>.</summary>
+        /// <summary>The options of <see cref="ModelReading.Physical"/>.</summary>
         public static ModelOptions Physical => new ModelOptions { clampLift = true };
 
-        /// <summary>The options of <see cref="ModelPreset.Paper"/>.</summary>
+        /// <summary>The options of <see cref="ModelReading.Paper"/>.</summary>
         public static ModelOptions Paper => new ModelOptions
         {
             coefficients = CoefficientSet.Paper,

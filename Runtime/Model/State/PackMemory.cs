@@ -18,7 +18,7 @@ namespace Alate
         public WingPack view;
 
         /// <summary>Which wings may share it.</summary>
-        public readonly WingPacing pacing;
+        public readonly PackKey pacing;
 
         /// <summary>Position among the packs of the world.</summary>
         public int index;
@@ -27,7 +27,7 @@ namespace Alate
         public int Count { get; private set; }
 
         /// <summary>Allocates a pack for a rig, its lanes empty.</summary>
-        public PackMemory(in RigView rig, in ModelOptions options, in WingPacing pacing = default)
+        public PackMemory(in RigView rig, in ModelOptions options, in PackKey pacing = default)
         {
             m_Bytes = Layout(rig, null, out _);
             m_Block = (byte*)UnsafeUtility.MallocTracked(m_Bytes, 64, Allocator.Persistent, 0);

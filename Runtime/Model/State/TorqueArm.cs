@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>Which loads turn a joint, and about which point (Eq. 4).</summary>
+    [MovedFrom(true, null, "Alate")]
     public enum TorqueArm
     {
         /// <summary>

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>How much of the model a wing is computed with; each level is cheaper than the one before. A wing may change level at any time without a jump.</summary>
+    [MovedFrom(true, null, "Alate")]
     public enum WingDetail
     {
         /// <summary>All of it, as the parameters say.</summary>

@@ -16,7 +16,7 @@ namespace Alate
 
         public RigView rig;
         public ModelOptions options;
-        public WingClock clock;
+        public ClockId clock;
         public WingDetail detail;
 
         public LaneParameters* parameters;

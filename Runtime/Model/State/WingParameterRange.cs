@@ -1,10 +1,12 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>Name, unit, bounds and default of one number of <see cref="WingParameters"/>: the one place where they are kept.</summary>
+    [MovedFrom(true, null, "Alate")]
     public sealed class WingParameterRange
     {
         /// <summary>The field of <see cref="WingParameters"/> that a range is about.</summary>
@@ -71,7 +73,7 @@ namespace Alate
         /// <summary>The smallest allowed value.</summary>
         public float Minimum { get; }
 
-        /// <summary>The value of a monarch's wing by <see cref="ModelPreset.Physical"/>.</summary>
+        /// <summary>The value of a monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
         public float Default { get; }
 
         /// <summary>The largest allowed value.</summary>

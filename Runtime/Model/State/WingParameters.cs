@@ -1,5 +1,6 @@
 using System;
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -9,6 +10,7 @@ namespace Alate
     /// Ranges and defaults stand in <see cref="WingParameterRange.All"/>.
     /// </summary>
     [Serializable]
+    [MovedFrom(true, null, "Alate")]
     public struct WingParameters
     {
         /// <summary>MAX_f of Eq. 6, hertz, 0.1 to 1000; monarch 11.</summary>
@@ -116,7 +118,7 @@ namespace Alate
         /// <summary>The choices the paper leaves open.</summary>
         public ModelOptions options;
 
-        /// <summary>A monarch's wing by <see cref="ModelPreset.Physical"/>.</summary>
+        /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
         public static WingParameters Default
         {
             get

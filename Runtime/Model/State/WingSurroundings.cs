@@ -1,4 +1,5 @@
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -6,6 +7,7 @@ namespace Alate
     /// <remarks>
     /// A left wing is simulated as a right wing: negate x of its wind, gravity and hinge, and y and z of its angular velocity.
     /// </remarks>
+    [MovedFrom(true, null, "Alate")]
     public struct WingSurroundings
     {
         /// <summary>Air velocity minus body velocity, wing lengths per second.</summary>

@@ -34,7 +34,7 @@ namespace Alate
         public int Version { get; private set; }
 
         /// <summary>Takes over what the jobs wrote, before packs or wings are rearranged.</summary>
-        public void Unsettle(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
+        public void Download(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
         {
             Version++;
             if (m_Stale)
@@ -54,7 +54,7 @@ namespace Alate
         }
 
         /// <summary>Lays the jobs' arrays out for the packs and wings there are now, if any were rearranged.</summary>
-        public void Settle(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
+        public void Upload(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
         {
             if (!m_Stale)
                 return;
@@ -151,7 +151,7 @@ namespace Alate
             Version++;
             for (int k = 0; k < m_PackCount; k++)
             {
-                if (packs[k].pacing.clock != WingClock.Own || packs[k].pacing.owner != owner)
+                if (packs[k].pacing.clock != ClockId.Own || packs[k].pacing.owner != owner)
                     continue;
                 WingPack pack = m_Packs[k];
                 PackStep.Run(ref pack, Scratch(packs[k]), dt);

@@ -74,9 +74,9 @@ namespace Alate
         {
             private readonly WingRig m_Rig;
             private readonly ModelOptions m_Options;
-            private readonly WingPacing m_Pacing;
+            private readonly PackKey m_Pacing;
 
-            public Key(WingRig rig, in ModelOptions options, in WingPacing pacing)
+            public Key(WingRig rig, in ModelOptions options, in PackKey pacing)
             {
                 m_Rig = rig;
                 m_Options = options;

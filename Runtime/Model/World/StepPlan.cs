@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What one step job does: for each <see cref="WingClock"/> how many steps of what length.</summary>
+    /// <summary>What one step job does: for each <see cref="ClockId"/> how many steps of what length.</summary>
     internal struct StepPlan
     {
         /// <summary>Seconds of one step.</summary>
@@ -15,7 +15,7 @@ namespace Alate
         public static StepPlan All(float dt) => new StepPlan { length = dt, count = 1 };
 
         /// <summary>So many steps for one clock.</summary>
-        public static StepPlan For(WingClock clock, float dt, int count)
+        public static StepPlan For(ClockId clock, float dt, int count)
         {
             StepPlan plan = default;
             plan.Set(clock, dt, count);
@@ -23,7 +23,7 @@ namespace Alate
         }
 
         /// <summary>Sets the steps of one clock.</summary>
-        public void Set(WingClock clock, float dt, int steps)
+        public void Set(ClockId clock, float dt, int steps)
         {
             length[(int)clock] = dt;
             count[(int)clock] = steps;

@@ -12,7 +12,7 @@ namespace Alate
         public PackMemory pack;
         public int lane;
         public WingParameters parameters;
-        public WingPacing pacing;
+        public PackKey pacing;
         public WingSurroundings surroundings;
 
         /// <summary>Deformed vertices, mesh order.</summary>

@@ -1,8 +1,10 @@
 using System;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>Names one wing of a <see cref="WingWorld"/>; invalid once the wing is removed.</summary>
+    [MovedFrom(true, null, "Alate")]
     public readonly struct WingHandle : IEquatable<WingHandle>
     {
         internal readonly int index;

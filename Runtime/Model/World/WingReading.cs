@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using Unity.Mathematics;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -8,6 +9,7 @@ namespace Alate
     /// The state of one wing at the end of the last step, read in place: wing frame, wing lengths, wing masses, radians. Valid until the next
     /// call that steps or changes the <see cref="WingWorld"/> it came from; then, where Unity's safety checks are on, it throws <see cref="InvalidOperationException"/>.
     /// </summary>
+    [MovedFrom(true, null, "Alate")]
     public readonly unsafe struct WingReading
     {
         private readonly WingPack m_Pack;

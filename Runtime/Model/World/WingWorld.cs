@@ -4,6 +4,7 @@ using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -18,6 +19,7 @@ namespace Alate
     /// world.Skin();
     /// NativeArray&lt;SkinnedVertex&gt; deformed = world.Vertices(wing);
     /// </code></example>
+    [MovedFrom(true, null, "Alate")]
     public sealed class WingWorld : IDisposable
     {
         private readonly List<WingEntry> m_Entries = new List<WingEntry>();
@@ -47,7 +49,7 @@ namespace Alate
         public WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings) =>
             Add(rig, parameters, surroundings, default);
 
-        internal WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in WingPacing pacing)
+        internal WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey pacing)
         {
             if (rig == null)
                 throw new ArgumentNullException(nameof(rig));
@@ -63,7 +65,7 @@ namespace Alate
             var entry = new WingEntry(rig, m_NextVersion++, parameters) { surroundings = surroundings, pacing = pacing };
             m_Entries[index] = entry;
             Count++;
-            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
+            m_Arrays.Download(m_Packs.Packs, m_Entries);
             m_Packs.Add(entry, index);
             DeriveAndRestart(entry, restart: true);
             return new WingHandle(index, entry.version);
@@ -74,7 +76,7 @@ namespace Alate
         public void Remove(WingHandle wing)
         {
             WingEntry entry = Entry(wing);
-            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
+            m_Arrays.Download(m_Packs.Packs, m_Entries);
             Detach(entry);
             m_Entries[wing.index] = null;
             m_Free.Push(wing.index);
@@ -103,11 +105,11 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void SetDetail(WingHandle wing, WingDetail detail)
         {
-            WingPacing pacing = Entry(wing).pacing;
-            SetPacing(wing, new WingPacing(pacing.clock, pacing.owner, detail));
+            PackKey pacing = Entry(wing).pacing;
+            SetPacing(wing, new PackKey(pacing.clock, pacing.owner, detail));
         }
 
-        internal void SetPacing(WingHandle wing, in WingPacing pacing)
+        internal void SetPacing(WingHandle wing, in PackKey pacing)
         {
             WingEntry entry = Entry(wing);
             if (entry.pacing.Equals(pacing))
@@ -181,7 +183,7 @@ namespace Alate
             m_Pending = Behind(after);
             if (plan.IsEmpty || Count == 0)
                 return m_Pending;
-            Settle();
+            Upload();
             m_Pending = m_Arrays.ScheduleStep(plan, m_Pending);
             return m_Pending;
         }
@@ -190,7 +192,7 @@ namespace Alate
         internal void StepNow(int owner, float dt)
         {
             CompleteUse();
-            Settle();
+            Upload();
             m_Arrays.StepNow(m_Packs.Packs, owner, dt);
         }
 
@@ -212,7 +214,7 @@ namespace Alate
             m_Pending = Behind(after);
             if (Count == 0)
                 return m_Pending;
-            Settle();
+            Upload();
             m_Pending = m_Arrays.ScheduleSkin(alpha, clocks, m_Pending);
             return m_Pending;
         }
@@ -259,7 +261,7 @@ namespace Alate
         public void RecordPatches(WingHandle wing, bool on)
         {
             WingEntry entry = Entry(wing);
-            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
+            m_Arrays.Download(m_Packs.Packs, m_Entries);
             entry.pack.Record(on);
         }
 
@@ -278,12 +280,12 @@ namespace Alate
 
         private JobHandle Behind(JobHandle after) => after == default ? m_Pending : JobHandle.CombineDependencies(m_Pending, after);
 
-        private void Settle() => m_Arrays.Settle(m_Packs.Packs, m_Entries);
+        private void Upload() => m_Arrays.Upload(m_Packs.Packs, m_Entries);
 
         // Moves a wing to a pack of its new kind, state and all.
         private void Regroup(WingEntry entry, int index)
         {
-            m_Arrays.Unsettle(m_Packs.Packs, m_Entries);
+            m_Arrays.Download(m_Packs.Packs, m_Entries);
             PackMemory from = entry.pack.Snapshot(entry.lane);
             Detach(entry);
             m_Packs.Add(entry, index).Take(from, 0, entry.lane);

@@ -48,8 +48,8 @@ namespace Alate.Editor.Tests
         public void WithoutDelayAlongTheSpan_EachChainHasOneColour()
         {
             InsectWings insect = Insect();
-            insect.Species = Keep(ScriptableObject.CreateInstance<WingSpecies>());
-            insect.Species.Wave.spanDelay = 0f;
+            insect.Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
+            insect.Preset.Wave.spanDelay = 0f;
 
             ChainSketch sketch = ChainSketch.Of(insect, 1);
 
@@ -62,9 +62,9 @@ namespace Alate.Editor.Tests
         public void WithoutAnyDelay_ChainsAreStillToldApart()
         {
             InsectWings insect = Insect();
-            insect.Species = Keep(ScriptableObject.CreateInstance<WingSpecies>());
-            insect.Species.Wave.spanDelay = 0f;
-            insect.Species.Wave.chordDelay = 0f;
+            insect.Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
+            insect.Preset.Wave.spanDelay = 0f;
+            insect.Preset.Wave.chordDelay = 0f;
 
             Assert.That(ChainSketch.Of(insect, 0).Delay(4, 2), Is.EqualTo(1f).Within(1e-5f));
         }

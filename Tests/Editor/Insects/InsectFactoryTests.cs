@@ -12,9 +12,9 @@ namespace Alate.Editor.Tests
             InsectWings one = InsectFactory.Create("firefly"), two = InsectFactory.Create("firefly");
             Mesh mesh = MeshOf(one), other = MeshOf(two);
 
-            Assert.That(InsectKits.Count, Is.Zero);
+            Assert.That(GeneratedAssets.Count, Is.Zero);
             Assert.That(mesh.hideFlags, Is.EqualTo(HideFlags.None), "the mesh would not be saved with the scene");
-            Assert.That(one.Species.hideFlags, Is.EqualTo(HideFlags.None));
+            Assert.That(one.Preset.hideFlags, Is.EqualTo(HideFlags.None));
             Assert.That(other, Is.Not.SameAs(mesh));
             Assert.That(InsectStatus.Of(one).Problem.IsProblem, Is.False);
             foreach (InsectWings insect in new[] { one, two })
@@ -32,7 +32,7 @@ namespace Alate.Editor.Tests
             }
 
             Object.DestroyImmediate(insect.Wings[0].Skeleton);
-            Object.DestroyImmediate(insect.Species);
+            Object.DestroyImmediate(insect.Preset);
             Object.DestroyImmediate(insect.gameObject);
         }
     }

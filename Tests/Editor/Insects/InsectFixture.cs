@@ -78,7 +78,7 @@ namespace Alate.Editor.Tests
             return new Wing { Renderer = renderer, Side = side, Skeleton = skeleton };
         }
 
-        protected static SpeciesWing Monarch => InsectCatalogue.Find("monarch").Wings[0];
+        protected static WingDefinition Monarch => InsectCatalogue.Find("monarch").Wings[0];
 
         protected static Mesh MeshOf(Wing wing) => wing.Renderer.GetComponent<MeshFilter>().sharedMesh;
 

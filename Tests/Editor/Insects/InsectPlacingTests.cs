@@ -35,7 +35,7 @@ namespace Alate.Editor.Tests
         public void EverySpecies_IsAnInstanceOfAPrefab_WhosePartsAreAllSaved([ValueSource(nameof(Names))] string name)
         {
             GameObject insect = Place(name);
-            SpeciesDefinition species = InsectCatalogue.Find(name);
+            InsectDefinition species = InsectCatalogue.Find(name);
             Assert.That(PrefabUtility.IsPartOfPrefabInstance(insect), Is.True);
             Assert.That(insect.activeSelf, Is.True);
             Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/{species.DisplayName}/{species.DisplayName}.prefab") != null, Is.True);
@@ -47,7 +47,7 @@ namespace Alate.Editor.Tests
                 AssertIsSaved(part, name);
             foreach (Wing wing in wings.Wings)
                 AssertIsSaved(wing.Skeleton, name);
-            AssertIsSaved(wings.Species, name);
+            AssertIsSaved(wings.Preset, name);
         }
 
         [Test]
@@ -93,20 +93,20 @@ namespace Alate.Editor.Tests
         public void ASecondInsect_IsMadeOfTheSameAssets_AsTheUserLeftThem()
         {
             var first = Place("firefly").GetComponent<InsectWings>();
-            first.Species.Beat.maxFrequency = 33f;
+            first.Preset.Beat.maxFrequency = 33f;
             var second = Place("firefly").GetComponent<InsectWings>();
 
-            Assert.That(second.Species, Is.SameAs(first.Species));
-            Assert.That(second.Species.Beat.maxFrequency, Is.EqualTo(33f));
+            Assert.That(second.Preset, Is.SameAs(first.Preset));
+            Assert.That(second.Preset.Beat.maxFrequency, Is.EqualTo(33f));
             Assert.That(PartsOf(second.gameObject), Is.EqualTo(PartsOf(first.gameObject)));
         }
 
         [Test]
         public void WithoutThePrefab_WhatIsLeftOfTheAssets_IsUsedAgain()
         {
-            WingSpecies tuned = Place("firefly").GetComponent<InsectWings>().Species;
+            WingPreset tuned = Place("firefly").GetComponent<InsectWings>().Preset;
             AssetDatabase.DeleteAsset($"{k_Home}/Firefly/Firefly.prefab");
-            Assert.That(Place("firefly").GetComponent<InsectWings>().Species, Is.SameAs(tuned));
+            Assert.That(Place("firefly").GetComponent<InsectWings>().Preset, Is.SameAs(tuned));
         }
 
         [Test]
@@ -116,7 +116,7 @@ namespace Alate.Editor.Tests
             foreach (string variant in new[] { "", " Biological", " Expressive" })
             {
                 string path = $"{k_Home}/Firefly/Firefly Hind Wing Preset{variant}.asset";
-                Assert.That(AssetDatabase.LoadAssetAtPath<WingSpecies>(path) != null, Is.True, path);
+                Assert.That(AssetDatabase.LoadAssetAtPath<WingPreset>(path) != null, Is.True, path);
             }
         }
 

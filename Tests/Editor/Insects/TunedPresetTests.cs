@@ -14,7 +14,7 @@ namespace Alate.Editor.Tests
         public void SavedPreset_MovesTheWingsAsBefore(SpringUnits units)
         {
             InsectWings insect = Tuned();
-            insect.Species.Options.springUnits = units;
+            insect.Preset.Options.springUnits = units;
             LaneParameters before = Told(insect, 0);
 
             Save(insect, PathFor("Tuned"));
@@ -39,16 +39,16 @@ namespace Alate.Editor.Tests
         public void SavedPreset_IsAnAssetOfItsOwn()
         {
             InsectWings insect = Tuned();
-            WingSpecies source = insect.Species;
+            WingPreset source = insect.Preset;
             float range = source.Beat.flapRange;
             string path = PathFor("Own");
 
             FixOutcome outcome = Save(insect, path);
 
             Assert.That(outcome.IsDone, Is.True);
-            Assert.That(AssetDatabase.LoadAssetAtPath<WingSpecies>(path), Is.SameAs(insect.Species));
-            Assert.That(insect.Species, Is.Not.SameAs(source));
-            Assert.That(insect.Species.Beat.flapRange, Is.EqualTo(0.5f * range).Within(1e-4f));
+            Assert.That(AssetDatabase.LoadAssetAtPath<WingPreset>(path), Is.SameAs(insect.Preset));
+            Assert.That(insect.Preset, Is.Not.SameAs(source));
+            Assert.That(insect.Preset.Beat.flapRange, Is.EqualTo(0.5f * range).Within(1e-4f));
             Assert.That(source.Beat.flapRange, Is.EqualTo(range), "the source was changed");
         }
 
@@ -56,12 +56,12 @@ namespace Alate.Editor.Tests
         public void Undo_GivesTheOldPresetAndTheSlidersBack()
         {
             InsectWings insect = Tuned();
-            WingSpecies source = insect.Species;
+            WingPreset source = insect.Preset;
             Save(insect, PathFor("Undone"));
 
             Undo.PerformUndo();
 
-            Assert.That(insect.Species, Is.SameAs(source));
+            Assert.That(insect.Preset, Is.SameAs(source));
             Assert.That(insect.Wings.Select(wing => wing.AmplitudeScale), Is.All.EqualTo(0.5f));
             Assert.That(insect.Quality.substepsPerBeat, Is.EqualTo(48));
         }
@@ -72,14 +72,14 @@ namespace Alate.Editor.Tests
             string path = PathFor("Again");
             InsectWings first = Tuned();
             Save(first, path);
-            WingSpecies asset = first.Species;
+            WingPreset asset = first.Preset;
             InsectWings second = Tuned();
-            second.Species.Beat.maxFrequency = 7f;
+            second.Preset.Beat.maxFrequency = 7f;
 
             Save(second, path);
 
-            Assert.That(second.Species, Is.SameAs(asset));
-            Assert.That(first.Species, Is.SameAs(asset));
+            Assert.That(second.Preset, Is.SameAs(asset));
+            Assert.That(first.Preset, Is.SameAs(asset));
             Assert.That(asset.Beat.maxFrequency, Is.EqualTo(7f));
         }
 
@@ -88,25 +88,25 @@ namespace Alate.Editor.Tests
         public void Cancelling_ChangesNothing(string path)
         {
             InsectWings insect = Tuned();
-            WingSpecies source = insect.Species;
+            WingPreset source = insect.Preset;
 
             FixOutcome outcome = Save(insect, path);
 
             Assert.That(outcome.IsDone, Is.False);
             Assert.That(outcome.Message, Is.Empty);
-            Assert.That(insect.Species, Is.SameAs(source));
+            Assert.That(insect.Preset, Is.SameAs(source));
         }
 
         [Test]
         public void PackageFolder_IsRefused()
         {
             InsectWings insect = Tuned();
-            WingSpecies source = insect.Species;
+            WingPreset source = insect.Preset;
 
             FixOutcome outcome = Save(insect, "Packages/com.alate.insect-wings/Mine.asset");
 
             Assert.That(outcome.Message, Does.Contain("read-only"));
-            Assert.That(insect.Species, Is.SameAs(source));
+            Assert.That(insect.Preset, Is.SameAs(source));
             Assert.That(insect.Wings[0].AmplitudeScale, Is.EqualTo(0.5f));
         }
 
@@ -115,11 +115,11 @@ namespace Alate.Editor.Tests
         {
             InsectWings insect = Tuned();
             insect.Wings[1].AmplitudeScale = 0.75f;
-            float range = insect.Species.Beat.flapRange;
+            float range = insect.Preset.Beat.flapRange;
 
             Save(insect, PathFor("Differ"));
 
-            Assert.That(insect.Species.Beat.flapRange, Is.EqualTo(range));
+            Assert.That(insect.Preset.Beat.flapRange, Is.EqualTo(range));
             Assert.That(insect.Wings.Select(wing => wing.AmplitudeScale), Is.EqualTo(new[] { 0.5f, 0.75f }));
         }
 
@@ -127,13 +127,13 @@ namespace Alate.Editor.Tests
         public void AmplitudeBeyondHalfATurn_StaysOnTheWings()
         {
             InsectWings insect = Tuned();
-            insect.Species.Beat.flapRange = 120f;
+            insect.Preset.Beat.flapRange = 120f;
             foreach (Wing wing in insect.Wings)
                 wing.AmplitudeScale = 2f;
 
             Save(insect, PathFor("Wide"));
 
-            Assert.That(insect.Species.Beat.flapRange, Is.EqualTo(180f).Within(1e-3f));
+            Assert.That(insect.Preset.Beat.flapRange, Is.EqualTo(180f).Within(1e-3f));
             Assert.That(insect.Wings[0].AmplitudeScale, Is.EqualTo(2f * 120f / 180f).Within(1e-4f));
         }
 
@@ -146,7 +146,7 @@ namespace Alate.Editor.Tests
 
             Save(insect, PathFor("Still"));
 
-            Assert.That(insect.Species.Beat.flapRange, Is.Zero);
+            Assert.That(insect.Preset.Beat.flapRange, Is.Zero);
             Assert.That(Told(insect, 0).amplitude[0].x, Is.Zero);
         }
 
@@ -154,18 +154,18 @@ namespace Alate.Editor.Tests
         public void WingsWithPresetsOfTheirOwn_AreSavedApart()
         {
             InsectWings insect = Tuned();
-            WingSpecies hind = Keep(ScriptableObject.CreateInstance<WingSpecies>());
+            WingPreset hind = Keep(ScriptableObject.CreateInstance<WingPreset>());
             hind.name = "hind";
-            insect.Wings[1].Species = hind;
+            insect.Wings[1].Preset = hind;
 
             Assert.That(TunedPreset.Of(insect).Select(preset => preset.Name), Is.EqualTo(new[] { "fore", "hind" }));
-            WingSpecies fore = insect.Species;
+            WingPreset fore = insect.Preset;
             new PresetSaving((_, __, ___) => PathFor("Hind")).Save(insect, TunedPreset.Of(insect)[1]);
 
-            Assert.That(insect.Species, Is.SameAs(fore));
-            Assert.That(insect.Wings[0].Species == null, Is.True);
+            Assert.That(insect.Preset, Is.SameAs(fore));
+            Assert.That(insect.Wings[0].Preset == null, Is.True);
             Assert.That(insect.Wings[0].AmplitudeScale, Is.EqualTo(0.5f));
-            Assert.That(insect.Wings[1].Species, Is.Not.SameAs(hind));
+            Assert.That(insect.Wings[1].Preset, Is.Not.SameAs(hind));
             Assert.That(insect.Wings[1].AmplitudeScale, Is.EqualTo(1f));
             Assert.That(insect.Quality.substepsPerBeat, Is.EqualTo(48), "the other wing still needs them");
         }
@@ -177,7 +177,7 @@ namespace Alate.Editor.Tests
 
             Save(insect, PathFor("Monarch"));
 
-            Assert.That(insect.Species.Beat.maxFrequency, Is.EqualTo(WingSpeciesPresets.MonarchBeat.maxFrequency));
+            Assert.That(insect.Preset.Beat.maxFrequency, Is.EqualTo(PresetDefaults.MonarchBeat.maxFrequency));
         }
 
         private static void AssertSame(float actual, float expected, string what) =>
@@ -189,9 +189,9 @@ namespace Alate.Editor.Tests
         // What the model is told, as a living wing would tell it.
         private static LaneParameters Told(InsectWings insect, int wing)
         {
-            var watch = new SpeciesWatch();
-            WingSpecies own = insect.Wings[wing].Species;
-            WingParameters parameters = watch.Of(own == null ? insect.Species : own).parameters;
+            var watch = new PresetWatch();
+            WingPreset own = insect.Wings[wing].Preset;
+            WingParameters parameters = watch.Of(own == null ? insect.Preset : own).parameters;
             parameters.amplitudeScale *= insect.Wings[wing].AmplitudeScale;
             parameters.phaseLead += Mathf.Deg2Rad * insect.Wings[wing].PhaseLead;
             if (insect.SubstepsPerBeat > 0)
@@ -204,9 +204,9 @@ namespace Alate.Editor.Tests
         private InsectWings Tuned()
         {
             InsectWings insect = Insect();
-            insect.Species = Keep(ScriptableObject.CreateInstance<WingSpecies>());
-            insect.Species.name = "fore";
-            insect.Species.Beat.phaseLead = 150f;
+            insect.Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
+            insect.Preset.name = "fore";
+            insect.Preset.Beat.phaseLead = 150f;
             insect.Quality.substepsPerBeat = 48;
             foreach (Wing wing in insect.Wings)
             {

@@ -10,7 +10,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void MonarchsOwnSkeleton_HasNoWeakness([Values(3, 5, 8)] int chains, [Values(3, 5, 8)] int joints)
         {
-            Editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, chains, joints));
+            Editing.Do("Set Counts", (draft, selected) => ResampleCommands.ToCounts(draft, chains, joints));
 
             Assert.That(Find(Surface()).Select(problem => problem.Message), Is.Empty);
         }
@@ -19,7 +19,7 @@ namespace Alate.Editor.Tests
         public void TipsDrawnIn_LeaveFarVertices_WhichAreFoundWhereTheyAre_AndVanish()
         {
             Select((0, 4), (0, 3));
-            Editing.Do("Slide", (draft, selected) => SlideActs.By(draft, selected, -0.15f));
+            Editing.Do("Slide", (draft, selected) => SlideCommands.By(draft, selected, -0.15f));
 
             RigProblem far = Find(Surface()).First(problem => problem.Kind == RigProblemKind.FarVertices);
 

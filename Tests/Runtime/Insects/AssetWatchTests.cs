@@ -8,29 +8,29 @@ namespace Alate.Tests
     {
         private const int k_Long = 1000;
 
-        private WingSpecies m_Species;
-        private SpeciesWatch m_Watch;
+        private WingPreset m_Preset;
+        private PresetWatch m_Watch;
 
         [SetUp]
         public void Begin()
         {
-            m_Species = InsectCatalogue.Monarch();
-            m_Watch = new SpeciesWatch();
+            m_Preset = InsectCatalogue.Monarch();
+            m_Watch = new PresetWatch();
         }
 
         [TearDown]
-        public void End() => Object.DestroyImmediate(m_Species);
+        public void End() => Object.DestroyImmediate(m_Preset);
 
         [Test]
         public void Presets_AreReadOnceForAll_AndAgainWhenEdited()
         {
-            SpeciesValues values = m_Watch.Of(m_Species);
+            PresetValues values = m_Watch.Of(m_Preset);
             int stamp = values.Stamp;
-            Assert.That(m_Watch.Of(m_Species), Is.SameAs(values));
+            Assert.That(m_Watch.Of(m_Preset), Is.SameAs(values));
             m_Watch.Refresh();
             Assert.That(values.Stamp, Is.EqualTo(stamp), "nothing was edited");
 
-            m_Species.Beat.flapRange *= 0.5f;
+            m_Preset.Beat.flapRange *= 0.5f;
             m_Watch.Refresh();
             Assert.That(values.Stamp, Is.Not.EqualTo(stamp));
         }
@@ -38,21 +38,21 @@ namespace Alate.Tests
         [Test]
         public void PresetsInUse_AreKept_HoweverLong()
         {
-            SpeciesValues values = m_Watch.Of(m_Species);
+            PresetValues values = m_Watch.Of(m_Preset);
             for (int round = 0; round < k_Long; round++)
             {
                 Round();
                 Assert.That(values.Stamp, Is.GreaterThanOrEqualTo(0));
             }
 
-            Assert.That(m_Watch.Of(m_Species), Is.SameAs(values));
+            Assert.That(m_Watch.Of(m_Preset), Is.SameAs(values));
             Assert.That(m_Watch.Count, Is.EqualTo(1));
         }
 
         [Test]
         public void PresetsOutOfUse_AreLetGo_AndFoundAnew()
         {
-            SpeciesValues values = m_Watch.Of(m_Species);
+            PresetValues values = m_Watch.Of(m_Preset);
             for (int round = 0; round < k_Long; round++)
                 Round();
 
@@ -60,18 +60,18 @@ namespace Alate.Tests
             Assert.That(values.IsForgotten, Is.True);
             Assert.That(values.Stamp, Is.GreaterThanOrEqualTo(0));
             Assert.That(values.IsForgotten, Is.True, "a look at what is read no more does not bring it back");
-            Assert.That(m_Watch.Of(m_Species), Is.Not.SameAs(values));
+            Assert.That(m_Watch.Of(m_Preset), Is.Not.SameAs(values));
         }
 
         [Test]
         public void NoPreset_AndADestroyedOne_AreAMonarch_AndNotWatched()
         {
-            SpeciesValues none = m_Watch.Of(null);
-            WingSpecies gone = InsectCatalogue.Monarch();
+            PresetValues none = m_Watch.Of(null);
+            WingPreset gone = InsectCatalogue.Monarch();
             Object.DestroyImmediate(gone);
 
             Assert.That(m_Watch.Of(gone), Is.SameAs(none));
-            Assert.That(none.wingLength, Is.EqualTo(WingSpeciesPresets.MonarchSize.wingLength));
+            Assert.That(none.wingLength, Is.EqualTo(PresetDefaults.MonarchSize.wingLength));
             Assert.That(m_Watch.Count, Is.Zero);
         }
 

@@ -10,12 +10,12 @@ namespace Alate.Tests
     {
         private const float k_Millimetres = 1000f;
 
-        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
+        private static IEnumerable<InsectDefinition> All => InsectCatalogue.All;
 
-        private static SurfaceMesh BodyOf(SpeciesDefinition species) => species.Body.CreateSurface(k_Millimetres);
+        private static SurfaceMesh BodyOf(InsectDefinition species) => species.Body.CreateSurface(k_Millimetres);
 
         [TestCaseSource(nameof(All))]
-        public void EveryEdge_IsSharedByTwoTriangles_ThatRunItBothWays(SpeciesDefinition species)
+        public void EveryEdge_IsSharedByTwoTriangles_ThatRunItBothWays(InsectDefinition species)
         {
             var body = BodyOf(species);
             var edges = new HashSet<(int From, int To)>();
@@ -36,7 +36,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void EveryPart_FacesOutwards(SpeciesDefinition species)
+        public void EveryPart_FacesOutwards(InsectDefinition species)
         {
             var body = BodyOf(species);
             foreach (var part in BodyPieces.Of(body))
@@ -46,7 +46,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void Normals_AreUnitVectors_AndPointOutOfTheTrianglesAround(SpeciesDefinition species)
+        public void Normals_AreUnitVectors_AndPointOutOfTheTrianglesAround(InsectDefinition species)
         {
             var body = BodyOf(species);
             var around = new Vector3[body.VertexCount];
@@ -68,7 +68,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void EveryVertex_HasAFinitePlace_AColour_AndAPlaceInTheTexture(SpeciesDefinition species)
+        public void EveryVertex_HasAFinitePlace_AColour_AndAPlaceInTheTexture(InsectDefinition species)
         {
             var body = BodyOf(species);
 
@@ -83,7 +83,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void TheLeftSide_IsTheMirrorImageOfTheRight(SpeciesDefinition species)
+        public void TheLeftSide_IsTheMirrorImageOfTheRight(InsectDefinition species)
         {
             var body = BodyOf(species);
             var vertices = new Dictionary<(int X, int Y, int Z), List<int>>();
@@ -128,7 +128,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void ABody_HasAFewThousandTriangles_AndGrowsWithItsUnit(SpeciesDefinition species)
+        public void ABody_HasAFewThousandTriangles_AndGrowsWithItsUnit(InsectDefinition species)
         {
             var body = BodyOf(species);
             var large = species.Body.CreateSurface(10f * k_Millimetres);

@@ -10,10 +10,10 @@ namespace Alate.Tests
     {
         private const int k_Size = 512;
 
-        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
+        private static IEnumerable<InsectDefinition> All => InsectCatalogue.All;
 
         [TestCaseSource(nameof(All))]
-        public void TheTextureOfABody_HasTheColoursOfItsTriangles_AtTheirPlacesInIt(SpeciesDefinition species)
+        public void TheTextureOfABody_HasTheColoursOfItsTriangles_AtTheirPlacesInIt(InsectDefinition species)
         {
             var body = species.Body.CreateSurface(1f);
             var pixels = ColourTexture.Paint(body, k_Size);

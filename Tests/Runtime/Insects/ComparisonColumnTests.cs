@@ -8,12 +8,12 @@ namespace Alate.Tests
 {
     public sealed class ComparisonColumnTests
     {
-        private WingSpecies m_Full, m_Copy;
+        private WingPreset m_Full, m_Copy;
 
         [SetUp]
-        public void CreateSpecies()
+        public void CreatePreset()
         {
-            m_Full = InsectCatalogue.Find("fishfly").Wings[0].CreateSpecies();
+            m_Full = InsectCatalogue.Find("fishfly").Wings[0].CreatePreset();
             m_Full.name = "Fishfly";
         }
 
@@ -34,7 +34,7 @@ namespace Alate.Tests
         [Test]
         public void TheFullModel_IsTheSpeciesItself()
         {
-            m_Copy = ComparisonColumn.FullModel.CreateSpecies(m_Full);
+            m_Copy = ComparisonColumn.FullModel.CreatePreset(m_Full);
 
             Assert.That(m_Copy, Is.Not.SameAs(m_Full));
             Assert.That(m_Copy.ToParameters(), Is.EqualTo(m_Full.ToParameters()));
@@ -44,7 +44,7 @@ namespace Alate.Tests
         [Test]
         public void WithoutTheWave_OnlyTheDelaysAreGone()
         {
-            m_Copy = ComparisonColumn.NoWave.CreateSpecies(m_Full);
+            m_Copy = ComparisonColumn.NoWave.CreatePreset(m_Full);
 
             var expected = m_Full.ToParameters();
             expected.chordDelay = 0f;
@@ -55,7 +55,7 @@ namespace Alate.Tests
         [Test]
         public void ARigidWing_IsDrivenWholeAtItsRoot_AndBeatsAsBefore()
         {
-            m_Copy = ComparisonColumn.RigidWing.CreateSpecies(m_Full);
+            m_Copy = ComparisonColumn.RigidWing.CreatePreset(m_Full);
 
             Assert.That(m_Copy.Wave.rootShare, Is.EqualTo(1f));
             Assert.That(m_Copy.Stiffness.jointLimit, Is.Zero);
@@ -68,7 +68,7 @@ namespace Alate.Tests
         [TestCase(4f)]
         public void AnotherElasticity_ScalesTheSpeciesOwn(float factor)
         {
-            m_Copy = ComparisonColumn.Elasticity(factor).CreateSpecies(m_Full);
+            m_Copy = ComparisonColumn.Elasticity(factor).CreatePreset(m_Full);
 
             var expected = m_Full.ToParameters();
             expected.elasticity *= factor;
@@ -89,14 +89,14 @@ namespace Alate.Tests
         {
             foreach (var column in ComparisonColumn.All)
             {
-                var kept = column.CreateSpecies(m_Full);
+                var kept = column.CreatePreset(m_Full);
                 m_Full.Wave.chordDelay += 0.1f;
                 m_Full.Beat.flapRange -= 5f;
                 m_Full.Stiffness.elasticity *= 1.5f;
 
                 column.Refresh(m_Full, kept);
 
-                m_Copy = column.CreateSpecies(m_Full);
+                m_Copy = column.CreatePreset(m_Full);
                 Assert.That(kept.ToParameters(), Is.EqualTo(m_Copy.ToParameters()), column.Name);
                 UnityEngine.Object.DestroyImmediate(kept);
                 UnityEngine.Object.DestroyImmediate(m_Copy);
@@ -110,7 +110,7 @@ namespace Alate.Tests
 
             foreach (var column in ComparisonColumn.All)
             {
-                UnityEngine.Object.DestroyImmediate(column.CreateSpecies(m_Full));
+                UnityEngine.Object.DestroyImmediate(column.CreatePreset(m_Full));
             }
 
             Assert.That(m_Full.ToParameters(), Is.EqualTo(before));
@@ -119,7 +119,7 @@ namespace Alate.Tests
         [Test]
         public void AMissingSpecies_IsRefused_AndOneThatIsItsOwnCopy()
         {
-            Assert.That(() => ComparisonColumn.NoWave.CreateSpecies(null), Throws.ArgumentNullException);
+            Assert.That(() => ComparisonColumn.NoWave.CreatePreset(null), Throws.ArgumentNullException);
             Assert.That(() => ComparisonColumn.NoWave.Refresh(null, m_Full), Throws.ArgumentNullException);
             Assert.That(() => ComparisonColumn.NoWave.Refresh(m_Full, null), Throws.ArgumentNullException);
             Assert.That(() => ComparisonColumn.NoWave.Refresh(m_Full, m_Full), Throws.ArgumentException.With.Message.Contains("Fishfly"));

@@ -10,10 +10,10 @@ namespace Alate.Tests
     {
         private const float k_Millimetres = 1000f;
 
-        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
+        private static IEnumerable<InsectDefinition> All => InsectCatalogue.All;
 
         [TestCaseSource(nameof(All))]
-        public void AWingAtRest_PassesThroughNoPartOfTheBody(SpeciesDefinition species)
+        public void AWingAtRest_PassesThroughNoPartOfTheBody(InsectDefinition species)
         {
             var body = species.Body.CreateSurface(k_Millimetres);
             var pieces = BodyPieces.Of(body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(body, piece)));
@@ -36,7 +36,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void TheSkin_IsFlatWhereTheRootOfAWingLies(SpeciesDefinition species)
+        public void TheSkin_IsFlatWhereTheRootOfAWingLies(InsectDefinition species)
         {
             var body = species.Body.CreateSurface(k_Millimetres);
             foreach (var wing in species.Wings)

@@ -9,7 +9,7 @@ namespace Alate.Tests
 {
     public sealed class SpeciesTests
     {
-        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
+        private static IEnumerable<InsectDefinition> All => InsectCatalogue.All;
 
         [TestCase("monarch")]
         [TestCase("Monarch")]
@@ -49,7 +49,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void EachSpecies_SaysWhereItsNumbersComeFrom(SpeciesDefinition species)
+        public void EachSpecies_SaysWhereItsNumbersComeFrom(InsectDefinition species)
         {
             Assert.That(species.Sources, Is.Not.Empty);
             foreach (var source in species.Sources)
@@ -59,7 +59,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void EachWing_HasASkeletonThatIsUsable_WhoseChainsEndOnItsMargin(SpeciesDefinition species)
+        public void EachWing_HasASkeletonThatIsUsable_WhoseChainsEndOnItsMargin(InsectDefinition species)
         {
             foreach (var wing in species.Wings)
             {
@@ -77,7 +77,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void EachWing_IsMeshedInItsNumberOfTriangles_WithAColourForEachVertex(SpeciesDefinition species)
+        public void EachWing_IsMeshedInItsNumberOfTriangles_WithAColourForEachVertex(InsectDefinition species)
         {
             foreach (var wing in species.Wings)
             {
@@ -89,7 +89,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void EachWing_BakesIntoARig_OfItsOwnAreaAndLength(SpeciesDefinition species)
+        public void EachWing_BakesIntoARig_OfItsOwnAreaAndLength(InsectDefinition species)
         {
             foreach (var wing in species.Wings)
             {
@@ -100,16 +100,16 @@ namespace Alate.Tests
                 Assert.That(rig.TriangleCount, Is.EqualTo(wing.TriangleCount));
                 Assert.That(rig.ChainCount, Is.EqualTo(wing.Chains));
                 Assert.That(rig.Frame.length, Is.EqualTo(LargestSpan(surface)).Within(0.01).Percent);
-                Assert.That(rig.Frame.length, Is.EqualTo(wing.Outline.Length * SpeciesDefinition.UnitsPerMetre).Within(0.5).Percent, "rounding shortens the tip a little");
+                Assert.That(rig.Frame.length, Is.EqualTo(wing.Outline.Length * InsectDefinition.UnitsPerMetre).Within(0.5).Percent, "rounding shortens the tip a little");
                 rig.Release();
                 UnityEngine.Object.DestroyImmediate(skeleton);
             }
         }
 
         [TestCaseSource(nameof(All))]
-        public void EachWing_SitsOnItsBody(SpeciesDefinition species)
+        public void EachWing_SitsOnItsBody(InsectDefinition species)
         {
-            var body = species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre);
+            var body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
             foreach (var wing in species.Wings)
             {
                 var hinge = wing.HingeOn(WingSide.Right);
@@ -119,18 +119,18 @@ namespace Alate.Tests
                     nearest = Math.Min(nearest, (position - hinge).magnitude);
                 }
 
-                Assert.That(nearest, Is.LessThan(0.03f * wing.Outline.Length * SpeciesDefinition.UnitsPerMetre));
+                Assert.That(nearest, Is.LessThan(0.03f * wing.Outline.Length * InsectDefinition.UnitsPerMetre));
             }
         }
 
         [TestCaseSource(nameof(All))]
-        public void BothPresets_OfEachWing_AreInRange(SpeciesDefinition species)
+        public void BothPresets_OfEachWing_AreInRange(InsectDefinition species)
         {
             foreach (var wing in species.Wings)
             {
-                foreach (var preset in new[] { ModelPreset.Physical, ModelPreset.Paper })
+                foreach (var preset in new[] { ModelReading.Physical, ModelReading.Paper })
                 {
-                    var made = wing.CreateSpecies(preset);
+                    var made = wing.CreatePreset(preset);
 
                     Assert.That(made.ToParameters().FindProblem(), Is.Null);
                     Assert.That(made.WingLength, Is.EqualTo(wing.Outline.Length).Within(1).Percent);

@@ -8,7 +8,7 @@ namespace Alate.Tests
 {
     public sealed class WingMaterialTests
     {
-        private static IEnumerable<SpeciesDefinition> All => InsectCatalogue.All;
+        private static IEnumerable<InsectDefinition> All => InsectCatalogue.All;
 
         [TestCase(null, RenderPipelineKind.BuiltIn)]
         [TestCase("UniversalRenderPipelineAsset", RenderPipelineKind.Universal)]
@@ -47,7 +47,7 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
-        public void EachWingAndBody_GetsAMaterial_OfTheShaderForThisPipeline(SpeciesDefinition species)
+        public void EachWingAndBody_GetsAMaterial_OfTheShaderForThisPipeline(InsectDefinition species)
         {
             var shader = WingMaterial.FindShader();
             foreach (var wing in species.Wings)

@@ -8,7 +8,7 @@ namespace Alate.Tests
 {
     public sealed class WingMesherTests
     {
-        private static SpeciesWing Monarch => InsectCatalogue.Find("monarch").Wings[0];
+        private static WingDefinition Monarch => InsectCatalogue.Find("monarch").Wings[0];
 
         [Test]
         public void Grid_SpreadsItsVerticesEvenly_FromLeadingToTrailingEdge()

@@ -6,7 +6,7 @@ namespace Alate.Tests
 {
     public sealed class WingPatternTests
     {
-        private static SpeciesWing Monarch => InsectCatalogue.Find("monarch").Wings[0];
+        private static WingDefinition Monarch => InsectCatalogue.Find("monarch").Wings[0];
 
         [Test]
         public void AMonarch_IsOrangeInside_AndDarkAtItsMargin()

@@ -14,9 +14,9 @@ namespace Alate.Tests
         [TestCase(2f)]
         public void WithoutCoupling_DelaysAreThoseOfEquation2(float chordDelay)
         {
-            foreach (SpeciesDefinition species in InsectCatalogue.All)
+            foreach (InsectDefinition species in InsectCatalogue.All)
             {
-                WingParameters parameters = species.Wings[0].CreateSpecies().ToParameters();
+                WingParameters parameters = species.Wings[0].CreatePreset().ToParameters();
                 parameters.chordDelay = chordDelay;
                 parameters.options.coupling = MembraneCoupling.OneWay;
                 using (PackFixture fixture = Fixture(species.Wings[0], parameters))
@@ -27,9 +27,9 @@ namespace Alate.Tests
         [Test]
         public void OfASmallStroke_DelaysAreThoseOfEquation2()
         {
-            foreach (SpeciesDefinition species in InsectCatalogue.All)
+            foreach (InsectDefinition species in InsectCatalogue.All)
             {
-                WingParameters parameters = species.Wings[0].CreateSpecies().ToParameters();
+                WingParameters parameters = species.Wings[0].CreatePreset().ToParameters();
                 parameters.amplitude.x = 0.05f;
                 using (PackFixture fixture = Fixture(species.Wings[0], parameters))
                     AssertEquation2(fixture, parameters.chordDelay, species.Name);
@@ -102,7 +102,7 @@ namespace Alate.Tests
             }
         }
 
-        private static PackFixture Fixture(SpeciesWing wing, in WingParameters parameters)
+        private static PackFixture Fixture(WingDefinition wing, in WingParameters parameters)
         {
             WingSurface surface = wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name);
             return new PackFixture(TestWings.Bake(wing.CreateSkeleton(WingSide.Right), surface, 64), parameters);

@@ -202,13 +202,13 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator BoundsHoldEveryVertex([Values(1f, 0.1f)] float elasticity)
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
+            WingPreset species = Keep(InsectCatalogue.Monarch());
             species.Stiffness.elasticity = elasticity;
             species.Beat.flapRange = 180f;
             species.Beat.amplitudeFloor = 1f;
             InsectWings insect = Hatch(made =>
             {
-                made.Species = species;
+                made.Preset = species;
                 made.Air.wind = new Vector3(20f, 30f, -40f);
             });
             yield return Frames(2);

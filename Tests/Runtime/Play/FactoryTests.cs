@@ -16,7 +16,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator EverySpecies_ComesReady_WithAllItsWingsBeating([ValueSource(nameof(Names))] string name)
         {
-            SpeciesDefinition species = InsectCatalogue.Find(name);
+            InsectDefinition species = InsectCatalogue.Find(name);
             InsectWings insect = Made(name);
             yield return Frames(2);
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);
@@ -56,11 +56,11 @@ namespace Alate.Tests.Play
         public IEnumerator InsectsOfOneSpecies_ShareEverythingButTheirLivingMeshes()
         {
             InsectWings one = Made("swallowtail"), two = Made("swallowtail");
-            Assert.That(InsectKits.Count, Is.EqualTo(1));
+            Assert.That(GeneratedAssets.Count, Is.EqualTo(1));
             for (int wing = 0; wing < one.Wings.Count; wing++)
             {
                 Assert.That(two.Wings[wing].Skeleton, Is.SameAs(one.Wings[wing].Skeleton));
-                Assert.That(two.Wings[wing].Species, Is.SameAs(one.Wings[wing].Species));
+                Assert.That(two.Wings[wing].Preset, Is.SameAs(one.Wings[wing].Preset));
                 Assert.That(two.Wings[wing].Renderer.sharedMaterial, Is.SameAs(one.Wings[wing].Renderer.sharedMaterial));
             }
 
@@ -119,18 +119,18 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Made("firefly");
             yield return null;
-            foreach (Object part in new Object[] { BodyOf(insect), insect.Species, insect.Wings[0].Skeleton, insect.Wings[0].Renderer.sharedMaterial })
+            foreach (Object part in new Object[] { BodyOf(insect), insect.Preset, insect.Wings[0].Skeleton, insect.Wings[0].Renderer.sharedMaterial })
                 Assert.That(part.hideFlags, Is.EqualTo(HideFlags.HideAndDontSave), part.name);
         }
 
         [UnityTest]
         public IEnumerator VariantAndPreset_AreThoseAskedFor()
         {
-            InsectWings soft = Made("painted-lichen-moth", SpeciesVariant.Expressive);
-            InsectWings printed = Made("painted-lichen-moth", SpeciesVariant.Standard, ModelPreset.Paper);
+            InsectWings soft = Made("painted-lichen-moth", InsectVariant.Expressive);
+            InsectWings printed = Made("painted-lichen-moth", InsectVariant.Standard, ModelReading.Paper);
             yield return null;
-            Assert.That(soft.Species.Stiffness.elasticity, Is.LessThan(printed.Species.Stiffness.elasticity));
-            Assert.That(printed.Species.Wave.chordDelay, Is.EqualTo(1f));
+            Assert.That(soft.Preset.Stiffness.elasticity, Is.LessThan(printed.Preset.Stiffness.elasticity));
+            Assert.That(printed.Preset.Wave.chordDelay, Is.EqualTo(1f));
             Assert.That(BodyOf(printed), Is.SameAs(BodyOf(soft)), "variants differ in their presets alone");
         }
 
@@ -139,13 +139,13 @@ namespace Alate.Tests.Play
         {
             int before = Count();
             Assert.That(() => InsectFactory.Create("dragon"), Throws.ArgumentException.With.Message.Contains("dragon").And.Message.Contains("monarch"));
-            Assert.That(() => InsectFactory.Create("monarch", SpeciesVariant.Biological),
+            Assert.That(() => InsectFactory.Create("monarch", InsectVariant.Biological),
                 Throws.ArgumentException.With.Message.Contains("Biological").And.Message.Contains("Standard"));
-            Assert.That(() => InsectFactory.Create((SpeciesDefinition)null), Throws.ArgumentNullException);
+            Assert.That(() => InsectFactory.Create((InsectDefinition)null), Throws.ArgumentNullException);
             Assert.That(Count(), Is.EqualTo(before));
         }
 
-        private InsectWings Made(string name, SpeciesVariant variant = SpeciesVariant.Standard, ModelPreset preset = ModelPreset.Physical)
+        private InsectWings Made(string name, InsectVariant variant = InsectVariant.Standard, ModelReading preset = ModelReading.Physical)
         {
             InsectWings insect = InsectFactory.Create(name, variant, preset);
             Keep(insect.gameObject);
@@ -174,6 +174,6 @@ namespace Alate.Tests.Play
 
         private static int Count() =>
             Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length
-            + Resources.FindObjectsOfTypeAll<WingSkeleton>().Length + Resources.FindObjectsOfTypeAll<WingSpecies>().Length;
+            + Resources.FindObjectsOfTypeAll<WingSkeleton>().Length + Resources.FindObjectsOfTypeAll<WingPreset>().Length;
     }
 }

@@ -13,8 +13,8 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeenAtTheNextStep_WithoutRebuilding()
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Species = species);
+            WingPreset species = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = species);
             yield return Frames(30);
             Mesh living = Shown(insect, 0);
             float tall = 0f, flat = 0f;
@@ -32,8 +32,8 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeenByAllThatShareIt_AndByNoOthers()
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
-            InsectWings first = Hatch(made => made.Species = species), second = Hatch(made => made.Species = species), other = Hatch();
+            WingPreset species = Keep(InsectCatalogue.Monarch());
+            InsectWings first = Hatch(made => made.Preset = species), second = Hatch(made => made.Preset = species), other = Hatch();
             yield return Frames(10);
             species.Beat.maxFrequency = 40f;
             yield return Frames(30);
@@ -46,8 +46,8 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeen_ThoughAnotherInsectWasSteppedManyTimes()
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Species = species), stepped = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
+            WingPreset species = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = species), stepped = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
             yield return Frames(5);
             for (int step = 0; step < 200; step++)
                 stepped.Step(0.001f);
@@ -60,9 +60,9 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnotherSpecies_IsFollowedInPhase_WithoutRebuilding([Values] bool ofWing, [Values] bool paper)
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
+            WingPreset species = Keep(InsectCatalogue.Monarch());
             if (paper)
-                species.ApplyPreset(ModelPreset.Paper);
+                species.ApplyReading(ModelReading.Paper);
             species.Beat.maxFrequency = 20f;
             species.Beat.frequencyFloor = 1f;
             InsectWings insect = Hatch();
@@ -71,9 +71,9 @@ namespace Alate.Tests.Play
             float beats = Beats(insect);
 
             if (ofWing)
-                insect.Wings[0].Species = species;
+                insect.Wings[0].Preset = species;
             else
-                insect.Species = species;
+                insect.Preset = species;
             yield return null;
             Assert.That(Beats(insect), Is.GreaterThanOrEqualTo(beats), "the beat began anew");
             yield return Frames(20);
@@ -87,8 +87,8 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ASpeciesOfNonsense_IsClamped()
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Species = species);
+            WingPreset species = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = species);
             yield return Frames(10);
             species.Beat.maxFrequency = float.NaN;
             species.Beat.flapRange = 1e9f;
@@ -110,9 +110,9 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ADestroyedSpecies_LeavesTheBeatAsItWas()
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
+            WingPreset species = Keep(InsectCatalogue.Monarch());
             species.Beat.maxFrequency = 20f;
-            InsectWings insect = Hatch(made => made.Species = species);
+            InsectWings insect = Hatch(made => made.Preset = species);
             yield return Frames(10);
             Object.DestroyImmediate(species);
             yield return Frames(20);

@@ -36,7 +36,7 @@ namespace Alate.Tests.Play
             yield return Frames(3);
             Assert.That(WingSystem.Crowd, Is.Null, "the system has outlived its insects");
             Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
-            Assert.That(InsectKits.Count, Is.Zero, "parts of generated insects were left behind");
+            Assert.That(GeneratedAssets.Count, Is.Zero, "parts of generated insects were left behind");
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
         }
 
@@ -48,9 +48,9 @@ namespace Alate.Tests.Play
         }
 
         /// <summary>A monarch of two wings, each with mesh and skeleton of its own, under a root without the component.</summary>
-        protected GameObject Bare(float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
+        protected GameObject Bare(float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
-            SpeciesWing kind = InsectCatalogue.Find("monarch").Wings[0];
+            WingDefinition kind = InsectCatalogue.Find("monarch").Wings[0];
             var root = Keep(new GameObject("insect"));
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
@@ -65,9 +65,9 @@ namespace Alate.Tests.Play
         }
 
         /// <summary>The same, alive, computed also where no camera sees it.</summary>
-        protected InsectWings Insect(float unitsPerMetre = SpeciesDefinition.UnitsPerMetre)
+        protected InsectWings Insect(float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
-            SpeciesWing kind = InsectCatalogue.Find("monarch").Wings[0];
+            WingDefinition kind = InsectCatalogue.Find("monarch").Wings[0];
             GameObject root = Bare(unitsPerMetre);
             root.SetActive(false);
             var insect = root.AddComponent<InsectWings>();

@@ -15,7 +15,7 @@ namespace Alate.Tests.Play
             InsectWings insect = Hatch();
             yield return Frames(5);
             MeshTemplate baked = insect.Live.meshes[0].template;
-            WingCrowd crowd = WingSystem.Crowd;
+            FrameLoop crowd = WingSystem.Crowd;
 
             insect.gameObject.SetActive(false);
             yield return Frames(60);
@@ -67,7 +67,7 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Hatch();
             yield return Frames(3);
-            WingCrowd crowd = WingSystem.Crowd;
+            FrameLoop crowd = WingSystem.Crowd;
             var stray = Keep(new GameObject("stray", typeof(WingSystem)));
             yield return Frames(4);
 

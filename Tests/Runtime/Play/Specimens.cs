@@ -7,7 +7,7 @@ namespace Alate.Tests.Play
     internal static class Specimens
     {
         /// <summary>A wing of a species.</summary>
-        public static Mesh Mesh(SpeciesWing kind, WingSide side, float unitsPerMetre)
+        public static Mesh Mesh(WingDefinition kind, WingSide side, float unitsPerMetre)
         {
             return kind.CreateSurface(side, unitsPerMetre).ToMesh(kind.Name + " " + side);
         }

@@ -312,13 +312,13 @@ namespace Alate.Tests.Play
             patient.enabled = false;
             var world = new WingWorld();
             world.Dispose();
-            var population = new Population(world, new SpeciesWatch());
+            var population = new InsectRegistry(world, new PresetWatch());
             LogAssert.Expect(LogType.Exception, new Regex("ObjectDisposedException"));
             LogAssert.Expect(LogType.Warning, new Regex("'patient'.*an error came up.*disable and enable"));
 
             population.Enter(patient);
-            population.Turn();
-            population.Turn();
+            population.UpdateRegistry();
+            population.UpdateRegistry();
 
             Assert.That(patient.State, Is.EqualTo(InsectState.Failed));
             Assert.That(patient.Problem.Message, Does.Contain("ObjectDisposedException").And.Contain("'patient'"));

@@ -12,8 +12,8 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator Frequency_AndAmplitude_FollowTheirFactors_WithoutRebuilding()
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Species = species), other = Hatch(made => made.Species = species);
+            WingPreset species = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = species), other = Hatch(made => made.Preset = species);
             yield return Frames(30);
             Mesh living = Shown(insect, 0);
             float frequency = insect.Frequency, range = insect.FlapRange, preset = species.Beat.maxFrequency;

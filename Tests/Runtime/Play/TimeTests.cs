@@ -185,10 +185,10 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AFastBeat_KeepsItsFrequencyInSlowSteps([Values(62f, 250f, 600f)] float frequency)
         {
-            WingSpecies species = Keep(InsectCatalogue.Monarch());
+            WingPreset species = Keep(InsectCatalogue.Monarch());
             species.Beat.maxFrequency = frequency;
             species.Beat.frequencyFloor = 1f;
-            InsectWings insect = Hatch(made => made.Species = species);
+            InsectWings insect = Hatch(made => made.Preset = species);
             yield return Frames(10);
 
             float start = Beats(insect);

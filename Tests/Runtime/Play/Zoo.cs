@@ -17,7 +17,7 @@ namespace Alate.Tests.Play
         private readonly List<Transform> m_Homes = new List<Transform>();
         private readonly Mesh[] m_Meshes = new Mesh[3];
         private readonly WingSkeleton[] m_Skeletons = new WingSkeleton[2];
-        private readonly WingSpecies[] m_Species = new WingSpecies[3];
+        private readonly WingPreset[] m_Preset = new WingPreset[3];
 
         public Zoo(int seed)
         {
@@ -28,9 +28,9 @@ namespace Alate.Tests.Play
             m_Meshes[2] = Keep(TestWings.ToMesh(TestWings.Rectangle(10, 4)));
             m_Skeletons[0] = Keep(TestWings.Fan());
             m_Skeletons[1] = Keep(TestWings.Fan(4, 4));
-            m_Species[1] = Keep(InsectCatalogue.Monarch());
-            m_Species[2] = Keep(InsectCatalogue.Monarch());
-            m_Species[2].Beat.maxFrequency = 40f;
+            m_Preset[1] = Keep(InsectCatalogue.Monarch());
+            m_Preset[2] = Keep(InsectCatalogue.Monarch());
+            m_Preset[2].Beat.maxFrequency = 40f;
             for (int home = 0; home < 3; home++)
                 m_Homes.Add(new GameObject("home " + home).transform);
         }
@@ -59,8 +59,8 @@ namespace Alate.Tests.Play
                 case 5: body.localScale = Scale(); break;
                 case 6: m_Homes[m_Random.Next(3)].localScale = Scale(); break;
                 case 7: body.position = Place(1000f); break;
-                case 8: insect.Species = m_Species[m_Random.Next(3)]; break;
-                case 9: m_Species[2].Beat.flapRange = Between(0f, 180f); break;
+                case 8: insect.Preset = m_Preset[m_Random.Next(3)]; break;
+                case 9: m_Preset[2].Beat.flapRange = Between(0f, 180f); break;
                 case 10: Time.timeScale = m_Random.Next(3) == 0 ? 0f : Between(0.1f, 3f); break;
                 case 11: Swap(insect); break;
                 case 12: StepByHand(insect); break;

@@ -13,7 +13,7 @@ namespace Alate.Tests
         public static readonly float3 Hinge = new float3(0f, 0f, 0.3f / 61f);
 
         /// <summary>The wing's parameters.</summary>
-        public static WingParameters Parameters => InsectCatalogue.Find("monarch").Wings[0].CreateSpecies().ToParameters();
+        public static WingParameters Parameters => InsectCatalogue.Find("monarch").Wings[0].CreatePreset().ToParameters();
 
         /// <summary>The wing by <see cref="SpeciesFlight.FirstOrder"/>: what the check values of simulated flight were computed with.</summary>
         public static WingParameters FirstOrder => SpeciesFlight.FirstOrder(Parameters);
@@ -34,19 +34,19 @@ namespace Alate.Tests
         /// <summary>Its rig on the grid; 0 patches for every triangle.</summary>
         public static WingRig GridRig(int patches = 0)
         {
-            SpeciesWing wing = InsectCatalogue.Find("monarch").Wings[0];
-            SurfaceMesh grid = WingMesher.Grid(wing.Outline, 48, 22, (float)wing.Outline.Length * SpeciesDefinition.UnitsPerMetre);
+            WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];
+            SurfaceMesh grid = WingMesher.Grid(wing.Outline, 48, 22, (float)wing.Outline.Length * InsectDefinition.UnitsPerMetre);
             return Bake(wing, grid, patches);
         }
 
         /// <summary>Its rig on the mesh that users get.</summary>
         public static WingRig Rig(int patches = 256)
         {
-            SpeciesWing wing = InsectCatalogue.Find("monarch").Wings[0];
+            WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];
             return Bake(wing, wing.CreateSurface(WingSide.Right), patches);
         }
 
-        private static WingRig Bake(SpeciesWing wing, SurfaceMesh mesh, int patches)
+        private static WingRig Bake(WingDefinition wing, SurfaceMesh mesh, int patches)
         {
             var surface = new WingSurface { name = wing.Name, positions = mesh.positions, normals = mesh.normals, triangles = mesh.triangles };
             return WingRig.Bake(wing.CreateSkeleton(WingSide.Right), surface, new WingRigSettings { patchCount = patches });

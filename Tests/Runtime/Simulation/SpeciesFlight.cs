@@ -16,9 +16,9 @@ namespace Alate.Tests
         /// <param name="wing">Which wing.</param>
         /// <param name="variant">In which variant.</param>
         /// <param name="patches">Of the rig.</param>
-        public SpeciesFlight(SpeciesWing wing, SpeciesVariant variant = SpeciesVariant.Standard, int patches = 64)
+        public SpeciesFlight(WingDefinition wing, InsectVariant variant = InsectVariant.Standard, int patches = 64)
         {
-            WingSpecies species = wing.CreateSpecies(ModelPreset.Physical, variant);
+            WingPreset species = wing.CreatePreset(ModelReading.Physical, variant);
             parameters = species.ToParameters();
             Length = species.WingLength;
             TopSpeed = species.Beat.maxSpeed;
@@ -35,7 +35,7 @@ namespace Alate.Tests
         /// <param name="skeleton">Its skeleton.</param>
         /// <param name="surface">Its mesh.</param>
         /// <param name="species">How it beats, and how large it is.</param>
-        public SpeciesFlight(WingSkeleton skeleton, in WingSurface surface, WingSpecies species)
+        public SpeciesFlight(WingSkeleton skeleton, in WingSurface surface, WingPreset species)
         {
             parameters = species.ToParameters();
             Length = species.WingLength;

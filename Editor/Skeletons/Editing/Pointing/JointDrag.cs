@@ -91,8 +91,8 @@ namespace Alate.Editor
             {
                 Vector3 delta = editing.LocalToWorld.inverse.MultiplyVector(worldDelta);
                 Proposal moved = mode == DragMode.Surface && editing.Surface != null
-                    ? MoveActs.OnSurface(start.Own, joints, delta, editing.Surface)
-                    : MoveActs.By(start.Own, joints, delta);
+                    ? MoveCommands.OnSurface(start.Own, joints, delta, editing.Surface)
+                    : MoveCommands.By(start.Own, joints, delta);
                 outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, moved));
             }
 
@@ -108,7 +108,7 @@ namespace Alate.Editor
             foreach (var (editing, start, joints) in m_Parts)
             {
                 float own = distance * (editing == m_Grabbed ? 1f : scale / ScaleOf(editing.LocalToWorld));
-                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, SlideActs.By(start.Own, joints, own)));
+                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, SlideCommands.By(start.Own, joints, own)));
             }
 
             return outcome;

@@ -61,7 +61,7 @@ namespace Alate.Editor
             bool selected = m_Grabbed.Selection.Contains(m_Joint);
             m_ReleaseSelects = selected && !adds && clicks == 1;
             if (clicks == 2)
-                m_Group.Select(m_Grabbed, SelectActs.Chains(m_Grabbed.Skeleton, new[] { m_Joint }), adds);
+                m_Group.Select(m_Grabbed, SelectCommands.Chains(m_Grabbed.Skeleton, new[] { m_Joint }), adds);
             else if (selected && adds)
                 Unselect();
             else if (!selected)

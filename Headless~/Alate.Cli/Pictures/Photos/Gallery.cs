@@ -46,8 +46,8 @@ internal static class Gallery
 
     private static Color32[] Photo(in Exhibit exhibit, int2 size)
     {
-        SpeciesDefinition species = InsectCatalogue.Find(exhibit.Species);
-        var plan = new FlightPlan { Species = species.Name, Variant = SpeciesVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
+        InsectDefinition species = InsectCatalogue.Find(exhibit.Species);
+        var plan = new FlightPlan { Species = species.Name, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
         using var flight = new Flight(plan, Insect.Of(plan));
         return InsectPhoto.Take(
             flight.Run(_ => { }), exhibit.Turns, new PictureView("", exhibit.Aside, exhibit.Above), size, k_InsetOverWidth * size.x,

@@ -57,3 +57,14 @@ namespace UnityEngine.Serialization
         public string oldName { get; } = oldName;
     }
 }
+
+namespace UnityEngine.Scripting.APIUpdating
+{
+    [AttributeUsage(AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Enum | AttributeTargets.Interface | AttributeTargets.Delegate)]
+    public class MovedFromAttribute : Attribute
+    {
+        public MovedFromAttribute(bool autoUpdateAPI, string sourceNamespace = null, string sourceAssembly = null, string sourceClassName = null)
+        {
+        }
+    }
+}

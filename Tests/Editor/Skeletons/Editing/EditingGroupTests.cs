@@ -24,7 +24,7 @@ namespace Alate.Editor.Tests
             string right = SkeletonText.Of(Skeleton), left = SkeletonText.Of(Left);
             int steps = Undo.DoneCount;
 
-            Assert.That(m_Group.Do(SkeletonActs.Find("Add Joint Row")).Done);
+            Assert.That(m_Group.Do(SkeletonCommands.Find("Add Joint Row")).Done);
 
             Assert.That(Skeleton.JointsPerChain, Is.EqualTo(6));
             Assert.That(Left.JointsPerChain, Is.EqualTo(6));
@@ -40,7 +40,7 @@ namespace Alate.Editor.Tests
             m_Other.Select(new[] { new JointIndex(2, 2) });
             m_Group.Active = Editing;
 
-            m_Group.Do(SkeletonActs.Find("Add Chain Behind"));
+            m_Group.Do(SkeletonCommands.Find("Add Chain Behind"));
 
             Assert.That(Skeleton.ChainCount, Is.EqualTo(5));
             Assert.That(Left.ChainCount, Is.EqualTo(6));
@@ -52,7 +52,7 @@ namespace Alate.Editor.Tests
             m_Group.Active = m_Other;
             string right = SkeletonText.Of(Skeleton), left = SkeletonText.Of(Left);
 
-            m_Group.Do(SkeletonActs.Find("Reverse Chains"));
+            m_Group.Do(SkeletonCommands.Find("Reverse Chains"));
 
             Assert.That(SkeletonText.Of(Skeleton), Is.EqualTo(right));
             Assert.That(SkeletonText.Of(Left), Is.Not.EqualTo(left));
@@ -64,7 +64,7 @@ namespace Alate.Editor.Tests
             Select((1, 0));
             m_Other.Select(new[] { new JointIndex(2, 2) });
 
-            EditOutcome outcome = m_Group.Do(SkeletonActs.Find("Remove Joint Row"));
+            EditOutcome outcome = m_Group.Do(SkeletonCommands.Find("Remove Joint Row"));
 
             Assert.That(outcome.Message, Does.StartWith("The roots cannot be removed"));
             Assert.That(Skeleton.JointsPerChain, Is.EqualTo(5));
@@ -112,7 +112,7 @@ namespace Alate.Editor.Tests
             m_Group.Active = m_Other;
 
             Assert.That(m_Group.Acting(), Is.EqualTo(new[] { m_Other }));
-            Assert.That(m_Group.Do(SkeletonActs.Find("Add Chain Behind")).Done);
+            Assert.That(m_Group.Do(SkeletonCommands.Find("Add Chain Behind")).Done);
 
             Assert.That(Skeleton.ChainCount, Is.EqualTo(6));
             Assert.That(Left.ChainCount, Is.EqualTo(6));
@@ -146,8 +146,8 @@ namespace Alate.Editor.Tests
             m_Other.Twin = new SkeletonTwin(Skeleton, SkeletonMirror.AcrossX) { Lock = Editing.Lock };
             m_Other.IsSymmetric = true;
             m_Other.Select(new[] { new JointIndex(1, 1) });
-            Assert.That(SkeletonActs.Find("Add Chain Behind").Run(m_Other).Message, Is.EqualTo("It lies in a package."));
-            Assert.That(SkeletonActs.Find("Mirror Onto Other Side").Run(m_Other).Message, Is.EqualTo("It lies in a package."));
+            Assert.That(SkeletonCommands.Find("Add Chain Behind").Run(m_Other).Message, Is.EqualTo("It lies in a package."));
+            Assert.That(SkeletonCommands.Find("Mirror Onto Other Side").Run(m_Other).Message, Is.EqualTo("It lies in a package."));
             Assert.That(Skeleton.ChainCount, Is.EqualTo(5));
             Assert.That(Left.ChainCount, Is.EqualTo(5));
         }
@@ -156,19 +156,19 @@ namespace Alate.Editor.Tests
         public void Delete_RemovesWholeChains_ElseRows()
         {
             Select((1, 0), (1, 1), (1, 2), (1, 3), (1, 4));
-            Assert.That(SkeletonActs.ForDelete(Editing).Name, Is.EqualTo("Remove Chain"));
+            Assert.That(SkeletonCommands.ForDelete(Editing).Name, Is.EqualTo("Remove Chain"));
 
             Select((1, 1), (1, 2), (2, 2));
-            Assert.That(SkeletonActs.ForDelete(Editing).Name, Is.EqualTo("Remove Joint Row"));
+            Assert.That(SkeletonCommands.ForDelete(Editing).Name, Is.EqualTo("Remove Joint Row"));
         }
 
         [Test]
         public void Delete_MeansOfEachSkeleton_WhatIsSelectedThere()
         {
-            Editing.Select(SelectActs.Chains(Skeleton, new[] { new JointIndex(1, 0) }));
+            Editing.Select(SelectCommands.Chains(Skeleton, new[] { new JointIndex(1, 0) }));
             m_Other.Select(new[] { new JointIndex(1, 2) });
 
-            Assert.That(m_Group.Do(SkeletonActs.Delete).Done);
+            Assert.That(m_Group.Do(SkeletonCommands.Delete).Done);
 
             Assert.That((Skeleton.ChainCount, Skeleton.JointsPerChain), Is.EqualTo((4, 5)));
             Assert.That((Left.ChainCount, Left.JointsPerChain), Is.EqualTo((5, 4)));
@@ -185,7 +185,7 @@ namespace Alate.Editor.Tests
         {
             var none = new EditingGroup(new SkeletonEditing[0], Undo);
 
-            Assert.That(none.Do(SkeletonActs.Find("Smooth")).Message, Is.EqualTo("There is no skeleton to edit."));
+            Assert.That(none.Do(SkeletonCommands.Find("Smooth")).Message, Is.EqualTo("There is no skeleton to edit."));
             Assert.That(none.Active, Is.Null);
         }
     }

@@ -13,7 +13,7 @@ namespace Alate.Editor.Tests
             SkeletonEditing editing = Edit(Left);
             editing.Start(out EditStart start);
 
-            Assert.That(editing.Commit("Import", start, ImportAct.Make(text)).Done);
+            Assert.That(editing.Commit("Import", start, ImportCommand.Make(text)).Done);
 
             Left.name = Skeleton.name;
             Assert.That(SkeletonText.Of(Left), Is.EqualTo(SkeletonText.Of(Skeleton)));
@@ -27,7 +27,7 @@ namespace Alate.Editor.Tests
         [TestCase("{\"version\": 99}", "version")]
         public void BrokenTexts_AreRefusedInOneLine(string json, string says)
         {
-            string refusal = ImportAct.Make(json).Refusal;
+            string refusal = ImportCommand.Make(json).Refusal;
 
             Assert.That(refusal, Does.Contain(says));
             Assert.That(refusal, Does.Not.Contain("\n"));
@@ -42,7 +42,7 @@ namespace Alate.Editor.Tests
                 skeleton.Chains[i] = new JointChain(new Vector3(0f, 0f, -i), new Vector3(1f, 0f, -i), new Vector3(2f, 0f, -i));
             Editing.Start(out EditStart start);
 
-            EditOutcome outcome = Editing.Commit("Import", start, ImportAct.Make(SkeletonJson.Write(skeleton)));
+            EditOutcome outcome = Editing.Commit("Import", start, ImportCommand.Make(SkeletonJson.Write(skeleton)));
 
             Assert.That(outcome.Message, Is.EqualTo("A wing has 3 to 16 chains, not 17."));
         }

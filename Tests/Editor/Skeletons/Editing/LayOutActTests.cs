@@ -22,7 +22,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void Counts_StayWhatTheyAre()
         {
-            Editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, 7, 4));
+            Editing.Do("Set Counts", (draft, selected) => ResampleCommands.ToCounts(draft, 7, 4));
 
             Assert.That(Do("Lay Out Anew").Done);
 

@@ -86,6 +86,6 @@ namespace Alate.Editor.Tests
         [Test]
         public void NothingSelected_IsRefused() => Assert.That(Move(s_Delta).Message, Is.EqualTo("Select a joint first."));
 
-        private EditOutcome Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveActs.By(draft, selected, delta));
+        private EditOutcome Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, delta));
     }
 }

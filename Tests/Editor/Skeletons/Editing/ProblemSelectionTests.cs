@@ -15,9 +15,9 @@ namespace Alate.Editor.Tests
             Move(there);
 
             SkeletonProblem problem = Problem(SkeletonProblemKind.CoincidentJoints);
-            Assert.That(SelectActs.Of(Skeleton, problem), Is.EqualTo(new[] { new JointIndex(problem.Chain, problem.Joint) }));
+            Assert.That(SelectCommands.Of(Skeleton, problem), Is.EqualTo(new[] { new JointIndex(problem.Chain, problem.Joint) }));
 
-            Editing.Select(SelectActs.Of(Skeleton, problem));
+            Editing.Select(SelectCommands.Of(Skeleton, problem));
             Do("Space Evenly");
             Assert.That(Skeleton.Validate(), Is.Empty);
         }
@@ -38,7 +38,7 @@ namespace Alate.Editor.Tests
         {
             Do("Reverse Chains");
             SkeletonProblem problem = Problem(SkeletonProblemKind.PrincipalChainNotLeading);
-            Assert.That(SelectActs.Of(Skeleton, problem), Is.EqualTo(Enumerable.Range(0, 5).Select(j => new JointIndex(0, j))));
+            Assert.That(SelectCommands.Of(Skeleton, problem), Is.EqualTo(Enumerable.Range(0, 5).Select(j => new JointIndex(0, j))));
 
             Do("Reverse Chains");
             Assert.That(Skeleton.Validate(), Is.Empty);
@@ -49,7 +49,7 @@ namespace Alate.Editor.Tests
         {
             Skeleton.SpanAxis = -Skeleton.SpanAxis;
             SkeletonProblem problem = Problem(SkeletonProblemKind.InvalidAxes);
-            Assert.That(SelectActs.Of(Skeleton, problem), Has.Count.EqualTo(25), "it is about the whole skeleton");
+            Assert.That(SelectCommands.Of(Skeleton, problem), Has.Count.EqualTo(25), "it is about the whole skeleton");
 
             Do("Fit Axes");
             Assert.That(Skeleton.Validate(), Is.Empty);
@@ -60,7 +60,7 @@ namespace Alate.Editor.Tests
         {
             Skeleton.Chains[2].joints = Skeleton.Chains[2].joints.Take(4).ToArray();
             SkeletonProblem problem = Problem(SkeletonProblemKind.UnequalJointCounts);
-            Assert.That(SelectActs.Of(Skeleton, problem), Is.EqualTo(Enumerable.Range(0, 4).Select(j => new JointIndex(2, j))));
+            Assert.That(SelectCommands.Of(Skeleton, problem), Is.EqualTo(Enumerable.Range(0, 4).Select(j => new JointIndex(2, j))));
 
             Do("Mend");
             Assert.That(Skeleton.Validate(), Is.Empty);
@@ -73,6 +73,6 @@ namespace Alate.Editor.Tests
             return found[0];
         }
 
-        private void Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveActs.By(draft, selected, delta));
+        private void Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, delta));
     }
 }

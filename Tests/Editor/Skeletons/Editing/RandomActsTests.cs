@@ -82,7 +82,7 @@ namespace Alate.Editor.Tests
                 case 8:
                     return Counted();
                 default:
-                    SkeletonAct act = SkeletonActs.All[m_Random.Next(SkeletonActs.All.Count)];
+                    EditCommand act = SkeletonCommands.All[m_Random.Next(SkeletonCommands.All.Count)];
                     return $"{act}: {m_Group.Do(act)}";
             }
         }
@@ -131,14 +131,14 @@ namespace Alate.Editor.Tests
             SkeletonEditing editing = m_Group.All[m_Random.Next(2)];
             bool slides = m_Random.Next(2) == 0;
             EditOutcome outcome = editing.Do("Move", (draft, selected) =>
-                slides ? SlideActs.By(draft, selected, delta.x) : MoveActs.By(draft, selected, delta));
+                slides ? SlideCommands.By(draft, selected, delta.x) : MoveCommands.By(draft, selected, delta));
             return $"move {delta} slides {slides}: {outcome}";
         }
 
         private string Counted()
         {
             int chains = m_Random.Next(0, 20), joints = m_Random.Next(0, 20);
-            EditOutcome outcome = Editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, chains, joints));
+            EditOutcome outcome = Editing.Do("Set Counts", (draft, selected) => ResampleCommands.ToCounts(draft, chains, joints));
             return $"counts {chains} {joints}: {outcome}";
         }
 

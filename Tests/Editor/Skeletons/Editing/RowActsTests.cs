@@ -80,7 +80,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void SeventeenthJoint_IsRefused()
         {
-            Editing.Do("Fill", (draft, selected) => ResampleActs.ToCounts(draft, 5, 16));
+            Editing.Do("Fill", (draft, selected) => ResampleCommands.ToCounts(draft, 5, 16));
             Select((0, 4));
 
             Assert.That(Do("Add Joint Row").Message, Is.EqualTo("There would be 17 joints in a chain; it has at most 16."));

@@ -24,7 +24,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void EvenSpacing_DoesTheSelectedChains_OrAll()
         {
-            Editing.Do("Disturb", (draft, selected) => SlideActs.By(draft, new[] { new JointIndex(0, 1), new JointIndex(3, 2) }, 0.01f));
+            Editing.Do("Disturb", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 1), new JointIndex(3, 2) }, 0.01f));
             Select((3, 0));
             Do("Space Evenly");
 
@@ -42,7 +42,7 @@ namespace Alate.Editor.Tests
         {
             Vector3 hinge = Skeleton.Hinge, tip = Skeleton.GetJoint(0, 4), last = Skeleton.GetJoint(4, 4), root = Skeleton.GetJoint(4, 0);
 
-            Assert.That(Editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, chains, joints)).Done);
+            Assert.That(Editing.Do("Set Counts", (draft, selected) => ResampleCommands.ToCounts(draft, chains, joints)).Done);
 
             Assert.That(Skeleton.ChainCount, Is.EqualTo(chains));
             Assert.That(Skeleton.JointsPerChain, Is.EqualTo(joints));
@@ -59,7 +59,7 @@ namespace Alate.Editor.Tests
         [TestCase(5, 17, "A chain has 3 to 16 joints, not 17.")]
         public void CountsOutOfRange_AreRefused(int chains, int joints, string why)
         {
-            EditOutcome outcome = Editing.Do("Set Counts", (draft, selected) => ResampleActs.ToCounts(draft, chains, joints));
+            EditOutcome outcome = Editing.Do("Set Counts", (draft, selected) => ResampleCommands.ToCounts(draft, chains, joints));
 
             Assert.That(outcome.Message, Is.EqualTo(why));
             Assert.That(Skeleton.ChainCount, Is.EqualTo(5));

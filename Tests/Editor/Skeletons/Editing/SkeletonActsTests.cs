@@ -7,11 +7,11 @@ namespace Alate.Editor.Tests
     public sealed class SkeletonActsTests
     {
         [Test]
-        public void Names_AreUnique() => Assert.That(SkeletonActs.All.Select(act => act.Name), Is.Unique);
+        public void Names_AreUnique() => Assert.That(SkeletonCommands.All.Select(act => act.Name), Is.Unique);
 
         [Test]
         public void Shortcuts_AreUnique() =>
-            Assert.That(SkeletonActs.All.Select(act => act.Shortcut).Where(shortcut => shortcut != ""), Is.Unique);
+            Assert.That(SkeletonCommands.All.Select(act => act.Shortcut).Where(shortcut => shortcut != ""), Is.Unique);
 
         [Test]
         public void Shortcuts_LeaveTheSceneViewItsOwn()
@@ -21,27 +21,27 @@ namespace Alate.Editor.Tests
                 KeyCode.Q, KeyCode.W, KeyCode.E, KeyCode.R, KeyCode.T, KeyCode.Y, KeyCode.F, KeyCode.Z, KeyCode.X, KeyCode.V, KeyCode.H, KeyCode.L,
             };
 
-            Assert.That(SkeletonActs.All.Select(act => act.Key).Intersect(taken), Is.Empty);
+            Assert.That(SkeletonCommands.All.Select(act => act.Key).Intersect(taken), Is.Empty);
         }
 
         [Test]
         public void Keys_FindTheirActs()
         {
-            Assert.That(SkeletonActs.Find(KeyCode.C, shift: true), Is.SameAs(SkeletonActs.Find("Remove Chain")));
-            Assert.That(SkeletonActs.Find(KeyCode.C, shift: false), Is.SameAs(SkeletonActs.Find("Add Chain Behind")));
-            Assert.That(SkeletonActs.Find(KeyCode.None, shift: false), Is.Null);
-            Assert.That(SkeletonActs.Find(KeyCode.F, shift: false), Is.Null);
+            Assert.That(SkeletonCommands.Find(KeyCode.C, shift: true), Is.SameAs(SkeletonCommands.Find("Remove Chain")));
+            Assert.That(SkeletonCommands.Find(KeyCode.C, shift: false), Is.SameAs(SkeletonCommands.Find("Add Chain Behind")));
+            Assert.That(SkeletonCommands.Find(KeyCode.None, shift: false), Is.Null);
+            Assert.That(SkeletonCommands.Find(KeyCode.F, shift: false), Is.Null);
         }
 
         [Test]
         public void Tooltips_AreSentences()
         {
-            foreach (SkeletonAct act in SkeletonActs.All)
+            foreach (EditCommand act in SkeletonCommands.All)
                 Assert.That(act.Tooltip, Does.Match("^[A-Z].*\\.$"), act.Name);
         }
 
         [Test]
         public void UnknownNames_AreNamed() =>
-            Assert.That(() => SkeletonActs.Find("Fly"), Throws.ArgumentException.With.Message.StartsWith("There is no act 'Fly'."));
+            Assert.That(() => SkeletonCommands.Find("Fly"), Throws.ArgumentException.With.Message.StartsWith("There is no act 'Fly'."));
     }
 }

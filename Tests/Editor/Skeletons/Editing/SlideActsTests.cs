@@ -73,6 +73,6 @@ namespace Alate.Editor.Tests
             Assert.That(Vector3.Distance(Skeleton.GetJoint(0, 4), tip + outwards * distance), Is.LessThan(1e-5f));
         }
 
-        private EditOutcome Slide(float distance) => Editing.Do("Slide", (draft, selected) => SlideActs.By(draft, selected, distance));
+        private EditOutcome Slide(float distance) => Editing.Do("Slide", (draft, selected) => SlideCommands.By(draft, selected, distance));
     }
 }

@@ -93,8 +93,8 @@ namespace Alate.Editor.Tests
         }
 
         private static IEnumerable<string> EditingActs() =>
-            SkeletonActs.All.Select(act => act.Name).Where(name => !name.Contains("Select"));
+            SkeletonCommands.All.Select(act => act.Name).Where(name => !name.Contains("Select"));
 
-        private EditOutcome Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveActs.By(draft, selected, delta));
+        private EditOutcome Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, delta));
     }
 }

@@ -47,7 +47,7 @@ namespace Alate.Editor.Tests
             var copy = (Vector3[])joints.Clone();
             Select((1, 2));
 
-            Editing.Do("Move", (draft, selected) => MoveActs.By(draft, selected, Vector3.one));
+            Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, Vector3.one));
 
             Assert.That(joints, Is.EqualTo(copy));
             Assert.That(Skeleton.Chains, Is.Not.SameAs(chains));
@@ -76,7 +76,7 @@ namespace Alate.Editor.Tests
             Assert.That(Editing.Selection.Living(), Is.EqualTo(new[] { new JointIndex(4, 4) }));
         }
 
-        private static IEnumerable<string> Acts() => SkeletonActs.All.Select(act => act.Name);
+        private static IEnumerable<string> Acts() => SkeletonCommands.All.Select(act => act.Name);
 
         // So that no act has nothing to do.
         private void Roughen(string act)

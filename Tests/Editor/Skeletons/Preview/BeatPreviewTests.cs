@@ -61,7 +61,7 @@ namespace Alate.Editor.Tests
             Vector3[] before = m_Preview.Mesh.vertices;
 
             Select((2, 4), (3, 4));
-            Editing.Do("Move", (draft, selected) => MoveActs.By(draft, selected, new Vector3(-0.05f, 0f, 0f)));
+            Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, new Vector3(-0.05f, 0f, 0f)));
             Bake();
             m_Preview.Show(0.25f);
 
@@ -95,7 +95,7 @@ namespace Alate.Editor.Tests
             {
                 Skeleton.Chains[2].joints[2] += new Vector3(1e-4f, 0f, 0f);
                 watch.Restart();
-                m_Preview.Bake(Skeleton, surface, PreviewFlight.Of(new SpeciesValues(null)));
+                m_Preview.Bake(Skeleton, surface, PreviewFlight.Of(new PresetValues(null)));
                 m_Preview.Show(0.4f);
                 best = System.Math.Min(best, watch.Elapsed.TotalMilliseconds);
             }
@@ -107,7 +107,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void Flight_IsLevel_AtACruisingShareOfThePresetsSpeed()
         {
-            var monarch = new SpeciesValues(null);
+            var monarch = new PresetValues(null);
 
             PreviewFlight flight = PreviewFlight.Of(monarch);
 
@@ -116,7 +116,7 @@ namespace Alate.Editor.Tests
             Assert.That(-flight.surroundings.gravity.y * monarch.wingLength, Is.EqualTo(9.81f * monarch.gravityShare).Within(1e-4f));
         }
 
-        private void Bake() => m_Preview.Bake(Skeleton, Surface(), PreviewFlight.Of(new SpeciesValues(null)));
+        private void Bake() => m_Preview.Bake(Skeleton, Surface(), PreviewFlight.Of(new PresetValues(null)));
 
         private float TipHeight()
         {

@@ -68,13 +68,13 @@ namespace Alate.Editor.Tests
         [Test]
         public void WingsOwnPreset_GoesBeforeTheInsects()
         {
-            Insect.Species = Keep(InsectCatalogue.Monarch());
-            Left.Species = Keep(InsectCatalogue.Monarch());
+            Insect.Preset = Keep(InsectCatalogue.Monarch());
+            Left.Preset = Keep(InsectCatalogue.Monarch());
 
             List<SkeletonTarget> targets = Find();
 
-            Assert.That(targets[0].Species, Is.SameAs(Insect.Species));
-            Assert.That(targets[1].Species, Is.SameAs(Left.Species));
+            Assert.That(targets[0].Species, Is.SameAs(Insect.Preset));
+            Assert.That(targets[1].Species, Is.SameAs(Left.Preset));
         }
 
         [Test]
@@ -101,9 +101,9 @@ namespace Alate.Editor.Tests
             Right.Skeleton.Hinge = Vector3.one;
             Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.EqualTo(before));
 
-            Insect.Species = Keep(InsectCatalogue.Monarch());
+            Insect.Preset = Keep(InsectCatalogue.Monarch());
             Assert.That(InsectTargets.StampOf(new[] { Insect }), Is.Not.EqualTo(before));
-            Insect.Species = null;
+            Insect.Preset = null;
 
             WingSkeleton skeleton = Left.Skeleton;
             Left.Skeleton = null;

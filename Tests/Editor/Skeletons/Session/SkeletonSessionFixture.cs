@@ -47,7 +47,7 @@ namespace Alate.Editor.Tests
 
         private Wing MakeWing(WingSide side)
         {
-            SpeciesWing monarch = InsectCatalogue.Find("monarch").Wings[0];
+            WingDefinition monarch = InsectCatalogue.Find("monarch").Wings[0];
             var holder = new GameObject($"{side} Wing", typeof(MeshFilter), typeof(MeshRenderer));
             holder.transform.SetParent(Insect.transform, false);
             holder.transform.localPosition = monarch.HingeOn(side);

@@ -36,7 +36,7 @@ namespace Alate.Editor.Tests
             m_Session.Place();
             m_Session.Select(m_Session.Group.All[0], new[] { new JointIndex(2, 2) });
 
-            Assert.That(m_Session.Do(SkeletonActs.Find("Add Joint Row")).Done);
+            Assert.That(m_Session.Do(SkeletonCommands.Find("Add Joint Row")).Done);
 
             Assert.That(Right.Skeleton.JointsPerChain, Is.EqualTo(6));
             Assert.That(Left.Skeleton.JointsPerChain, Is.EqualTo(6));
@@ -45,10 +45,10 @@ namespace Alate.Editor.Tests
         [Test]
         public void Refusals_AreKept_UntilAnActIsDone()
         {
-            m_Session.Do(SkeletonActs.Find("Remove Chain"));
+            m_Session.Do(SkeletonCommands.Find("Remove Chain"));
             Assert.That(m_Session.LastRefusal, Does.StartWith("Select a joint"));
 
-            m_Session.Do(SkeletonActs.Find("Fit Axes"));
+            m_Session.Do(SkeletonCommands.Find("Fit Axes"));
             Assert.That(m_Session.LastRefusal, Is.Null);
         }
 
@@ -65,7 +65,7 @@ namespace Alate.Editor.Tests
             Assert.That(m_Session.Overlay.BeatMesh.vertices, Is.EqualTo(before), "nothing has changed");
 
             m_Session.Select(m_Session.Group.Active, new[] { new JointIndex(3, 4), new JointIndex(2, 4) });
-            m_Session.Group.Active.Do("Move", (draft, selected) => MoveActs.By(draft, selected, new Vector3(-0.06f, 0f, 0f)));
+            m_Session.Group.Active.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, new Vector3(-0.06f, 0f, 0f)));
             m_Session.Place();
 
             Assert.That(m_Session.Overlay.BeatMesh.vertices, Is.Not.EqualTo(before));
@@ -74,8 +74,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void Beat_FollowsThePreset()
         {
-            WingSpecies preset = Keep(InsectCatalogue.Monarch());
-            Insect.Species = preset;
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            Insect.Preset = preset;
             m_Session.Dispose();
             m_Session = new SkeletonSession(InsectTargets.Find(new[] { Insect }), m_Undo);
             m_Session.Overlay.ShowsBeat = true;
@@ -93,10 +93,10 @@ namespace Alate.Editor.Tests
         [TestCase(float.PositiveInfinity)]
         public void Beat_OfABrokenPreset_BreaksNothing(float number)
         {
-            WingSpecies preset = Keep(InsectCatalogue.Monarch());
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
             preset.Beat.maxSpeed = number;
             preset.Beat.flapRange = number;
-            Insect.Species = preset;
+            Insect.Preset = preset;
             m_Session.Dispose();
             m_Session = new SkeletonSession(InsectTargets.Find(new[] { Insect }), m_Undo);
             m_Session.Overlay.ShowsBeat = true;
@@ -126,7 +126,7 @@ namespace Alate.Editor.Tests
             Assert.That(m_Session.Overlay.Problems, Is.Empty);
 
             m_Session.Select(m_Session.Group.Active, new[] { new JointIndex(0, 4), new JointIndex(0, 3) });
-            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideActs.By(draft, selected, -0.15f));
+            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideCommands.By(draft, selected, -0.15f));
             m_Session.Place();
             Assert.That(m_Session.Overlay.Problems.Select(p => p.Kind), Has.Member(RigProblemKind.FarVertices));
 
@@ -138,7 +138,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void WithoutItsMesh_TheWingHasNoWeaknessesEither()
         {
-            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideActs.By(draft, new[] { new JointIndex(0, 4), new JointIndex(0, 3) }, -0.15f));
+            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 4), new JointIndex(0, 3) }, -0.15f));
             m_Session.Place();
             Assert.That(m_Session.Overlay.Problems, Is.Not.Empty);
 
@@ -163,7 +163,7 @@ namespace Alate.Editor.Tests
         {
             m_Session.Overlay.ShowsBeat = true;
             m_Session.Overlay.Colours = RigColourMode.Patch;
-            m_Session.Do(SkeletonActs.Find("Reverse Chains"));
+            m_Session.Do(SkeletonCommands.Find("Reverse Chains"));
 
             m_Session.Place();
 

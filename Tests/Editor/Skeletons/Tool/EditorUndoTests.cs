@@ -43,7 +43,7 @@ namespace Alate.Editor.Tests
             m_Editing.Select(new[] { new JointIndex(1, 2), new JointIndex(2, 2) });
             string before = State();
 
-            Assert.That(SkeletonActs.Find(act).Run(m_Editing).Done);
+            Assert.That(SkeletonCommands.Find(act).Run(m_Editing).Done);
             string after = State();
             Assert.That(after, Is.Not.EqualTo(before));
 
@@ -117,7 +117,7 @@ namespace Alate.Editor.Tests
         public void ChangedAssets_AreMarkedToBeSaved()
         {
             m_Editing.Select(new[] { new JointIndex(2, 2) });
-            SkeletonActs.Find("Smooth").Run(m_Editing);
+            SkeletonCommands.Find("Smooth").Run(m_Editing);
 
             Assert.That(EditorUtility.IsDirty(m_Skeleton));
         }
@@ -128,7 +128,7 @@ namespace Alate.Editor.Tests
             var states = new List<string> { State() };
             foreach (int joint in new[] { 1, 2, 3 })
             {
-                m_Editing.Do("Move", (draft, selected) => MoveActs.By(draft, new[] { new JointIndex(2, joint) }, new Vector3(0f, 0.01f, 0f)));
+                m_Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, new[] { new JointIndex(2, joint) }, new Vector3(0f, 0.01f, 0f)));
                 states.Add(State());
             }
 
@@ -140,7 +140,7 @@ namespace Alate.Editor.Tests
         }
 
         private static IEnumerable<string> Acts() =>
-            SkeletonActs.All.Select(act => act.Name).Where(name => name != "Mirror Onto Other Side" && name != "Mend");
+            SkeletonCommands.All.Select(act => act.Name).Where(name => name != "Mirror Onto Other Side" && name != "Mend");
 
         private string State() => SkeletonText.Of(m_Skeleton) + string.Join(" ", m_Selection.Joints.Select(joint => joint.ToString()));
     }

@@ -23,7 +23,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void EveryActWithAKey_IsDoneByIt()
         {
-            foreach (SkeletonAct act in SkeletonActs.All.Where(act => act.Key != KeyCode.None && act.Name != "Mirror Onto Other Side"))
+            foreach (EditCommand act in SkeletonCommands.All.Where(act => act.Key != KeyCode.None && act.Name != "Mirror Onto Other Side"))
             {
                 Right.Skeleton.Chains[2].joints[2] += new Vector3(0.004f, 0.01f, 0.002f);
                 Right.Skeleton.SpanAxis = new Vector3(1f, 0f, 0.2f);
@@ -59,8 +59,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void SwitchesKeys_AreNoActs()
         {
-            Assert.That(SkeletonActs.Find(SkeletonKeys.Beat, shift: false), Is.Null);
-            Assert.That(SkeletonActs.Find(SkeletonKeys.Symmetry, shift: true), Is.Null);
+            Assert.That(SkeletonCommands.Find(SkeletonKeys.Beat, shift: false), Is.Null);
+            Assert.That(SkeletonCommands.Find(SkeletonKeys.Symmetry, shift: true), Is.Null);
         }
 
         [Test]
@@ -100,7 +100,7 @@ namespace Alate.Editor.Tests
             SkeletonKeys.Execute(m_Session, "DeselectAll");
             Assert.That(m_Session.Group.SelectedCount, Is.Zero);
 
-            m_Session.Select(m_Session.Group.All[1], SelectActs.Chains(Left.Skeleton, new[] { new JointIndex(1, 0) }));
+            m_Session.Select(m_Session.Group.All[1], SelectCommands.Chains(Left.Skeleton, new[] { new JointIndex(1, 0) }));
             SkeletonKeys.Execute(m_Session, "Delete");
             Assert.That(Left.Skeleton.ChainCount, Is.EqualTo(4));
             Assert.That(Right.Skeleton.ChainCount, Is.EqualTo(5));

@@ -213,7 +213,7 @@ namespace Alate.Tests
                 if (species.Name == "firefly")
                     continue;
                 using var insect = new InsectSketch();
-                insect.Draw("0", species.Body.CreateSurface(SpeciesDefinition.UnitsPerMetre));
+                insect.Draw("0", species.Body.CreateSurface(InsectDefinition.UnitsPerMetre));
                 var expected = new List<string>();
                 for (var pair = 0; pair < species.Wings.Count; pair++)
                 {

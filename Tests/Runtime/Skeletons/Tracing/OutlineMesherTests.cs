@@ -54,7 +54,7 @@ namespace Alate.Tests
 
             PlanPoint[] loop = Rim(mesh, rim);
             for (int k = rim; k < mesh.points.Length; k++)
-                Assert.That(ClosedPath.Holds(loop, mesh.points[k]), Is.True, $"point {k}");
+                Assert.That(ClosedPath.Contains(loop, mesh.points[k]), Is.True, $"point {k}");
         }
 
         [Test]

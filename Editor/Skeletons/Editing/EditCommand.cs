@@ -1,0 +1,44 @@
+using System;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>One thing that the tool can do to a skeleton, as menus, buttons and keys offer it.</summary>
+    internal sealed class EditCommand
+    {
+        private readonly Func<SkeletonEditing, EditOutcome> m_Run;
+
+        /// <param name="name">What menus and undo call it.</param>
+        /// <param name="key">Its key, or <see cref="KeyCode.None"/>.</param>
+        /// <param name="shift">Whether the key is pressed with Shift.</param>
+        /// <param name="tooltip">One sentence.</param>
+        /// <param name="run">Does it, checked and recorded for undo.</param>
+        public EditCommand(string name, KeyCode key, bool shift, string tooltip, Func<SkeletonEditing, EditOutcome> run)
+        {
+            Name = name;
+            Key = key;
+            Shift = shift;
+            Tooltip = tooltip;
+            m_Run = run;
+        }
+
+        public string Name { get; }
+
+        public KeyCode Key { get; }
+
+        public bool Shift { get; }
+
+        public string Tooltip { get; }
+
+        /// <summary>"Shift+C"; empty where it has no key.</summary>
+        public string Shortcut => Key == KeyCode.None ? "" : Shift ? "Shift+" + Key : Key.ToString();
+
+        /// <summary>The name with the key behind it, for menus.</summary>
+        public string Title => Key == KeyCode.None ? Name : $"{Name} ({Shortcut})";
+
+        /// <summary>Does it to one skeleton.</summary>
+        public EditOutcome Run(SkeletonEditing editing) => m_Run(editing);
+
+        public override string ToString() => Name;
+    }
+}

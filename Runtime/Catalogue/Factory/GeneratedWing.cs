@@ -1,0 +1,25 @@
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>What the wings of one kind are made of, left and right alike: the left wing is the right one with its X axis turned round.</summary>
+    internal sealed class GeneratedWing
+    {
+        public GeneratedWing(WingDefinition wing)
+        {
+            Wing = wing;
+        }
+
+        /// <summary>The kind of wing.</summary>
+        public WingDefinition Wing { get; }
+
+        /// <summary>The right wing, its origin at the base.</summary>
+        public Mesh Mesh { get; set; }
+
+        /// <summary>In the space of the mesh.</summary>
+        public WingSkeleton Skeleton { get; set; }
+
+        /// <summary>Colours and light.</summary>
+        public Material Material { get; set; }
+    }
+}

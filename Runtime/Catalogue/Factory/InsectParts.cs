@@ -1,0 +1,167 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Alate.Catalogue
+{
+    /// <summary>What the insects of one species share, and how an insect is put together of it: meshes, skeletons and materials.</summary>
+    internal sealed class InsectParts
+    {
+        private const string k_Body = "Body";
+        private static readonly WingSide[] s_Sides = { WingSide.Right, WingSide.Left };
+
+        /// <summary>An empty kit, to be filled with parts.</summary>
+        public InsectParts(InsectDefinition species)
+        {
+            Name = species.DisplayName;
+            var wings = new List<GeneratedWing>();
+            foreach (WingDefinition wing in species.Wings)
+                wings.Add(new GeneratedWing(wing));
+            Wings = wings;
+        }
+
+        /// <summary>Of the insect.</summary>
+        public string Name { get; }
+
+        /// <summary>The kinds of wings, from front to back.</summary>
+        public IReadOnlyList<GeneratedWing> Wings { get; }
+
+        /// <summary>The body.</summary>
+        public Mesh BodyMesh { get; set; }
+
+        /// <summary>The body's colours.</summary>
+        public Material BodyMaterial { get; set; }
+
+        /// <summary>Makes everything anew; the caller owns it.</summary>
+        /// <param name="species">Of what insect.</param>
+        /// <param name="keepPixels">Whether the textures of the materials can be read, to be saved.</param>
+        /// <exception cref="InvalidOperationException">No shader was found.</exception>
+        public static InsectParts Make(InsectDefinition species, bool keepPixels = false)
+        {
+            var kit = new InsectParts(species);
+            try
+            {
+                kit.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);
+                kit.BodyMesh = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre).ToMesh($"{kit.Name} {k_Body} Mesh");
+                foreach (GeneratedWing wing in kit.Wings)
+                    Fill(wing, kit.NameOf(wing), keepPixels);
+            }
+            catch
+            {
+                kit.Destroy();
+                throw;
+            }
+
+            return kit;
+        }
+
+        /// <summary>[wing] New presets of all kinds of wings.</summary>
+        public WingPreset[] CreatePresets(InsectVariant variant, ModelReading preset)
+        {
+            var made = new WingPreset[Wings.Count];
+            for (int k = 0; k < made.Length; k++)
+            {
+                made[k] = Wings[k].Wing.CreatePreset(preset, variant);
+                made[k].name = $"{NameOf(Wings[k])} Preset{(variant == InsectVariant.Standard ? "" : " " + variant)}";
+            }
+
+            return made;
+        }
+
+        /// <summary>An insect of these parts, inactive: body and wings below a root with <see cref="InsectWings"/>.</summary>
+        /// <param name="presets">[wing] How the wings beat.</param>
+        public GameObject Assemble(WingPreset[] presets)
+        {
+            var root = new GameObject(Name);
+            root.SetActive(false);
+            var insect = root.AddComponent<InsectWings>();
+            Draw(root.transform, k_Body, BodyMesh, BodyMaterial);
+            insect.Wings.Clear();
+            insect.Preset = presets[0];
+            for (int k = 0; k < Wings.Count; k++)
+            {
+                foreach (WingSide side in s_Sides)
+                {
+                    Wing wing = Attach(root.transform, Wings[k], side);
+                    wing.Pair = k == 0 ? WingPair.Fore : WingPair.Hind;
+                    wing.Preset = k == 0 ? null : presets[k];
+                    insect.Wings.Add(wing);
+                }
+            }
+
+            return root;
+        }
+
+        /// <summary>Keeps everything out of scenes and from being unloaded with them.</summary>
+        public void Hide()
+        {
+            foreach (Object part in Parts())
+            {
+                part.hideFlags = HideFlags.HideAndDontSave;
+                if (part is Material material && material.SurfaceTexture() is Texture texture && texture != null)
+                    texture.hideFlags = HideFlags.HideAndDontSave;
+            }
+        }
+
+        /// <summary>Frees everything.</summary>
+        public void Destroy()
+        {
+            foreach (Object part in Parts())
+            {
+                if (part is Material material && material != null)
+                    ObjectEnd.Destroy(material.SurfaceTexture());
+                ObjectEnd.Destroy(part);
+            }
+        }
+
+        // Everything there is, one by one; textures not, which go with their materials.
+        private IEnumerable<Object> Parts()
+        {
+            yield return BodyMesh;
+            yield return BodyMaterial;
+            foreach (GeneratedWing wing in Wings)
+            {
+                yield return wing.Mesh;
+                yield return wing.Skeleton;
+                yield return wing.Material;
+            }
+        }
+
+        private string NameOf(GeneratedWing wing) => $"{Name} {Title(wing.Wing.Name)}";
+
+        private static void Fill(GeneratedWing kit, string name, bool keepPixels)
+        {
+            kit.Material = WingMaterial.ForWing(kit.Wing, WingMaterial.DefaultTextureSize, keepPixels);
+            kit.Material.name = name;
+            kit.Skeleton = kit.Wing.CreateSkeleton(WingSide.Right);
+            kit.Skeleton.name = name + " Skeleton";
+            kit.Mesh = kit.Wing.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");
+        }
+
+        private static Wing Attach(Transform body, GeneratedWing kit, WingSide side)
+        {
+            MeshRenderer renderer = Draw(body, $"{Title(kit.Wing.Name)} {side}", kit.Mesh, kit.Material);
+            renderer.transform.localPosition = kit.Wing.HingeOn(side);
+            renderer.transform.localScale = new Vector3(side == WingSide.Right ? 1f : -1f, 1f, 1f);
+            return new Wing { Renderer = renderer, Skeleton = kit.Skeleton, Side = side };
+        }
+
+        private static MeshRenderer Draw(Transform parent, string name, Mesh mesh, Material material)
+        {
+            var drawn = new GameObject(name);
+            drawn.transform.SetParent(parent, false);
+            drawn.AddComponent<MeshFilter>().sharedMesh = mesh;
+            var renderer = drawn.AddComponent<MeshRenderer>();
+            renderer.sharedMaterial = material;
+            return renderer;
+        }
+
+        // "fore wing" is "Fore Wing" as an object's name.
+        private static string Title(string name)
+        {
+            string[] words = name.Split(' ');
+            return string.Join(" ", Array.ConvertAll(words, word => char.ToUpperInvariant(word[0]) + word.Substring(1)));
+        }
+    }
+}

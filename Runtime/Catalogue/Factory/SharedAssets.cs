@@ -1,0 +1,118 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>
+    /// Parts that all insects of one species share in play, with the number of insects that use them. A hidden asset holds them because assets survive a recompile
+    /// during play, and static fields do not.
+    /// </summary>
+    internal sealed class SharedAssets : ScriptableObject
+    {
+        [SerializeField] private string m_Species = "";
+        [SerializeField] private int m_Users;
+        [SerializeField] private Mesh m_BodyMesh;
+        [SerializeField] private Material m_BodyMaterial;
+        [SerializeField] private List<WingParts> m_Wings = new List<WingParts>();
+        [SerializeField] private List<Presets> m_Presets = new List<Presets>();
+
+        /// <summary>Name of the species in the catalogue.</summary>
+        public string Species => m_Species;
+
+        /// <summary>Number of insects that use the parts.</summary>
+        public int Users
+        {
+            get => m_Users;
+            set => m_Users = value;
+        }
+
+        /// <summary>Makes the parts of a species; nobody uses them yet.</summary>
+        /// <exception cref="InvalidOperationException">No shader was found.</exception>
+        public static SharedAssets Make(InsectDefinition species)
+        {
+            InsectParts parts = InsectParts.Make(species);
+            parts.Hide();
+            var kit = CreateInstance<SharedAssets>();
+            kit.name = parts.Name + " Kit";
+            kit.hideFlags = HideFlags.HideAndDontSave;
+            kit.m_Species = species.Name;
+            kit.m_BodyMesh = parts.BodyMesh;
+            kit.m_BodyMaterial = parts.BodyMaterial;
+            foreach (GeneratedWing wing in parts.Wings)
+                kit.m_Wings.Add(new WingParts { mesh = wing.Mesh, skeleton = wing.Skeleton, material = wing.Material });
+            return kit;
+        }
+
+        /// <summary>Puts an insect together, inactive, with presets that are shared and hidden as the other parts are.</summary>
+        public GameObject Assemble(InsectVariant variant, ModelReading preset)
+        {
+            InsectParts parts = Parts();
+            return parts.Assemble(PresetsOf(parts, variant, preset));
+        }
+
+        /// <summary>Frees all parts, and the kit itself.</summary>
+        public void Free()
+        {
+            foreach (Presets presets in m_Presets)
+            {
+                foreach (WingPreset made in presets.wings)
+                    ObjectEnd.Destroy(made);
+            }
+
+            Parts().Destroy();
+            ObjectEnd.Destroy(this);
+        }
+
+        // Called after a recompile as well; a kit that is being made has no species yet.
+        private void OnEnable()
+        {
+            if (!string.IsNullOrEmpty(m_Species))
+                GeneratedAssets.Remember(this);
+        }
+
+        private InsectParts Parts()
+        {
+            var parts = new InsectParts(InsectCatalogue.Find(m_Species)) { BodyMesh = m_BodyMesh, BodyMaterial = m_BodyMaterial };
+            for (int k = 0; k < m_Wings.Count; k++)
+            {
+                parts.Wings[k].Mesh = m_Wings[k].mesh;
+                parts.Wings[k].Skeleton = m_Wings[k].skeleton;
+                parts.Wings[k].Material = m_Wings[k].material;
+            }
+
+            return parts;
+        }
+
+        private WingPreset[] PresetsOf(InsectParts parts, InsectVariant variant, ModelReading preset)
+        {
+            foreach (Presets known in m_Presets)
+            {
+                if (known.variant == variant && known.preset == preset)
+                    return known.wings;
+            }
+
+            WingPreset[] made = parts.CreatePresets(variant, preset);
+            foreach (WingPreset wing in made)
+                wing.hideFlags = HideFlags.HideAndDontSave;
+            m_Presets.Add(new Presets { variant = variant, preset = preset, wings = made });
+            return made;
+        }
+
+        [Serializable]
+        private struct WingParts
+        {
+            public Mesh mesh;
+            public WingSkeleton skeleton;
+            public Material material;
+        }
+
+        [Serializable]
+        private struct Presets
+        {
+            public InsectVariant variant;
+            public ModelReading preset;
+            public WingPreset[] wings;
+        }
+    }
+}

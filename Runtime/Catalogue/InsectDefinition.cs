@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using UnityEngine.Scripting.APIUpdating;
+
+namespace Alate.Catalogue
+{
+    /// <summary>A species of the catalogue: its wings, its body, and where its numbers come from.</summary>
+    [MovedFrom(true, "Alate", "Alate", "SpeciesDefinition")]
+    public sealed class InsectDefinition
+    {
+        /// <summary>
+        /// Mesh units of one metre of the real insect: ten times life size, so that a monarch spans more than a unit and even a firefly lies beyond a
+        /// camera's near plane. The model takes its lengths from <see cref="PresetSize"/>; this number and any scale of a transform change the picture only.
+        /// </summary>
+        public const float UnitsPerMetre = 10f;
+
+        internal InsectDefinition(
+            string name, string displayName, IReadOnlyList<WingDefinition> wings, InsectBody body, IReadOnlyList<InsectSource> sources)
+        {
+            Name = name;
+            DisplayName = displayName;
+            Wings = wings;
+            Body = body;
+            Sources = sources;
+        }
+
+        /// <summary>The name it is asked for by: lower case, words joined by hyphens.</summary>
+        public string Name { get; }
+
+        /// <summary>The name to show.</summary>
+        public string DisplayName { get; }
+
+        /// <summary>The kinds of wings, from front to back; each comes as a right and a left one.</summary>
+        public IReadOnlyList<WingDefinition> Wings { get; }
+
+        /// <summary>The body.</summary>
+        public InsectBody Body { get; }
+
+        /// <summary>Where the numbers come from.</summary>
+        public IReadOnlyList<InsectSource> Sources { get; }
+
+        /// <summary>The variants there are, the standard one first; all wings have the same.</summary>
+        public IReadOnlyList<InsectVariant> Variants => Wings[0].Variants;
+
+        /// <summary>Triangles of all wings of both sides: the number of the paper's Table 2.</summary>
+        public int TriangleCount
+        {
+            get
+            {
+                var count = 0;
+                foreach (var wing in Wings)
+                {
+                    count += 2 * wing.TriangleCount;
+                }
+
+                return count;
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Insects that cannot live, and whether something of what they are made of has changed since they were found broken.</summary>
+    internal sealed class FaultedInsects
+    {
+        private readonly List<Entry> m_Entries = new List<Entry>();
+        private readonly SkeletonWatch m_Skeletons;
+
+        public FaultedInsects(SkeletonWatch skeletons)
+        {
+            m_Skeletons = skeletons;
+        }
+
+        public int Count => m_Entries.Count;
+
+        public void Add(InsectWings insect) => m_Entries.Add(new Entry { insect = insect, print = Print(insect) });
+
+        public void Remove(InsectWings insect)
+        {
+            int at = m_Entries.FindIndex(e => ReferenceEquals(e.insect, insect));
+            if (at >= 0)
+                m_Entries.RemoveAt(at);
+        }
+
+        /// <summary>Moves those that were changed to the end of a list, to be tried again.</summary>
+        public void TakeMended(List<InsectWings> mended)
+        {
+            for (int k = m_Entries.Count - 1; k >= 0; k--)
+            {
+                if (Print(m_Entries[k].insect) == m_Entries[k].print)
+                    continue;
+                mended.Add(m_Entries[k].insect);
+                m_Entries.RemoveAt(k);
+            }
+        }
+
+        /// <summary>Moves all to the end of a list.</summary>
+        public void TakeAll(List<InsectWings> list)
+        {
+            foreach (Entry entry in m_Entries)
+                list.Add(entry.insect);
+            m_Entries.Clear();
+        }
+
+        private int Print(InsectWings insect)
+        {
+            int print = insect.Wings.Count * 31 + insect.Quality.patches;
+            foreach (Wing wing in insect.Wings)
+                print = print * 31 + (wing == null ? 0 : Print(wing));
+            return print;
+        }
+
+        private int Print(Wing wing)
+        {
+            MeshFilter filter = InsectCheck.FilterOf(wing);
+            Mesh mesh = InsectCheck.MeshOf(wing, filter);
+            int print = wing.Renderer == null ? 0 : wing.Renderer.GetHashCode() * 2 + (wing.Renderer.isPartOfStaticBatch ? 1 : 0);
+            print = print * 31 + (filter == null || filter.sharedMesh == null ? 0 : filter.sharedMesh.GetHashCode());
+            print = print * 31 + (mesh == null ? 0 : mesh.GetHashCode() * 2 + (mesh.isReadable ? 1 : 0));
+            print = print * 31 + (int)wing.Part;
+            print = print * 31 + wing.Submesh;
+            print = print * 31 + (int)wing.Side;
+            print = print * 31 + wing.Point.GetHashCode();
+            return print * 31 + (int)m_Skeletons.Of(wing.Skeleton).Hash;
+        }
+
+        private struct Entry
+        {
+            public InsectWings insect;
+            public int print;
+        }
+    }
+}

@@ -1,0 +1,264 @@
+using System;
+using System.Collections.Generic;
+using Unity.Jobs;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>All insects that live, and what is done with them in each fixed step and frame, in order.</summary>
+    internal sealed class FrameLoop : IDisposable
+    {
+        private readonly InsectRegistry m_Registry;
+        private readonly BeatCalls m_Calls = new BeatCalls();
+        private readonly PresetWatch m_Presets = new PresetWatch();
+        private readonly WindZones m_WindZones = new WindZones();
+        private readonly Viewers m_Viewers = new Viewers();
+        private readonly Clocks m_Pacer = new Clocks();
+        private bool4 m_Moved;
+        private float4 m_DrawnAlpha;
+        private long m_StepsTold;
+
+        public FrameLoop()
+        {
+            World = new WingWorld();
+            m_Registry = new InsectRegistry(World, m_Presets);
+        }
+
+        /// <summary>The simulation.</summary>
+        public WingWorld World { get; }
+
+        /// <summary>Insects whose wings beat.</summary>
+        public int Count => Insects.Count;
+
+        private List<LiveInsect> Insects => m_Registry.Living;
+
+        /// <summary>Whether nobody lives, waits or is broken.</summary>
+        public bool IsEmpty => m_Registry.IsEmpty;
+
+        /// <summary>[clock] The time within its last step that was drawn last, 0 its start, 1 its end.</summary>
+        public float4 DrawnAlpha => m_DrawnAlpha;
+
+        /// <summary>Step jobs scheduled so far.</summary>
+        public long StepCount { get; private set; }
+
+        /// <summary>Recoveries from states that were not finite, of all wings that live.</summary>
+        public int CountResets() => World.CountResets();
+
+        /// <summary>Looks for wind zones before the next step.</summary>
+        public void FindWindZones() => m_WindZones.Forget();
+
+        /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
+        public void Enter(InsectWings insect) => m_Registry.Enter(insect);
+
+        /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
+        public void Leave(InsectWings insect) => m_Registry.Leave(insect);
+
+        /// <summary>One fixed step of the physics.</summary>
+        public void FixedStep(float dt)
+        {
+            using (SystemMarkers.fixedStep.Auto())
+            {
+                Wait();
+                ApplyParameters(ClockId.Fixed, ClockId.Fixed);
+                UpdateSurroundings(ClockId.Fixed, ClockId.Fixed);
+                Schedule(m_Pacer.FixedStep(dt));
+                JobHandle.ScheduleBatchedJobs();
+            }
+        }
+
+        /// <summary>The end of a frame: who comes and goes, the steps of the frame's clocks, and the picture.</summary>
+        public void Frame(float dt, float unscaledDt)
+        {
+            using (SystemMarkers.frame.Auto())
+            {
+                Wait();
+                m_Presets.EndRound();
+                if (m_Registry.UpdateRegistry())
+                {
+                    m_Moved = true;
+                    m_WindZones.Invalidate();
+                }
+
+                ApplyParameters(ClockId.Frame, ClockId.Unscaled);
+                SampleMotion(dt, unscaledDt);
+                ChooseDetail();
+                UpdateSurroundings(ClockId.Frame, ClockId.Unscaled);
+                Schedule(m_Pacer.Frame(dt, unscaledDt));
+                Draw();
+                m_Calls.RaiseBeatEvents(Insects, World);
+            }
+
+            TellProfiler();
+        }
+
+        /// <summary>Steps one insect by hand; it starts now if it has not yet.</summary>
+        public void StepByHand(InsectWings insect, float dt)
+        {
+            World.Complete();
+            m_Registry.StartNow(insect);
+            LiveInsect live = insect.Live;
+            if (live == null)
+                return;
+            m_Presets.Refresh();
+            live.ApplyParameters(World, m_Presets);
+            live.Pace(World, WingDetail.Full, false, m_Pacer);
+            SampleMotion(live, dt);
+            m_WindZones.Read(Time.time);
+            UpdateSurroundings(live, Physics.gravity);
+            int steps = math.clamp((int)math.ceil(dt / Clocks.FrameStep - 1e-3f), 1, Clocks.MostSteps);
+            float length = math.min(dt / steps, Clocks.FrameStep);
+            for (int step = 0; step < steps; step++)
+                World.StepNow(live.owner, length);
+            m_Moved[(int)ClockId.Own] = true;
+        }
+
+        /// <summary>Starts an insect's wings anew.</summary>
+        public void Restart(LiveInsect live)
+        {
+            World.Complete();
+            live.Restart(World);
+            m_Moved[(int)live.Clock] = true;
+        }
+
+        public void Dispose()
+        {
+            World.Complete();
+            m_Registry.End();
+            World.Dispose();
+            SystemCounter.insects.Set(0);
+            SystemCounter.steps.Set(0);
+            SystemCounter.resets.Set(0);
+        }
+
+        private void ApplyParameters(ClockId first, ClockId second)
+        {
+            using (SystemMarkers.parameters.Auto())
+            {
+                m_Presets.Refresh();
+                foreach (LiveInsect live in Insects)
+                {
+                    ClockId clock = live.Clock;
+                    if (clock == first || clock == second)
+                        live.ApplyParameters(World, m_Presets);
+                }
+            }
+        }
+
+        private void SampleMotion(float dt, float unscaledDt)
+        {
+            using (SystemMarkers.motion.Auto())
+            {
+                foreach (LiveInsect live in Insects)
+                {
+                    if (live.Clock != ClockId.Own)
+                        SampleMotion(live, live.Clock == ClockId.Unscaled ? unscaledDt : dt);
+                }
+            }
+        }
+
+        private void SampleMotion(LiveInsect live, float dt)
+        {
+            if (live.SampleMotion(dt) && live.insect.MotionSettings.onTeleport == TeleportResponse.Reset)
+                Restart(live);
+        }
+
+        private void ChooseDetail()
+        {
+            using (SystemMarkers.detail.Auto())
+            {
+                m_Viewers.UpdateCameras();
+                foreach (LiveInsect live in Insects)
+                {
+                    if (live.ChooseDetail(World, m_Viewers, m_Pacer))
+                        m_Moved[(int)live.Clock] = true;
+                }
+            }
+        }
+
+        private void UpdateSurroundings(ClockId first, ClockId second)
+        {
+            using (SystemMarkers.surroundings.Auto())
+            {
+                m_WindZones.Read(Time.time);
+                float3 gravity = Physics.gravity;
+                foreach (LiveInsect live in Insects)
+                {
+                    ClockId clock = live.Clock;
+                    if ((clock == first || clock == second) && live.Detail != WingDetail.Frozen)
+                        UpdateSurroundings(live, gravity);
+                }
+            }
+        }
+
+        private void UpdateSurroundings(LiveInsect live, float3 gravity)
+        {
+            float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position) : default;
+            live.UpdateSurroundings(gravity, wind);
+            bool hasSize = live.WriteSurroundings(World);
+            if (hasSize)
+                live.insect.Report(InsectProblem.None);
+            else if (live.insect.State != InsectState.ZeroScale)
+                live.insect.Report(InsectProblem.NoSize);
+        }
+
+        private void Schedule(StepPlan plan)
+        {
+            plan.count = math.select(0, plan.count, ClocksInUse());
+            if (plan.IsEmpty)
+                return;
+            using (SystemMarkers.schedule.Auto())
+                World.ScheduleStep(plan);
+            StepCount++;
+            m_Moved |= plan.count > 0;
+        }
+
+        private void Wait()
+        {
+            using (SystemMarkers.wait.Auto())
+                World.Complete();
+        }
+
+        private bool4 ClocksInUse()
+        {
+            bool4 used = default;
+            foreach (LiveInsect live in Insects)
+            {
+                if (live.Detail != WingDetail.Frozen)
+                    used[(int)live.Clock] = true;
+            }
+
+            return used;
+        }
+
+        private void Draw()
+        {
+            float4 alpha = m_Pacer.Alpha();
+            bool4 clocks = (m_Moved | (alpha != m_DrawnAlpha)) & ClocksInUse();
+            m_Moved &= !clocks;
+            m_DrawnAlpha = alpha;
+            if (!math.any(clocks))
+                return;
+            using (SystemMarkers.schedule.Auto())
+                World.ScheduleSkin(alpha, clocks);
+            Wait();
+            using (SystemMarkers.upload.Auto())
+            {
+                foreach (LiveInsect live in Insects)
+                {
+                    if (clocks[(int)live.Clock])
+                        live.Upload(World);
+                }
+            }
+        }
+
+        private void TellProfiler()
+        {
+            SystemCounter.insects.Set(Count);
+            SystemCounter.steps.Set((int)(StepCount - m_StepsTold));
+            m_StepsTold = StepCount;
+            if (SystemCounter.resets.IsKept)
+                SystemCounter.resets.Set(CountResets());
+        }
+    }
+}

@@ -1,0 +1,188 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>Who of the insects lives, who waits to, who cannot, and who has gone but must still be taken out of the world.</summary>
+    internal sealed class InsectRegistry
+    {
+        /// <summary>
+        /// Vertices of meshes that may be built in one frame: a swarm that appears at once comes to life over several frames instead of stopping the game. The first insect of a
+        /// frame is always built.
+        /// </summary>
+        private const int k_VerticesPerFrame = 1 << 17;
+
+        private readonly List<InsectWings> m_Arriving = new List<InsectWings>();
+        private readonly List<LiveMesh> m_Leaving = new List<LiveMesh>();
+        private readonly SkeletonWatch m_Skeletons = new SkeletonWatch();
+        private readonly FaultedInsects m_Broken;
+        private readonly InsectBuilder m_Builder;
+        private readonly WingWorld m_World;
+        private readonly PresetWatch m_Presets;
+
+        public InsectRegistry(WingWorld world, PresetWatch species)
+        {
+            m_World = world;
+            m_Presets = species;
+            m_Builder = new InsectBuilder(new TemplateCache(), m_Skeletons);
+            m_Broken = new FaultedInsects(m_Skeletons);
+        }
+
+        /// <summary>Insects whose wings beat.</summary>
+        public List<LiveInsect> Living { get; } = new List<LiveInsect>();
+
+        /// <summary>Whether nobody lives, waits or is broken.</summary>
+        public bool IsEmpty => Living.Count == 0 && m_Arriving.Count == 0 && m_Broken.Count == 0;
+
+        /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
+        public void Enter(InsectWings insect)
+        {
+            insect.Report(InsectProblem.Waiting);
+            m_Arriving.Add(insect);
+        }
+
+        /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
+        public void Leave(InsectWings insect)
+        {
+            m_Arriving.Remove(insect);
+            m_Broken.Remove(insect);
+            if (insect.Live != null)
+                Retire(insect.Live);
+        }
+
+        /// <summary>Lets an insect that waits start at once.</summary>
+        public void StartNow(InsectWings insect)
+        {
+            if (m_Arriving.Remove(insect))
+                Start(insect);
+        }
+
+        /// <summary>Once a frame, with no jobs under way: who has gone goes, who was changed is changed, who waits starts.</summary>
+        /// <returns>Whether meshes were built.</returns>
+        public bool UpdateRegistry()
+        {
+            int vertices = k_VerticesPerFrame;
+            using (SystemMarkers.rebuild.Auto())
+            {
+                LetGo();
+                m_Builder.FreeUnused();
+                m_Skeletons.EndRound();
+                m_Skeletons.Refresh();
+                for (int k = Living.Count - 1; k >= 0 && vertices > 0; k--)
+                {
+                    if (!m_Builder.KeepUp(Living[k]))
+                        vertices -= Rebuild(Living[k]);
+                }
+
+                m_Broken.TakeMended(m_Arriving);
+                LetGo();
+            }
+
+            using (SystemMarkers.start.Auto())
+                vertices -= Start(vertices);
+            return vertices < k_VerticesPerFrame;
+        }
+
+        /// <summary>All end.</summary>
+        public void End()
+        {
+            while (Living.Count > 0)
+            {
+                LiveInsect live = Living[Living.Count - 1];
+                Retire(live);
+                m_Arriving.Add(live.insect);
+            }
+
+            m_Broken.TakeAll(m_Arriving);
+            foreach (InsectWings insect in m_Arriving)
+                insect.Report(InsectProblem.Inactive);
+            m_Arriving.Clear();
+            LetGo();
+            m_Builder.Dispose();
+        }
+
+        private void Retire(LiveInsect live)
+        {
+            foreach (LiveMesh mesh in live.meshes)
+                mesh.Restore();
+            m_Leaving.AddRange(live.meshes);
+            live.insect.Live = null;
+            Living.Remove(live);
+        }
+
+        private void LetGo()
+        {
+            while (m_Leaving.Count > 0)
+            {
+                LiveMesh mesh = m_Leaving[m_Leaving.Count - 1];
+                m_Leaving.RemoveAt(m_Leaving.Count - 1);
+                foreach (LiveWing wing in mesh.wings)
+                {
+                    if (m_World.Contains(wing.handle))
+                        m_World.Remove(wing.handle);
+                }
+
+                m_Builder.Free(mesh);
+            }
+        }
+
+        // Who waits and fails to start must not be tried again and again, nor keep others waiting.
+        private int Start(int most)
+        {
+            int admitted = 0, vertices = 0;
+            try
+            {
+                while (admitted < m_Arriving.Count && vertices < most)
+                    vertices += Start(m_Arriving[admitted++]);
+            }
+            finally
+            {
+                m_Arriving.RemoveRange(0, admitted);
+            }
+
+            return vertices;
+        }
+
+        private int Start(InsectWings insect)
+        {
+            insect.FindWingsWhereNoneAreListed();
+            LiveInsect live = m_Builder.Create(insect);
+            insect.Live = live;
+            Living.Add(live);
+            return Build(live, default);
+        }
+
+        // What did not change lives on; what is new takes up the beat.
+        private int Rebuild(LiveInsect live)
+        {
+            WingHandle leader = live.wings[0].handle;
+            m_Builder.Discard(live, m_Leaving);
+            return Build(live, leader);
+        }
+
+        // What nobody thought of must not reach the other insects either.
+        private int Build(LiveInsect live, WingHandle leader)
+        {
+            InsectProblem problem;
+            try
+            {
+                problem = m_Builder.Complete(live);
+                if (!problem.IsProblem)
+                    live.Enter(m_World, m_Presets, leader);
+            }
+            catch (Exception exception)
+            {
+                Debug.LogException(exception, live.insect);
+                problem = InsectProblem.Failed(exception);
+            }
+
+            live.insect.Report(problem);
+            if (!problem.IsProblem)
+                return live.VertexCount;
+            Retire(live);
+            m_Broken.Add(live.insect);
+            return 0;
+        }
+    }
+}

@@ -1,0 +1,63 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>What a preset says now, in the units of the model; compared once a step, however many insects share it.</summary>
+    internal sealed class PresetValues : WatchedValue
+    {
+        private readonly WingPreset m_Preset;
+        private int m_Stamp;
+
+        /// <param name="species">Null stands for a monarch.</param>
+        public PresetValues(WingPreset species)
+        {
+            m_Preset = species;
+            parameters = WingParameters.Default;
+            Take(PresetDefaults.MonarchSize);
+            Refresh();
+        }
+
+        /// <summary>The preset in the units of the model.</summary>
+        public WingParameters parameters;
+
+        /// <summary>Metres.</summary>
+        public float wingLength;
+
+        /// <summary>Kilograms.</summary>
+        public float wingMass, insectMass;
+
+        /// <summary>Share of gravity that the wing feels.</summary>
+        public float gravityShare;
+
+        /// <summary>Counts changes of <see cref="parameters"/>.</summary>
+        public int Stamp
+        {
+            get
+            {
+                Use();
+                return m_Stamp;
+            }
+        }
+
+        /// <inheritdoc/>
+        public override void Refresh()
+        {
+            if (m_Preset == null)
+                return;
+            Take(m_Preset.Size);
+            WingParameters now = m_Preset.ToParameters();
+            if (now.SameAs(parameters))
+                return;
+            parameters = now;
+            m_Stamp++;
+        }
+
+        private void Take(in PresetSize size)
+        {
+            wingLength = math.clamp(size.wingLength, 5e-4f, 1f);
+            wingMass = math.clamp(size.wingMass, 1e-9f, 1f);
+            insectMass = math.clamp(size.insectMass, 1e-8f, 10f);
+            gravityShare = math.saturate(size.gravityShare);
+        }
+    }
+}

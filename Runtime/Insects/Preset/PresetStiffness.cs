@@ -1,0 +1,76 @@
+using System;
+using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
+
+namespace Alate
+{
+    /// <summary>How the wing resists bending, and how its joints are held together (Sec. 6).</summary>
+    [Serializable]
+    [MovedFrom(true, null, null, "SpeciesStiffness")]
+    public struct PresetStiffness
+    {
+        /// <summary>k_e of Table 2, 0.001 to 10⁶.</summary>
+        [Tooltip("Elasticity as in the paper's Table 2, 0.001 to 1000000; 1 for a monarch, 0.5 for a soft fishfly. A quarter makes a rag, four a stiff sheet.")]
+        public float elasticity;
+
+        /// <summary>N_0, 0.01 to 100.</summary>
+        [Range(0.01f, 100f)]
+        [Tooltip("How many times faster than the beat the leading edge would swing by itself; 5. Low lets the leading edge bend.")]
+        public float leadingEdge;
+
+        /// <summary>N_last, 0.01 to 100.</summary>
+        [Range(0.01f, 100f)]
+        [Tooltip("The same at the trailing edge; 3.5. Low lets the trailing edge trail and flutter.")]
+        public float trailingEdge;
+
+        /// <summary>Fall of the stiffness along a chain, chain lengths, 0.05 to 100.</summary>
+        [Range(0.05f, 100f)]
+        [Tooltip("Span over which the stiffness falls to a third (1/e), in wing lengths; 1. Small values soften the tip, large ones make all equal.")]
+        public float decay;
+
+        /// <summary>ζ, 0 to 10.</summary>
+        [Range(0f, 10f)]
+        [Tooltip("Damping of the bending; 0.7. 0 rings for long; above 1 creeps back.")]
+        public float damping;
+
+        /// <summary>Stiffness against bending up over bending down, 0.1 to 10.</summary>
+        [Range(0.1f, 10f)]
+        [Tooltip("How much stiffer the wing is against bending upwards than downwards; 1.4. Above 1 it yields on the upstroke, below 1 on the downstroke.")]
+        public float dorsalAsymmetry;
+
+        /// <summary>Stiffness in the wing's plane over that out of it, 0 to 1000.</summary>
+        [Range(0f, 1000f)]
+        [Tooltip("How much stiffer the wing is in its plane than out of it; 25. Low values let it fold like a fan.")]
+        public float inPlaneFactor;
+
+        /// <summary>Stiffness in torsion over that in bending, 0 to 1000.</summary>
+        [Range(0f, 1000f)]
+        [Tooltip("How much stiffer a chain is in torsion than in bending; 1.")]
+        public float torsionFactor;
+
+        /// <summary>Largest angle of a joint about each axis, degrees, 0 to 90.</summary>
+        [Range(0f, 90f)]
+        [Tooltip("Degrees a joint may bend about each axis; 30. 0 is a rigid wing.")]
+        public float jointLimit;
+
+        /// <summary>κ, 0 to 1000.</summary>
+        [Range(0f, 1000f)]
+        [Tooltip("Stiffness of the springs between the joints; 10. Low values let the surface stretch.")]
+        public float springScale;
+
+        /// <summary>Rate of the anchor over f_ref, 0 to 100.</summary>
+        [Range(0f, 100f)]
+        [Tooltip("How firmly the springs' joints follow the bent chains; 2. 0 lets them drift.")]
+        public float anchor;
+
+        /// <summary>ζ_E, 0 to 10.</summary>
+        [Range(0f, 10f)]
+        [Tooltip("Damping of the springs; 0.3. 0 shivers; above 1 is sluggish.")]
+        public float springDamping;
+
+        /// <summary>Wind beyond which the wing hardly bends more, over v_ref = 2π f_ref · half the flap · L, 0.1 to 1000; see <see cref="WingParameters.strongestWind"/>.</summary>
+        [Range(0.1f, 1000f)]
+        [Tooltip("Wind beyond which the wing hardly bends more, over the speed of a wing tip at top speed; 0.65, 3.2 m/s for a monarch. 1000 takes every wind as it is.")]
+        public float strongestWind;
+    }
+}

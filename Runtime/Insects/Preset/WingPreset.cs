@@ -1,0 +1,144 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Scripting.APIUpdating;
+
+namespace Alate
+{
+    /// <summary>
+    /// A preset of one kind of wing, as it is authored: degrees, hertz, metres, kilograms. A new asset is a monarch's wing.
+    /// <see cref="ToParameters"/> turns it into what the model computes with.
+    /// </summary>
+    [CreateAssetMenu(fileName = "Wing Preset", menuName = "Alate/Wing Preset", order = 311)]
+    [MovedFrom(true, null, null, "WingSpecies")]
+    public sealed class WingPreset : ScriptableObject
+    {
+        /// <summary>Least speed of the wing tip that the reference frequency counts with, as a share of u_max: a wing that hardly flaps stays finite in stiffness.</summary>
+        private const float k_LeastTipSpeed = 0.1f;
+
+        [SerializeField]
+        private PresetSize m_Size = PresetDefaults.MonarchSize;
+
+        [SerializeField]
+        private PresetBeat m_Beat = PresetDefaults.MonarchBeat;
+
+        [SerializeField]
+        private PresetWave m_Wave = PresetDefaults.PhysicalWave;
+
+        [SerializeField]
+        private PresetStiffness m_Stiffness = PresetDefaults.Stiffness;
+
+        [SerializeField]
+        [Range(WingParameters.MinSubsteps, WingParameters.MaxSubsteps)]
+        [Tooltip("Substeps of one beat; 16. 12 is the cheapest, 480 for measurements; in fast air there are more by themselves.")]
+        private int m_SubstepsPerBeat = WingParameters.DefaultSubsteps;
+
+        [SerializeField]
+        private ModelOptions m_Options = ModelOptions.Physical;
+
+        /// <summary>Sizes and masses of the real insect, and the fluid.</summary>
+        public ref PresetSize Size => ref m_Size;
+
+        /// <summary>The drive at the root.</summary>
+        public ref PresetBeat Beat => ref m_Beat;
+
+        /// <summary>The wave over the wing.</summary>
+        public ref PresetWave Wave => ref m_Wave;
+
+        /// <summary>The resistance to bending.</summary>
+        public ref PresetStiffness Stiffness => ref m_Stiffness;
+
+        /// <summary>Substeps of one beat, 12 to 480.</summary>
+        public ref int SubstepsPerBeat => ref m_SubstepsPerBeat;
+
+        /// <summary>The choices the paper leaves open.</summary>
+        public ref ModelOptions Options => ref m_Options;
+
+        /// <summary>L: metres from hinge to tip of the real wing.</summary>
+        public float WingLength => m_Size.wingLength;
+
+        /// <summary>
+        /// f_ref = MAX_f √(1 + (u_max / v_tip)²) with v_tip = 2π MAX_f (MAX_a,flap / 2) L: the beat, corrected for the speed of flight, hertz.
+        /// </summary>
+        public float ReferenceFrequency
+        {
+            get
+            {
+                var tipSpeed = 2f * math.PI * m_Beat.maxFrequency * math.radians(0.5f * m_Beat.flapRange) * m_Size.wingLength;
+                var ratio = m_Beat.maxSpeed / math.max(tipSpeed, k_LeastTipSpeed * m_Beat.maxSpeed);
+                return m_Beat.maxFrequency * math.sqrt(1f + ratio * ratio);
+            }
+        }
+
+        /// <summary>The same wing in the units of the model, every value in its range. Allocates nothing.</summary>
+        public WingParameters ToParameters()
+        {
+            var parameters = new WingParameters
+            {
+                maxFrequency = m_Beat.maxFrequency,
+                maxSpeed = m_Beat.maxSpeed,
+                frequencyFloor = m_Beat.frequencyFloor,
+                amplitudeFloor = m_Beat.amplitudeFloor,
+                amplitude = math.radians(0.5f * new float3(m_Beat.flapRange, m_Beat.sweepRange, m_Beat.featherRange)),
+                phase = math.radians(new float3(m_Beat.flapPhase, m_Beat.sweepPhase, m_Beat.featherPhase)),
+                meanFlap = math.radians(m_Beat.meanFlap),
+                tilt = math.radians(m_Beat.tilt),
+                chordDelay = m_Wave.chordDelay,
+                spanDelay = m_Wave.spanDelay,
+                rootShare = m_Wave.rootShare,
+                inertia = m_Wave.inertia,
+                airDensity = m_Size.RelativeDensity,
+                strongestWind = m_Stiffness.strongestWind > 0f ? m_Stiffness.strongestWind : PresetDefaults.k_StrongestWind,
+                elasticity = m_Stiffness.elasticity,
+                referenceFrequency = ReferenceFrequency,
+                stiffnessRoot = m_Stiffness.leadingEdge,
+                stiffnessTip = m_Stiffness.trailingEdge,
+                stiffnessDecay = m_Stiffness.decay,
+                bendDamping = m_Stiffness.damping,
+                dorsalAsymmetry = m_Stiffness.dorsalAsymmetry,
+                inPlaneFactor = m_Stiffness.inPlaneFactor,
+                torsionFactor = m_Stiffness.torsionFactor,
+                jointLimit = math.radians(m_Stiffness.jointLimit),
+                springScale = m_Stiffness.springScale,
+                anchor = m_Stiffness.anchor,
+                springDamping = m_Stiffness.springDamping,
+                substepsPerBeat = m_SubstepsPerBeat,
+                amplitudeScale = 1f,
+                phaseLead = math.radians(m_Beat.phaseLead),
+                options = m_Options,
+            };
+
+            return parameters.Clamped();
+        }
+
+        /// <summary>
+        /// Sets everything in which the two readings of the paper differ: phases, delays, floors, the factor of inertia and the options. What belongs to the insect
+        /// (sizes, ranges, frequency, stiffness) stays.
+        /// </summary>
+        /// <param name="preset">The reading to follow.</param>
+        /// <param name="chordDelay">λ for <see cref="ModelReading.Physical"/>; the printed reading has 1.</param>
+        public void ApplyReading(ModelReading preset, float chordDelay = PresetDefaults.k_MonarchChordDelay)
+        {
+            if (preset == ModelReading.Paper)
+            {
+                PresetDefaults.MakePaper(ref m_Beat, ref m_Wave);
+                m_Options = ModelOptions.Paper;
+            }
+            else
+            {
+                PresetDefaults.MakePhysical(ref m_Beat, ref m_Wave, chordDelay);
+                m_Options = ModelOptions.Physical;
+            }
+        }
+
+        private void OnValidate()
+        {
+            m_Size.wingLength = math.clamp(m_Size.wingLength, 5e-4f, 1f);
+            m_Size.wingMass = math.clamp(m_Size.wingMass, 1e-9f, 1f);
+            m_Size.insectMass = math.clamp(m_Size.insectMass, 1e-8f, 10f);
+            m_Stiffness.elasticity = math.clamp(m_Stiffness.elasticity, 1e-3f, 1e6f);
+            if (m_Stiffness.strongestWind <= 0f) // saved by version 0.1, which had no such number
+                m_Stiffness.strongestWind = PresetDefaults.k_StrongestWind;
+        }
+    }
+}
