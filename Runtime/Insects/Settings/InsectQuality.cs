@@ -12,7 +12,7 @@ namespace Alate
         public const int MaxPatches = 4096;
 
         /// <summary>Substeps of a beat, 12 to 480; 0 takes the preset's.</summary>
-        [Tooltip("Substeps of one beat, 12 to 480; 0 takes the preset's (16, expressive ones 24). More is more accurate and costs in proportion.")]
+        [Tooltip("Substeps of one beat, 12 to 480; 0 takes the preset's (16, expressive ones 24 to 36). More is more accurate and costs in proportion.")]
         public int substepsPerBeat;
 
         /// <summary>Surface patches that meet the air, 24 to 4096.</summary>
