@@ -37,7 +37,9 @@ namespace Alate.Authoring
             m_Shift = k_Away * (float)ClosedPath.Extent(mesh.points) * new Vector3(1f, 0f, 1f);
             m_Surface = new WingSurface
             {
-                name = "the traced wing", positions = Array.ConvertAll(mesh.points, Shifted), triangles = TracedSurface.FacingUp(mesh),
+                name = "the traced wing",
+                positions = Array.ConvertAll(mesh.points, Shifted),
+                triangles = TracedSurface.FacingUp(mesh),
             };
         }
 

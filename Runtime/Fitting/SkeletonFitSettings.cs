@@ -42,7 +42,9 @@ namespace Alate.Fitting
         /// <summary>Five chains of five joints on a wing that leads with its edge towards +Z, as insects face; its base is guessed.</summary>
         public static SkeletonFitSettings Default => new SkeletonFitSettings
         {
-            chains = 5, jointsPerChain = 5, forward = new Vector3(0f, 0f, 1f),
+            chains = 5,
+            jointsPerChain = 5,
+            forward = new Vector3(0f, 0f, 1f),
         };
 
         /// <exception cref="ArgumentOutOfRangeException">A count is out of its range.</exception>

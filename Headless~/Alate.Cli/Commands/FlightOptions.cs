@@ -27,7 +27,9 @@ internal static class FlightOptions
     public static Option<InsectVariant?> Variant() => Choice.Optional<InsectVariant>(
         "--variant", "Which numbers of the species: the tables', measured ones where there are any, or softer ones. [default: standard]", new()
         {
-            ["standard"] = InsectVariant.Standard, ["biological"] = InsectVariant.Biological, ["expressive"] = InsectVariant.Expressive,
+            ["standard"] = InsectVariant.Standard,
+            ["biological"] = InsectVariant.Biological,
+            ["expressive"] = InsectVariant.Expressive,
         });
 
     public static Option<PictureView?> View() => Choice.Optional(

@@ -40,13 +40,16 @@ internal sealed class FlyOptions
     private readonly Option<CoefficientSet?> m_Coefficients = Choice.Optional<CoefficientSet>(
         "--coefficients", "Lift and drag against the angle of attack. [default: the preset's]", new()
         {
-            ["dickinson"] = CoefficientSet.Dickinson1999, ["paper"] = CoefficientSet.Paper, ["flatplate"] = CoefficientSet.FlatPlate,
+            ["dickinson"] = CoefficientSet.Dickinson1999,
+            ["paper"] = CoefficientSet.Paper,
+            ["flatplate"] = CoefficientSet.FlatPlate,
         });
 
     private readonly Option<ModelReading?> m_Preset = Choice.Optional<ModelReading>(
         "--preset", "The paper's equations as printed, or as resolved. [default: physical]", new()
         {
-            ["physical"] = ModelReading.Physical, ["paper"] = ModelReading.Paper,
+            ["physical"] = ModelReading.Physical,
+            ["paper"] = ModelReading.Paper,
         });
 
     private readonly Option<InsectVariant?> m_Variant = FlightOptions.Variant();

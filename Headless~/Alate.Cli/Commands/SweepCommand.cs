@@ -32,7 +32,9 @@ internal static class SweepCommand
             "Values, 2 to 25: evenly spaced, or by equal ratios where they span a factor of ten or more. [default: 5]");
         Option<SweepWaves?> waves = Choice.Optional<SweepWaves>("--wave", "With the deformation wave, without it, or both. [default: on]", new()
         {
-            ["on"] = SweepWaves.On, ["off"] = SweepWaves.Off, ["both"] = SweepWaves.Both,
+            ["on"] = SweepWaves.On,
+            ["off"] = SweepWaves.Off,
+            ["both"] = SweepWaves.Both,
         });
         Option<int?> substeps = FlightOptions.Substeps();
         Option<InsectVariant?> variant = FlightOptions.Variant();

@@ -86,7 +86,10 @@ internal sealed class WingsGlb
 
     private JsonObject Primitive(JsonNode attributes, int[] indices, int vertexCount, int material) => new()
     {
-        ["attributes"] = attributes, ["indices"] = m_Buffer.AddIndices(indices, vertexCount), ["material"] = material, ["mode"] = 4,
+        ["attributes"] = attributes,
+        ["indices"] = m_Buffer.AddIndices(indices, vertexCount),
+        ["material"] = material,
+        ["mode"] = 4,
     };
 
     private int AddNode(string name, JsonObject mesh)
@@ -132,7 +135,9 @@ internal sealed class WingsGlb
 
         var sampler = new JsonObject
         {
-            ["input"] = m_Buffer.AddScalars(times), ["output"] = m_Buffer.AddScalars(weights), ["interpolation"] = "LINEAR",
+            ["input"] = m_Buffer.AddScalars(times),
+            ["output"] = m_Buffer.AddScalars(weights),
+            ["interpolation"] = "LINEAR",
         };
         var channels = new JsonArray();
         foreach (int node in m_WingNodes)

@@ -34,7 +34,8 @@ namespace Alate.Tests.Cli
             Assert.That(string.Join(',', m_Rows[0]), Is.EqualTo(
                 "species,variant,wing,model,scheme,substeps,joint_error_pct,cost_over_version_0_1,is_default"));
             Assert.That(m_Rows.Skip(1).Select(row => string.Join(' ', row.Take(6))), Is.EqualTo(
-                (from scheme in new[] { "second-order", "backward-euler" } from substeps in new[] { 12, 16, 24, 32, 48, 96 }
+                (from scheme in new[] { "second-order", "backward-euler" }
+                 from substeps in new[] { 12, 16, 24, 32, 48, 96 }
                  select $"monarch standard wing now {scheme} {substeps}").Append("monarch standard wing 0.1 backward-euler 24")));
         }
 

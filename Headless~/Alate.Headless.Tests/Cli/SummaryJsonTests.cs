@@ -48,7 +48,12 @@ namespace Alate.Tests.Cli
         {
             var plan = new FlightPlan
             {
-                Species = "monarch", Speed = 0.75, PitchDegrees = 12.5, Wind = new[] { 0.5, 0.0, -0.25 }, Patches = 0, Column = ComparisonColumn.NoWave,
+                Species = "monarch",
+                Speed = 0.75,
+                PitchDegrees = 12.5,
+                Wind = new[] { 0.5, 0.0, -0.25 },
+                Patches = 0,
+                Column = ComparisonColumn.NoWave,
             };
             JsonElement options = Parsed(Written(MonarchFlight.Fly(plan))).GetProperty("options");
 
@@ -66,8 +71,14 @@ namespace Alate.Tests.Cli
             RecordedFrame last = flight.Wings[0].Frames[0];
             flight.Wings[0].Frames[0] = new RecordedFrame
             {
-                Time = last.Time, Phase = last.Phase, Root = last.Root, Positions = last.Positions, Normals = last.Normals,
-                Joints = last.Joints, Bends = last.Bends, AirForce = new float3(0f, float.NaN, 0f),
+                Time = last.Time,
+                Phase = last.Phase,
+                Root = last.Root,
+                Positions = last.Positions,
+                Normals = last.Normals,
+                Joints = last.Joints,
+                Bends = last.Bends,
+                AirForce = new float3(0f, float.NaN, 0f),
                 NewtonIterations = last.NewtonIterations,
             };
             JsonElement summary = Parsed(Written(flight));

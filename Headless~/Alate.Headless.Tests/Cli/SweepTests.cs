@@ -33,7 +33,9 @@ namespace Alate.Tests.Cli
         {
             Assert.That(m_Rows[0].Take(4), Is.EqualTo(new[] { "chord_delay", "wave", "wing", "frequency_hz" }));
             Assert.That(m_Rows.Skip(1).Select(row => string.Join(' ', row.Take(3))), Is.EqualTo(
-                from wave in new[] { "on", "off" } from value in new[] { "0", "0.1", "0.2" } from wing in new[] { "fore wing", "hind wing" }
+                from wave in new[] { "on", "off" }
+                from value in new[] { "0", "0.1", "0.2" }
+                from wing in new[] { "fore wing", "hind wing" }
                 select $"{value} {wave} {wing}"));
         }
 

@@ -38,7 +38,9 @@ namespace Alate.Tests.Cli
             Assert.That(string.Join(',', m_Rows[0]), Is.EqualTo(
                 "species,variant,wing,model,air,wind_m_s,edge_stretch_max_pct,edge_stretch_p99_pct,worst_from,head_wind_tip_bend_max_deg,resets"));
             Assert.That(m_Rows.Skip(1).Select(row => string.Join(' ', row.Take(6))), Is.EqualTo(
-                from wing in new[] { "monarch standard wing", "snailfish standard fin" } from model in new[] { "now", "0.1" } from share in new[] { 0, 1 }
+                from wing in new[] { "monarch standard wing", "snailfish standard fin" }
+                from model in new[] { "now", "0.1" }
+                from share in new[] { 0, 1 }
                 select $"{wing} {model} steady {share * (wing.StartsWith("snailfish") ? 1 : 10)}"));
         }
 

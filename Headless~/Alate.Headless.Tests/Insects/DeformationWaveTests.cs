@@ -51,7 +51,10 @@ namespace Alate.Tests.Insects
         {
             var plan = new FlightPlan
             {
-                Species = species, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)), Substeps = 48, HoldJoints = holdJoints,
+                Species = species,
+                Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)),
+                Substeps = 48,
+                HoldJoints = holdJoints,
                 Column = chordDelay > 0f ? ComparisonColumn.FullModel : ComparisonColumn.NoWave,
             };
             Insect insect = Insect.Of(plan);

@@ -47,8 +47,10 @@ namespace Alate.Tests
                 WingParameters p = Anything(ref random);
                 var air = new WingSurroundings
                 {
-                    wind = random.NextFloat3(-500f, 500f), gravity = random.NextFloat3(-2000f, 2000f),
-                    speed = random.NextFloat(0f, 20f), angleOfAttack = random.NextFloat(-1.5f, 1.5f),
+                    wind = random.NextFloat3(-500f, 500f),
+                    gravity = random.NextFloat3(-2000f, 2000f),
+                    speed = random.NextFloat(0f, 20f),
+                    angleOfAttack = random.NextFloat(-1.5f, 1.5f),
                 };
                 WingRig rig = Monarch.Rig(64);
                 using (var world = new WingWorld())

@@ -1,10 +1,9 @@
-using Alate.Catalogue;
 using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Samples;
-
 using MathNet.Numerics.Statistics;
 using NUnit.Framework;
 

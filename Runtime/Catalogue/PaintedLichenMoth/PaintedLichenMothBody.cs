@@ -69,7 +69,12 @@ namespace Alate.Catalogue
             var thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 16, 18)), Striped);
             var coat = new Fur
             {
-                Count = 210, Length = 0.8f, Radius = 0.09f, Seed = 31, Lay = new Vector3(0f, 0f, -1.7f), Where = place => !seat.Covers(place),
+                Count = 210,
+                Length = 0.8f,
+                Radius = 0.09f,
+                Seed = 31,
+                Lay = new Vector3(0f, 0f, -1.7f),
+                Where = place => !seat.Covers(place),
             };
             parts.AddFur(thorax, coat.GrowOn(thorax.Part), Shaggy);
             var abdomen = parts.Add(Trunk.Through(s_Abdomen, 28, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Ringed);

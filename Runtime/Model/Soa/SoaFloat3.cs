@@ -79,7 +79,9 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaFloat3 Clamp(in SoaFloat3 a, float4 least, float4 most) => new SoaFloat3
         {
-            x = math.min(math.max(a.x, least), most), y = math.min(math.max(a.y, least), most), z = math.min(math.max(a.z, least), most),
+            x = math.min(math.max(a.x, least), most),
+            y = math.min(math.max(a.y, least), most),
+            z = math.min(math.max(a.z, least), most),
         };
 
         /// <summary>The vector of one wing.</summary>
