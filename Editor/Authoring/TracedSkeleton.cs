@@ -118,7 +118,7 @@ namespace Alate.Authoring
         }
 
         private bool IsInside(PlanPoint place) =>
-            ClosedPath.Contains(m_Outline, place) || ClosedPath.Distance(m_Outline, place) < k_Outside * Length;
+            Polygon.Contains(m_Outline, place) || Polygon.Distance(m_Outline, place) < k_Outside * Length;
 
         private static int LeastShare(RadialVein[] followed, double[] shares)
         {

@@ -33,7 +33,7 @@ namespace Alate.Fitting
         /// <param name="count">At least 2.</param>
         public static PlanPoint[] Place(IReadOnlyList<PlanPoint> path, int count)
         {
-            PlanPoint[] places = OpenPath.Even(path, k_Places * k_Steps + 1);
+            PlanPoint[] places = Polyline.Even(path, k_Places * k_Steps + 1);
             int[] at = Choose(places, count);
             for (int step = k_Steps / 2; step > 0; step /= 2)
                 Move(places, at, step);

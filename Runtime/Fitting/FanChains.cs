@@ -102,7 +102,7 @@ namespace Alate.Fitting
         private static List<PlanPoint> Straightened(List<PlanPoint> level, double share)
         {
             PlanPoint root = level[0], tip = level[level.Count - 1];
-            PlanPoint[] path = OpenPath.Even(level, k_Places);
+            PlanPoint[] path = Polyline.Even(level, k_Places);
             for (int k = 1; k < k_Places - 1; k++)
                 path[k] += (root + (tip - root) * ((double)k / (k_Places - 1)) - path[k]) * share;
             return new List<PlanPoint>(path);
@@ -113,7 +113,7 @@ namespace Alate.Fitting
         {
             if (tail is OutlineStretch beyond)
                 path.Add(m_Marks.Trimmed.EndOf(beyond));
-            PlanPoint[] chain = OpenPath.Even(path, joints);
+            PlanPoint[] chain = Polyline.Even(path, joints);
             ChainInset.Apply(chain, m_Outline);
             return chain;
         }

@@ -1,27 +1,19 @@
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Fitting
 {
     /// <summary>Sorts triangles into pieces that hang together by their corners.</summary>
-    internal sealed class SheetPieces
+    internal static class SheetPieces
     {
-        private readonly int[] m_Parents;
-
-        private SheetPieces(int places)
-        {
-            m_Parents = new int[places];
-            for (int k = 0; k < places; k++)
-                m_Parents[k] = k;
-        }
-
         /// <summary>The pieces, the one with the largest area first.</summary>
         /// <param name="points">[place]</param>
         /// <param name="triangles">Places.</param>
         /// <param name="junctions">Pairs of places that hang together too.</param>
         public static List<List<int3>> Of(float3[] points, IReadOnlyList<int3> triangles, List<(int A, int B)> junctions)
         {
-            var joined = new SheetPieces(points.Length);
+            var joined = new DisjointSets(points.Length);
             foreach (int3 t in triangles)
             {
                 joined.Join(t.x, t.y);
@@ -35,7 +27,7 @@ namespace Alate.Fitting
             var pieces = new List<List<int3>>();
             foreach (int3 t in triangles)
             {
-                int root = joined.Root(t.x);
+                int root = joined.Find(t.x);
                 if (!numbers.TryGetValue(root, out int piece))
                 {
                     numbers.Add(root, piece = pieces.Count);
@@ -59,26 +51,6 @@ namespace Alate.Fitting
             foreach (int3 t in triangles)
                 doubled += math.length(math.cross(points[t.y] - points[t.x], points[t.z] - points[t.x]));
             return 0.5 * doubled;
-        }
-
-        private void Join(int a, int b)
-        {
-            int first = Root(a), second = Root(b);
-            if (first < second)
-                m_Parents[second] = first;
-            else
-                m_Parents[first] = second;
-        }
-
-        private int Root(int place)
-        {
-            while (m_Parents[place] != place)
-            {
-                m_Parents[place] = m_Parents[m_Parents[place]];
-                place = m_Parents[place];
-            }
-
-            return place;
         }
     }
 }

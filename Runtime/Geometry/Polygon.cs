@@ -49,5 +49,114 @@ namespace Alate.Geometry
 
             return inside;
         }
+
+        /// <summary>Length of all its sides.</summary>
+        public static double Length(IReadOnlyList<PlanPoint> corners)
+        {
+            double length = 0.0;
+            for (int k = 0; k < corners.Count; k++)
+                length += Math.Sqrt((corners[(k + 1) % corners.Count] - corners[k]).LengthSquared);
+            return length;
+        }
+
+        /// <summary>Distance of a point from its sides.</summary>
+        public static double Distance(IReadOnlyList<PlanPoint> corners, PlanPoint point)
+        {
+            double least = double.MaxValue;
+            for (int k = 0, before = corners.Count - 1; k < corners.Count; before = k++)
+                least = Math.Min(least, PlanPoint.DistanceSquared(point, corners[before], corners[k]));
+            return Math.Sqrt(least);
+        }
+
+        /// <summary>The longer side of its bounds.</summary>
+        public static double Extent(IReadOnlyList<PlanPoint> corners)
+        {
+            double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
+            foreach (PlanPoint point in corners)
+            {
+                left = Math.Min(left, point.x);
+                right = Math.Max(right, point.x);
+                low = Math.Min(low, point.z);
+                high = Math.Max(high, point.z);
+            }
+
+            return Math.Max(right - left, high - low);
+        }
+
+        /// <summary>The polygon with every corner moved towards the middle of its neighbours, some times over (weights ¼, ½, ¼).</summary>
+        public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> corners, int rounds)
+        {
+            int count = corners.Count;
+            var from = new PlanPoint[count];
+            var to = new PlanPoint[count];
+            for (int k = 0; k < count; k++)
+                to[k] = corners[k];
+            for (int round = 0; round < rounds; round++)
+            {
+                (from, to) = (to, from);
+                for (int k = 0; k < count; k++)
+                    to[k] = from[k] * 0.5 + (from[(k + count - 1) % count] + from[(k + 1) % count]) * 0.25;
+            }
+
+            return to;
+        }
+
+        /// <summary>Some of its corners, chosen so that no other lies further than a tolerance from the polygon through them (Douglas and Peucker, 1973).</summary>
+        public static PlanPoint[] Simplified(PlanPoint[] corners, double tolerance)
+        {
+            int first = Farthest(corners, corners[0]), second = Farthest(corners, corners[first]);
+            (first, second) = (Math.Min(first, second), Math.Max(first, second));
+            var kept = new bool[corners.Length];
+            kept[first] = kept[second] = true;
+            var open = new Stack<(int From, int To)>();
+            open.Push((first, second));
+            open.Push((second, first + corners.Length));
+            while (open.Count > 0)
+            {
+                (int from, int to) = open.Pop();
+                int worst = Worst(corners, from, to, tolerance);
+                if (worst < 0)
+                    continue;
+                kept[worst % corners.Length] = true;
+                open.Push((from, worst));
+                open.Push((worst, to));
+            }
+
+            var simplified = new List<PlanPoint>();
+            for (int k = 0; k < corners.Length; k++)
+            {
+                if (kept[k])
+                    simplified.Add(corners[k]);
+            }
+
+            return simplified.ToArray();
+        }
+
+        private static int Farthest(PlanPoint[] corners, PlanPoint from)
+        {
+            int farthest = 0;
+            for (int k = 1; k < corners.Length; k++)
+            {
+                if ((corners[k] - from).LengthSquared > (corners[farthest] - from).LengthSquared)
+                    farthest = k;
+            }
+
+            return farthest;
+        }
+
+        // Indices beyond the last one begin again.
+        private static int Worst(PlanPoint[] corners, int from, int to, double tolerance)
+        {
+            int worst = -1;
+            double most = tolerance * tolerance;
+            for (int k = from + 1; k < to; k++)
+            {
+                double distance = PlanPoint.DistanceSquared(corners[k % corners.Length], corners[from % corners.Length], corners[to % corners.Length]);
+                if (distance > most)
+                    (worst, most) = (k, distance);
+            }
+
+            return worst;
+        }
     }
 }

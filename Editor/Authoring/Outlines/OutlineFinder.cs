@@ -18,8 +18,8 @@ namespace Alate.Authoring
         {
             List<PlanPoint> rim = ContourTracer.Longest(wing.SignedField());
             rim.Reverse();
-            PlanPoint[] smooth = ClosedPath.Smoothed(rim.ConvertAll(p => new PlanPoint(p.x * factor, -p.z * factor)), k_SmoothingRounds);
-            return ClosedPath.Simplified(smooth, Math.Max(k_LeastTolerance * factor, k_Tolerance * ClosedPath.Extent(smooth)));
+            PlanPoint[] smooth = Polygon.Smoothed(rim.ConvertAll(p => new PlanPoint(p.x * factor, -p.z * factor)), k_SmoothingRounds);
+            return Polygon.Simplified(smooth, Math.Max(k_LeastTolerance * factor, k_Tolerance * Polygon.Extent(smooth)));
         }
     }
 }

@@ -83,14 +83,14 @@ namespace Alate.Authoring
             }
 
             double along = PlanPoint.Dot(corner - first, line) / line.LengthSquared - 0.5;
-            bool isTriangle = 0.5 * farthest >= k_TriangleShare * ClosedPath.Area(outline);
+            bool isTriangle = 0.5 * farthest >= k_TriangleShare * Polygon.Area(outline);
             return isTriangle && Math.Abs(along) > k_OffMiddle ? along > 0.0 ? first : last : (PlanPoint?)null;
         }
 
         // The area within a circle about an end, the larger the less of the whole wing is seen.
         private static double Room(RimLine rim, PlanPoint end, PlanPoint inward)
         {
-            double reach = k_Reach * ClosedPath.Extent(rim.Points), near = 0.0, all = 0.0;
+            double reach = k_Reach * Polygon.Extent(rim.Points), near = 0.0, all = 0.0;
             PlanPoint from = end + inward * (1e-3 * reach);
             for (int k = 0; k < k_Rays; k++)
             {
@@ -101,7 +101,7 @@ namespace Alate.Authoring
                 all += seen * seen;
             }
 
-            double share = all * Math.PI / k_Rays / ClosedPath.Area(rim.Points);
+            double share = all * Math.PI / k_Rays / Polygon.Area(rim.Points);
             return near / Math.Pow(Math.Min(1.0, Math.Max(k_LeastSeen, share)), k_SeenPower);
         }
 

@@ -95,13 +95,13 @@ namespace Alate.Authoring
             path.Add(tip);
             if (IsRim(way))
                 return false;
-            vein = new RadialVein(VeinPath.Smoothed(path, 0.01 * m_Length), m_Rim.Nearest(tip), covered / whole);
+            vein = new RadialVein(Polyline.Smoothed(path, 0.01 * m_Length), m_Rim.Nearest(tip), covered / whole);
             return true;
         }
 
         private bool IsRim(List<int> way)
         {
-            double close = Math.Min(k_RimLine * m_Length, k_RimChord * ClosedPath.Area(m_Rim.Points) / m_Length);
+            double close = Math.Min(k_RimLine * m_Length, k_RimChord * Polygon.Area(m_Rim.Points) / m_Length);
             int along = way.FindAll(pixel => (m_Rim.At(m_Rim.Nearest(m_Graph[pixel])) - m_Graph[pixel]).LengthSquared < close * close).Count;
             return along > k_AlongRim * way.Count;
         }

@@ -40,7 +40,7 @@ namespace Alate.Authoring
             m_Followed = followed;
             m_Rim = rim;
             m_Length = length;
-            double meanChord = ClosedPath.Area(rim.Points) / length;
+            double meanChord = Polygon.Area(rim.Points) / length;
             m_Apart = Math.Min(k_FromOthers * length, k_FromNeighbours * meanChord / (fitted.Count - 1));
             Chains = new PlanPoint[fitted.Count][];
             Shares = new double[fitted.Count];
@@ -88,8 +88,8 @@ namespace Alate.Authoring
                 path.Add(vein[k]);
             PlanPoint last = path[path.Count - 1] - path[path.Count - 2];
             path[path.Count - 1] = path[path.Count - 1] - last * Math.Min(0.9, k_Inside * m_Length / Math.Sqrt(last.LengthSquared));
-            Shares[chain] = 1.0 - Math.Sqrt((path[1] - path[0]).LengthSquared) / VeinPath.Length(path);
-            return VeinPath.Resampled(path, m_Fitted[chain].Length);
+            Shares[chain] = 1.0 - Math.Sqrt((path[1] - path[0]).LengthSquared) / Polyline.Length(path);
+            return Polyline.Even(path, m_Fitted[chain].Length);
         }
 
         // Where the vein came from, if that lies on the base; else where the fitted chain begins.
@@ -110,7 +110,7 @@ namespace Alate.Authoring
         {
             for (int other = 0; other < m_Followed.Length; other++)
             {
-                if (other != chain && m_Followed[other] != null && VeinPath.Distance(m_Followed[other].Path, point) < m_Apart)
+                if (other != chain && m_Followed[other] != null && Polyline.Distance(m_Followed[other].Path, point) < m_Apart)
                     return false;
             }
 

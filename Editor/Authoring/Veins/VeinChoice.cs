@@ -79,10 +79,10 @@ namespace Alate.Authoring
         // The first chain leaves the leading edge for no vein.
         private static double LeadingGain(PlanPoint[] chain, RadialVein vein, double length)
         {
-            PlanPoint[] even = VeinPath.Resampled(vein.Path, 24);
+            PlanPoint[] even = Polyline.Even(vein.Path, 24);
             double most = 0.0;
             for (int k = 4; k < even.Length; k++)
-                most = Math.Max(most, VeinPath.Distance(chain, even[k]));
+                most = Math.Max(most, Polyline.Distance(chain, even[k]));
             return most < k_LeadingEdge * length ? k_Reach * k_Reach * vein.Coverage : 0.0;
         }
 

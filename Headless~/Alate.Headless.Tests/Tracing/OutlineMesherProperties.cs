@@ -33,7 +33,7 @@ namespace Alate.Tests
                 }
 
                 Assert.That(worst, Is.GreaterThan(0.4), "1 is equilateral; a right-angled triangle with an angle of 15° has 0.43");
-                Assert.That(sum, Is.EqualTo(ClosedPath.Area(mesh.points[..rim])).Within(1e-9 * sum));
+                Assert.That(sum, Is.EqualTo(Polygon.Area(mesh.points[..rim])).Within(1e-9 * sum));
             }).QuickCheckThrowOnFailure();
         }
 
@@ -41,9 +41,9 @@ namespace Alate.Tests
         {
             PlanPoint[] outline = Array.ConvertAll(
                 RandomWings.Make(seed).Outline(900), corner => new PlanPoint(1000.0 * corner.x, 1000.0 * corner.z));
-            if (ClosedPath.Area(outline) < 0.0)
+            if (Polygon.Area(outline) < 0.0)
                 Array.Reverse(outline);
-            return ClosedPath.Simplified(outline, 0.4);
+            return Polygon.Simplified(outline, 0.4);
         }
     }
 }

@@ -23,7 +23,7 @@ namespace Alate.Geometry
             var found = new List<(double Clearance, PlanPoint Point)>();
             if (count <= 0)
                 return new List<PlanPoint>();
-            double area = ClosedPath.Area(rim), high = 2.0 * Math.Sqrt(area / count) + 2.0 * area / ClosedPath.Length(rim);
+            double area = Polygon.Area(rim), high = 2.0 * Math.Sqrt(area / count) + 2.0 * area / Polygon.Length(rim);
             double low = k_LeastStep * Math.Sqrt(area / count);
             // The coarsest lattice that has them all; the ones nearest to the rim are left out then.
             for (int round = 0; round < k_Rounds && (round < 8 || found.Count != count); round++)

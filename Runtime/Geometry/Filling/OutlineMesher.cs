@@ -25,7 +25,7 @@ namespace Alate.Geometry
         /// <exception cref="ArgumentException">So few triangles cannot fill the outline.</exception>
         public static TriangleLinks Mesh(PlanPoint[] outline, int triangleCount, out int rimCount)
         {
-            double even = Math.Sqrt(4.0 * ClosedPath.Area(outline) / (Math.Sqrt(3.0) * triangleCount));
+            double even = Math.Sqrt(4.0 * Polygon.Area(outline) / (Math.Sqrt(3.0) * triangleCount));
             for (int attempt = 0; attempt < k_Tries; attempt++, even *= k_Coarser)
             {
                 // A triangulation of i points inside a rim of r has 2 i + r − 2 triangles.

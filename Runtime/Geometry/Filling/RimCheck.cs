@@ -18,7 +18,7 @@ namespace Alate.Geometry
                 }
             }
 
-            return rim.Count > 2 && ClosedPath.Area(rim) > 0.0;
+            return rim.Count > 2 && Polygon.Area(rim) > 0.0;
         }
 
         private static bool Cross(PlanPoint a, PlanPoint b, PlanPoint c, PlanPoint d)

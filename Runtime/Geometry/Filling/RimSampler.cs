@@ -58,7 +58,7 @@ namespace Alate.Geometry
         // Distances along the outline at which it bends for good; its first point stands in where there is none.
         private static List<double> Corners(PlanPoint[] outline, RimLine line, double even)
         {
-            PlanPoint[] coarse = ClosedPath.Simplified(outline, k_CornerDeviation * even);
+            PlanPoint[] coarse = Polygon.Simplified(outline, k_CornerDeviation * even);
             var corners = new List<double>();
             int at = 0;
             for (int k = 0; k < coarse.Length; k++)

@@ -38,11 +38,11 @@ namespace Alate.Tests
             for (int side = 0; side < mesh.SideCount; side += 3)
                 sum += 0.5 * mesh.Area(mesh.corners[side], mesh.corners[side + 1], mesh.corners[side + 2]);
             PlanPoint[] loop = Rim(mesh, rim);
-            Assert.That(sum, Is.EqualTo(ClosedPath.Area(loop)).Within(1e-9 * sum), name);
-            double size = Math.Sqrt(4.0 * ClosedPath.Area(wing) / (Math.Sqrt(3.0) * triangles));
+            Assert.That(sum, Is.EqualTo(Polygon.Area(loop)).Within(1e-9 * sum), name);
+            double size = Math.Sqrt(4.0 * Polygon.Area(wing) / (Math.Sqrt(3.0) * triangles));
             Assert.That(PlanPaths.Hausdorff(loop, wing), Is.LessThan(0.5 * size), "the rim follows the outline to half a triangle's side");
             foreach (PlanPoint point in loop)
-                Assert.That(ClosedPath.Distance(wing, point), Is.LessThan(1e-3 * size), "the rim's points lie on the outline");
+                Assert.That(Polygon.Distance(wing, point), Is.LessThan(1e-3 * size), "the rim's points lie on the outline");
         }
 
         [Test]
@@ -54,7 +54,7 @@ namespace Alate.Tests
 
             PlanPoint[] loop = Rim(mesh, rim);
             for (int k = rim; k < mesh.points.Length; k++)
-                Assert.That(ClosedPath.Contains(loop, mesh.points[k]), Is.True, $"point {k}");
+                Assert.That(Polygon.Contains(loop, mesh.points[k]), Is.True, $"point {k}");
         }
 
         [Test]

@@ -40,8 +40,8 @@ namespace Alate.Tests
 
             PlanPoint[] outline = Trace(place.Draw(DrawnKind.Silhouette));
 
-            double truth = ClosedPath.Area(PlanPaths.Counterclockwise(place.Outline));
-            Assert.That(ClosedPath.Area(outline), Is.EqualTo(truth).Within(0.1 * ClosedPath.Length(outline)));
+            double truth = Polygon.Area(PlanPaths.Counterclockwise(place.Outline));
+            Assert.That(Polygon.Area(outline), Is.EqualTo(truth).Within(0.1 * Polygon.Length(outline)));
         }
 
         [Test]
@@ -122,7 +122,7 @@ namespace Alate.Tests
 
             PlanPoint[] outline = Trace(place.Draw(kind));
 
-            Assert.That(ClosedPath.Area(outline), Is.GreaterThan(0.0), "counterclockwise");
+            Assert.That(Polygon.Area(outline), Is.GreaterThan(0.0), "counterclockwise");
             double distance = PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline));
             Assert.That(distance / place.Length, Is.LessThan(k_Bound));
         }

@@ -16,7 +16,7 @@ namespace Alate.Tests
         public static PlanPoint[] Counterclockwise(Vector2[] outline)
         {
             PlanPoint[] plan = ToPlan(outline);
-            if (ClosedPath.Area(plan) < 0.0)
+            if (Polygon.Area(plan) < 0.0)
                 Array.Reverse(plan);
             return plan;
         }
@@ -29,7 +29,7 @@ namespace Alate.Tests
         {
             double least = double.MaxValue;
             foreach (Vector2[] line in lines)
-                least = Math.Min(least, VeinPath.Distance(ToPlan(line), new PlanPoint(place.x, -place.y)));
+                least = Math.Min(least, Polyline.Distance(ToPlan(line), new PlanPoint(place.x, -place.y)));
             return least;
         }
 
@@ -40,7 +40,7 @@ namespace Alate.Tests
             for (int k = 0; k < from.Length * steps; k++)
             {
                 PlanPoint a = from[k / steps], b = from[(k / steps + 1) % from.Length];
-                farthest = Math.Max(farthest, ClosedPath.Distance(to, a + (b - a) * ((double)(k % steps) / steps)));
+                farthest = Math.Max(farthest, Polygon.Distance(to, a + (b - a) * ((double)(k % steps) / steps)));
             }
 
             return farthest;

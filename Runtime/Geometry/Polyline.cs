@@ -3,8 +3,8 @@ using System.Collections.Generic;
 
 namespace Alate.Geometry
 {
-    /// <summary>Polylines in plan.</summary>
-    internal static class OpenPath
+    /// <summary>Lines through points in plan, with two ends.</summary>
+    internal static class Polyline
     {
         /// <summary>The length.</summary>
         public static double Length(IReadOnlyList<PlanPoint> path)
@@ -39,6 +39,32 @@ namespace Alate.Geometry
 
             points[count - 1] = path[path.Count - 1];
             return points;
+        }
+
+        /// <summary>The path without its jitter: even steps, each moved to the middle of its surroundings; the ends stay.</summary>
+        /// <param name="path">Two points or more.</param>
+        /// <param name="reach">About how far the surroundings go; also the length of a step, at most.</param>
+        public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> path, double reach)
+        {
+            const int rounds = 4;
+            PlanPoint[] to = Even(path, Math.Max(3, 1 + (int)Math.Ceiling(Length(path) / (0.7 * reach))));
+            for (int round = 0; round < rounds; round++)
+            {
+                var from = (PlanPoint[])to.Clone();
+                for (int k = 1; k + 1 < to.Length; k++)
+                    to[k] = from[k] * 0.5 + (from[k - 1] + from[k + 1]) * 0.25;
+            }
+
+            return to;
+        }
+
+        /// <summary>Distance of a point from the path.</summary>
+        public static double Distance(IReadOnlyList<PlanPoint> path, PlanPoint point)
+        {
+            double least = double.MaxValue;
+            for (int k = 0; k + 1 < path.Count; k++)
+                least = Math.Min(least, PlanPoint.DistanceSquared(point, path[k], path[k + 1]));
+            return Math.Sqrt(least);
         }
     }
 }
