@@ -38,10 +38,10 @@ namespace Alate.Tests.Cli
             AssertRefused("for wing-mass of monarch; it is 1E-09.", "sweep", "wing-mass", "1e-9", "1e-4", "--species", "monarch");
         }
 
-        [TestCase("firefly", "standard")]
         [TestCase("firefly", "expressive")]
-        [TestCase("fishfly", "standard")]
-        [TestCase("snailfish", "expressive")]
+        [TestCase("firefly", "standard", Category = "Long", Explicit = true)]
+        [TestCase("fishfly", "standard", Category = "Long", Explicit = true)]
+        [TestCase("snailfish", "expressive", Category = "Long", Explicit = true)]
         public void BothEndsOfTheToldRange_AreTaken(string species, string variant)
         {
             foreach (string typed in new[] { "0.001", "1000000" })

@@ -75,9 +75,16 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void RandomFins_AreFittedAlongTheirRays_WhereverTheyAre()
+        public void RandomFins_AreFittedAlongTheirRays_WhereverTheyAre() => CheckFins(0, 15);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void MoreRandomFins_AreFittedAlongTheirRays_WhereverTheyAre() => CheckFins(15, k_Wings);
+
+        private static void CheckFins(int first, int end)
         {
-            for (int seed = 0; seed < 40; seed++)
+            for (int seed = first; seed < end; seed++)
             {
                 var random = new System.Random(seed);
                 var fin = new RayFin
