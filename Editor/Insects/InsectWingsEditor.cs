@@ -17,7 +17,7 @@ namespace Alate.Editor
             public static readonly GUIContent LayOut = new GUIContent(
                 "Lay Out Skeletons…",
                 "Lays out joint chains on all wings without a skeleton and saves them as assets, to be looked at and edited. "
-                + "Without that it is done anew whenever play begins.");
+                + "Without that it is done again whenever play begins.");
 
             public static readonly GUIContent Live = new GUIContent("Live", "What the wings do while the game plays.");
             public static readonly GUIContent Gizmos = new GUIContent("Gizmos", "What is drawn over selected insects in the scene view; kept on this machine, not in the scene.");

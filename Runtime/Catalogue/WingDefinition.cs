@@ -34,7 +34,7 @@ namespace Alate.Catalogue
         /// <summary>The measured outline, straight between its landmarks; the skeleton follows it.</summary>
         public WingOutline Outline { get; }
 
-        /// <summary>The same outline rounded; the mesh fills it.</summary>
+        /// <summary>Outline with rounded corners, which the mesh fills.</summary>
         public WingOutline Contour { get; }
 
         /// <summary>Triangles of one wing.</summary>

@@ -50,7 +50,7 @@ namespace Alate.Fitting
         /// <summary>Arc length of the end.</summary>
         public double Place { get; }
 
-        /// <summary>That it is the base, 0 to 1.</summary>
+        /// <summary>Confidence that this end is the base, 0 to 1.</summary>
         public double Confidence { get; }
 
         // From the second moments of the boundary about the centre.

@@ -43,7 +43,7 @@ namespace Alate
         /// <summary>No problem.</summary>
         internal static InsectProblem None => new InsectProblem(InsectState.Ready, -1, "");
 
-        /// <summary>The same, said of an insect.</summary>
+        /// <summary>Message that names the insect.</summary>
         internal InsectProblem Of(string insect)
         {
             string where = Wing < 0 ? $"'{insect}'" : $"'{insect}', wing {Wing}";

@@ -55,7 +55,7 @@ namespace Alate
             set => m_Preset = value;
         }
 
-        /// <summary>The wings. The list may be changed at any time; what changed is built anew in the next frame.</summary>
+        /// <summary>The wings. The list may be changed at any time; what changed is rebuilt in the next frame.</summary>
         public List<Wing> Wings => m_Wings;
 
         /// <summary>When the wings are stepped.</summary>
@@ -140,7 +140,7 @@ namespace Alate
         }
 
         /// <summary>Tells the wings that the insect is moved to another place in this frame: the move is not felt as motion.</summary>
-        /// <param name="keepMotion">Whether the wings beat on; otherwise they start anew.</param>
+        /// <param name="keepMotion">Whether the wings beat on; otherwise they start over.</param>
         public void Teleport(bool keepMotion = true)
         {
             if (Live == null)
@@ -162,7 +162,7 @@ namespace Alate
             return found.Count;
         }
 
-        /// <summary>Takes up changes that a script made to the content of the authored meshes; all insects that share them are built anew in the next frame.</summary>
+        /// <summary>Takes up changes that a script made to the content of the authored meshes; all insects that share them are rebuilt in the next frame.</summary>
         public void Rebuild()
         {
             for (int mesh = 0; Live != null && mesh < Live.meshes.Count; mesh++)

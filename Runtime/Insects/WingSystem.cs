@@ -93,7 +93,7 @@ namespace Alate
 
         private void LateUpdate()
         {
-            // Without a crowd it was left over from before the scripts were compiled anew, or was made by somebody else.
+            // Without a crowd it was left over from before the scripts were compiled again, or was made by somebody else.
             if (m_Crowd == null || Time.realtimeSinceStartupAsDouble - m_EmptySince >= Patience)
                 End();
             else

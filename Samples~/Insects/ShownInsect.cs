@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Samples
 {
-    /// <summary>One species in its place: made anew for each variant, in flight at two thirds of its full drive.</summary>
+    /// <summary>One species in its place: made again for each variant, in flight at two thirds of its full drive.</summary>
     internal sealed class ShownInsect
     {
         private const float k_WingLength = 0.8f, k_ShareOfFullSpeed = 0.65f;

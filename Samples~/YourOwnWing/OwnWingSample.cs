@@ -64,7 +64,7 @@ namespace Alate.Samples
 
         private void OnDestroy() => Clear();
 
-        // Everything anew, up to the step that is wanted.
+        // All steps again, up to the step that is wanted.
         private void Build()
         {
             Clear();

@@ -45,7 +45,7 @@ namespace Alate.Authoring
         /// <summary>The end, on the outline.</summary>
         public PlanPoint Place { get; }
 
-        /// <summary>That it is the hinge, 0 to 1.</summary>
+        /// <summary>Confidence that this end is the hinge, 0 to 1.</summary>
         public double Confidence { get; }
 
         public static PointedEnd Of(PlanPoint[] outline)

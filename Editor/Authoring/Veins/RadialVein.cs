@@ -22,7 +22,7 @@ namespace Alate.Authoring
 
         public double Coverage { get; }
 
-        /// <summary>The same vein in a picture so many times as large.</summary>
+        /// <summary>Vein in a picture that is larger by a factor.</summary>
         public RadialVein Scaled(double factor) => new RadialVein(Array.ConvertAll(Path, point => point * factor), RimDistance * factor, Coverage);
     }
 }

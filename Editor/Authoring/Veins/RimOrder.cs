@@ -31,7 +31,7 @@ namespace Alate.Authoring
             return behind <= m_Base ? behind : behind - m_Rim.Length;
         }
 
-        /// <summary>The same of the place closest to a point.</summary>
+        /// <summary>Order of the place on the rim closest to a point.</summary>
         public double Of(PlanPoint point) => Of(m_Rim.Nearest(point));
 
         private double Wrapped(double distance)

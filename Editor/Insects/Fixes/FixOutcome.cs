@@ -15,7 +15,7 @@ namespace Alate.Editor
         /// <summary>One or two sentences for the user; empty when there is nothing to add to what he sees.</summary>
         public string Message { get; }
 
-        /// <summary>It is mended.</summary>
+        /// <summary>Outcome of a fix that worked.</summary>
         public static FixOutcome Done(string message = "") => new FixOutcome(true, message);
 
         /// <summary>Nothing was changed.</summary>

@@ -56,7 +56,7 @@ namespace Alate.Editor
                 "Whole skeleton",
                 Make("Mirror Onto Other Side", KeyCode.M, false, "Makes the other wing's skeleton the mirror image of this one.",
                     editing => editing.MirrorOntoTwin()),
-                Make("Lay Out Anew", KeyCode.None, false,
+                Make("Lay Out Again", KeyCode.None, false,
                     "Makes hinge, axes and chains from the mesh alone, in place of those there are.", LayOut),
                 Make("Mend", KeyCode.None, false,
                     "Makes complete chains of finite joints where counts differ or numbers are broken.", Mend)),
@@ -130,7 +130,7 @@ namespace Alate.Editor
         private static EditOutcome LayOut(SkeletonEditing editing)
         {
             editing.Start(out EditStart start);
-            return editing.Commit("Lay Out Anew", start, LayOutCommand.Make(editing.Skeleton, editing.Surface, editing.Known));
+            return editing.Commit("Lay Out Again", start, LayOutCommand.Make(editing.Skeleton, editing.Surface, editing.Known));
         }
 
         private static EditOutcome Mend(SkeletonEditing editing)

@@ -29,7 +29,7 @@ namespace Alate.Editor
         /// <summary>The wing's mesh, to snap to; may be null.</summary>
         public SnapSurface Surface { get; set; }
 
-        /// <summary>What is known for laying the skeleton out anew.</summary>
+        /// <summary>Settings for laying the skeleton out again.</summary>
         public SkeletonFitSettings Known { get; set; } = SkeletonFitSettings.Default;
 
         /// <summary>The other wing's skeleton where there is one; null where not.</summary>

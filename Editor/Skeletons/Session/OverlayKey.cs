@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>What a picture over a wing was made of, to tell whether it has to be made anew.</summary>
+    /// <summary>What a picture over a wing was made of, to tell whether it has to be made again.</summary>
     internal readonly struct OverlayKey : IEquatable<OverlayKey>
     {
         private readonly SkeletonTarget m_Target;
@@ -26,7 +26,7 @@ namespace Alate.Editor
             m_Preset = preset;
         }
 
-        /// <summary>The same with what colours depend on too.</summary>
+        /// <summary>Key with the values that colours depend on too.</summary>
         public OverlayKey With(RigColourMode? colours, IReadOnlyList<JointIndex> selected, int preset)
         {
             int selection = selected.Count;

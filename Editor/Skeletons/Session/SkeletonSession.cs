@@ -87,7 +87,7 @@ namespace Alate.Editor
             return outcome;
         }
 
-        /// <summary>Whether a skeleton was destroyed or a wing's object is gone, so that the session has to be begun anew.</summary>
+        /// <summary>Whether a skeleton was destroyed or a wing's object is gone, so that the session has to be begun again.</summary>
         public bool IsStale() => m_Targets.Exists(target => target.Skeleton == null || (target.Place is object && target.Place == null));
 
         /// <summary>Selects some joints of a skeleton, and makes it the active one.</summary>

@@ -47,7 +47,7 @@ namespace Alate.Editor
         /// <summary>The preset by which it beats; null for a monarch.</summary>
         public WingPreset Species { get; set; }
 
-        /// <summary>What is known for laying the skeleton out anew: where the insect is and how it lies, in the wing's space.</summary>
+        /// <summary>Settings for laying the skeleton out again: where the insect is and how it lies, in the wing's space.</summary>
         public SkeletonFitSettings Known()
         {
             SkeletonFitSettings known = SkeletonFitSettings.Default;

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// What is shown over the active wing: its shape at a phase of the beat, and the colours and weaknesses of its rig. Made anew only when the
+    /// What is shown over the active wing: its shape at a phase of the beat, and the colours and weaknesses of its rig. Made again only when the
     /// skeleton, the preset, the selection or a setting has changed. Dispose it.
     /// </summary>
     internal sealed class WingOverlay : IDisposable

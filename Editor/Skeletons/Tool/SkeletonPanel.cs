@@ -14,7 +14,7 @@ namespace Alate.Editor
 
         private static class Content
         {
-            public static readonly GUIContent Chains = new GUIContent("Chains", "3 to 16. Another number lays the same fan out anew.");
+            public static readonly GUIContent Chains = new GUIContent("Chains", "3 to 16. Another number lays the same fan out again.");
             public static readonly GUIContent Joints = new GUIContent("Joints", "Joints of each chain, 3 to 16. Another number spaces them evenly.");
             public static readonly GUIContent Symmetric = new GUIContent("Symmetric (Shift+M)", "Do everything to the wing on the other side too.");
             public static readonly GUIContent Labels = new GUIContent("Labels", "Number chains and joints.");

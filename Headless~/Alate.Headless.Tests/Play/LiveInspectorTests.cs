@@ -82,14 +82,14 @@ namespace Alate.Tests.Play
             m_Editor.serializedObject.ApplyModifiedProperties();
             yield return Frames(60);
 
-            Assert.That(insect.Live.wings[0], Is.SameAs(live), "the insect was built anew");
+            Assert.That(insect.Live.wings[0], Is.SameAs(live), "the insect was rebuilt");
             Assert.That(insect.Read(0).Beats, Is.GreaterThan(beats));
             Assert.That(insect.Read(0).Amplitude.x, Is.EqualTo(0.5f * range).Within(0.02f * range));
             Assert.That(insect.Read(1).Amplitude.x, Is.EqualTo(range).Within(0.02f * range));
 
             Undo.PerformUndo();
             yield return Frames(60);
-            Assert.That(insect.Live.wings[0], Is.SameAs(live), "undo built the insect anew");
+            Assert.That(insect.Live.wings[0], Is.SameAs(live), "undo rebuilt the insect");
             Assert.That(insect.Read(0).Amplitude.x, Is.EqualTo(range).Within(0.02f * range));
         }
 

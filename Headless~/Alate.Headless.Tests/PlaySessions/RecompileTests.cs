@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.PlaySessions
 {
-    /// <summary>Scripts that are compiled anew during play: static fields are lost, objects stay.</summary>
+    /// <summary>Scripts that are compiled again during play: static fields are lost, objects stay.</summary>
     public sealed class RecompileTests
     {
         [TearDown]

@@ -82,7 +82,7 @@ internal sealed class SerializedNode
         return true;
     }
 
-    /// <summary>Writes the fields that differ from what was read into the object; structs and classes in them are made anew.</summary>
+    /// <summary>Writes the fields that differ from what was read into the object; structs and classes in them are made again.</summary>
     public void Write(object owner, SerializedNode before)
     {
         for (int i = 0; i < Children.Count; i++)

@@ -48,13 +48,13 @@ namespace Alate.Catalogue
             };
         }
 
-        /// <summary>The same piece with its points moved; normals follow.</summary>
+        /// <summary>Piece with its points moved; normals follow.</summary>
         public BodyPart Moved(Func<Vector3, Vector3> move)
         {
             return Of(Array.ConvertAll(Positions, place => move(place)), Uvs, Triangles, Extent);
         }
 
-        /// <summary>The same piece with other normals.</summary>
+        /// <summary>Piece with other normals.</summary>
         public BodyPart WithNormals(Vector3[] normals)
         {
             return new BodyPart { Positions = Positions, Normals = normals, Uvs = Uvs, Triangles = Triangles, Extent = Extent };

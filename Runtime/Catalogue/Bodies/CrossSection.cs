@@ -62,7 +62,7 @@ namespace Alate.Catalogue
             return new Vector2(HalfWidth * sine, (cosine > 0f ? Above : Below) * cosine + Arch * (1f - sine * sine));
         }
 
-        /// <summary>The same slice, wider and higher by a factor.</summary>
+        /// <summary>Slice that is wider and higher by a factor.</summary>
         public CrossSection Swollen(float factor) => new CrossSection(Centre, factor * HalfWidth, factor * Above, factor * Below, Arch);
     }
 }

@@ -33,7 +33,7 @@ namespace Alate.Catalogue
         /// <summary>The body's colours.</summary>
         public Material BodyMaterial { get; set; }
 
-        /// <summary>Makes everything anew; the caller owns it.</summary>
+        /// <summary>Makes everything again; the caller owns it.</summary>
         /// <param name="species">Of what insect.</param>
         /// <param name="keepPixels">Whether the textures of the materials can be read, to be saved.</param>
         /// <exception cref="InvalidOperationException">No shader was found.</exception>

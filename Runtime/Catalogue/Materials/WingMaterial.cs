@@ -45,7 +45,7 @@ namespace Alate.Catalogue
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
         public static Material ForWing(WingDefinition wing, int textureSize = DefaultTextureSize) => ForWing(wing, textureSize, false);
 
-        /// <summary>The same, where the pixels are asked for with a texture that can be read and saved.</summary>
+        /// <summary>Material of a wing whose texture can be read and saved.</summary>
         internal static Material ForWing(WingDefinition wing, int textureSize, bool keepPixels)
         {
             if (wing == null)

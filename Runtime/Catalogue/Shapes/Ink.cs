@@ -72,7 +72,7 @@ namespace Alate.Catalogue
             return points;
         }
 
-        /// <summary>The same points with both ends led on straight, so that a band along them does not end in a round.</summary>
+        /// <summary>Points with both ends led on straight, so that a band along them does not end in a round.</summary>
         public static List<double> Extended(List<double> points, double by)
         {
             var last = points.Count - 2;

@@ -69,7 +69,7 @@ namespace Alate.Catalogue
         /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and <see cref="MaxTriangles"/>.</exception>
         public static SurfaceMesh Fill(WingOutline outline, int triangleCount, float scale = 1f) => Fill(outline, null, triangleCount, scale);
 
-        /// <summary>The same with a scalloped margin; null for none.</summary>
+        /// <summary>Mesh of an outline with a scalloped margin; null for none.</summary>
         internal static SurfaceMesh Fill(WingOutline outline, RimScallops scallops, int triangleCount, float scale)
         {
             Check(outline, triangleCount);

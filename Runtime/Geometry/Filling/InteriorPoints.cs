@@ -17,7 +17,7 @@ namespace Alate.Geometry
         /// <summary>Sideways shift of the lattice, in steps, so that it never lies on lines of the outline.</summary>
         private const double k_ShiftX = 0.137, k_ShiftZ = 0.291;
 
-        /// <summary>That many places inside; fewer where there is no room.</summary>
+        /// <summary>Points inside the rim, as many as asked for; fewer where there is no room.</summary>
         public static List<PlanPoint> Place(List<PlanPoint> rim, int count)
         {
             var found = new List<(double Clearance, PlanPoint Point)>();

@@ -37,7 +37,7 @@ namespace Alate
         /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
         public WingSkeleton Fit(in WingSurface surface) => FitWithNotes(surface).Skeleton;
 
-        /// <summary>The same, with how sure it is.</summary>
+        /// <summary>Skeleton laid out from the mesh, with the confidence in it.</summary>
         /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
         public SkeletonFit FitWithNotes(in WingSurface surface)
         {

@@ -113,7 +113,7 @@ namespace Alate
             m_Moved[(int)ClockId.Own] = true;
         }
 
-        /// <summary>Starts an insect's wings anew.</summary>
+        /// <summary>Starts an insect's wings again.</summary>
         public void Restart(LiveInsect live)
         {
             World.Complete();

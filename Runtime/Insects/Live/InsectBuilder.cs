@@ -21,7 +21,7 @@ namespace Alate
         /// <summary>An insect without meshes and wings.</summary>
         public LiveInsect Create(InsectWings insect) => new LiveInsect(insect, m_NextOwner++);
 
-        /// <summary>Follows what was made anew but says the same.</summary>
+        /// <summary>Follows what was made again but says the same.</summary>
         /// <returns>False when meshes, wings or skeletons are no longer those that the insect was built of.</returns>
         public bool KeepUp(LiveInsect live)
         {

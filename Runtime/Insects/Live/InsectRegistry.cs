@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Who of the insects lives, who waits to, who cannot, and who has gone but must still be taken out of the world.</summary>
+    /// <summary>Insects that live, wait to start, cannot start, or have gone and must still be taken out of the world.</summary>
     internal sealed class InsectRegistry
     {
         /// <summary>

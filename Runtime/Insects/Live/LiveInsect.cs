@@ -91,7 +91,7 @@ namespace Alate
                 Start(world);
         }
 
-        /// <summary>Starts all wings anew, at the insect's phase.</summary>
+        /// <summary>Starts all wings again, at the insect's phase.</summary>
         public void Restart(WingWorld world)
         {
             foreach (LiveWing wing in wings)
@@ -165,7 +165,7 @@ namespace Alate
         }
 
         /// <summary>Chooses the level of detail by what cameras see of the insect, and whether to deform its meshes.</summary>
-        /// <returns>Whether its meshes have to be drawn anew though nothing may have moved.</returns>
+        /// <returns>Whether its meshes have to be drawn again though nothing may have moved.</returns>
         public bool ChooseDetail(WingWorld world, Viewers viewers, Clocks pacer)
         {
             // No camera has had a look at a new one.

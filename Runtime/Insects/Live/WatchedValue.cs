@@ -8,7 +8,7 @@ namespace Alate
 
         private int m_FramesUnused;
 
-        /// <summary>Whether it was let go: then it is not read again, and has to be asked for anew.</summary>
+        /// <summary>Whether it was let go: then it is not read again, and has to be asked for again.</summary>
         public bool IsForgotten => m_FramesUnused > k_Patience;
 
         /// <summary>Reads the asset again. One that was destroyed keeps its last value.</summary>
@@ -21,7 +21,7 @@ namespace Alate
             return !IsForgotten;
         }
 
-        /// <summary>Somebody looks.</summary>
+        /// <summary>Notes that the value is in use.</summary>
         protected void Use()
         {
             if (!IsForgotten)

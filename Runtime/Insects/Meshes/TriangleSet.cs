@@ -24,10 +24,10 @@ namespace Alate
             }
         }
 
-        /// <summary>It has no triangle.</summary>
+        /// <summary>Whether the set has no triangle.</summary>
         public bool IsEmpty => Array.TrueForAll(m_Has, has => Array.IndexOf(has, true) < 0);
 
-        /// <summary>It has all triangles of the mesh.</summary>
+        /// <summary>Whether the set has all triangles of the mesh.</summary>
         public bool IsAll => Array.TrueForAll(m_Has, has => Array.IndexOf(has, false) < 0);
 
         /// <summary>Number of submeshes.</summary>

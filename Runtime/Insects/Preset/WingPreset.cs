@@ -70,7 +70,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The same wing in the units of the model, every value in its range. Allocates nothing.</summary>
+        /// <summary>Parameters of the wing in the units of the model, every value in its range. Allocates nothing.</summary>
         public WingParameters ToParameters()
         {
             var parameters = new WingParameters

@@ -21,7 +21,7 @@ namespace Alate
         public float metresPerUnit;
 
         /// <summary>What to do about jumps.</summary>
-        [Tooltip("What happens when the insect jumps to another place. Keep: the wings beat on. Reset: they start anew. Ignore: they feel the jump as wind.")]
+        [Tooltip("What happens when the insect jumps to another place. Keep: the wings beat on. Reset: they start over. Ignore: they feel the jump as wind.")]
         public TeleportResponse onTeleport;
 
         /// <summary>Wing lengths of one frame's unexplained move that make it a jump, 1 to 10000.</summary>

@@ -44,7 +44,7 @@ namespace Alate
         /// <inheritdoc/>
         public override int GetHashCode() => HashCode.Combine(frequencyScale, amplitudeScale, meanFlap, tilt);
 
-        /// <summary>The same within its ranges; what is no number is the preset's.</summary>
+        /// <summary>Steering with every value moved into its range; what is no number is the preset's.</summary>
         internal InsectSteering Clamped() => new InsectSteering
         {
             frequencyScale = Clamp(frequencyScale, 0.1f, 4f, 1f),

@@ -6,7 +6,7 @@ namespace Alate
         /// <summary>The wings beat on as if nothing had happened.</summary>
         Keep,
 
-        /// <summary>The wings start anew, at <see cref="InsectWings.StartPhase"/>, unbent.</summary>
+        /// <summary>The wings start over, at <see cref="InsectWings.StartPhase"/>, unbent.</summary>
         Reset,
 
         /// <summary>No move counts as a jump: the wings feel it as motion.</summary>

@@ -18,7 +18,7 @@ namespace Alate
         public readonly NativeArray<int> jointVertices;
         public readonly RigView view;
 
-        /// <summary>The same with few patches.</summary>
+        /// <summary>View of the rig with few patches.</summary>
         public readonly RigView coarseView;
 
         private readonly List<IDisposable> m_Owned = new List<IDisposable>();

@@ -54,7 +54,7 @@ namespace Alate
             };
         }
 
-        /// <summary>The same arrays, not copied, as a rig is baked from them.</summary>
+        /// <summary>Surface over these arrays, not copied, from which a rig is baked.</summary>
         public WingSurface ToWingSurface(string name)
         {
             return new WingSurface { name = name, positions = positions, normals = normals, triangles = triangles };

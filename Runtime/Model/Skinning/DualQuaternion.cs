@@ -26,7 +26,7 @@ namespace Alate
         public static DualQuaternion operator -(DualQuaternion a, DualQuaternion b) =>
             new DualQuaternion { real = a.real - b.real, dual = a.dual - b.dual };
 
-        /// <summary>The same transform, its sign chosen to lie on the side of <paramref name="pivot"/> (antipodality).</summary>
+        /// <summary>Transform with its sign chosen to lie on the side of <paramref name="pivot"/> (antipodality).</summary>
         public DualQuaternion AlignedWith(in DualQuaternion pivot)
         {
             float sign = math.dot(real, pivot.real) < 0f ? -1f : 1f;

@@ -24,7 +24,7 @@ namespace Alate
             this.z = z;
         }
 
-        /// <summary>The same vector in all four wings.</summary>
+        /// <summary>Vector with equal components in all four wings.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public SoaFloat3(float3 v)
         {

@@ -23,16 +23,16 @@ namespace Alate
         /// <summary>Latched half amplitudes of this cycle: flap, sweep, feather, radians.</summary>
         public SoaFloat3 amplitude;
 
-        /// <summary>The same, one cycle back.</summary>
+        /// <summary>Amplitudes one cycle back.</summary>
         public SoaFloat3 amplitude1;
 
-        /// <summary>The same, two cycles back.</summary>
+        /// <summary>Amplitudes two cycles back.</summary>
         public SoaFloat3 amplitude2;
 
-        /// <summary>The same, three cycles back.</summary>
+        /// <summary>Amplitudes three cycles back.</summary>
         public SoaFloat3 amplitude3;
 
-        /// <summary>The same, four cycles back: the largest delays reach three cycles back, where the amplitude glides from the one before.</summary>
+        /// <summary>Amplitudes four cycles back: the largest delays reach three cycles back, where the amplitude glides from the one before.</summary>
         public SoaFloat3 amplitude4;
 
         /// <summary>ω, the angular rate of the phase now, rad/s.</summary>

@@ -136,7 +136,7 @@ namespace Alate
         /// <summary>Bounds of <see cref="substepsPerBeat"/> and its default.</summary>
         public const int MinSubsteps = 12, MaxSubsteps = 480, DefaultSubsteps = 16;
 
-        /// <summary>The same parameters with every value moved into its range; a value that is not a number becomes its default.</summary>
+        /// <summary>Parameters with every value moved into its range; a value that is not a number becomes its default.</summary>
         public WingParameters Clamped()
         {
             var clamped = this;

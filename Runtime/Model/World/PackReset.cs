@@ -5,7 +5,7 @@ namespace Alate
     /// <summary>Puts wings of a pack back into the driven pose: on request, or because their state is not finite.</summary>
     internal static unsafe class PackReset
     {
-        /// <summary>Starts the chosen wings anew: first cycle, phase 0, driven pose, no bend, no velocity.</summary>
+        /// <summary>Starts the chosen wings again: first cycle, phase 0, driven pose, no bend, no velocity.</summary>
         public static void Restart(in WingPack pack, in StepScratch scratch, bool4 lanes)
         {
             BeatClock.Reset(ref *pack.beat, *pack.parameters, *pack.surroundings, lanes);

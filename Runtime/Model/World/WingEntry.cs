@@ -31,7 +31,7 @@ namespace Alate
         /// <summary>Whether the skinning job deforms it.</summary>
         public bool skinned = true;
 
-        /// <summary>Corners of its vertices, kept while the jobs' arrays are laid out anew.</summary>
+        /// <summary>Corners of its vertices, kept while the jobs' arrays are laid out again.</summary>
         public ChunkBounds bounds;
 
         public unsafe WingEntry(WingRig rig, int version, in WingParameters parameters)

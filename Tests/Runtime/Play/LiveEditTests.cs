@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What is changed while the wings beat is seen at once, and only what must be is built anew.</summary>
+    /// <summary>What is changed while the wings beat is seen at once, and only what must be is rebuilt.</summary>
     public sealed class LiveEditTests : FlockFixture
     {
         [UnityTest]
@@ -75,7 +75,7 @@ namespace Alate.Tests.Play
             else
                 insect.Preset = species;
             yield return null;
-            Assert.That(Beats(insect), Is.GreaterThanOrEqualTo(beats), "the beat began anew");
+            Assert.That(Beats(insect), Is.GreaterThanOrEqualTo(beats), "the beat started over");
             yield return Frames(20);
 
             Assert.That(Shown(insect, 0), Is.SameAs(living));
@@ -204,9 +204,9 @@ namespace Alate.Tests.Play
             yield return Frames(3);
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready));
             Assert.That(Shown(insect, 0), Is.Not.SameAs(changed));
-            Assert.That(Shown(insect, 1), Is.SameAs(other), "the other wing was built anew");
+            Assert.That(Shown(insect, 1), Is.SameAs(other), "the other wing was rebuilt");
             Assert.That(Farthest(Joints(insect, 1), Joints(twin, 1)), Is.LessThan(1e-5f));
-            Assert.That(Beats(insect), Is.EqualTo(Beats(twin)).Within(1e-3f), "the wing began its beat anew");
+            Assert.That(Beats(insect), Is.EqualTo(Beats(twin)).Within(1e-3f), "the wing began its beat over");
         }
 
         [UnityTest]

@@ -124,7 +124,7 @@ namespace Alate.Tests.Play
             }
 
             Assert.That(insect.Live.flight.velocity.z, Is.EqualTo(2400f).Within(24f));
-            Assert.That(Beats(insect), Is.GreaterThan(5f), "the wings began anew again and again");
+            Assert.That(Beats(insect), Is.GreaterThan(5f), "the wings started over again and again");
         }
 
         [UnityTest]
@@ -139,7 +139,7 @@ namespace Alate.Tests.Play
             }
 
             Assert.That(insect.Live.flight.angularVelocity.y, Is.EqualTo(math.radians(7200f)).Within(1f));
-            Assert.That(Beats(insect), Is.GreaterThan(5f), "the wings began anew again and again");
+            Assert.That(Beats(insect), Is.GreaterThan(5f), "the wings started over again and again");
         }
 
         [UnityTest]

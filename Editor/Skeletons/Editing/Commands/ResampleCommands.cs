@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that lay joints out anew along the chains.</summary>
+    /// <summary>Commands that lay joints out again along the chains.</summary>
     internal static class ResampleCommands
     {
         /// <summary>Spaces the joints of the chains with a selected joint, or of all where none is selected, evenly along them. Roots and tips stay.</summary>

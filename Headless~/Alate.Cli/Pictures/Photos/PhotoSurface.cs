@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Alate.Cli.Pictures.Photos;
 
-/// <summary>A surface as a photo shows it: shaded and coloured anew at every sample.</summary>
+/// <summary>A surface as a photo shows it: shaded and coloured again at every sample.</summary>
 internal sealed class PhotoSurface
 {
     /// <summary>Half the width of the line around a wing, pixels.</summary>

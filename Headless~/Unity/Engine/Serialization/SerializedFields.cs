@@ -13,7 +13,7 @@ internal static class SerializedFields
     /// <summary>The saved fields of a type, those of base classes first.</summary>
     public static FieldInfo[] Of(Type type) => s_Known.GetOrAdd(type, Find);
 
-    /// <summary>Whether a field keeps its value when scripts are compiled anew: private ones do too, where their type can be written.</summary>
+    /// <summary>Whether a field keeps its value when scripts are compiled again: private ones do too, where their type can be written.</summary>
     public static bool SurvivesReload(FieldInfo field) =>
         IsSaved(field) || (!field.IsInitOnly && !field.IsDefined(typeof(NonSerializedAttribute)) && IsWritable(field.FieldType, inList: false));
 

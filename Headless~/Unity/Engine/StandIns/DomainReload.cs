@@ -7,12 +7,12 @@ using Object = UnityEngine.Object;
 
 namespace Unity.StandIns;
 
-/// <summary>What Unity does when scripts are compiled anew during play.</summary>
+/// <summary>What Unity does when scripts are compiled again during play.</summary>
 [StandInExtension]
 public static class DomainReload
 {
     /// <summary>
-    /// Objects hear OnDisable, lose what Unity cannot write, and hear OnEnable, but neither Awake nor Start. Static state begins anew: the methods that clear it when
+    /// Objects hear OnDisable, lose what Unity cannot write, and hear OnEnable, but neither Awake nor Start. Static state begins again: the methods that clear it when
     /// play begins without a reload stand for that.
     /// </summary>
     public static void Run()

@@ -20,7 +20,7 @@ namespace Alate
         /// <summary>The renderer as a whole is called a wing, or lies below what is only called that.</summary>
         public bool IsWing { get; private set; }
 
-        /// <summary>It is called a wing's cover, or lies below one.</summary>
+        /// <summary>Whether the renderer is named as a wing's cover, or lies below one.</summary>
         public bool IsCase { get; private set; }
 
         /// <summary>The side by the nearest name that says one.</summary>

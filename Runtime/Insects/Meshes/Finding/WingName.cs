@@ -12,16 +12,16 @@ namespace Alate
             m_IsKnown = isKnown;
         }
 
-        /// <summary>It names a wing or a fin, though perhaps with the body.</summary>
+        /// <summary>Whether the name is that of a wing or a fin, perhaps together with the body.</summary>
         public bool NamesWing => Has(WingWord.Wing) && !Has(WingWord.Case);
 
-        /// <summary>It names a wing and nothing beside it.</summary>
+        /// <summary>Whether the name is that of a wing alone.</summary>
         public bool IsWing => NamesWing && !Has(WingWord.Body | WingWord.Mount);
 
-        /// <summary>It names a wing in words that are all known, so that it speaks for what lies below it.</summary>
+        /// <summary>Whether all words of the name are known and name a wing: then it counts for the objects below too.</summary>
         public bool IsPlainWing => IsWing && m_IsKnown;
 
-        /// <summary>It names the cover of a wing, or a haltere.</summary>
+        /// <summary>Whether the name is that of a wing's cover, or of a haltere.</summary>
         public bool IsCase => Has(WingWord.Case);
 
         /// <summary>The side, if it says one.</summary>

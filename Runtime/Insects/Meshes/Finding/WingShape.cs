@@ -27,7 +27,7 @@ namespace Alate
         /// <summary>Share of the area that is right of the middle plane.</summary>
         public readonly float rightShare;
 
-        /// <summary>It is thin and mostly even, as wings are and bodies and legs are not.</summary>
+        /// <summary>Whether the mesh is thin and mostly even, as wings are and bodies and legs are not.</summary>
         public readonly bool isSheet;
 
         private WingShape(float area, Vector3 centroid, Bounds bounds, float rightShare, bool isSheet)

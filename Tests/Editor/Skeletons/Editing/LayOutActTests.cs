@@ -11,7 +11,7 @@ namespace Alate.Editor.Tests
         {
             Skeleton.Chains = null;
 
-            Assert.That(Do("Lay Out Anew").Done);
+            Assert.That(Do("Lay Out Again").Done);
 
             Assert.That(Skeleton.Validate(), Is.Empty);
             Assert.That(RigInspection.TryMake(Skeleton, Surface(), 0, out _).Misfit, Is.Null);
@@ -24,7 +24,7 @@ namespace Alate.Editor.Tests
         {
             Editing.Do("Set Counts", (draft, selected) => ResampleCommands.ToCounts(draft, 7, 4));
 
-            Assert.That(Do("Lay Out Anew").Done);
+            Assert.That(Do("Lay Out Again").Done);
 
             Assert.That(Skeleton.ChainCount, Is.EqualTo(7));
             Assert.That(Skeleton.JointsPerChain, Is.EqualTo(4));
@@ -34,11 +34,11 @@ namespace Alate.Editor.Tests
         public void LayingOut_NeedsAMesh_ThatIsAWing()
         {
             Editing.Surface = null;
-            Assert.That(Do("Lay Out Anew").Message, Is.EqualTo("There is no mesh to lay the skeleton out on."));
+            Assert.That(Do("Lay Out Again").Message, Is.EqualTo("There is no mesh to lay the skeleton out on."));
 
             Editing.Surface = new SnapSurface(new WingSurface { name = "dot", positions = new[] { Vector3.zero }, triangles = new[] { 0, 0, 0 } });
             string before = SkeletonText.Of(Skeleton);
-            EditOutcome outcome = Do("Lay Out Anew");
+            EditOutcome outcome = Do("Lay Out Again");
             Assert.That(outcome.Message, Does.Contain("dot"));
             Assert.That(outcome.Message.Split(new[] { Environment.NewLine }, StringSplitOptions.None), Has.Length.EqualTo(1));
             Assert.That(SkeletonText.Of(Skeleton), Is.EqualTo(before));
