@@ -14,11 +14,15 @@ namespace Alate.Tests
         private readonly WingPreset m_Species;
         private readonly SurfaceMesh m_Mesh;
         private readonly WingFrame m_Frame;
+        private readonly bool m_ByFirstOrder;
 
-        public FittedFlight(WingDefinition wing)
+        /// <param name="wing">Whose.</param>
+        /// <param name="byFirstOrder">By <see cref="SpeciesFlight.FirstOrder"/>, whose delays do not depend on how close chains are.</param>
+        public FittedFlight(WingDefinition wing, bool byFirstOrder = false)
         {
             m_Wing = wing;
             m_Species = wing.CreatePreset();
+            m_ByFirstOrder = byFirstOrder;
             m_Mesh = wing.CreateSurface(WingSide.Right);
             WingSkeleton hand = wing.CreateSkeleton(WingSide.Right);
             WingRig rig = Bake(hand);
@@ -59,7 +63,8 @@ namespace Alate.Tests
                 gravity = new float3(0f, -k_Gravity * m_Species.Size.gravityShare / length, 0f),
                 speed = speed,
             };
-            return FlownBeat.Measure(m_Mesh, rig, m_Species.ToParameters(), surroundings, m_Frame);
+            WingParameters parameters = m_Species.ToParameters();
+            return FlownBeat.Measure(m_Mesh, rig, m_ByFirstOrder ? SpeciesFlight.FirstOrder(parameters) : parameters, surroundings, m_Frame);
         }
     }
 }

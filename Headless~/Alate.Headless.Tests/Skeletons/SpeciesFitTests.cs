@@ -63,6 +63,15 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(Wings))]
+        public void WithTheSameDelays_ItTwistsAndBows_AsTheAuthorsDoes(WingDefinition wing)
+        {
+            var flight = new FittedFlight(wing, byFirstOrder: true);
+
+            Assert.That(flight.Fitted.TwistRange, Is.EqualTo(flight.ByHand.TwistRange).Within(25).Percent, "twist");
+            Assert.That(Camber(flight.Fitted), Is.EqualTo(Camber(flight.ByHand)).Within(25).Percent, "camber");
+        }
+
+        [TestCaseSource(nameof(Wings))]
         public void Flown_ItTwistsBowsAndStretches_AsTheAuthorsDoes(WingDefinition wing)
         {
             var flight = new FittedFlight(wing);
