@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
-using System.Text;
 using Alate.Catalogue;
 using Alate.Cli.Accuracy;
 using Alate.Cli.Flights;
@@ -14,7 +13,7 @@ namespace Alate.Cli.Commands;
 /// <summary><c>convergence [SPECIES…]</c>: error of the joints against the cost of a beat, for both schemes of time.</summary>
 internal static class ConvergenceCommand
 {
-    private const string k_Picture = "convergence.svg", k_Table = "convergence.csv";
+    private static readonly ChartReport s_Report = new("convergence.svg", "convergence.csv");
 
     public static Command Create(TextWriter output)
     {
@@ -36,16 +35,9 @@ internal static class ConvergenceCommand
 
     private static void Run(ConvergencePlan plan, string path, TextWriter output)
     {
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Picture, k_Table);
         var terminal = new Terminal(output);
-        List<SpeciesConvergence> measured = null;
-        terminal.ShowProgress(plan.Flights.Count, (done, _) =>
-        {
-            measured = SpeciesConvergence.Measure(plan, done);
-            folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(ConvergencePicture.Draw(measured))));
-            folder.Write(k_Table, stream => ConvergenceTable.Write(measured, stream));
-        });
-        folder.Commit();
+        List<SpeciesConvergence> measured = s_Report.Make(
+            terminal, path, plan.Flights.Count, done => SpeciesConvergence.Measure(plan, done), ConvergencePicture.Draw, ConvergenceTable.Write);
         foreach (SpeciesConvergence species in measured)
         {
             foreach (WingConvergence wing in species.Wings)
@@ -56,7 +48,7 @@ internal static class ConvergenceCommand
             }
         }
 
-        terminal.ShowFiles(path, k_Picture, k_Table);
+        terminal.ShowFiles(path, s_Report.Picture, s_Report.Table);
     }
 
     private const string k_Examples =

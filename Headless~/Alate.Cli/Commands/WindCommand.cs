@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
-using System.Text;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;
@@ -14,7 +13,7 @@ namespace Alate.Cli.Commands;
 /// <summary><c>wind [SPECIES…]</c>: how much the mesh of wings stretches in wind from all sides, today and by version 0.1.</summary>
 internal static class WindCommand
 {
-    private const string k_Picture = "wind.svg", k_Table = "wind.csv";
+    private static readonly ChartReport s_Report = new("wind.svg", "wind.csv");
 
     public static Command Create(TextWriter output)
     {
@@ -41,23 +40,17 @@ internal static class WindCommand
 
     private static void Run(WindPlan plan, string path, TextWriter output)
     {
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Picture, k_Table);
         var terminal = new Terminal(output);
-        List<SpeciesWinds> measured = null;
-        terminal.ShowProgress(plan.Flights.Count, (done, _) =>
-        {
-            measured = SpeciesWinds.Measure(plan, done);
-            folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(WindPicture.Draw(measured, plan.InGusts))));
-            folder.Write(k_Table, stream => WindTable.Write(measured, plan.InGusts, stream));
-        });
-        folder.Commit();
+        List<SpeciesWinds> measured = s_Report.Make(
+            terminal, path, plan.Flights.Count, done => SpeciesWinds.Measure(plan, done),
+            winds => WindPicture.Draw(winds, plan.InGusts), (winds, stream) => WindTable.Write(winds, plan.InGusts, stream));
         foreach (SpeciesWinds species in measured)
         {
             foreach (WingWinds wing in species.Wings)
                 terminal.ShowTable($"{ChartSheet.Title(species.DisplayName, species.Plan.Variant)}: {wing.Name}", WindTable.Of(wing));
         }
 
-        terminal.ShowFiles(path, k_Picture, k_Table);
+        terminal.ShowFiles(path, s_Report.Picture, s_Report.Table);
     }
 
     private const string k_Examples =
