@@ -23,10 +23,10 @@ namespace Alate.Catalogue
             Sources = sources;
         }
 
-        /// <summary>The name it is asked for by: lower case, words joined by hyphens.</summary>
+        /// <summary>Name for look-ups: lower case, words joined by hyphens.</summary>
         public string Name { get; }
 
-        /// <summary>The name to show.</summary>
+        /// <summary>Display name.</summary>
         public string DisplayName { get; }
 
         /// <summary>The kinds of wings, from front to back; each comes as a right and a left one.</summary>
@@ -35,10 +35,10 @@ namespace Alate.Catalogue
         /// <summary>The body.</summary>
         public InsectBody Body { get; }
 
-        /// <summary>Where the numbers come from.</summary>
+        /// <summary>Sources of the numbers.</summary>
         public IReadOnlyList<InsectSource> Sources { get; }
 
-        /// <summary>The variants there are, the standard one first; all wings have the same.</summary>
+        /// <summary>Variants of the species, the standard one first; all its wings have the same.</summary>
         public IReadOnlyList<InsectVariant> Variants => Wings[0].Variants;
 
         /// <summary>Triangles of all wings of both sides: the number of the paper's Table 2.</summary>

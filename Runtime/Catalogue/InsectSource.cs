@@ -2,7 +2,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Where one number of a species comes from.</summary>
+    /// <summary>Source of one number of a species.</summary>
     [MovedFrom(true, "Alate", "Alate", "SpeciesSource")]
     public readonly struct InsectSource
     {
@@ -15,7 +15,7 @@ namespace Alate.Catalogue
             Variant = variant;
         }
 
-        /// <summary>What the number is, such as "wing length".</summary>
+        /// <summary>Name of the number, such as "wing length".</summary>
         public string Quantity { get; }
 
         /// <summary>The number with its unit.</summary>
@@ -24,10 +24,12 @@ namespace Alate.Catalogue
         /// <summary>The table, the paper, the measurement, or "assumed" with the reason.</summary>
         public string Source { get; }
 
-        /// <summary>The variant that has this number; what the standard one has goes for the others too, unless they have a number of their own.</summary>
+        /// <summary>
+        /// Variant that has this number; numbers of the standard variant hold for the others too, unless they have their own.
+        /// </summary>
         public InsectVariant Variant { get; }
 
-        /// <summary>All in one line.</summary>
+        /// <summary>Quantity, value and source in one line.</summary>
         public override string ToString()
         {
             var variant = Variant == InsectVariant.Standard ? "" : $", {Variant.ToString().ToLowerInvariant()}";

@@ -28,7 +28,7 @@ namespace Alate.Catalogue
             m_Changes.Add(author);
         }
 
-        /// <summary>What the wing is called among the species' wings: "wing", "fore wing", "hind wing", "fin".</summary>
+        /// <summary>Name of the wing among the species' wings: "wing", "fore wing", "hind wing", "fin".</summary>
         public string Name { get; }
 
         /// <summary>The measured outline, straight between its landmarks; the skeleton follows it.</summary>
@@ -61,7 +61,9 @@ namespace Alate.Catalogue
         /// <summary>The colouring; null leaves the mesh without vertex colours.</summary>
         public WingPattern Pattern { get; internal set; }
 
-        /// <summary>Meshed by <see cref="WingMesher.Fill(WingOutline, int, float)"/>, else by <see cref="WingMesher.Strips"/>.</summary>
+        /// <summary>
+        /// True for meshes by <see cref="WingMesher.Fill(WingOutline, int, float)"/>, false for <see cref="WingMesher.Strips"/>.
+        /// </summary>
         internal bool IsFilled { get; set; } = true;
 
         /// <summary>Hollows of the margin; null for none.</summary>
@@ -122,7 +124,7 @@ namespace Alate.Catalogue
                 : SkeletonGenerator.Generate(Contour, ChainPaths, JointsPerChain, scale, side);
         }
 
-        /// <summary>Adds a variant: what it changes on the standard one.</summary>
+        /// <summary>Adds a variant by the changes it makes to the standard one.</summary>
         internal WingDefinition With(InsectVariant variant, Action<WingPreset> change)
         {
             m_Variants.Add(variant);

@@ -5,8 +5,8 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// Joints on a path round a wing, clockwise, so that the straight bones between them follow it well: closer together where it bends,
-    /// evenly where it is straight. Of all choices the one with the least sum of the bones' costs.
+    /// Chooses joints on a path round a wing, clockwise, so that the straight bones between them follow it well: closer together where it
+    /// bends, evenly where it is straight. Of all choices, takes the one with the least sum of the bones' costs.
     /// </summary>
     internal static class BalancedJoints
     {

@@ -12,10 +12,12 @@ namespace Alate.Fitting
     /// </summary>
     internal sealed class BaseFinder
     {
-        /// <summary>How far off the outline a hinge may lie, and how far the mesh's origin to be taken for one; shares of the wing's extent.</summary>
+        /// <summary>
+        /// Largest distance of a hinge from the outline, and of the mesh's origin to be taken for a hinge; shares of the wing's extent.
+        /// </summary>
         private const double k_NearHinge = 0.1;
 
-        /// <summary>How far off the mesh's origin may lie to be taken for the body, in extents of the wing.</summary>
+        /// <summary>Largest distance of the mesh's origin to be taken for the body, in extents of the wing.</summary>
         private const double k_NearBody = 3.0;
 
         /// <summary>
@@ -50,7 +52,7 @@ namespace Alate.Fitting
                 m_Extent = Math.Max(m_Extent, 2.0 * Math.Sqrt((p - m_Centre).LengthSquared));
         }
 
-        /// <summary>Whether a hinge was given and lies at the wing.</summary>
+        /// <summary>True where a hinge was given and lies at the wing.</summary>
         public bool UsesHinge { get; private set; }
 
         /// <summary>The anchor's arc length on the outline.</summary>

@@ -8,12 +8,14 @@ namespace Alate.Fitting
     {
         private const int k_Rounds = 40;
 
-        /// <summary>Steps in which bones are checked, how far outside the wing is nothing to mind, and how far outside they are brought; wing reaches.</summary>
+        /// <summary>
+        /// Steps in which bones are checked, tolerated distance outside the wing, and the distance that a correction aims at; wing reaches.
+        /// </summary>
         private const double k_Step = 0.01;
         private const double k_Unminded = 0.004;
         private const double k_Left = 0.003;
 
-        /// <summary>A joint is moved at most this many times as far as the bone's point that it carries along.</summary>
+        /// <summary>Largest movement of a joint over that of the bone's point that it carries along.</summary>
         private const double k_MostLeverage = 3.0;
 
         /// <summary>Moves the joints between root and tip.</summary>
@@ -43,7 +45,7 @@ namespace Alate.Fitting
             best.CopyTo(joints, 0);
         }
 
-        /// <summary>How far the bones of a chain stray from the wing.</summary>
+        /// <summary>Largest distance of the bones of a chain outside the wing.</summary>
         public static double Outside(PlanPoint[] joints, ClosedCurve outline)
         {
             var moves = new PlanPoint[joints.Length];

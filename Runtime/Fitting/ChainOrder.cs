@@ -29,7 +29,7 @@ namespace Alate.Fitting
             return !Meet(chains);
         }
 
-        /// <summary>Whether a chain meets another.</summary>
+        /// <summary>Returns true where a chain meets another.</summary>
         public static bool Meet(PlanPoint[][] chains) => TryFindMeeting(chains, out _, out _);
 
         private static void Spread(PlanPoint[][] chains, int low, int high, bool withTips)

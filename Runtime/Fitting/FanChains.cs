@@ -11,13 +11,17 @@ namespace Alate.Fitting
     /// </summary>
     internal sealed class FanChains
     {
-        /// <summary>How far a chain may stray from the wing without a word, wing reaches.</summary>
+        /// <summary>Largest distance of a chain outside the wing without a warning, wing reaches.</summary>
         private const double k_Outside = 0.01;
 
-        /// <summary>How much of the way from its level line to a straight line a chain is drawn; wings jointed by hand have straight ones.</summary>
+        /// <summary>
+        /// Share of the way by which a chain is drawn from its level line to a straight line; chains laid by hand are straight.
+        /// </summary>
         private const double k_Straightness = 0.55;
 
-        /// <summary>How far any of these straight lines may stray from the wing before all chains keep to their level lines, wing reaches.</summary>
+        /// <summary>
+        /// Largest distance of any straightened chain outside the wing before all chains keep to their level lines, wing reaches.
+        /// </summary>
         private const double k_Stray = 0.03;
 
         private const int k_Places = 60;
@@ -74,7 +78,7 @@ namespace Alate.Fitting
             return layouts;
         }
 
-        /// <summary>Says which chains leave the wing.</summary>
+        /// <summary>Warns about chains that leave the wing.</summary>
         public void Warn(PlanPoint[][] chains)
         {
             for (int i = 0; i < chains.Length; i++)

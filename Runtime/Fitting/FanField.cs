@@ -65,7 +65,7 @@ namespace Alate.Fitting
         /// <summary>[row · Columns + column] NaN beyond the rings around the domain.</summary>
         public double[] Values { get; }
 
-        /// <summary>Where a fractional node lies.</summary>
+        /// <summary>Point of the plane at a fractional node.</summary>
         public PlanPoint At(double column, double row) => m_Origin + m_Along * (column * m_StepAlong) + m_Across * (row * m_StepAcross);
 
         /// <summary>The larger side of a grid cell.</summary>

@@ -5,8 +5,8 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// Shares the fan out among the chains: evenly, except that the chain closest to a tail goes into it, and that no other ends at a tail
-    /// or in a cleft. Where the margin tells the rays of a fan, chains run along rays.
+    /// Divides the fan among the chains: evenly, except that the chain closest to a tail goes into it, and that no other ends at a tail or
+    /// in a cleft. Where the margin shows the rays of a fan, chains run along rays.
     /// </summary>
     internal sealed class FanShares
     {
@@ -36,7 +36,7 @@ namespace Alate.Fitting
             Share(marks, tails);
         }
 
-        /// <summary>The share of the fan before a chain: 0 for the first, 1 for the last, rising.</summary>
+        /// <summary>Share of the fan before a chain: 0 for the first, 1 for the last, rising.</summary>
         public double this[int chain] => m_Shares[chain];
 
         /// <summary>The tail that a chain goes into, or null.</summary>

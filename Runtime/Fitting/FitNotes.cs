@@ -2,27 +2,27 @@ using System.Collections.Generic;
 
 namespace Alate.Fitting
 {
-    /// <summary>Collects what a fit is unsure about while it goes on.</summary>
+    /// <summary>Collects the warnings of a fit and the confidence that they leave.</summary>
     internal sealed class FitNotes
     {
         private readonly List<SkeletonFitWarning> m_Warnings = new List<SkeletonFitWarning>();
 
         public IReadOnlyList<SkeletonFitWarning> Warnings => m_Warnings;
 
-        /// <summary>The product of all doubts so far.</summary>
+        /// <summary>Product of the confidences of all doubts so far, 0 to 1.</summary>
         public double Confidence { get; private set; } = 1.0;
 
-        /// <summary>Whether there is a warning of this kind so far.</summary>
+        /// <summary>Returns true where there is a warning of this kind so far.</summary>
         public bool Warned(SkeletonFitWarningKind kind) => m_Warnings.Exists(warning => warning.Kind == kind);
 
-        /// <summary>A doubt and its sentence.</summary>
+        /// <summary>Adds a warning with its sentence, and lowers the confidence by its factor.</summary>
         public void Warn(SkeletonFitWarningKind kind, double confidence, string message)
         {
             m_Warnings.Add(new SkeletonFitWarning(kind, message));
             LowerConfidence(confidence);
         }
 
-        /// <summary>A doubt that needs no words.</summary>
+        /// <summary>Lowers the confidence by a factor without a warning.</summary>
         public void LowerConfidence(double confidence) => Confidence *= confidence;
     }
 }

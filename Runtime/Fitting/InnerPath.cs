@@ -5,21 +5,21 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// The shortest way inside a wing between two places of its outline: straight where it can be, else past the notches of the
-    /// trailing edge at a little distance.
+    /// Shortest path inside a wing between two places of its outline: straight where possible, else past the notches of the trailing edge
+    /// at a little distance.
     /// </summary>
     internal sealed class InnerPath
     {
-        /// <summary>Corners of the path are chosen among this many places along the edge.</summary>
+        /// <summary>Number of places along the edge among which corners of the path are chosen.</summary>
         private const int k_Corners = 120;
 
-        /// <summary>How far inside the edge they lie, wing reaches.</summary>
+        /// <summary>Distance of those corners inside the edge, wing reaches.</summary>
         private const double k_Clearance = 0.01;
 
         /// <summary>Steps in which a straight line is checked.</summary>
         private const double k_CheckStep = 0.005;
 
-        /// <summary>How far outside a line may run, as one along a straight edge does by rounding, wing reaches.</summary>
+        /// <summary>Tolerated distance of a line outside the wing, as a line along a straight edge has by rounding, wing reaches.</summary>
         private const double k_Unminded = 0.003;
 
         private readonly ClosedCurve m_Outline;
@@ -50,7 +50,7 @@ namespace Alate.Fitting
             return Shortest(corners);
         }
 
-        /// <summary>Whether all of a straight line lies inside or on the edge.</summary>
+        /// <summary>Returns true where all of a straight line lies inside or on the edge.</summary>
         public bool IsInside(PlanPoint a, PlanPoint b)
         {
             double length = Math.Sqrt((b - a).LengthSquared);

@@ -7,7 +7,9 @@ namespace Alate.Fitting
     /// <summary>Traces the line of a <see cref="FanField"/> on which it has one value, from the base to the margin.</summary>
     internal sealed class LevelLine
     {
-        /// <summary>Grid cells around the line's known ends where it is drawn straight: the grid does not resolve them.</summary>
+        /// <summary>
+        /// Length around the line's known ends, in grid cells, over which it is drawn straight, because the grid does not resolve them.
+        /// </summary>
         private const double k_StraightCells = 2.0;
 
         private readonly FanField m_Field;
@@ -29,7 +31,7 @@ namespace Alate.Fitting
             }
         }
 
-        /// <summary>The line.</summary>
+        /// <summary>Traces the line.</summary>
         /// <param name="field">The field.</param>
         /// <param name="value">Between 0 and 1.</param>
         /// <param name="root">Where it begins.</param>

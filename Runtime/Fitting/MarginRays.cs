@@ -5,30 +5,33 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// The ends of the rays that hold a fin or a fan, where its margin tells them: it hangs in hollows from one to the next, beginning at the tip or before.
+    /// Finds the ends of the rays that hold a fin or a fan where its margin shows them: hollows from one to the next, beginning at the tip
+    /// or before.
     /// </summary>
     internal static class MarginRays
     {
-        /// <summary>Hollows wider than this, or longer along the outline, are none between rays, wing reaches.</summary>
+        /// <summary>Largest width, and length along the outline, of a hollow between rays, wing reaches.</summary>
         private const double k_Widest = 0.4;
         private const double k_Longest = 1.0;
 
-        /// <summary>Shallower ones are not seen, shares of their width.</summary>
+        /// <summary>Least depth of a hollow, as a share of its width.</summary>
         private const double k_Shallowest = 0.025;
 
-        /// <summary>Their mean depth at least, wing reaches; the steps that pixels make are less.</summary>
+        /// <summary>Least mean depth of the hollows, wing reaches; more than the steps that pixels make.</summary>
         private const double k_MeanDepth = 0.015;
 
-        /// <summary>The widest of the hollows has at most this many times the width of the narrowest.</summary>
+        /// <summary>Largest width of a hollow over the narrowest.</summary>
         private const double k_Likeness = 4.0;
 
-        /// <summary>What of a hollow's width may lie between it and the next; a gap as wide as a hollow, to this share, is one without depth.</summary>
+        /// <summary>
+        /// Largest gap between a hollow and the next, as a share of the hollow's width, below that of a hollow without depth.
+        /// </summary>
         private const double k_Gap = 0.3;
 
-        /// <summary>Rays there must be.</summary>
+        /// <summary>Least number of rays.</summary>
         public const int Least = 7;
 
-        /// <summary>Arc lengths of the rays' ends, in order; none on a wing that is no such fan.</summary>
+        /// <summary>Finds the arc lengths of the rays' ends, in order; none on a wing without such a margin.</summary>
         /// <param name="outline">The turned outline.</param>
         /// <param name="from">Where the leading edge begins.</param>
         /// <param name="to">Where the trailing edge ends.</param>

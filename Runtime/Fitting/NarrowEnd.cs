@@ -6,10 +6,10 @@ namespace Alate.Fitting
     /// <summary>The narrower of the two ends of an outline along its longest direction.</summary>
     internal sealed class NarrowEnd
     {
-        /// <summary>How far from the ends, as a share of the length, widths are compared.</summary>
+        /// <summary>Distance from the ends at which widths are compared, as a share of the length.</summary>
         private const double k_Inset = 0.15;
 
-        /// <summary>Confidence that the narrower end is the base where both are as wide, and where one comes to a point.</summary>
+        /// <summary>Confidence that the narrower end is the base: where both are equally wide, and where one comes to a point.</summary>
         private const double k_EvenConfidence = 0.6;
         private const double k_PointedConfidence = 0.98;
 

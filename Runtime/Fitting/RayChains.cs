@@ -5,8 +5,8 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// Lays straight chains that fan out from a wing's base at even angles: the layout that is left where chains along the wing's edges cross. Straight rays from
-    /// one place never meet.
+    /// Lays straight chains that fan out from a wing's base at even angles, for wings on which chains along the edges cross. Straight rays
+    /// from one place never meet.
     /// </summary>
     internal static class RayChains
     {
@@ -18,15 +18,15 @@ namespace Alate.Fitting
         private const double k_LeastReach = 0.03;
         private const double k_MostReach = 1.2;
 
-        /// <summary>How far before the margin a ray ends, a share of its reach.</summary>
+        /// <summary>Distance of a ray's end from the margin, as a share of its reach.</summary>
         private const double k_Inset = 0.01;
 
-        /// <summary>Tries, and the last of those that begin on the base; each later one begins deeper in the wing.</summary>
+        /// <summary>Number of tries, and the last of those that begin on the base; each later one begins deeper in the wing.</summary>
         public const int Tries = 10;
         private const int k_OnBase = 2;
         private const double k_Depth = 0.06;
 
-        /// <summary>Chains in the wing's view.</summary>
+        /// <summary>Lays the chains, in the wing's view.</summary>
         /// <param name="outline">The turned outline.</param>
         /// <param name="marks">Of the wing.</param>
         /// <param name="chains">How many.</param>
@@ -57,7 +57,7 @@ namespace Alate.Fitting
             return made;
         }
 
-        /// <summary>The middle of the ways from the roots to the tips.</summary>
+        /// <summary>Middle of the lines from the roots to the tips.</summary>
         public static PlanPoint Middle(PlanPoint[][] chains)
         {
             PlanPoint sum = default;

@@ -15,7 +15,7 @@ namespace Alate.Fitting
             m_Values = values;
         }
 
-        /// <summary>Its value at the rim's place closest to p.</summary>
+        /// <summary>Value at the rim's place closest to a point.</summary>
         public double Nearest(PlanPoint p)
         {
             double least = double.MaxValue, found = 0.0;

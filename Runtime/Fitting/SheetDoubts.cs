@@ -5,10 +5,10 @@ using Alate.Geometry;
 
 namespace Alate.Fitting
 {
-    /// <summary>What about the shape of a sheet makes a skeleton doubtful.</summary>
+    /// <summary>Warns where the shape of a sheet makes a skeleton doubtful.</summary>
     internal static class SheetDoubts
     {
-        /// <summary>Area of a hole, over the wing's, from which it is worth a word.</summary>
+        /// <summary>Area of a hole, over the wing's, from which it causes a warning.</summary>
         private const double k_Hole = 1e-3;
 
         /// <summary>Area seen from above over that in space below which a wing is strongly curved.</summary>

@@ -7,16 +7,18 @@ using UnityEngine;
 
 namespace Alate.Fitting
 {
-    /// <summary>Makes one clean sheet of the triangles of a surface, or says why there is none.</summary>
+    /// <summary>Makes one clean sheet of the triangles of a surface, or throws with the reason.</summary>
     internal sealed class SheetReader
     {
-        /// <summary>Vertices this close, as shares of the mesh's size, are welded; a wider one only where the mesh falls to pieces without.</summary>
+        /// <summary>
+        /// Distances within which vertices are welded, shares of the mesh's size; a wider one only where the mesh falls to pieces without.
+        /// </summary>
         private static readonly float[] s_Tolerances = { 1e-6f, 1e-5f, 1e-4f, 1e-3f };
 
-        /// <summary>Area beside the wing, as a share of the wing's, up to which other pieces are debris.</summary>
+        /// <summary>Largest area of other pieces that are left out as debris, as a share of the wing's.</summary>
         private const double k_Debris = 0.02;
 
-        /// <summary>Share of the triangles' area that an outline must enclose, or they lie in two layers.</summary>
+        /// <summary>Least share of the triangles' area that the outline of a single layer encloses.</summary>
         private const double k_OneLayer = 0.75;
 
         /// <summary>Least share of a shell's area, seen from above, of its area in space; a ball has ½.</summary>

@@ -4,7 +4,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Fitting
 {
-    /// <summary>A skeleton that <see cref="SkeletonFitter"/> laid into a wing, and how sure it is.</summary>
+    /// <summary>Skeleton that <see cref="SkeletonFitter"/> laid into a wing, with its confidence and warnings.</summary>
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class SkeletonFit
     {
@@ -22,21 +22,21 @@ namespace Alate.Fitting
         public WingSkeleton Skeleton { get; }
 
         /// <summary>
-        /// 0 to 1: the product of how sure the hinge, the leading edge, the upper side, the tip and the outline are. 1 when all were said and
-        /// the wing is plain; below about 0.5 an artist should look.
+        /// Confidence, 0 to 1: the product of those in hinge, leading edge, upper side, tip and outline. 1 when all were given and the wing
+        /// is plain; check the skeleton by eye below about 0.5.
         /// </summary>
         public float Confidence { get; }
 
-        /// <summary>What lowers the confidence, by name; empty when nothing does.</summary>
+        /// <summary>Reasons for a lower confidence, by name; empty when there are none.</summary>
         public IReadOnlyList<SkeletonFitWarning> Warnings { get; }
 
-        /// <summary>The wing's boundary that was found, mesh space: vertices in order around it, the last joined to the first.</summary>
+        /// <summary>Boundary of the wing that was found, mesh space: vertices in order around it, the last joined to the first.</summary>
         public Vector3[] Outline { get; }
 
-        /// <summary>The boundaries of its holes, mesh space, likewise.</summary>
+        /// <summary>Boundaries of the wing's holes, mesh space: vertices in order, the last joined to the first.</summary>
         public IReadOnlyList<Vector3[]> Holes { get; }
 
-        /// <summary>Whether there is a warning of this kind.</summary>
+        /// <summary>Returns true where there is a warning of this kind.</summary>
         public bool Warns(SkeletonFitWarningKind kind)
         {
             foreach (SkeletonFitWarning warning in Warnings)

@@ -5,7 +5,9 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Fitting
 {
-    /// <summary>What a user may say when a skeleton is fitted to a mesh; start from <see cref="Default"/>. Mesh space throughout.</summary>
+    /// <summary>
+    /// Settings for fitting a skeleton to a mesh; start from <see cref="Default"/>. All positions and directions are in mesh space.
+    /// </summary>
     /// <remarks>
     /// What is not said is guessed, with less confidence and a warning. Of the three places, the hinge counts before the body's point,
     /// and that before the body's side.
@@ -19,24 +21,27 @@ namespace Alate.Fitting
         /// <summary>Joints of each chain, <see cref="WingSkeleton.MinJoints"/> to <see cref="WingSkeleton.MaxJoints"/>.</summary>
         public int jointsPerChain;
 
-        /// <summary>The point about which the wing turns, on its base; null when it is not known.</summary>
+        /// <summary>Point about which the wing turns, on its base; null when unknown.</summary>
         public Vector3? hinge;
 
-        /// <summary>A point of the body: the wing's base lies where the wing comes closest to it. Null when it is not known.</summary>
+        /// <summary>Point of the body, mesh space: the wing's base lies where the wing comes closest to it. Null when unknown.</summary>
         public Vector3? bodyPoint;
 
-        /// <summary>From the wing to the body, any length: the wing's base lies farthest that way. Null when it is not known.</summary>
+        /// <summary>Direction from the wing to the body, any length: the wing's base lies farthest that way. Null when unknown.</summary>
         public Vector3? bodySide;
 
-        /// <summary>The way the insect faces, any length: the leading edge lies on that side. Null to guess it from the shape.</summary>
+        /// <summary>
+        /// Direction that the insect faces, any length: the leading edge lies on that side. Null to guess it from the shape.
+        /// </summary>
         public Vector3? forward;
 
         /// <summary>
-        /// The wing's upper side, any length. Null for the side towards +Y, and where the wing stands upright for the side of its triangles' front.
+        /// Direction towards the wing's upper side, any length. Null takes the side towards +Y, and where the wing stands upright the front
+        /// of its triangles.
         /// </summary>
         public Vector3? up;
 
-        /// <summary>Whether the surface's origin is not that of its mesh, and so tells nothing about the body.</summary>
+        /// <summary>True where the surface's origin is not that of its mesh, and so tells nothing about the body.</summary>
         internal bool isOriginUnknown;
 
         /// <summary>Five chains of five joints on a wing that leads with its edge towards +Z, as insects face; its base is guessed.</summary>

@@ -2,7 +2,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Fitting
 {
-    /// <summary>One thing a <see cref="SkeletonFit"/> is unsure about.</summary>
+    /// <summary>Doubt about a <see cref="SkeletonFit"/>.</summary>
     [MovedFrom(true, "Alate", "Alate")]
     public readonly struct SkeletonFitWarning
     {
@@ -13,13 +13,13 @@ namespace Alate.Fitting
             Message = message;
         }
 
-        /// <summary>What it is about.</summary>
+        /// <summary>Kind of the warning.</summary>
         public SkeletonFitWarningKind Kind { get; }
 
         /// <summary>One sentence for the user, with the number or the object in question.</summary>
         public string Message { get; }
 
-        /// <summary>The message.</summary>
+        /// <summary>Returns the message.</summary>
         public override string ToString() => Message;
     }
 }

@@ -2,11 +2,11 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Fitting
 {
-    /// <summary>What a <see cref="SkeletonFit"/> may be unsure about.</summary>
+    /// <summary>Kinds of doubts about a <see cref="SkeletonFit"/>.</summary>
     [MovedFrom(true, "Alate", "Alate")]
     public enum SkeletonFitWarningKind
     {
-        /// <summary>Nobody said where the body is; the hinge is guessed.</summary>
+        /// <summary>No hint about the body was given; the hinge is guessed.</summary>
         HingeGuessed,
 
         /// <summary>The given hinge lies far off the wing; it served only to find the base.</summary>
@@ -24,7 +24,7 @@ namespace Alate.Fitting
         /// <summary>The wing has holes; chains run as if they were filled.</summary>
         Holes,
 
-        /// <summary>The mesh has pieces of its own on or under the wing; they had no say.</summary>
+        /// <summary>The mesh has separate pieces on or under the wing, which were ignored.</summary>
         PiecesIgnored,
 
         /// <summary>The mesh is a closed shell; its upper side stands for the wing.</summary>

@@ -3,15 +3,15 @@ using System;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// The place of a function's largest value as a weighted mean over the places around it: on a flat top its middle, where the plain
-    /// maximum would jump about with the least change of the outline. Other tops, beyond a valley, do not count.
+    /// Place of a function's largest value as a weighted mean over the places around it: on a flat top its middle, where the plain maximum
+    /// would jump about with the least change of the outline. Other tops, beyond a valley, do not count.
     /// </summary>
     internal static class SoftMaximum
     {
         /// <summary>Natural logarithm of the smallest weight, which parts a top from others.</summary>
         private const double k_Valley = 5.0;
 
-        /// <summary>The mean place, weighted by exp(sharpness · value).</summary>
+        /// <summary>Mean place, weighted by exp(sharpness · value).</summary>
         /// <param name="from">First place.</param>
         /// <param name="to">Last place.</param>
         /// <param name="steps">Even steps between them, at least 1.</param>

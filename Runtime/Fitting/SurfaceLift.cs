@@ -13,7 +13,7 @@ namespace Alate.Fitting
             m_Sheet = sheet;
         }
 
-        /// <summary>The place on the surface, in unit space.</summary>
+        /// <summary>Place on the surface, in unit space.</summary>
         /// <param name="p">Seen from above.</param>
         public float3 Lift(PlanPoint p)
         {

@@ -5,21 +5,21 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// Tells a tail from a tip. Where the leading edge, before it comes to the tip, draws in to a neck as no wing tip does, what lies
-    /// beyond the neck is a tail, and the wing's tip lies before it.
+    /// Tells a tail from a tip. Where the leading edge, before it comes to the tip, draws in to a neck as no wing tip does, the part beyond
+    /// the neck is a tail, and the wing's tip lies before it.
     /// </summary>
     internal static class TipNeck
     {
         private const int k_Places = 800;
 
-        /// <summary>How far the edge draws in, wing reaches.</summary>
+        /// <summary>Depth by which the edge draws in, wing reaches.</summary>
         private const double k_Depth = 0.03;
 
-        /// <summary>How wide a neck is at most, over the mean chord, and how large what lies beyond it, over the wing's area.</summary>
+        /// <summary>Largest width of a neck over the mean chord, and largest area beyond it over the wing's area.</summary>
         private const double k_Width = 0.5;
         private const double k_Area = 0.15;
 
-        /// <summary>The tail beyond the neck, if there is one.</summary>
+        /// <summary>Finds the tail beyond the neck, if there is one.</summary>
         /// <param name="outline">A turned outline.</param>
         /// <param name="root">Where its leading edge begins.</param>
         /// <param name="tip">Its outermost place.</param>

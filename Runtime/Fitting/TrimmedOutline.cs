@@ -53,7 +53,7 @@ namespace Alate.Fitting
             return from + (to - from) * ((s - tail.from) / (tail.to - tail.from));
         }
 
-        /// <summary>Whether an arc length lies on a tail, and which.</summary>
+        /// <summary>Finds the tail on which an arc length lies, if any.</summary>
         public bool TryFindTail(double s, out OutlineStretch tail)
         {
             int index = m_Tails.FindIndex(stretch => stretch.Contains(s));
@@ -77,7 +77,7 @@ namespace Alate.Fitting
             m_Tails.Add(tail);
         }
 
-        /// <summary>Takes a stretch as it is, with all that lies on it.</summary>
+        /// <summary>Restores a cut stretch, with all that lies on it.</summary>
         public void Restore(OutlineStretch stretch)
         {
             m_Tails.RemoveAll(other => other.Overlaps(stretch));

@@ -5,12 +5,12 @@ using UnityEngine;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// The vertices of a wing moved and scaled so that their bounding box is 1 long and lies about the origin: tolerances then mean the
-    /// same for a wing of millimetres near the origin and for one of kilometres far from it.
+    /// Vertices of a wing moved and scaled so that their bounding box is 1 long and lies about the origin: tolerances then have one meaning
+    /// for a wing of millimetres near the origin and for one of kilometres far from it.
     /// </summary>
     internal sealed class UnitSurface
     {
-        /// <summary>[vertex]</summary>
+        /// <summary>[vertex] Position, in unit space.</summary>
         public readonly float3[] points;
 
         /// <summary>Three vertex indices a triangle.</summary>
@@ -42,11 +42,11 @@ namespace Alate.Fitting
             points = Array.ConvertAll(surface.positions, ToUnit);
         }
 
-        /// <summary>A place of mesh space.</summary>
+        /// <summary>Converts a place of mesh space to unit space.</summary>
         public float3 ToUnit(Vector3 p) =>
             new float3((float)((p.x - m_X) / m_Size), (float)((p.y - m_Y) / m_Size), (float)((p.z - m_Z) / m_Size));
 
-        /// <summary>Back into mesh space.</summary>
+        /// <summary>Converts a place of unit space to mesh space.</summary>
         public Vector3 ToMesh(float3 p) =>
             new Vector3((float)(m_X + m_Size * p.x), (float)(m_Y + m_Size * p.y), (float)(m_Z + m_Size * p.z));
     }

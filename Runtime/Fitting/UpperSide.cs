@@ -24,10 +24,10 @@ namespace Alate.Fitting
             m_Given = given;
         }
 
-        /// <summary>Whether neither a direction nor +Y decided.</summary>
+        /// <summary>True where neither a direction nor +Y decided.</summary>
         public bool IsGuessed { get; private set; }
 
-        /// <summary>How sure it is, 0 to 1.</summary>
+        /// <summary>Confidence in the upper side, 0 to 1.</summary>
         public float Confidence { get; private set; }
 
         /// <summary>The normal or its opposite.</summary>

@@ -6,12 +6,12 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// The places on a wing's outline between which its skeleton is laid: both ends of the base, the tip at the end of the leading edge,
-    /// and where the last chain ends on the trailing edge. Arc lengths on the turned outline.
+    /// Places on a wing's outline between which its skeleton is laid: both ends of the base, the tip at the end of the leading edge, and
+    /// the end of the last chain on the trailing edge. Arc lengths are those of the turned outline.
     /// </summary>
     internal sealed class WingLandmarks
     {
-        /// <summary>How far out from the anchor, along the span, the outline still is base.</summary>
+        /// <summary>Distance from the anchor along the span, wing reaches, up to which the outline counts as base.</summary>
         private const double k_BaseDepth = 0.005;
 
         /// <summary>Widest base.</summary>
@@ -26,14 +26,17 @@ namespace Alate.Fitting
         /// <summary>Standard deviation of the tip's place, wing reaches, up to which it is clear; a round wing has about 0.06.</summary>
         private const double k_ClearTip = 0.075;
 
-        /// <summary>How sharp the spirals' touch and the trailing edge's deepest place are taken.</summary>
+        /// <summary>Sharpness with which the spirals' touch and the trailing edge's deepest place are taken.</summary>
         private const double k_TipSharpness = 250.0;
         private const double k_LastSharpness = 150.0;
 
-        /// <summary>The last tip is looked for around the middle of the trailing edge: depth that it must win to lie a quarter of the edge off.</summary>
+        /// <summary>
+        /// Depth that a place of the trailing edge must gain to lie a quarter of the edge away from its middle, around which the last tip
+        /// is searched.
+        /// </summary>
         private const double k_MiddlePull = 0.07;
 
-        /// <summary>The last chain reaches at most this many times as far as the first, or it would count as the principal one.</summary>
+        /// <summary>Largest reach of the last chain over that of the first; a longer one would count as the principal chain.</summary>
         private const double k_MostReach = 1.3;
 
         private readonly ClosedCurve m_Outline;
@@ -71,25 +74,25 @@ namespace Alate.Fitting
         /// <summary>The outline without its tails.</summary>
         public TrimmedOutline Trimmed { get; }
 
-        /// <summary>The ends of the rays of a fan, along the outline; none on other wings.</summary>
+        /// <summary>Arc lengths of the ends of a fan's rays, in order; empty on other wings.</summary>
         public IReadOnlyList<double> Rays { get; }
 
-        /// <summary>Where the leading edge begins.</summary>
+        /// <summary>Arc length at which the leading edge begins.</summary>
         public double LeadingRoot { get; }
 
-        /// <summary>Where the leading edge ends: at the wing's tip, or at the first ray.</summary>
+        /// <summary>Arc length at which the leading edge ends: at the wing's tip, or at the first ray.</summary>
         public double Tip { get; }
 
-        /// <summary>Whether a chain that ends there is not too long to be the last.</summary>
+        /// <summary>Returns true where a chain that ends at a point is short enough to be the last.</summary>
         public bool IsLastInReach(PlanPoint end) => IsInReach(end, m_Outline.At(Tip));
 
-        /// <summary>Where the last chain ends.</summary>
+        /// <summary>Arc length at which the last chain ends.</summary>
         public double Last { get; }
 
-        /// <summary>Where the trailing edge ends.</summary>
+        /// <summary>Arc length at which the trailing edge ends.</summary>
         public double TrailingRoot { get; }
 
-        /// <summary>The middle of the base.</summary>
+        /// <summary>Middle of the base.</summary>
         public PlanPoint Base { get; }
 
         private bool IsInReach(PlanPoint end, PlanPoint tip) => (end - Base).LengthSquared <= k_MostReach * k_MostReach * (tip - Base).LengthSquared;

@@ -41,7 +41,7 @@ namespace Alate.Fitting
             m_Shares[count - 1] = 1.0;
         }
 
-        /// <summary>From the tip.</summary>
+        /// <summary>Points of the margin, from the tip.</summary>
         public List<PlanPoint> Points { get; }
 
         /// <summary>[point] From 0 to 1, rising.</summary>

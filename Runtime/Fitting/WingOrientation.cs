@@ -14,8 +14,9 @@ namespace Alate.Fitting
         private const double k_MostSweep = Math.PI / 3.0;
 
         /// <summary>
-        /// Share of the forward direction that must lie in the plane, and of that across the wing, to tell its edges apart: 30° off the way to the wing's centre,
-        /// which lies behind the span and would decide by itself which edge of a wing along the forward direction leads.
+        /// Share of the forward direction that must lie in the plane, and of that across the wing, to tell its edges apart: 30° from the
+        /// direction to the wing's centre, which lies behind the span and would decide by itself which edge of a wing along the forward
+        /// direction leads.
         /// </summary>
         private const double k_InPlane = 0.2;
         private const double k_Across = 0.5;
@@ -27,7 +28,7 @@ namespace Alate.Fitting
         /// <summary>Difference of the areas on either side of the middle line, over the whole, at which an edge counts as the straight one.</summary>
         private const double k_ClearDifference = 0.3;
 
-        /// <summary>The view of the wing. Its span runs across a given forward direction, else through the wing's centre.</summary>
+        /// <summary>Finds the view of the wing. Its span runs across a given forward direction, else through the wing's centre.</summary>
         /// <param name="outline">Its outline in plan.</param>
         /// <param name="anchor">Arc length of a place on its base.</param>
         /// <param name="plane">Of the plan.</param>

@@ -6,13 +6,13 @@ namespace Alate.Fitting
     /// <summary>The plane in which a wing is seen from above: a right-angled frame of unit vectors through the origin.</summary>
     internal readonly struct WingPlane
     {
-        /// <summary>Along <see cref="PlanPoint.x"/>.</summary>
+        /// <summary>Unit vector along <see cref="PlanPoint.x"/>.</summary>
         public readonly float3 right;
 
-        /// <summary>Towards the viewer.</summary>
+        /// <summary>Unit vector towards the viewer.</summary>
         public readonly float3 up;
 
-        /// <summary>Along <see cref="PlanPoint.z"/>.</summary>
+        /// <summary>Unit vector along <see cref="PlanPoint.z"/>.</summary>
         public readonly float3 ahead;
 
         private WingPlane(float3 right, float3 up, float3 ahead)
@@ -22,7 +22,7 @@ namespace Alate.Fitting
             this.ahead = ahead;
         }
 
-        /// <summary>A plane of this normal; how it is turned about it does not matter.</summary>
+        /// <summary>Makes a plane of a normal; its rotation about the normal is arbitrary.</summary>
         public static WingPlane Facing(float3 normal)
         {
             float3 size = math.abs(normal);

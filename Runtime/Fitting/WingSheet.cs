@@ -8,15 +8,15 @@ namespace Alate.Fitting
     /// <summary>One layer of a wing, cleaned: its triangles, the plane in which it is seen from above, and its outline there.</summary>
     internal sealed class WingSheet
     {
-        /// <summary>[place]</summary>
+        /// <summary>[place] Position in space.</summary>
         public readonly float3[] points;
 
-        /// <summary>Places.</summary>
+        /// <summary>Triangles, three places each.</summary>
         public readonly List<int3> triangles;
 
         public readonly WingPlane plane;
 
-        /// <summary>[place] Seen from above.</summary>
+        /// <summary>[place] Position seen from above.</summary>
         public readonly PlanPoint[] plan;
 
         /// <summary>Places counterclockwise round the wing; empty without open edges.</summary>
@@ -54,7 +54,9 @@ namespace Alate.Fitting
         /// <summary>Sum of the areas of the triangles seen from above.</summary>
         public double PlanArea { get; }
 
-        /// <summary>The outline's area over that of the triangles: 1 for a plain wing, about ½ for two layers, 0 for a closed one.</summary>
+        /// <summary>
+        /// Area of the outline over that of the triangles: 1 for a plain wing, about ½ for two layers, 0 for a closed one.
+        /// </summary>
         public double OutlineShare => Polygon.Area(outline) / PlanArea;
 
         /// <summary>Places seen from above.</summary>

@@ -5,8 +5,8 @@ using Alate.Geometry;
 namespace Alate.Fitting
 {
     /// <summary>
-    /// A wing's plan seen as every right wing's: x from the base outwards along the span, z towards the leading edge, the reach from the
-    /// anchor on its base being 1. All that follows is computed here, and so is the same for every position, size and side of a wing.
+    /// Plan of a wing seen as a right wing's: x from the base outwards along the span, z towards the leading edge, the reach from the
+    /// anchor on its base being 1. The fit is computed in this view, so that it does not depend on position, size and side of a wing.
     /// </summary>
     internal readonly struct WingView
     {
@@ -36,8 +36,8 @@ namespace Alate.Fitting
         public PlanPoint FromWing(PlanPoint p) => m_Anchor + (span * p.x + forward * p.z) * m_Reach;
 
         /// <summary>
-        /// The outline in this view, from the place on it that is closest to the anchor, clockwise: along the leading edge to the tip and
-        /// back along the trailing edge.
+        /// Turns the outline into this view, from the place on it that is closest to the anchor, clockwise: along the leading edge to the
+        /// tip and back along the trailing edge.
         /// </summary>
         public ClosedCurve Turn(ClosedCurve outline, double anchor)
         {

@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate.Geometry
 {
-    /// <summary>Directions that users give.</summary>
+    /// <summary>Normalises directions that users give.</summary>
     internal static class Directions
     {
-        /// <summary>The unit vector along v, which is finite and not zero; neither tiny nor huge vectors lose their direction.</summary>
+        /// <summary>Unit vector along a finite vector that is not zero; neither tiny nor huge vectors lose their direction.</summary>
         public static float3 Unit(Vector3 v)
         {
             float3 a = v;

@@ -1,6 +1,6 @@
 namespace Alate.Geometry
 {
-    /// <summary>Numbers from 0 that are joined into sets, in close to linear time.</summary>
+    /// <summary>Sets of numbers from 0 that are joined in close to linear time.</summary>
     internal readonly struct DisjointSets
     {
         private readonly int[] m_Parents;

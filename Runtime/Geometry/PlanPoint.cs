@@ -27,7 +27,7 @@ namespace Alate.Geometry
         /// <summary>Twice the signed area of the triangle 0, a, b.</summary>
         public static double Cross(PlanPoint a, PlanPoint b) => a.x * b.z - a.z * b.x;
 
-        /// <summary>How far along the segment a–b, in [0, 1], its point closest to p lies; ½ when the segment is a point.</summary>
+        /// <summary>Share of the segment a–b, in [0, 1], at which its point closest to p lies; ½ when the segment is a point.</summary>
         public static double ClosestOnSegment(PlanPoint p, PlanPoint a, PlanPoint b)
         {
             PlanPoint along = b - a;

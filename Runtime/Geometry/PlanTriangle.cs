@@ -2,7 +2,7 @@ using System;
 
 namespace Alate.Geometry
 {
-    /// <summary>One triangle in plan, either way round.</summary>
+    /// <summary>Triangle in plan, of either orientation.</summary>
     internal readonly struct PlanTriangle
     {
         private readonly PlanPoint m_A;
@@ -16,7 +16,7 @@ namespace Alate.Geometry
             m_C = c;
         }
 
-        /// <summary>A squared distance that no point of it is closer to p than.</summary>
+        /// <summary>Lower bound for the squared distance of a point from the triangle.</summary>
         public double LeastDistanceSquared(PlanPoint p)
         {
             double x = Outside(p.x, m_A.x, m_B.x, m_C.x), z = Outside(p.z, m_A.z, m_B.z, m_C.z);

@@ -5,12 +5,12 @@ using Unity.Mathematics;
 namespace Alate.Geometry
 {
     /// <summary>
-    /// The plane in which a wing is seen largest and flattest. Its normal n maximises the mean of (n·triangle normal)² less the share of
-    /// the wing's spread along n: the first alone fails on pleats, the second on slender wings that are curved along the span.
+    /// Finds the plane in which a wing is seen largest and flattest. Its normal n maximises the mean of (n·triangle normal)² less the share
+    /// of the wing's spread along n: the first term alone fails on pleats, the second on slender wings that are curved along the span.
     /// </summary>
     internal static class PlaneFit
     {
-        /// <summary>The unit normal, either way round.</summary>
+        /// <summary>Unit normal of the plane, of either sign.</summary>
         public static float3 Normal(float3[] points, IReadOnlyList<int3> triangles)
         {
             var facing = new double[6];

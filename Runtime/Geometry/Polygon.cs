@@ -6,10 +6,10 @@ namespace Alate.Geometry
     /// <summary>Closed polygons in plan, the last corner joined to the first.</summary>
     internal static class Polygon
     {
-        /// <summary>Twice the area, positive counterclockwise.</summary>
+        /// <summary>Doubled area of a triangle, positive counterclockwise.</summary>
         public static double DoubledArea(PlanPoint a, PlanPoint b, PlanPoint c) => PlanPoint.Cross(b - a, c - a);
 
-        /// <summary>Positive counterclockwise.</summary>
+        /// <summary>Area of a polygon, positive counterclockwise.</summary>
         public static double Area(IReadOnlyList<PlanPoint> corners)
         {
             double doubled = 0.0;
@@ -33,7 +33,7 @@ namespace Alate.Geometry
             return doubled != 0.0 ? sum * (1.0 / doubled) : corners[0];
         }
 
-        /// <summary>Whether an odd number of its edges lies beyond p.</summary>
+        /// <summary>Returns true where a point lies inside: an odd number of edges lies beyond it.</summary>
         public static bool Contains(IReadOnlyList<PlanPoint> corners, PlanPoint p)
         {
             bool inside = false;
@@ -50,7 +50,7 @@ namespace Alate.Geometry
             return inside;
         }
 
-        /// <summary>Length of all its sides.</summary>
+        /// <summary>Sum of the lengths of all sides.</summary>
         public static double Length(IReadOnlyList<PlanPoint> corners)
         {
             double length = 0.0;
@@ -83,7 +83,7 @@ namespace Alate.Geometry
             return Math.Max(right - left, high - low);
         }
 
-        /// <summary>The polygon with every corner moved towards the middle of its neighbours, some times over (weights ¼, ½, ¼).</summary>
+        /// <summary>Moves every corner towards the middle of its neighbours, a number of times (weights ¼, ½, ¼).</summary>
         public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> corners, int rounds)
         {
             int count = corners.Count;
@@ -101,7 +101,10 @@ namespace Alate.Geometry
             return to;
         }
 
-        /// <summary>Some of its corners, chosen so that no other lies further than a tolerance from the polygon through them (Douglas and Peucker, 1973).</summary>
+        /// <summary>
+        /// Keeps some of the corners, so that no other lies further than a tolerance from the polygon through them (Douglas and Peucker,
+        /// 1973).
+        /// </summary>
         public static PlanPoint[] Simplified(PlanPoint[] corners, double tolerance)
         {
             int first = Farthest(corners, corners[0]), second = Farthest(corners, corners[first]);

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Alate.Geometry
 {
-    /// <summary>Lines through points in plan, with two ends.</summary>
+    /// <summary>Measures and resamples lines through points in plan, with two ends.</summary>
     internal static class Polyline
     {
-        /// <summary>The length.</summary>
+        /// <summary>Length of a line.</summary>
         public static double Length(IReadOnlyList<PlanPoint> path)
         {
             double length = 0.0;
@@ -15,7 +15,7 @@ namespace Alate.Geometry
             return length;
         }
 
-        /// <summary>Points at even steps of its length, both ends among them.</summary>
+        /// <summary>Points at even steps of a line's length, both ends included.</summary>
         /// <param name="path">At least two points.</param>
         /// <param name="count">At least 2.</param>
         public static PlanPoint[] Even(IReadOnlyList<PlanPoint> path, int count)
@@ -41,7 +41,7 @@ namespace Alate.Geometry
             return points;
         }
 
-        /// <summary>The path without its jitter: even steps, each moved to the middle of its surroundings; the ends stay.</summary>
+        /// <summary>Path smoothed in even steps, each point moved to the middle of its surroundings; the ends stay.</summary>
         /// <param name="path">Two points or more.</param>
         /// <param name="reach">About how far the surroundings go; also the length of a step, at most.</param>
         public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> path, double reach)

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate.Geometry
 {
-    /// <summary>How far a point is from a triangle: from its face, an edge or a corner, whichever is nearest.</summary>
+    /// <summary>Distance of a point from a triangle: from its face, an edge or a corner, whichever is nearest.</summary>
     internal static class TriangleDistance
     {
         /// <summary>Square of the distance, in the unit of the points squared.</summary>

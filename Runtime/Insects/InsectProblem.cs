@@ -2,7 +2,7 @@ using System;
 
 namespace Alate
 {
-    /// <summary>Why an insect does not live, and what to do.</summary>
+    /// <summary>Reason why an insect's wings do not live, with the remedy.</summary>
     public readonly struct InsectProblem
     {
         private readonly string m_Message;
@@ -17,26 +17,26 @@ namespace Alate
         /// <summary>The kind of problem; <see cref="InsectState.Ready"/> for none.</summary>
         public InsectState State { get; }
 
-        /// <summary>The wing in the list, or −1 when it is not about one wing.</summary>
+        /// <summary>Index of the wing in the list, or −1 when the problem is not about one wing.</summary>
         public int Wing { get; }
 
-        /// <summary>One sentence that names the object and one that names the remedy; empty for none.</summary>
+        /// <summary>Message of one sentence that names the object and one that names the remedy; empty for no problem.</summary>
         public string Message => m_Message ?? "";
 
-        /// <summary>Whether something has to be mended.</summary>
+        /// <summary>True where the user has something to mend.</summary>
         public bool IsProblem => State > InsectState.Ready;
 
-        /// <summary>Not in play, or switched off.</summary>
+        /// <summary>State of an insect that is not in play, or is switched off.</summary>
         internal static InsectProblem Inactive => new InsectProblem(InsectState.Inactive, -1, "");
 
-        /// <summary>In the queue.</summary>
+        /// <summary>State of an insect in the queue.</summary>
         internal static InsectProblem Waiting => new InsectProblem(InsectState.Waiting, -1, "");
 
-        /// <summary>A scale of zero.</summary>
+        /// <summary>Problem of a scale of zero.</summary>
         internal static InsectProblem NoSize => new InsectProblem(InsectState.ZeroScale, -1,
             "a wing has a scale of zero. Give it, and all that it hangs on, some other scale; its wings feel nothing until then.");
 
-        /// <summary>Something that should not happen.</summary>
+        /// <summary>Problem of an unexpected exception.</summary>
         internal static InsectProblem Failed(Exception exception) => new InsectProblem(InsectState.Failed, -1,
             $"an error came up while its wings were built ({exception.GetType().Name}, in the console). Please report it; disable and enable the component to try again.");
 

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>Whether an <see cref="InsectWings"/> lives, and what keeps it from it.</summary>
+    /// <summary>State of an <see cref="InsectWings"/>: its wings live, or the reason why they do not.</summary>
     public enum InsectState
     {
         /// <summary>Not in play, or switched off.</summary>

@@ -4,7 +4,7 @@ using UnityEngine.Events;
 
 namespace Alate
 {
-    /// <summary>What the wings do: events and numbers. While they do not live, all numbers are 0.</summary>
+    /// <summary>Events and readings of the wings. All numbers are 0 while the wings do not live.</summary>
     public sealed partial class InsectWings
     {
         [SerializeField]
@@ -14,22 +14,22 @@ namespace Alate
         /// <summary>Raised at the start of each beat of the first wing, once a frame at most, after the meshes were deformed.</summary>
         public event Action<InsectWings> WingBeat;
 
-        /// <summary>The same for the inspector.</summary>
+        /// <summary>Counterpart of <see cref="WingBeat"/> for the inspector.</summary>
         public UnityEvent OnWingBeat => m_OnWingBeat;
 
-        /// <summary>Hertz, of this beat of the first wing.</summary>
+        /// <summary>Frequency of the first wing's current beat, hertz.</summary>
         public float Frequency => Live == null ? 0f : Read(0).Frequency;
 
-        /// <summary>Degrees of flapping from lowest to highest, of this beat of the first wing.</summary>
+        /// <summary>Range of flapping of the first wing's current beat, degrees from lowest to highest.</summary>
         public float FlapRange => Live == null ? 0f : 2f * Mathf.Rad2Deg * Read(0).Amplitude.x;
 
-        /// <summary>Degrees of the beat of the first wing, 0 at the top.</summary>
+        /// <summary>Phase of the first wing's beat, degrees, 0 at the top.</summary>
         public float Phase => Live == null ? 0f : Mathf.Rad2Deg * Read(0).Phase;
 
         /// <summary>Pitch of the body against the horizon, degrees, nose up positive (AoA of Eq. 6–7).</summary>
         public float AngleOfAttack => Live == null ? 0f : Mathf.Rad2Deg * Live.Pitch;
 
-        /// <summary>How much of the model is computed now.</summary>
+        /// <summary>Level of detail with which the wings are computed now.</summary>
         public WingDetail Detail => Live == null ? WingDetail.Frozen : Live.Detail;
 
         /// <summary>Air force on all wings of the real insect, newtons, world axes; mean over the last step.</summary>
@@ -106,7 +106,9 @@ namespace Alate
             return live.placed.AxisToWorld(Read(wing).AirMoment) * (live.values.wingMass * live.values.wingLength * live.values.wingLength);
         }
 
-        /// <summary>Largest stretch of any wing's membrane between its joints, in the last step; 0.1 is 10 %. Above that, wings look torn.</summary>
+        /// <summary>
+        /// Largest stretch of any wing's membrane between its joints, in the last step; 0.1 is 10 %. Wings look torn above 0.1.
+        /// </summary>
         public float Stretch
         {
             get
@@ -118,7 +120,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The whole state of a wing, in its own frame; see <see cref="WingReading"/>. Waits for jobs that are under way.</summary>
+        /// <summary>Full state of a wing, in its own frame; see <see cref="WingReading"/>. Waits for jobs that are under way.</summary>
         /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
         /// <exception cref="InvalidOperationException">The wings do not live; see <see cref="State"/>.</exception>
         public WingReading Read(int wing)
@@ -129,7 +131,9 @@ namespace Alate
             return WingSystem.Crowd.World.Read(Live.wings[wing].handle);
         }
 
-        /// <summary>Where a joint is drawn, in the world: between two steps where the mesh is. Where the wing does not live, the origin.</summary>
+        /// <summary>
+        /// World position of a joint as drawn: between two steps, in agreement with the mesh. The origin where the wing does not live.
+        /// </summary>
         /// <param name="wing">In the list.</param>
         /// <param name="chain">0 is the leading edge.</param>
         /// <param name="joint">0 is the root.</param>
@@ -151,7 +155,7 @@ namespace Alate
             return Live == null ? default : WingSystem.Crowd.World.Bounds(Live.wings[wing].handle);
         }
 
-        /// <summary>The time within the last step at which the wings were drawn last, 0 its start, 1 its end.</summary>
+        /// <summary>Time within the last step at which the wings were last drawn, 0 its start, 1 its end.</summary>
         internal float DrawnAlpha => WingSystem.Crowd.DrawnAlpha[(int)Live.Clock];
 
         internal void TellBeat()

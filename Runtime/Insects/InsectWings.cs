@@ -58,30 +58,32 @@ namespace Alate
         /// <summary>The wings. The list may be changed at any time; what changed is rebuilt in the next frame.</summary>
         public List<Wing> Wings => m_Wings;
 
-        /// <summary>When the wings are stepped.</summary>
+        /// <summary>Time at which the wings are stepped.</summary>
         public WingUpdateMode UpdateMode
         {
             get => m_UpdateMode;
             set => m_UpdateMode = value;
         }
 
-        /// <summary>Degrees of the beat at which the wings start, 0 to 360 (clamped); taken over by <see cref="ResetState"/>.</summary>
+        /// <summary>
+        /// Phase at which the wings start, degrees of the beat, 0 to 360 (clamped); takes effect with <see cref="ResetState"/>.
+        /// </summary>
         public float StartPhase
         {
             get => m_StartPhase;
             set => m_StartPhase = float.IsNaN(value) ? 0f : Mathf.Clamp(value, 0f, 360f);
         }
 
-        /// <summary>How the beat differs from the preset's now; for flight controllers.</summary>
+        /// <summary>Changes to the preset's beat; for flight controllers.</summary>
         public ref InsectSteering Steering => ref m_Steering;
 
-        /// <summary>How the insect learns of its own motion.</summary>
+        /// <summary>Source of the body's motion, and the response to jumps.</summary>
         public ref InsectMotion Motion => ref m_Motion;
 
-        /// <summary>The wind around it.</summary>
+        /// <summary>Wind around the insect.</summary>
         public ref InsectAir Air => ref m_Air;
 
-        /// <summary>How finely it is computed.</summary>
+        /// <summary>Fineness of the computation.</summary>
         public ref InsectQuality Quality => ref m_Quality;
 
         /// <summary>Velocity of the body, world units per second, with <see cref="VelocitySource.Script"/>.</summary>
@@ -90,10 +92,10 @@ namespace Alate
         /// <summary>Turning of the body, radians per second about the world's axes, with <see cref="VelocitySource.Script"/>.</summary>
         public Vector3 AngularVelocity { get; set; }
 
-        /// <summary>Whether the wings live, and if not, why.</summary>
+        /// <summary>State of the wings: living, or the reason why not.</summary>
         public InsectState State => Problem.State;
 
-        /// <summary>The state with what to do about it.</summary>
+        /// <summary>State together with the remedy.</summary>
         public InsectProblem Problem { get; private set; }
 
         internal LiveInsect Live { get; set; }
@@ -104,7 +106,7 @@ namespace Alate
 
         internal int Patches => m_Quality.Clamped().patches;
 
-        /// <summary>The body for <see cref="VelocitySource.Rigidbody"/>; null where there is none.</summary>
+        /// <summary>Rigidbody for <see cref="VelocitySource.Rigidbody"/>; null where there is none.</summary>
         internal Rigidbody Body
         {
             get
@@ -139,7 +141,9 @@ namespace Alate
                 WingSystem.Crowd.Restart(Live);
         }
 
-        /// <summary>Tells the wings that the insect is moved to another place in this frame: the move is not felt as motion.</summary>
+        /// <summary>
+        /// Moves without motion: tells the wings that the insect jumps to another place in this frame, so that the jump is not felt.
+        /// </summary>
         /// <param name="keepMotion">Whether the wings beat on; otherwise they start over.</param>
         public void Teleport(bool keepMotion = true)
         {
@@ -169,10 +173,10 @@ namespace Alate
                 Live.meshes[mesh].template.IsOutdated = true;
         }
 
-        /// <summary>The first thing that keeps the wings from living, as far as can be seen without playing.</summary>
+        /// <summary>Finds the first problem that keeps the wings from living, as far as can be seen without playing.</summary>
         internal InsectProblem FindProblem() => InsectCheck.Find(this);
 
-        /// <summary>Takes over a state; says so in the log when it is a new problem.</summary>
+        /// <summary>Takes over a state, and logs it where it is a new problem.</summary>
         internal void Report(in InsectProblem problem)
         {
             bool isNew = problem.State != Problem.State || problem.Wing != Problem.Wing;
@@ -181,7 +185,10 @@ namespace Alate
                 Debug.LogWarning(Problem.Message, this);
         }
 
-        /// <summary>An insect that was made by script may get its list after it was switched on; only one that still has none looks for itself.</summary>
+        /// <summary>
+        /// Finds the wings of an insect whose list is still empty when it starts: one made by a script may get its list after it was
+        /// switched on.
+        /// </summary>
         internal void FindWingsWhereNoneAreListed()
         {
             if (m_Wings.Count == 0)

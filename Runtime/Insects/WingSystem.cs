@@ -5,8 +5,8 @@ using UnityEngine.SceneManagement;
 namespace Alate
 {
     /// <summary>
-    /// Runs all insects of the game together: steps them in one job and deforms their meshes in another. Comes by itself with the first insect, hidden, and goes a
-    /// while after the last.
+    /// Runs all insects of the game together: steps them in one job and deforms their meshes in another. Created hidden with the first
+    /// insect, and destroyed some time after the last.
     /// </summary>
     [AddComponentMenu("")]
     [DefaultExecutionOrder(ExecutionOrders.WingSystem)]
@@ -24,24 +24,28 @@ namespace Alate
         /// <summary>Steps since the first insect came: fixed steps, and frames in which the clocks of the frame had steps due.</summary>
         public static long StepCount => Crowd?.StepCount ?? 0;
 
-        /// <summary>How often a wing of those that live now was put back into its driven pose because its state was not finite. Reads all wings.</summary>
+        /// <summary>
+        /// Number of times that a living wing was put back into its driven pose because its state was not finite. Reads all wings.
+        /// </summary>
         public static int ResetCount => Crowd?.CountResets() ?? 0;
 
         /// <summary>
-        /// The cameras by which levels of detail are chosen: an insect has the detail of the one in which it is largest. Empty takes the main camera; without
-        /// one, everything has full detail.
+        /// Cameras by which levels of detail are chosen: an insect has the detail of the camera in which it is largest. Empty takes the
+        /// main camera; without a camera, all insects have full detail.
         /// </summary>
         public static List<Camera> DetailCameras { get; } = new List<Camera>();
 
-        /// <summary>Seconds of real time for which the system and what was baked wait for insects that come back, as those of a pool do.</summary>
+        /// <summary>
+        /// Time for which the system and baked content wait for insects that come back, as those of a pool do; seconds of real time.
+        /// </summary>
         internal static float Patience { get; set; } = k_Patience;
 
-        /// <summary>Looks for wind zones again; done by itself when a scene is loaded or an insect starts.</summary>
+        /// <summary>Searches for wind zones; done automatically when a scene is loaded or an insect starts.</summary>
         public static void FindWindZones() => Crowd?.FindWindZones();
 
         internal static FrameLoop Crowd => s_Instance is null ? null : s_Instance.m_Crowd;
 
-        /// <summary>An insect wants to live.</summary>
+        /// <summary>Queues an insect to start.</summary>
         internal static void Enter(InsectWings insect)
         {
             if (PlayEnd.HasCome)
@@ -57,7 +61,7 @@ namespace Alate
             Crowd.Enter(insect);
         }
 
-        /// <summary>An insect ends: its meshes are given back now, its wings leave the world at the next turn.</summary>
+        /// <summary>Ends an insect: its meshes are restored now, its wings leave the world in the next frame.</summary>
         internal static void Leave(InsectWings insect)
         {
             if (Crowd == null)
@@ -67,7 +71,7 @@ namespace Alate
                 s_Instance.m_EmptySince = Time.realtimeSinceStartupAsDouble;
         }
 
-        /// <summary>Gives back all meshes and memory before the scenes end.</summary>
+        /// <summary>Restores all meshes and frees all memory before the scenes end.</summary>
         internal static void EndWithPlay()
         {
             if (!(s_Instance is null))

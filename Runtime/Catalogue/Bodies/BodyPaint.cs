@@ -2,6 +2,6 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>The colour of a place on a body, alpha being how little light passes: 255 is solid.</summary>
+    /// <summary>Colour of a point of a body; alpha is opacity, 255 solid, less lets light through.</summary>
     internal delegate Color32 BodyPaint(in BodyPoint point);
 }

@@ -18,10 +18,10 @@ namespace Alate.Catalogue
 
         public int[] Triangles { get; private set; }
 
-        /// <summary>How wide and how long the piece is when unrolled: half its girth and its length, millimetres.</summary>
+        /// <summary>Width and length of the unrolled piece: half its girth and its length, millimetres.</summary>
         public Vector2 Extent { get; private set; }
 
-        /// <summary>A piece from its triangles; smooth normals are made, and the winding is turned where the volume comes out negative.</summary>
+        /// <summary>Makes a piece from its triangles, with smooth normals; turns the winding where the volume comes out negative.</summary>
         public static BodyPart Of(Vector3[] positions, Vector2[] uvs, int[] triangles, Vector2 extent)
         {
             var outward = Volume(positions, triangles) >= 0 ? triangles : Turned(triangles);

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Gathers the parts of a body and joins them to one mesh. Whatever is added comes out the same on both sides.</summary>
+    /// <summary>Gathers the parts of a body and joins them to one mesh that is symmetric left and right.</summary>
     internal sealed class BodyParts
     {
         private readonly List<BodyPatch> m_Patches = new List<BodyPatch>();
@@ -22,7 +22,7 @@ namespace Alate.Catalogue
             m_Patches.Add(new BodyPatch(hair, paint, true, skin.Shelf));
         }
 
-        /// <summary>All parts as one mesh, millimetres.</summary>
+        /// <summary>Joins all parts to one mesh, millimetres.</summary>
         public SurfaceMesh Join()
         {
             var shelves = UvShelves.Lay(m_Extents);

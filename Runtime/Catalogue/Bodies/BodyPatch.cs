@@ -1,6 +1,6 @@
 namespace Alate.Catalogue
 {
-    /// <summary>A part in its place on a body: how it is painted, whether it has a twin on the left, and which patch of the texture it takes.</summary>
+    /// <summary>Part in its place on a body: its colouring, whether it has a twin on the left, and its patch of the texture.</summary>
     internal sealed class BodyPatch
     {
         public BodyPatch(BodyPart part, BodyPaint paint, bool isPair, int shelf)

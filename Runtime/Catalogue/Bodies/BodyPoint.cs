@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>A place on the right side of a body, as its colouring sees it.</summary>
+    /// <summary>Point on the right side of a body, as passed to its colouring.</summary>
     internal readonly struct BodyPoint
     {
         public BodyPoint(Vector3 place, Vector3 normal, Vector2 uv)

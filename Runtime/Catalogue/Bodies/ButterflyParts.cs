@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>What the bodies of butterflies share: a head with eyes, palps and a rolled tongue, clubbed antennae, folded legs, a segmented abdomen.</summary>
+    /// <summary>
+    /// Parts common to the bodies of butterflies: a head with eyes, palps and a rolled tongue, clubbed antennae, folded legs, a segmented
+    /// abdomen.
+    /// </summary>
     internal static class ButterflyParts
     {
         private const float k_TongueTurns = 2.6f;

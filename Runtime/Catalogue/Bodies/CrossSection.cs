@@ -28,10 +28,10 @@ namespace Alate.Catalogue
         /// <summary>Depth of the lower half.</summary>
         public float Below { get; }
 
-        /// <summary>How far the middle is raised over the rims.</summary>
+        /// <summary>Height of the middle over the rims, millimetres.</summary>
         public float Arch { get; }
 
-        /// <summary>Whether the slice is a single point, which closes the part.</summary>
+        /// <summary>True where the slice is a single point, which closes the part.</summary>
         public bool IsPoint => HalfWidth <= 0f;
 
         /// <summary>Half of the way round the slice, about (Ramanujan's ellipse, the arch as a slope).</summary>
@@ -54,7 +54,7 @@ namespace Alate.Catalogue
             return new CrossSection(centre, halfWidth, halfHeight, halfHeight);
         }
 
-        /// <summary>Right and up from the centre to the rim.</summary>
+        /// <summary>Offset of a point of the rim from the centre, to the right and up, millimetres.</summary>
         /// <param name="sine">Of the angle from straight up, clockwise as seen from behind.</param>
         /// <param name="cosine">Of the same angle.</param>
         public Vector2 Rim(float sine, float cosine)

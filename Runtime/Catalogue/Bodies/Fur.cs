@@ -8,7 +8,7 @@ namespace Alate.Catalogue
     /// <summary>Hair and scales that stand off a part: slim pyramids that lean back.</summary>
     internal sealed class Fur
     {
-        /// <summary>How far a hair is rooted in the skin, of its length.</summary>
+        /// <summary>Depth of a hair's root in the skin, as a share of the hair's length.</summary>
         private const float k_Root = 0.15f;
 
         /// <summary>Share of the skin's normal in a hair's own, so that fur is lit as the round body it grows on; below 1, so that normals still point outwards.</summary>
@@ -23,10 +23,10 @@ namespace Alate.Catalogue
         /// <summary>Radius at the root, millimetres.</summary>
         public float Radius { get; set; }
 
-        /// <summary>Which way hair lies: what of this runs along the skin is added to the skin's unit normal to give the direction of a hair.</summary>
+        /// <summary>Direction of hair: its part along the skin is added to the skin's unit normal.</summary>
         public Vector3 Lay { get; set; } = new Vector3(0f, 0f, -0.9f);
 
-        /// <summary>Where hair grows; null is everywhere.</summary>
+        /// <summary>Filter for the places where hair grows; null is everywhere.</summary>
         public Func<Vector3, bool> Where { get; set; }
 
         public uint Seed { get; set; } = 1;

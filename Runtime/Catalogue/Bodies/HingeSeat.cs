@@ -4,12 +4,12 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// The flat area of a body's side on which a wing sits: within it the skin is moved to the plane of the hinge, around it the move fades out. So the root of the wing
-    /// lies on the skin, neither in the air nor inside.
+    /// Flat area of a body's side on which a wing sits: within it the skin is moved to the plane of the hinge, around it the move fades
+    /// out, so that the root of the wing lies on the skin.
     /// </summary>
     internal sealed class HingeSeat
     {
-        /// <summary>How far the skin stays inside the plane of the hinge, of the hinge's distance from the middle.</summary>
+        /// <summary>Distance of the skin inside the plane of the hinge, as a share of the hinge's distance from the middle.</summary>
         private const float k_Inset = 0.003f;
 
         /// <summary>Flat skin all round the root, of the root's length: wider than the triangles are, which span the edge of the flat area.</summary>
@@ -42,7 +42,7 @@ namespace Alate.Catalogue
         /// <summary>The part with its skin moved to the seat, on both sides where it lies on both.</summary>
         public BodyPart Press(BodyPart part) => part.Moved(Move);
 
-        /// <summary>Whether a place is on or near the seat, where hair would grow through the wing.</summary>
+        /// <summary>Returns true where a place is on or near the seat, where hair would grow through the wing.</summary>
         public bool Covers(Vector3 place) => Away(place) < 0.5;
 
         private Vector3 Move(Vector3 place)

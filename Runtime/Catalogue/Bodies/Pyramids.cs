@@ -11,7 +11,7 @@ namespace Alate.Catalogue
         private readonly List<Vector2> m_Uvs = new List<Vector2>();
         private readonly List<int> m_Triangles = new List<int>();
 
-        /// <summary>Adds one.</summary>
+        /// <summary>Adds one pyramid.</summary>
         /// <param name="root">Middle of its base, millimetres.</param>
         /// <param name="along">From there to its point.</param>
         /// <param name="across">Any direction but that; tells where the corners of the base lie.</param>
@@ -36,7 +36,7 @@ namespace Alate.Catalogue
             m_Uvs.AddRange(new[] { uv, uv, uv, uv });
         }
 
-        /// <summary>All of them as one part.</summary>
+        /// <summary>Joins all pyramids to one part.</summary>
         /// <param name="extent">Extent of what they stand on, millimetres.</param>
         public BodyPart ToPart(Vector2 extent) => BodyPart.Of(m_Positions.ToArray(), m_Uvs.ToArray(), m_Triangles.ToArray(), extent);
     }

@@ -7,10 +7,10 @@ namespace Alate.Catalogue
     /// <summary>Thin round parts: antennae, palps and bristles along a cubic Bezier curve, legs along their joints.</summary>
     internal static class Stalk
     {
-        /// <summary>Where the pieces of a leg begin to bend, of their length, on either side of a joint.</summary>
+        /// <summary>Length of a leg's piece, as a share, over which it bends on either side of a joint.</summary>
         private const float k_Bend = 0.14f;
 
-        /// <summary>Points of a bend.</summary>
+        /// <summary>Number of points of a bend.</summary>
         private const int k_BendPoints = 3;
 
         /// <summary>Length of the blunt ends over the whole.</summary>

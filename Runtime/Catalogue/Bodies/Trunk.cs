@@ -11,7 +11,7 @@ namespace Alate.Catalogue
     /// </summary>
     internal static class Trunk
     {
-        /// <summary>How much closer sections lie at the ends, where the outline turns, than in the middle; 0 is even, 1 as on a circle.</summary>
+        /// <summary>Crowding of sections at the ends, where the outline turns: 0 is even spacing, 1 spacing as on a circle.</summary>
         private const float k_Crowding = 0.6f;
 
         /// <param name="keys">Three or more; the first and the last are points.</param>
@@ -23,7 +23,7 @@ namespace Alate.Catalogue
             return Tube.Along(Sections(keys, rings, relief), sides);
         }
 
-        /// <summary>The sections of such a part.</summary>
+        /// <summary>Interpolates the sections of a trunk.</summary>
         public static CrossSection[] Sections(IReadOnlyList<CrossSection> keys, int rings, Func<float, float> relief = null)
         {
             var places = Places(keys);

@@ -3,15 +3,15 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Kits that insects made at run time share, each as long as one of them exists.</summary>
+    /// <summary>Parts that insects made at run time share by species, kept as long as one of the insects exists.</summary>
     internal static class GeneratedAssets
     {
         private static readonly Dictionary<string, SharedAssets> s_Kits = new Dictionary<string, SharedAssets>();
 
-        /// <summary>Kits in use.</summary>
+        /// <summary>Number of species in use.</summary>
         public static int Count => s_Kits.Count;
 
-        /// <summary>Finds or makes the kit of a species; one user more.</summary>
+        /// <summary>Finds or makes the parts of a species and adds one user.</summary>
         /// <param name="species">Its name in the catalogue.</param>
         public static SharedAssets Take(string species)
         {
@@ -25,7 +25,7 @@ namespace Alate.Catalogue
             return kit;
         }
 
-        /// <summary>One user fewer; the last one frees it.</summary>
+        /// <summary>Removes one user; frees the parts with the last one.</summary>
         public static void Return(string species)
         {
             if (!s_Kits.TryGetValue(species, out SharedAssets kit) || --kit.Users > 0)
@@ -34,7 +34,7 @@ namespace Alate.Catalogue
             kit.Free();
         }
 
-        /// <summary>Lists a kit that was made, or that has survived a recompile.</summary>
+        /// <summary>Lists parts that were made, or that have survived a recompile.</summary>
         public static void Remember(SharedAssets kit) => s_Kits[kit.Species] = kit;
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]

@@ -4,7 +4,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Holds on to what an insect made by <see cref="InsectFactory"/> shares with others of its species: it is freed when the last of them, clones included, is destroyed.
+    /// Holds the parts that an insect made by <see cref="InsectFactory"/> shares with others of its species: they are freed when the last
+    /// insect, clones included, is destroyed.
     /// </summary>
     [AddComponentMenu("")]
     [DisallowMultipleComponent]

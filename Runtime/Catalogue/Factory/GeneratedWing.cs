@@ -2,7 +2,9 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>What the wings of one kind are made of, left and right alike: the left wing is the right one with its X axis turned round.</summary>
+    /// <summary>
+    /// Mesh, skeleton and material of one kind of wing, left and right alike: the left wing is the right one with its X axis turned round.
+    /// </summary>
     internal sealed class GeneratedWing
     {
         public GeneratedWing(WingDefinition wing)
@@ -16,10 +18,10 @@ namespace Alate.Catalogue
         /// <summary>The right wing, its origin at the base.</summary>
         public Mesh Mesh { get; set; }
 
-        /// <summary>In the space of the mesh.</summary>
+        /// <summary>Skeleton in the space of the mesh.</summary>
         public WingSkeleton Skeleton { get; set; }
 
-        /// <summary>Colours and light.</summary>
+        /// <summary>Material with the colours of the wing.</summary>
         public Material Material { get; set; }
     }
 }

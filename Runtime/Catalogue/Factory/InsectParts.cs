@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Catalogue
 {
-    /// <summary>What the insects of one species share, and how an insect is put together of it: meshes, skeletons and materials.</summary>
+    /// <summary>Meshes, skeletons and materials that the insects of one species share; assembles insects of them.</summary>
     internal sealed class InsectParts
     {
         private const string k_Body = "Body";
@@ -21,7 +21,7 @@ namespace Alate.Catalogue
             Wings = wings;
         }
 
-        /// <summary>Of the insect.</summary>
+        /// <summary>Display name of the insect.</summary>
         public string Name { get; }
 
         /// <summary>The kinds of wings, from front to back.</summary>
@@ -30,10 +30,10 @@ namespace Alate.Catalogue
         /// <summary>The body.</summary>
         public Mesh BodyMesh { get; set; }
 
-        /// <summary>The body's colours.</summary>
+        /// <summary>Material with the colours of the body.</summary>
         public Material BodyMaterial { get; set; }
 
-        /// <summary>Makes everything again; the caller owns it.</summary>
+        /// <summary>Makes new meshes, skeletons and materials, which the caller owns.</summary>
         /// <param name="species">Of what insect.</param>
         /// <param name="keepPixels">Whether the textures of the materials can be read, to be saved.</param>
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
@@ -93,7 +93,7 @@ namespace Alate.Catalogue
             return root;
         }
 
-        /// <summary>Keeps everything out of scenes and from being unloaded with them.</summary>
+        /// <summary>Hides all parts and keeps them from being saved in scenes or unloaded with them.</summary>
         public void Hide()
         {
             foreach (Object part in Parts())
@@ -104,7 +104,7 @@ namespace Alate.Catalogue
             }
         }
 
-        /// <summary>Frees everything.</summary>
+        /// <summary>Destroys all parts.</summary>
         public void Destroy()
         {
             foreach (Object part in Parts())

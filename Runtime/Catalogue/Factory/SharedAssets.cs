@@ -27,7 +27,7 @@ namespace Alate.Catalogue
             set => m_Users = value;
         }
 
-        /// <summary>Makes the parts of a species; nobody uses them yet.</summary>
+        /// <summary>Makes the parts of a species, without users yet.</summary>
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
         public static SharedAssets Make(InsectDefinition species)
         {
@@ -51,7 +51,7 @@ namespace Alate.Catalogue
             return parts.Assemble(PresetsOf(parts, variant, preset));
         }
 
-        /// <summary>Frees all parts, and the kit itself.</summary>
+        /// <summary>Frees all parts and this asset itself.</summary>
         public void Free()
         {
             foreach (Presets presets in m_Presets)

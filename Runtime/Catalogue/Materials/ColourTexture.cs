@@ -7,10 +7,10 @@ namespace Alate.Catalogue
     /// <summary>Paints the vertex colours of a surface into a picture for its texture coordinates, for shaders that show no vertex colours.</summary>
     internal static class ColourTexture
     {
-        /// <summary>How far colours run on beyond the parts of the picture that are used, pixels: filtering and small mipmaps reach there.</summary>
+        /// <summary>Reach of colours beyond the used parts of the picture, pixels: for filtering and small mipmaps.</summary>
         private const int k_Bleed = 4;
 
-        /// <summary>The picture, row by row from v = 0.</summary>
+        /// <summary>Paints the picture, row by row from v = 0.</summary>
         /// <param name="surface">With colours and texture coordinates.</param>
         /// <param name="size">Columns and rows, 1 or more.</param>
         /// <exception cref="ArgumentException">The surface lacks colours or texture coordinates, or the size is below 1.</exception>

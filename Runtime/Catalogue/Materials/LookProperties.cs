@@ -3,12 +3,14 @@ using UnityEngine.Rendering;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Writes a look into the properties of each shader that is used: their names and keywords are those the shaders' own inspectors set.</summary>
+    /// <summary>
+    /// Writes a look into the properties of each supported shader, by the names and keywords that the shader's own inspector sets.
+    /// </summary>
     internal static class LookProperties
     {
         private const float k_Through = 0.5f, k_WingGloss = 0.06f, k_BodyGloss = 0.14f, k_Smoothness = 0.35f;
 
-        /// <summary>Bodies that are partly clear are drawn before the wings, which are blended over them.</summary>
+        /// <summary>Render queue of partly clear bodies: before the wings, which are blended over them.</summary>
         private const int k_ClearBodyQueue = (int)RenderQueue.Transparent - 1;
 
         public static void Write(Material material, in SurfaceLook look)

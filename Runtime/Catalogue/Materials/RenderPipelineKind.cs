@@ -1,18 +1,18 @@
 namespace Alate.Catalogue
 {
-    /// <summary>Which render pipeline draws the scene, as far as materials differ.</summary>
+    /// <summary>Render pipeline that draws the scene, as far as materials differ.</summary>
     internal enum RenderPipelineKind
     {
-        /// <summary>No pipeline asset is set.</summary>
+        /// <summary>Built-in pipeline: no pipeline asset is set.</summary>
         BuiltIn,
 
-        /// <summary>URP.</summary>
+        /// <summary>Universal Render Pipeline.</summary>
         Universal,
 
-        /// <summary>HDRP.</summary>
+        /// <summary>High Definition Render Pipeline.</summary>
         HighDefinition,
 
-        /// <summary>A pipeline of somebody's own.</summary>
+        /// <summary>Custom pipeline.</summary>
         Other,
     }
 }

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Tells in players when a material made at run time needs features of its shader that the build may not have: Unity leaves out the variants of URP/Lit,
-    /// HDRP/Lit and Standard that no saved material uses. The package's own shader has none that could be left out.
+    /// Warns in players when a material made at run time needs features of its shader that the build may not have: Unity leaves out the
+    /// variants of URP/Lit, HDRP/Lit and Standard that no saved material uses. The package's own shader has none that could be left out.
     /// </summary>
     internal static class ShaderFeatures
     {

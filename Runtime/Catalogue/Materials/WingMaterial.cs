@@ -19,7 +19,7 @@ namespace Alate.Catalogue
 
         private const int k_LeastSize = 16, k_MostSize = 8192;
 
-        /// <summary>A wing without colours of its own.</summary>
+        /// <summary>Colour of a wing without a pattern.</summary>
         private static readonly Color s_Membrane = new Color(0.84f, 0.79f, 0.66f);
 
         /// <summary>
@@ -32,7 +32,7 @@ namespace Alate.Catalogue
             return found != null ? found : WingShaders.PipelinesOwn();
         }
 
-        /// <summary>Whether a shader shows vertex colours; others need a texture.</summary>
+        /// <summary>Returns true where a shader shows vertex colours; others need a texture.</summary>
         public static bool ShowsVertexColours(Shader shader) => shader != null && shader.name == ShaderName;
 
         /// <summary>
@@ -71,7 +71,9 @@ namespace Alate.Catalogue
             return Create(shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, pixels, width, height, keepPixels), true, HasClearPixels(pixels)));
         }
 
-        /// <summary>A material for a species' body: vertex colours, or a texture painted with them where the shader shows none.</summary>
+        /// <summary>
+        /// Makes a material for a species' body: vertex colours, or a texture painted with them where the shader shows none.
+        /// </summary>
         /// <param name="species">The species.</param>
         /// <param name="textureSize">Pixels along each side, 16 to 8192, where a texture is needed.</param>
         /// <exception cref="ArgumentOutOfRangeException">The size is out of range.</exception>

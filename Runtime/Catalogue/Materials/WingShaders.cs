@@ -7,17 +7,17 @@ namespace Alate.Catalogue
     /// <summary>Finds a shader that the active render pipeline can draw wings with.</summary>
     internal static class WingShaders
     {
-        /// <summary>The package's own, which shows vertex colours.</summary>
+        /// <summary>Name of the package's own shader, which shows vertex colours.</summary>
         public const string Own = "Alate/Wing";
 
         public const string UniversalLit = "Universal Render Pipeline/Lit";
         public const string HighDefinitionLit = "HDRP/Lit";
         public const string Standard = "Standard";
 
-        /// <summary>Where the package's shader lies in a Resources folder, which every player build takes along.</summary>
+        /// <summary>Path of the package's shader in a Resources folder, which every player build includes.</summary>
         private const string k_OwnResource = "Alate/Wing";
 
-        /// <summary>The pipeline that draws now.</summary>
+        /// <summary>Render pipeline that draws now.</summary>
         public static RenderPipelineKind ActivePipeline
         {
             get
@@ -39,7 +39,9 @@ namespace Alate.Catalogue
             };
         }
 
-        /// <summary>The names to try, the best one first. The package's shader has no pass that HDRP or an unknown pipeline would draw.</summary>
+        /// <summary>
+        /// Names of the shaders to try, the best one first. The package's shader has no pass that HDRP or an unknown pipeline would draw.
+        /// </summary>
         public static string[] NamesFor(RenderPipelineKind pipeline)
         {
             return pipeline switch
@@ -51,7 +53,7 @@ namespace Alate.Catalogue
             };
         }
 
-        /// <summary>The best shader there is; null if there is none.</summary>
+        /// <summary>Finds the best shader in the build; null if there is none.</summary>
         /// <param name="pipeline">The pipeline that shall draw.</param>
         /// <param name="find">Finds a shader by its name, or gives null.</param>
         public static Shader Choose(RenderPipelineKind pipeline, Func<string, Shader> find)
@@ -68,14 +70,14 @@ namespace Alate.Catalogue
             return null;
         }
 
-        /// <summary>By name, the package's own also where no material of the build refers to it.</summary>
+        /// <summary>Finds a shader by name; the package's own also where no material of the build refers to it.</summary>
         public static Shader Find(string name)
         {
             var shader = name == Own ? Resources.Load<Shader>(k_OwnResource) : null;
             return shader != null ? shader : Shader.Find(name);
         }
 
-        /// <summary>What a pipeline offers by itself; null without an asset or in players of some pipelines.</summary>
+        /// <summary>Default shader of the pipeline; null without a pipeline asset, or in players of some pipelines.</summary>
         public static Shader PipelinesOwn()
         {
             var asset = GraphicsSettings.currentRenderPipeline;

@@ -2,7 +2,9 @@ using Alate.Geometry;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Where one chain of a skeleton runs: from the base to its tip on the margin, straight or by way of a place inside the wing.</summary>
+    /// <summary>
+    /// Path of one chain of a skeleton: from the base to its tip on the margin, straight or by way of a place inside the wing.
+    /// </summary>
     internal readonly struct ChainPath
     {
         /// <param name="tip">The tip on the margin: share of its length from the leading corner of the base, 0 to 1.</param>

@@ -3,8 +3,8 @@ using System;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Where the stations of an even mesh lie and into how many pieces each one's chord is cut, so that pieces are as long as stations are apart and the
-    /// triangles between the stations, c_k + c_(k+1) for each strip, come to an exact number.
+    /// Places of the stations of an even mesh and the number of pieces of each chord: pieces are as long as stations are apart, and the
+    /// triangles between stations, c_k + c_(k+1) for each strip, come to an exact number.
     /// </summary>
     internal static class ChordSegments
     {

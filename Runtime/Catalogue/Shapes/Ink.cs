@@ -4,31 +4,31 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>What patterns are drawn with: shapes with soft edges, each a share from 0 outside to 1 inside.</summary>
+    /// <summary>Shapes with soft edges that patterns are drawn with, each a share from 0 outside to 1 inside.</summary>
     internal static class Ink
     {
         private const int k_EdgeSamples = 96;
 
-        /// <summary>1 within the limit, 0 beyond it, with a soft step of the given width.</summary>
+        /// <summary>Soft step: 1 within the limit, 0 beyond it, over the given width.</summary>
         public static float Within(double distance, double limit, double softness)
         {
             return (float)Math.Clamp(0.5 + (limit - distance) / Math.Max(softness, 1e-9), 0, 1);
         }
 
-        /// <summary>1 between two limits.</summary>
+        /// <summary>Soft band: 1 between two limits, 0 outside.</summary>
         public static float Between(double value, double from, double to, double softness)
         {
             return Math.Min(Within(value, to, softness), Within(-value, -from, softness));
         }
 
-        /// <summary>1 in an ellipse whose axes lie along the span and across it.</summary>
+        /// <summary>Soft ellipse with axes along and across the span: 1 inside, 0 outside.</summary>
         public static float Ellipse(double x, double z, double radiusX, double radiusZ, double softness)
         {
             var size = Math.Min(radiusX, radiusZ);
             return Within((Math.Sqrt(x * x / (radiusX * radiusX) + z * z / (radiusZ * radiusZ)) - 1) * size, 0, softness);
         }
 
-        /// <summary>1 in the spots of a row that runs along an edge.</summary>
+        /// <summary>Row of soft spots along an edge: 1 inside a spot, 0 outside.</summary>
         /// <param name="along">Where along the edge.</param>
         /// <param name="distance">How far from the edge.</param>
         /// <param name="spacing">From one spot to the next.</param>

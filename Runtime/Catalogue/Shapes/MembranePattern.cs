@@ -24,13 +24,13 @@ namespace Alate.Catalogue
             m_Costa.Add(Ink.Margin(outline, 0, 0.47));
         }
 
-        /// <summary>The membrane, its alpha the opacity.</summary>
+        /// <summary>Colour of the membrane; alpha is its opacity.</summary>
         public Color Membrane { get; set; }
 
-        /// <summary>The membrane near the base.</summary>
+        /// <summary>Colour of the membrane near the base.</summary>
         public Color Base { get; set; }
 
-        /// <summary>Veins and margin.</summary>
+        /// <summary>Colour of veins and margin.</summary>
         public Color Vein { get; set; }
 
         /// <summary>Half width of a vein near the base, wing lengths.</summary>
@@ -39,10 +39,10 @@ namespace Alate.Catalogue
         /// <summary>Half width of the thickened leading edge.</summary>
         public double CostaHalfWidth { get; set; } = 0.014;
 
-        /// <summary>Pale and dark dapples along the veins: how strong they are, 0 to 1.</summary>
+        /// <summary>Strength of the pale and dark dapples along the veins, 0 to 1.</summary>
         public float Dapple { get; set; }
 
-        /// <summary>From one dapple to the next, wing lengths.</summary>
+        /// <summary>Distance from one dapple to the next, wing lengths.</summary>
         public double DappleLength { get; set; } = 0.05;
 
         /// <inheritdoc/>

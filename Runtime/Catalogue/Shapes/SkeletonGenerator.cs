@@ -37,7 +37,7 @@ namespace Alate.Catalogue
             return Make(paths, jointsPerChain, scale, side);
         }
 
-        /// <summary>Makes a skeleton whose chains run where they are told to; the first one follows the leading edge to its tip.</summary>
+        /// <summary>Makes a skeleton with chains along the given paths; the first one follows the leading edge to its tip.</summary>
         /// <param name="outline">The wing's contour.</param>
         /// <param name="chains">The chains from leading to trailing edge, their tips in order along the margin.</param>
         /// <param name="jointsPerChain">Joints of each chain.</param>

@@ -7,7 +7,7 @@ namespace Alate.Catalogue
     {
         public readonly double x, z, dx, dz, length;
 
-        /// <summary>How far along its polyline it begins.</summary>
+        /// <summary>Distance along the polyline at which the piece begins.</summary>
         public readonly double start;
 
         public Stroke(double x0, double z0, double x1, double z1, double start)
@@ -20,7 +20,7 @@ namespace Alate.Catalogue
             this.start = start;
         }
 
-        /// <summary>Distance of a place, and how far along the polyline the nearest point lies.</summary>
+        /// <summary>Distance of a place from the piece, with the distance along the polyline of the nearest point.</summary>
         public double Distance(double placeX, double placeZ, out double along)
         {
             var t = length > 0 ? Math.Clamp(((placeX - x) * dx + (placeZ - z) * dz) / (length * length), 0, 1) : 0;

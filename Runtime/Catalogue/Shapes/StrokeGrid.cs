@@ -3,13 +3,13 @@ using System.Collections.Generic;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Square cells over strokes; each knows those that may be nearest to a place in it, in their order.</summary>
+    /// <summary>Square cells over strokes; each lists the strokes that may be nearest to a place in it, in their order.</summary>
     internal sealed class StrokeGrid
     {
         /// <summary>Cells along the longer side.</summary>
         private const int k_Cells = 64;
 
-        /// <summary>How far the cells reach beyond the strokes, shares of the longer side.</summary>
+        /// <summary>Reach of the cells beyond the strokes, as a share of the longer side.</summary>
         private const double k_Margin = 0.1;
 
         private readonly Stroke[] m_Strokes;
@@ -38,7 +38,7 @@ namespace Alate.Catalogue
             m_Found = new Stroke[m_Columns * m_Rows][];
         }
 
-        /// <summary>Those that may be nearest to a place; all of them outside of the cells.</summary>
+        /// <summary>Strokes that may be nearest to a place; all of them for a place outside of the cells.</summary>
         public Stroke[] Around(double x, double z)
         {
             double column = Math.Floor((x - m_Left) / m_Size), row = Math.Floor((z - m_Low) / m_Size);

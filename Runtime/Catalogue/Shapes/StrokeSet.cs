@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Polylines in the plane of the wing, asked for the distance to the nearest of them.</summary>
+    /// <summary>Polylines in the plane of the wing, with the distance of a place to the nearest of them.</summary>
     internal sealed class StrokeSet
     {
         private readonly List<Stroke> m_Strokes = new List<Stroke>();
@@ -22,7 +22,9 @@ namespace Alate.Catalogue
             return this;
         }
 
-        /// <summary>Distance to the nearest stroke, and how far along its polyline the nearest point lies; the largest number without strokes.</summary>
+        /// <summary>
+        /// Distance to the nearest stroke, with the distance along its polyline of the nearest point; the largest number without strokes.
+        /// </summary>
         public double Distance(double x, double z, out double along)
         {
             along = 0;

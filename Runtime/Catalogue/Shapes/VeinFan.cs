@@ -68,7 +68,7 @@ namespace Alate.Catalogue
             return this;
         }
 
-        /// <summary>Distance to the nearest vein; how far along it is.</summary>
+        /// <summary>Distance to the nearest vein, with the share along it.</summary>
         public double Distance(double span, double forward, out double along) => m_Strokes.Distance(span, forward, out along);
 
         /// <summary>Distance to the nearest cross vein.</summary>

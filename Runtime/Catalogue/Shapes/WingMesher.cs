@@ -16,7 +16,7 @@ namespace Alate.Catalogue
         /// <summary>Fewest triangles <see cref="Strips"/> and <see cref="Fill(WingOutline, int, float)"/> make.</summary>
         public const int MinTriangles = 50;
 
-        /// <summary>Most triangles they make.</summary>
+        /// <summary>Most triangles <see cref="Strips"/> and <see cref="Fill(WingOutline, int, float)"/> make.</summary>
         public const int MaxTriangles = 1000000;
 
         /// <summary>
@@ -63,8 +63,8 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// An even mesh of an exact number of triangles whose vertices follow the rim and lie on a lattice of equilateral triangles inside it: for outlines
-        /// that are too steep for stations, such as a tail or a fan.
+        /// Makes an even mesh of an exact number of triangles whose vertices follow the rim and lie on a lattice of equilateral triangles
+        /// inside it: for outlines that are too steep for stations, such as a tail or a fan.
         /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and <see cref="MaxTriangles"/>.</exception>
         public static SurfaceMesh Fill(WingOutline outline, int triangleCount, float scale = 1f) => Fill(outline, null, triangleCount, scale);

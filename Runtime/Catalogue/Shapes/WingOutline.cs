@@ -43,7 +43,7 @@ namespace Alate.Catalogue
         /// <summary>The area of the surface inside, square wing lengths.</summary>
         public double Area => MeasureArea();
 
-        /// <summary>Whether the tip ends in a point of a rounded cap, not in a straight edge.</summary>
+        /// <summary>True where the tip ends in a point of a rounded cap, false where it ends in a straight edge.</summary>
         public bool HasRoundedTip => m_CapStart < 1;
 
         /// <summary>An outline with straight edges through landmarks in millimetres.</summary>
@@ -64,8 +64,9 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// The same landmarks joined by monotone cubics, and the tip closed by an elliptic cap inside them, as long as the tip edge is wide. Wing length and the
-        /// bounds of the landmarks are kept. Edges that would pinch the wing to less than half its straight chord between two landmarks stay straight.
+        /// Outline through the landmarks by monotone cubics, its tip closed by an elliptic cap inside them, as long as the tip edge is
+        /// wide. Wing length and the bounds of the landmarks are kept. Edges that would pinch the wing to less than half its straight chord
+        /// between two landmarks stay straight.
         /// </summary>
         public WingOutline Smoothed()
         {

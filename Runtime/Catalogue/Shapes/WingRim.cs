@@ -10,7 +10,7 @@ namespace Alate.Catalogue
     /// </summary>
     internal sealed class WingRim
     {
-        /// <summary>Steps along each edge; they crowd at the tip, where a rounded edge falls steeply.</summary>
+        /// <summary>Number of steps along each edge; they crowd at the tip, where a rounded edge falls steeply.</summary>
         private const int k_EdgeSteps = 1200;
 
         private readonly List<PlanarPath> m_Stretches = new List<PlanarPath>();

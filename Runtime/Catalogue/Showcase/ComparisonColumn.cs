@@ -11,7 +11,9 @@ namespace Alate.Catalogue
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class ComparisonColumn
     {
-        /// <summary>The elasticity of the last of <see cref="All"/>, as a factor on the species': soft enough that the eye sees it.</summary>
+        /// <summary>
+        /// Elasticity of the last column of <see cref="All"/>, as a factor on that of the species: 0.25, soft enough to see.
+        /// </summary>
         public const float OtherElasticity = 0.25f;
 
         private readonly Action<WingPreset> m_Change;
@@ -28,11 +30,11 @@ namespace Alate.Catalogue
         public static ComparisonColumn RigidWing { get; } = new ComparisonColumn(
             "rigid", "Rigid wing", "as in earlier flight models: flapping, feathering and sweeping of a flat plate", MakeRigid);
 
-        /// <summary>All of the model but the deformation wave: every part of the wing is driven at once.</summary>
+        /// <summary>Full model without the deformation wave: every part of the wing is driven at once.</summary>
         public static ComparisonColumn NoWave { get; } = new ComparisonColumn(
             "no-wave", "No deformation wave", "bending and elasticity alone: every part of the wing is driven at once", StopWave);
 
-        /// <summary>The species as it is.</summary>
+        /// <summary>Full model, unchanged.</summary>
         public static ComparisonColumn FullModel { get; } = new ComparisonColumn(
             "full", "Full model", "deformation wave, bending and elasticity", _ => { });
 
@@ -42,10 +44,10 @@ namespace Alate.Catalogue
         /// <summary>A short name for tables and files: "rigid", "no-wave", "full", "elasticity-0.25".</summary>
         public string Name { get; }
 
-        /// <summary>The name to show.</summary>
+        /// <summary>Display name.</summary>
         public string Title { get; }
 
-        /// <summary>What it leaves out or changes, in a few words that follow the title.</summary>
+        /// <summary>Description of what the column leaves out or changes, in a few words that follow the title.</summary>
         public string Description { get; }
 
         /// <summary>The full model with another elasticity.</summary>
@@ -65,7 +67,7 @@ namespace Alate.Catalogue
                 factor < 1f ? "the full model, softer" : "the full model, stiffer", species => species.Stiffness.elasticity *= factor);
         }
 
-        /// <summary>A copy of a preset as this column has it; the caller destroys it.</summary>
+        /// <summary>Makes a copy of a preset with the changes of this column; the caller destroys it.</summary>
         /// <exception cref="ArgumentNullException">There is no preset.</exception>
         public WingPreset CreatePreset(WingPreset full)
         {
@@ -80,7 +82,9 @@ namespace Alate.Catalogue
             return copy;
         }
 
-        /// <summary>Takes the values of a preset over into a copy that was made before, so that one slider moves all columns.</summary>
+        /// <summary>
+        /// Copies the values of a preset into an earlier copy, with the changes of this column, so that one slider moves all columns.
+        /// </summary>
         /// <param name="full">The preset; it stays as it is.</param>
         /// <param name="copy">What <see cref="CreatePreset"/> returned; living wings are told.</param>
         /// <exception cref="ArgumentNullException">One of them is missing.</exception>

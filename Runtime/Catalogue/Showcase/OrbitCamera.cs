@@ -34,28 +34,28 @@ namespace Alate.Catalogue
         [Tooltip("Degrees the camera looks down.")]
         private float m_Pitch = 25f;
 
-        /// <summary>The point that is looked at, world units.</summary>
+        /// <summary>Point that the camera turns about, world units.</summary>
         public Vector3 Target
         {
             get => m_Target;
             set => m_Target = value;
         }
 
-        /// <summary>World units to the point, 0.05 to 1000 (clamped).</summary>
+        /// <summary>Distance from the camera to its target, world units, 0.05 to 1000 (clamped).</summary>
         public float Distance
         {
             get => m_Distance;
             set => m_Distance = Mathf.Clamp(value, k_LeastDistance, k_MostDistance);
         }
 
-        /// <summary>Degrees to the side the camera looks to; 0 looks along Z.</summary>
+        /// <summary>Direction of view to the side, degrees; 0 looks along Z.</summary>
         public float Yaw
         {
             get => m_Yaw;
             set => m_Yaw = value;
         }
 
-        /// <summary>Degrees the camera looks down, −89 to 89 (clamped).</summary>
+        /// <summary>Direction of view downwards, degrees, −89 to 89 (clamped).</summary>
         public float Pitch
         {
             get => m_Pitch;
@@ -63,8 +63,8 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// A camera below an object, and a light on it where the scene has no directional light that is on, so that they go with it. Where there is a main camera this one draws over it; it is the main camera where there
-        /// is none.
+        /// Makes a camera below an object, and a light on it where the scene has no directional light that is on. Draws over the main
+        /// camera where there is one, and is the main camera where there is none.
         /// </summary>
         /// <param name="parent">What it goes with.</param>
         /// <param name="target">The point to look at, world units.</param>

@@ -12,7 +12,7 @@ namespace Alate.Catalogue
         private static readonly double[] s_Leading = { 2.5, 4.2, 6.6, 9.4, 11.8, 13.4, 13.8, 12.8, 10.2, 6.6, 3.6 };
         private static readonly double[] s_Trailing = { -8.0, -11.8, -15.4, -18.0, -18.8, -17.8, -15.2, -11.8, -7.6, -3.4, -0.4 };
 
-        /// <summary>Depths of the hollows between the rays, wing lengths: the lower rays stand free.</summary>
+        /// <summary>Depths of the hollows between the rays, wing lengths; the ends of the lower rays stand free.</summary>
         private static readonly double[] s_Hollows = { 0.012, 0.013, 0.014, 0.016, 0.018, 0.021, 0.024, 0.028, 0.033, 0.04, 0.048, 0.056, 0.06, 0.056 };
 
         public static InsectDefinition Define()

@@ -14,7 +14,7 @@ namespace Alate.Catalogue
         private const double k_BeltWidth = 0.085, k_Scallop = 0.014, k_SpotSpacing = 0.128, k_BeltLength = 0.77;
         private const double k_EyeSpan = 0.345, k_EyeForward = -0.84, k_EyeRadius = 0.066, k_TailRoot = -0.99;
 
-        /// <summary>Where the blue spots lie.</summary>
+        /// <summary>Places of the blue spots.</summary>
         private static readonly double[] s_Belt =
         {
             0.815, -0.31, 0.805, -0.40, 0.775, -0.49, 0.73, -0.575, 0.675, -0.65, 0.61, -0.715, 0.54, -0.76, 0.47, -0.785, 0.40, -0.79, 0.33, -0.78, 0.22, -0.75,

@@ -11,7 +11,9 @@ namespace Alate.Geometry
 
         private const int k_Rounds = 30;
 
-        /// <summary>Least step over that of points spread evenly; where those find no room, smaller ones hardly do.</summary>
+        /// <summary>
+        /// Least step of the lattice over that of points spread evenly; where it leaves no room, a smaller one hardly does.
+        /// </summary>
         private const double k_LeastStep = 0.2;
 
         /// <summary>Sideways shift of the lattice, in steps, so that it never lies on lines of the outline.</summary>

@@ -9,16 +9,16 @@ namespace Alate.Geometry
         /// <summary>Share of the sides of an even mesh that may lie on the rim before the rim is made coarser.</summary>
         private const double k_MostRim = 0.8;
 
-        /// <summary>How much coarser the rim gets each time, and how often.</summary>
+        /// <summary>Factor by which the rim gets coarser each time, and number of times.</summary>
         private const double k_Coarser = 1.12;
         private const int k_Tries = 24;
 
         private const int k_SmoothingRounds = 20;
 
-        /// <summary>Random shifts of the vertices, in spacings: no three shall lie exactly in a line.</summary>
+        /// <summary>Random shift of the vertices, in spacings, so that no three lie exactly in a line.</summary>
         private const double k_Jitter = 1e-5;
 
-        /// <summary>Triangles and their links; the first points are the rim, counterclockwise.</summary>
+        /// <summary>Fills an outline with triangles; the first points are the rim, counterclockwise.</summary>
         /// <param name="outline">Counterclockwise; simple.</param>
         /// <param name="triangleCount">Exact.</param>
         /// <param name="rimCount">How many points are the rim.</param>

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Alate.Geometry
 {
-    /// <summary>Whether a closed line is fit to be the rim of a mesh.</summary>
+    /// <summary>Checks that a closed line can be the rim of a mesh.</summary>
     internal static class RimCheck
     {
-        /// <summary>Whether no two of its segments meet but neighbours at their ends.</summary>
+        /// <summary>Returns true where no two segments meet except neighbours at their ends.</summary>
         public static bool IsSimple(List<PlanPoint> rim)
         {
             for (int a = 0; a < rim.Count; a++)

@@ -6,10 +6,10 @@ namespace Alate.Geometry
     /// <summary>Chooses the vertices of a mesh along its outline: its corners, and between them places at even spacing.</summary>
     internal static class RimSampler
     {
-        /// <summary>Deviation, in spacings, from which on a bend of the outline is a corner, and its least angle's cosine.</summary>
+        /// <summary>Deviation, in spacings, from which a bend of the outline is a corner, and the cosine of its least angle.</summary>
         private const double k_CornerDeviation = 0.3, k_CornerCosine = 0.8;
 
-        /// <summary>The vertices, counterclockwise.</summary>
+        /// <summary>Chooses the vertices, counterclockwise.</summary>
         /// <param name="outline">Counterclockwise.</param>
         /// <param name="even">Spacing where the wing is wide.</param>
         /// <param name="isOdd">Whether their number shall be odd.</param>

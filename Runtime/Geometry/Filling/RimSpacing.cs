@@ -2,10 +2,10 @@ using System;
 
 namespace Alate.Geometry
 {
-    /// <summary>How far apart the vertices along an outline may lie: an even distance, but less where the wing is narrow.</summary>
+    /// <summary>Distance between the vertices along an outline: even, but less where the wing is narrow.</summary>
     internal sealed class RimSpacing
     {
-        /// <summary>Steps in which the outline is looked at, in an even distance, and their most.</summary>
+        /// <summary>Number of steps in an even distance in which the outline is looked at, and most steps.</summary>
         private const int k_StepsInSpacing = 4, k_MostSteps = 6000;
 
         /// <summary>Least spacing over the even one.</summary>
@@ -14,10 +14,10 @@ namespace Alate.Geometry
         /// <summary>Spacing over the width of the wing where that is less.</summary>
         private const double k_OverWidth = 0.9;
 
-        /// <summary>How fast the spacing may change along the outline.</summary>
+        /// <summary>Largest change of the spacing per distance along the outline.</summary>
         private const double k_Growth = 0.4;
 
-        /// <summary>The other side counts as across only where it faces this one: the cosine of the angle between them.</summary>
+        /// <summary>Cosine of the angle between two sides beyond which they count as facing each other.</summary>
         private const double k_Facing = -0.7;
 
         private readonly RimLine m_Rim;
@@ -37,7 +37,7 @@ namespace Alate.Geometry
             LimitGrowth();
         }
 
-        /// <summary>How many spacings lie between two distances, the second of which may be beyond the end and begin again.</summary>
+        /// <summary>Number of spacings between two distances, the second of which may lie beyond the end and wrap round.</summary>
         public double Count(double from, double to)
         {
             double count = 0.0;
@@ -51,7 +51,7 @@ namespace Alate.Geometry
             return count;
         }
 
-        /// <summary>The distance that lies that many spacings behind another.</summary>
+        /// <summary>Distance that lies a number of spacings behind another.</summary>
         public double Advance(double from, double spacings)
         {
             for (double at = from; ;)

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Alate.Geometry
 {
     /// <summary>
-    /// The Delaunay triangulation of points in a plane, one inserted after the other and its neighbourhood flipped right (Lawson, 1977), with some sides
+    /// Delaunay triangulation of points in a plane, inserted one by one with flips in their neighbourhood (Lawson, 1977); some sides are
     /// then forced in by flips (Sloan, 1993).
     /// </summary>
     internal sealed class DelaunayTriangulation

@@ -12,7 +12,7 @@ namespace Alate.Geometry
         /// <summary>[side] The point at which the side begins.</summary>
         public readonly List<int> corners = new List<int>();
 
-        /// <summary>[side] The same side seen from the triangle across it; −1 for none.</summary>
+        /// <summary>[side] Twin of the side in the triangle across it; −1 for none.</summary>
         public readonly List<int> twins = new List<int>();
 
         /// <summary>[point] Any side that begins at the point; −1 when none does.</summary>
@@ -75,7 +75,9 @@ namespace Alate.Geometry
             firstSides[c] = firstSide + 2;
         }
 
-        /// <summary>Whether the two triangles on a side are a convex quadrilateral, so that its other diagonal lies inside.</summary>
+        /// <summary>
+        /// Returns true where the two triangles on a side form a convex quadrilateral, so that its other diagonal lies inside.
+        /// </summary>
         public bool CanFlip(int side)
         {
             int twin = twins[side];
@@ -85,7 +87,9 @@ namespace Alate.Geometry
             return Area(near, corners[side], far) > 0.0 && Area(near, far, End(side)) > 0.0;
         }
 
-        /// <summary>Whether the circle through a side's triangle holds the corner across the side (Delaunay's condition is broken).</summary>
+        /// <summary>
+        /// Returns true where the circle through a side's triangle holds the corner across the side (Delaunay's condition is broken).
+        /// </summary>
         public bool IsAgainstDelaunay(int side)
         {
             int twin = twins[side];

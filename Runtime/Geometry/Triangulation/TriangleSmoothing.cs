@@ -4,21 +4,23 @@ using System.Collections.Generic;
 namespace Alate.Geometry
 {
     /// <summary>
-    /// Makes triangles more even: inner points move towards the middle of the triangles around them, and sides flip by Delaunay's condition;
-    /// then those next to a slender triangle look for the place where the worst of theirs is best.
+    /// Makes triangles more even: moves inner points towards the middle of the triangles around them and flips sides by Delaunay's
+    /// condition; then moves the corners of slender triangles to where the worst triangle around them is best.
     /// </summary>
     internal static class TriangleSmoothing
     {
-        /// <summary>Triangles of less quality are slender.</summary>
+        /// <summary>Quality below which a triangle is slender, 0 to 1.</summary>
         private const double k_Slender = 0.7;
 
         private const int k_MendingRounds = 6;
 
-        /// <summary>Directions in which a better place is looked for; first step and last, shares of the distance to the farthest neighbour.</summary>
+        /// <summary>
+        /// Number of directions in which a better place is tried; first and last step, as shares of the distance to the farthest neighbour.
+        /// </summary>
         private const int k_Directions = 8;
         private const double k_FirstStep = 0.25, k_LastStep = 0.01;
 
-        /// <summary>Runs some rounds.</summary>
+        /// <summary>Smooths the triangles in some rounds.</summary>
         /// <param name="mesh">Its points change places.</param>
         /// <param name="rimCount">Points before this one stay where they are.</param>
         /// <param name="rounds">How often every point moves.</param>
@@ -42,7 +44,7 @@ namespace Alate.Geometry
         }
 
         /// <summary>
-        /// 1 for an equilateral triangle, 0 for one without area, below 0 for one that lies the wrong way round: area over the sum of the squared sides,
+        /// Quality of a triangle: 1 if equilateral, 0 without area, below 0 the wrong way round; area over the sum of the squared sides,
         /// scaled.
         /// </summary>
         public static double Quality(PlanPoint a, PlanPoint b, PlanPoint c)

@@ -2,7 +2,10 @@ using System.Collections.Generic;
 
 namespace Alate
 {
-    /// <summary>The assets of one kind that are in use, each read once however many use it. Those that nobody asks for any more are let go, so that they can be unloaded.</summary>
+    /// <summary>
+    /// Assets of one kind that are in use, each read once however many users it has. Assets that are no longer asked for are released, so
+    /// that they can be unloaded.
+    /// </summary>
     internal abstract class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
     {
         private readonly Dictionary<TAsset, TValue> m_Values = new Dictionary<TAsset, TValue>();
@@ -18,7 +21,7 @@ namespace Alate
         /// <summary>Assets that are watched now.</summary>
         public int Count => m_All.Count;
 
-        /// <summary>What is read of an asset, or what stands for none.</summary>
+        /// <summary>Value read of an asset, or the default for none.</summary>
         public TValue Of(TAsset asset)
         {
             if (asset == null)
@@ -39,7 +42,7 @@ namespace Alate
                 value.Refresh();
         }
 
-        /// <summary>Ends a round: lets go of what nobody has looked at for long.</summary>
+        /// <summary>Ends a round: releases the assets that were not used for long.</summary>
         public void EndRound()
         {
             for (int k = m_All.Count - 1; k >= 0; k--)

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The skeleton of a wing that was given none, and what is known for it: where the insect is and how it lies, in mesh space.</summary>
+    /// <summary>
+    /// Request for a skeleton of a wing that has none, with the known hints: place and orientation of the insect, in mesh space.
+    /// </summary>
     internal readonly struct AutomaticSkeleton
     {
         private readonly Vector3 m_Body, m_Forward, m_Up;
@@ -30,7 +32,7 @@ namespace Alate
             return toInsect.inverse;
         }
 
-        /// <summary>Whether two would come out the same.</summary>
+        /// <summary>Returns true where two requests give equal skeletons.</summary>
         public bool Matches(in AutomaticSkeleton other) => m_Body == other.m_Body && m_Forward == other.m_Forward && m_Up == other.m_Up;
 
         /// <summary>Lays out chains on a wing; the caller destroys the skeleton.</summary>

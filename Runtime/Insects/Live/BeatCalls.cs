@@ -4,12 +4,17 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Tells insects that a beat began. Whoever listens may destroy or make insects; one who throws is logged and keeps nobody else from hearing.</summary>
+    /// <summary>
+    /// Raises the events of beats. A listener may destroy or make insects; an exception in one is logged and does not keep others from
+    /// being called.
+    /// </summary>
     internal sealed class BeatCalls
     {
         private readonly List<InsectWings> m_Beating = new List<InsectWings>();
 
-        /// <summary>Tells all whose first wing has begun a new cycle since the last call; once, however many it began.</summary>
+        /// <summary>
+        /// Raises the event of every insect whose first wing has begun a new cycle since the last call; once, however many cycles it began.
+        /// </summary>
         public void RaiseBeatEvents(List<LiveInsect> insects, WingWorld world)
         {
             foreach (LiveInsect live in insects)

@@ -8,24 +8,24 @@ using UnityEngine.Rendering;
 namespace Alate
 {
     /// <summary>
-    /// Copies a mesh so that wings can be written into it in one piece each: vertices in a wanted order; stream 0 position and normal, stream 1 tangents where there
-    /// are any, the next one colours and texture coordinates. Looks the same as the source; bone weights and blend shapes are left out.
+    /// Copies a mesh so that each wing's vertices can be written in one piece: vertices in a given order; stream 0 position and normal,
+    /// stream 1 tangents where there are any, the next one colours and texture coordinates. Bone weights and blend shapes are left out.
     /// </summary>
     internal static class DeformableMesh
     {
-        /// <summary>The stream of <see cref="SkinnedVertex"/>.</summary>
+        /// <summary>Index of the stream of <see cref="SkinnedVertex"/>.</summary>
         public const int VertexStream = 0;
 
-        /// <summary>The stream of tangents.</summary>
+        /// <summary>Index of the stream of tangents.</summary>
         public const int TangentStream = 1;
 
         private const int k_TexCoords = 8, k_MostOfSixteenBits = 65535;
 
-        /// <summary>What an upload need not do: bounds are set by hand, indices stay.</summary>
+        /// <summary>Flags of an upload: bounds are set by hand, indices do not change.</summary>
         public const MeshUpdateFlags UploadFlags = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices
             | MeshUpdateFlags.DontNotifyMeshUsers | MeshUpdateFlags.DontResetBoneBounds;
 
-        /// <summary>A copy that is never saved.</summary>
+        /// <summary>Makes a copy that is never saved.</summary>
         /// <param name="source">A readable mesh.</param>
         /// <param name="order">[new vertex] The source's vertex; each one once.</param>
         public static Mesh Build(Mesh source, int[] order)

@@ -1,12 +1,12 @@
 namespace Alate
 {
-    /// <summary>Which level of detail an insect gets by its size on the screen.</summary>
+    /// <summary>Chooses an insect's level of detail by its size on the screen.</summary>
     internal static class DetailChoice
     {
-        /// <summary>A level is left only when the size has grown by this share beyond its threshold, so that it does not flicker.</summary>
+        /// <summary>Growth beyond a threshold, as a share, at which a level is left, so that the level does not flicker.</summary>
         private const float k_Hysteresis = 0.15f;
 
-        /// <summary>The level for a size.</summary>
+        /// <summary>Chooses the level for a size.</summary>
         /// <param name="screenHeight">Share of the screen's height.</param>
         /// <param name="thresholds">Below which the levels after the first begin.</param>
         /// <param name="current">The level now.</param>

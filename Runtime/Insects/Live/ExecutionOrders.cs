@@ -1,12 +1,12 @@
 namespace Alate
 {
-    /// <summary>When the package's components run among all others.</summary>
+    /// <summary>Execution orders of the package's components.</summary>
     internal static class ExecutionOrders
     {
-        /// <summary>Before scripts that may ask an insect for its wings in their own OnEnable.</summary>
+        /// <summary>Order before scripts that may ask an insect for its wings in their own OnEnable.</summary>
         public const int InsectWings = -100;
 
-        /// <summary>After everything that moves insects: the last word of FixedUpdate and LateUpdate.</summary>
+        /// <summary>Order after everything that moves insects, at the end of FixedUpdate and LateUpdate.</summary>
         public const int WingSystem = 31000;
     }
 }

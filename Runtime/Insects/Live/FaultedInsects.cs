@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Insects that cannot live, and whether something of what they are made of has changed since they were found broken.</summary>
+    /// <summary>Insects that cannot live, with a check for changes since the fault was found.</summary>
     internal sealed class FaultedInsects
     {
         private readonly List<Entry> m_Entries = new List<Entry>();
@@ -25,7 +25,7 @@ namespace Alate
                 m_Entries.RemoveAt(at);
         }
 
-        /// <summary>Moves those that were changed to the end of a list, to be tried again.</summary>
+        /// <summary>Moves insects that were changed since to the end of a list, for another try.</summary>
         public void TakeMended(List<InsectWings> mended)
         {
             for (int k = m_Entries.Count - 1; k >= 0; k--)

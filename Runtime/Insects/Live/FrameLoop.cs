@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>All insects that live, and what is done with them in each fixed step and frame, in order.</summary>
+    /// <summary>Living insects and the order of their work in each fixed step and frame.</summary>
     internal sealed class FrameLoop : IDisposable
     {
         private readonly InsectRegistry m_Registry;
@@ -33,28 +33,28 @@ namespace Alate
 
         private List<LiveInsect> Insects => m_Registry.Living;
 
-        /// <summary>Whether nobody lives, waits or is broken.</summary>
+        /// <summary>True where no insect lives, waits or is broken.</summary>
         public bool IsEmpty => m_Registry.IsEmpty;
 
-        /// <summary>[clock] The time within its last step that was drawn last, 0 its start, 1 its end.</summary>
+        /// <summary>[clock] Time within its last step that was last drawn, 0 its start, 1 its end.</summary>
         public float4 DrawnAlpha => m_DrawnAlpha;
 
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
 
-        /// <summary>Recoveries from states that were not finite, of all wings that live.</summary>
+        /// <summary>Number of recoveries from states that were not finite, of all living wings.</summary>
         public int CountResets() => World.CountResets();
 
         /// <summary>Looks for wind zones before the next step.</summary>
         public void FindWindZones() => m_WindZones.Forget();
 
-        /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
+        /// <summary>Queues an insect; it starts in the next frame that has time for it.</summary>
         public void Enter(InsectWings insect) => m_Registry.Enter(insect);
 
-        /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
+        /// <summary>Ends an insect: its meshes are restored now, its wings leave the world in the next frame.</summary>
         public void Leave(InsectWings insect) => m_Registry.Leave(insect);
 
-        /// <summary>One fixed step of the physics.</summary>
+        /// <summary>Runs one fixed step of the physics.</summary>
         public void FixedStep(float dt)
         {
             using (SystemMarkers.fixedStep.Auto())
@@ -67,7 +67,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The end of a frame: who comes and goes, the steps of the frame's clocks, and the picture.</summary>
+        /// <summary>Runs the end of a frame: starts and removes insects, steps the clocks of the frame, and skins the meshes.</summary>
         public void Frame(float dt, float unscaledDt)
         {
             using (SystemMarkers.frame.Auto())
@@ -92,7 +92,7 @@ namespace Alate
             TellProfiler();
         }
 
-        /// <summary>Steps one insect by hand; it starts now if it has not yet.</summary>
+        /// <summary>Steps one insect by hand; starts it now where it still waits.</summary>
         public void StepByHand(InsectWings insect, float dt)
         {
             World.Complete();
@@ -113,7 +113,7 @@ namespace Alate
             m_Moved[(int)ClockId.Own] = true;
         }
 
-        /// <summary>Starts an insect's wings again.</summary>
+        /// <summary>Restarts an insect's wings.</summary>
         public void Restart(LiveInsect live)
         {
             World.Complete();

@@ -5,7 +5,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Builds insects: checks them, finds or bakes what their meshes need, and swaps them. What did not change since an insect was built is kept.</summary>
+    /// <summary>
+    /// Builds insects: checks them, finds or bakes the templates of their meshes, and swaps the meshes. Keeps what has not changed since an
+    /// insect was built.
+    /// </summary>
     internal sealed class InsectBuilder : IDisposable
     {
         private readonly TemplateCache m_Templates;
@@ -18,10 +21,13 @@ namespace Alate
             m_Skeletons = skeletons;
         }
 
-        /// <summary>An insect without meshes and wings.</summary>
+        /// <summary>Makes an insect without meshes and wings.</summary>
         public LiveInsect Create(InsectWings insect) => new LiveInsect(insect, m_NextOwner++);
 
-        /// <summary>Follows what was made again but says the same.</summary>
+        /// <summary>
+        /// Checks that an insect's list of wings and its skeletons still match the built ones; follows list entries that were made again
+        /// with equal content.
+        /// </summary>
         /// <returns>False when meshes, wings or skeletons are no longer those that the insect was built of.</returns>
         public bool KeepUp(LiveInsect live)
         {
@@ -45,7 +51,7 @@ namespace Alate
             return true;
         }
 
-        /// <summary>Gives back the meshes of an insect that are no longer what they were built of, and moves them to the end of a list.</summary>
+        /// <summary>Restores the meshes of an insect whose wings have changed, and moves them to the end of a list.</summary>
         public void Discard(LiveInsect live, List<LiveMesh> discarded)
         {
             int patches = live.insect.Patches;
@@ -89,13 +95,13 @@ namespace Alate
             return InsectProblem.None;
         }
 
-        /// <summary>Lets go of what a mesh shared with others.</summary>
+        /// <summary>Releases the template that a mesh shared with others.</summary>
         public void Free(LiveMesh mesh) => m_Templates.Return(mesh.template);
 
-        /// <summary>Frees what nobody has used for some time.</summary>
+        /// <summary>Frees templates that were unused for some time.</summary>
         public void FreeUnused() => m_Templates.FreeUnused();
 
-        /// <summary>Frees what is kept for those who come back.</summary>
+        /// <summary>Frees the templates that are kept for insects that come back.</summary>
         public void Dispose() => m_Templates.Dispose();
 
         private LiveMesh Build(InsectWings insect, List<int> group, out InsectProblem problem)

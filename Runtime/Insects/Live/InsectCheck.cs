@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>What can be said of an insect without baking anything; for the inspector and before baking.</summary>
+    /// <summary>Finds problems of an insect without baking; for the inspector and before baking.</summary>
     internal static class InsectCheck
     {
-        /// <summary>The first problem; none when all wings look right.</summary>
+        /// <summary>Finds the first problem; none when all wings look right.</summary>
         public static InsectProblem Find(InsectWings insect)
         {
             List<Wing> wings = insect.Wings;
@@ -23,7 +23,7 @@ namespace Alate
             return InsectProblem.None;
         }
 
-        /// <summary>What keeps one wing from being baked.</summary>
+        /// <summary>Finds the problem that keeps one wing from being baked.</summary>
         public static InsectProblem Find(Wing wing, int index)
         {
             if (wing == null || wing.Renderer == null)
@@ -62,7 +62,7 @@ namespace Alate
             return Skeleton(wing, index);
         }
 
-        /// <summary>The authored mesh of a wing, also where its filter shows a living one or lost it; null where there is none.</summary>
+        /// <summary>Authored mesh of a wing, also where its filter shows a living mesh or lost it; null where there is none.</summary>
         public static Mesh MeshOf(Wing wing, MeshFilter filter)
         {
             if (filter == null)
@@ -71,7 +71,7 @@ namespace Alate
             return shown != null ? shown : wing.Authored;
         }
 
-        /// <summary>Lets a wing show its authored mesh again where it came as a clone of a living one.</summary>
+        /// <summary>Restores the authored mesh of a wing that came as a clone of a living one.</summary>
         public static void Repair(Wing wing)
         {
             MeshFilter filter = wing == null ? null : FilterOf(wing);

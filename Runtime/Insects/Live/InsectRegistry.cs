@@ -8,8 +8,8 @@ namespace Alate
     internal sealed class InsectRegistry
     {
         /// <summary>
-        /// Vertices of meshes that may be built in one frame: a swarm that appears at once comes to life over several frames instead of stopping the game. The first insect of a
-        /// frame is always built.
+        /// Most vertices of meshes that are built in one frame: a swarm that appears at once starts over several frames instead of stopping
+        /// the game. The first insect of a frame is always built.
         /// </summary>
         private const int k_VerticesPerFrame = 1 << 17;
 
@@ -32,17 +32,17 @@ namespace Alate
         /// <summary>Insects whose wings beat.</summary>
         public List<LiveInsect> Living { get; } = new List<LiveInsect>();
 
-        /// <summary>Whether nobody lives, waits or is broken.</summary>
+        /// <summary>True where no insect lives, waits or is broken.</summary>
         public bool IsEmpty => Living.Count == 0 && m_Arriving.Count == 0 && m_Broken.Count == 0;
 
-        /// <summary>An insect wants to live; it starts in the next frame that has time for it.</summary>
+        /// <summary>Queues an insect; it starts in the next frame that has time for it.</summary>
         public void Enter(InsectWings insect)
         {
             insect.Report(InsectProblem.Waiting);
             m_Arriving.Add(insect);
         }
 
-        /// <summary>An insect ends: its meshes are given back now, its wings leave the world in the next frame.</summary>
+        /// <summary>Ends an insect: its meshes are restored now, its wings leave the world in the next frame.</summary>
         public void Leave(InsectWings insect)
         {
             m_Arriving.Remove(insect);
@@ -51,14 +51,17 @@ namespace Alate
                 Retire(insect.Live);
         }
 
-        /// <summary>Lets an insect that waits start at once.</summary>
+        /// <summary>Starts a waiting insect at once.</summary>
         public void StartNow(InsectWings insect)
         {
             if (m_Arriving.Remove(insect))
                 Start(insect);
         }
 
-        /// <summary>Once a frame, with no jobs under way: who has gone goes, who was changed is changed, who waits starts.</summary>
+        /// <summary>
+        /// Updates the lists once a frame, with no jobs under way: removes insects that have gone, rebuilds changed ones, starts waiting
+        /// ones.
+        /// </summary>
         /// <returns>Whether meshes were built.</returns>
         public bool UpdateRegistry()
         {
@@ -84,7 +87,7 @@ namespace Alate
             return vertices < k_VerticesPerFrame;
         }
 
-        /// <summary>All end.</summary>
+        /// <summary>Ends all insects.</summary>
         public void End()
         {
             while (Living.Count > 0)

@@ -1,6 +1,8 @@
 namespace Alate
 {
-    /// <summary>What an insect says of all its wings: preset, steering, substeps, and how far its beat has faded.</summary>
+    /// <summary>
+    /// Settings of an insect that hold for all its wings: preset, steering, substeps, and the factor by which its beat fades.
+    /// </summary>
     internal readonly struct InsectTuning
     {
         public readonly WingPreset preset;
@@ -17,7 +19,7 @@ namespace Alate
             m_Steering.amplitudeScale *= fade;
         }
 
-        /// <summary>Whether two change parameters in the same way.</summary>
+        /// <summary>Returns true where two change parameters alike.</summary>
         public bool SameAs(in InsectTuning other) => m_Substeps == other.m_Substeps && m_Steering.Equals(other.m_Steering);
 
         /// <summary>Changes a preset's parameters.</summary>

@@ -7,24 +7,27 @@ namespace Alate
     /// <summary>An insect while it lives: its meshes and wings, how its body moves, and with how much detail it is computed.</summary>
     internal sealed class LiveInsect
     {
-        /// <summary>Beats after which amplitudes that were set to zero have died away: up to one until they are latched, and waves go back through three more and a half.</summary>
+        /// <summary>
+        /// Beats after which amplitudes set to zero have died away: up to one until they are latched, then three and a half that the waves
+        /// reach back.
+        /// </summary>
         private const float k_BeatsToRest = 5f;
 
         public readonly InsectWings insect;
         public readonly Transform root;
         public readonly List<LiveMesh> meshes = new List<LiveMesh>();
 
-        /// <summary>In the order of the insect's list.</summary>
+        /// <summary>Wings, in the order of the insect's list.</summary>
         public LiveWing[] wings = System.Array.Empty<LiveWing>();
 
-        /// <summary>Names the insect's own clock.</summary>
+        /// <summary>Number of the insect's own clock.</summary>
         public readonly int owner;
 
         public BodyFlight flight;
         public MotionSampler motion;
         public bool visible = true;
 
-        /// <summary>Beats completed when they were last looked at.</summary>
+        /// <summary>Number of completed beats at the last check.</summary>
         public int beats;
 
         private PackKey m_Pacing;
@@ -44,13 +47,13 @@ namespace Alate
         /// <summary>Pitch of the body, radians, nose up positive.</summary>
         public float Pitch => flight.Pitch;
 
-        /// <summary>The clock the wings keep.</summary>
+        /// <summary>Clock of the wings.</summary>
         public ClockId Clock => ClockOf(insect.UpdateMode);
 
-        /// <summary>Factor on the amplitudes: 0 while the wings are to come to rest.</summary>
+        /// <summary>Factor on the amplitudes: 0 while the wings come to rest.</summary>
         private float Fade => m_Resting ? 0f : 1f;
 
-        /// <summary>Vertices of the meshes that are drawn.</summary>
+        /// <summary>Number of vertices of the drawn meshes.</summary>
         public int VertexCount
         {
             get
@@ -62,7 +65,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Puts those of the wings into the world that are not in it.</summary>
+        /// <summary>Adds the wings to the world that are not in it yet.</summary>
         /// <param name="world">Where all wings are.</param>
         /// <param name="species">The presets in use.</param>
         /// <param name="leader">A wing of the insect whose beat goes on; none starts a new one.</param>
@@ -91,7 +94,7 @@ namespace Alate
                 Start(world);
         }
 
-        /// <summary>Starts all wings again, at the insect's phase.</summary>
+        /// <summary>Restarts all wings, at the insect's phase.</summary>
         public void Restart(WingWorld world)
         {
             foreach (LiveWing wing in wings)
@@ -99,7 +102,7 @@ namespace Alate
             Start(world);
         }
 
-        /// <summary>Takes over sliders and presets.</summary>
+        /// <summary>Takes over values of sliders and presets.</summary>
         public void ApplyParameters(WingWorld world, PresetWatch species)
         {
             var tuning = new InsectTuning(insect, Fade);
@@ -110,7 +113,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Looks how the body moved in the frame.</summary>
+        /// <summary>Samples how the body moved in the frame.</summary>
         /// <returns>Whether it jumped.</returns>
         public bool SampleMotion(float dt)
         {
@@ -122,7 +125,7 @@ namespace Alate
             return motion.Sample(root.position, root.rotation, dt, length, distance, angle);
         }
 
-        /// <summary>Notes what the body does and feels now.</summary>
+        /// <summary>Records motion, wind and gravity of the body.</summary>
         /// <param name="gravity">World units per second squared.</param>
         /// <param name="zoneWind">Of the wind zones, world units per second.</param>
         public void UpdateSurroundings(float3 gravity, float3 zoneWind)
@@ -147,7 +150,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Tells the wings what they feel.</summary>
+        /// <summary>Writes the surroundings of the wings.</summary>
         /// <returns>False when a wing has no size.</returns>
         public bool WriteSurroundings(WingWorld world)
         {
@@ -164,7 +167,7 @@ namespace Alate
             return valid;
         }
 
-        /// <summary>Chooses the level of detail by what cameras see of the insect, and whether to deform its meshes.</summary>
+        /// <summary>Chooses the level of detail by the insect's size in the cameras, and whether its meshes are deformed.</summary>
         /// <returns>Whether its meshes have to be drawn again though nothing may have moved.</returns>
         public bool ChooseDetail(WingWorld world, Viewers viewers, Clocks pacer)
         {
@@ -181,7 +184,7 @@ namespace Alate
             return SetSkinned(world);
         }
 
-        /// <summary>Puts what was deformed into the meshes.</summary>
+        /// <summary>Uploads the deformed vertices to the meshes.</summary>
         public void Upload(WingWorld world)
         {
             if (!m_Skinned)
@@ -202,7 +205,7 @@ namespace Alate
             return insect.Quality.keepForces && wanted > WingDetail.CoarsePatches ? WingDetail.CoarsePatches : wanted;
         }
 
-        /// <summary>Changes clock and level of detail to what is wanted, without a jump.</summary>
+        /// <summary>Changes clock and level of detail without a jump.</summary>
         public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Clocks pacer)
         {
             ClockId clock = Clock;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>One drawn mesh of a living insect, with the wings on it: swaps the authored mesh for a deformable copy, and back.</summary>
+    /// <summary>Drawn mesh of a living insect, with the wings on it: swaps the authored mesh for a deformable copy, and back.</summary>
     internal sealed class LiveMesh
     {
         public readonly MeshFilter filter;
@@ -31,11 +31,14 @@ namespace Alate
             filter.sharedMesh = m_Copy;
         }
 
-        /// <summary>Whether the filter still shows the copy (a script may have given it another mesh), made with so many patches of what the authored mesh says.</summary>
+        /// <summary>
+        /// Returns true where the filter still shows the copy (a script may have given it another mesh), made of the current content of the
+        /// authored mesh with this number of patches.
+        /// </summary>
         public bool IsCurrent(int patches) =>
             patches == m_Patches && !template.IsOutdated && filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Copy);
 
-        /// <summary>Puts the deformed vertices of all wings into the mesh.</summary>
+        /// <summary>Uploads the deformed vertices of all wings to the mesh.</summary>
         public void Upload(WingWorld world)
         {
             foreach (LiveWing wing in wings)

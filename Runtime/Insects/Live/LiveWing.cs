@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>One wing while it lives: its place in the world of the simulation, and what it was last told.</summary>
+    /// <summary>Living wing: its handle in the world of the simulation, and the values last written to it.</summary>
     internal sealed class LiveWing
     {
         public readonly WingRig rig;
@@ -10,13 +10,13 @@ namespace Alate
         public readonly MeshRenderer renderer;
         public readonly Transform transform;
 
-        /// <summary>First vertex in the deformed mesh.</summary>
+        /// <summary>Index of the first vertex in the deformed mesh.</summary>
         public readonly int start;
 
         public WingHandle handle;
         public PlacedWing placed;
 
-        /// <summary>Current values of its preset.</summary>
+        /// <summary>Values of the wing's preset.</summary>
         public PresetValues values;
 
         private Wing m_Wing;
@@ -38,11 +38,11 @@ namespace Alate
             transform = renderer.transform;
         }
 
-        /// <summary>Whether the wing in the list is still what this one was built of.</summary>
+        /// <summary>Returns true where the wing in the list is still the one this was built of.</summary>
         public bool IsBuiltOf(Wing listed) =>
             listed != null && ReferenceEquals(listed.Renderer, renderer) && m_Key.Describes(listed, m_Skeleton.Hash);
 
-        /// <summary>Follows another object of the list that says the same: the editor makes new ones when a slider is moved.</summary>
+        /// <summary>Follows another object of the list with equal content: the editor makes new ones when a slider is moved.</summary>
         public void Follow(Wing listed)
         {
             if (ReferenceEquals(listed, m_Wing))
@@ -51,21 +51,21 @@ namespace Alate
             m_Wing = listed;
         }
 
-        /// <summary>The wing shows its authored mesh again.</summary>
+        /// <summary>Forgets the authored mesh, once the wing shows it again.</summary>
         public void ForgetAuthored() => m_Wing.Authored = null;
 
-        /// <summary>Looks where the wing is in the world.</summary>
+        /// <summary>Updates the wing's frame in the world.</summary>
         public void Place()
         {
             if (transform != null)
                 placed = new PlacedWing(transform.localToWorldMatrix, rig.Frame);
         }
 
-        /// <summary>What the wing feels of the body's flight, where it was last placed.</summary>
+        /// <summary>Surroundings of the wing in the body's flight, at its last frame in the world.</summary>
         public WingSurroundings Surroundings(in BodyFlight flight) =>
             placed.isValid ? flight.Around(placed, values.wingLength, values.gravityShare) : default;
 
-        /// <summary>Takes over preset and sliders.</summary>
+        /// <summary>Takes over values of preset and sliders.</summary>
         /// <param name="species">The presets in use.</param>
         /// <param name="tuning">What the insect says of all its wings.</param>
         /// <param name="parameters">What the wing is to be stepped with.</param>

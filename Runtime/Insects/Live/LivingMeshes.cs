@@ -4,27 +4,29 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// The meshes that living wings are drawn with, and those they stand for. A clone of a living insect comes with the original's living mesh and must find its way
-    /// back to the mesh that was authored.
+    /// Meshes that living wings are drawn with, and their authored originals. A clone of a living insect comes with the original's living
+    /// mesh; the authored mesh is found here.
     /// </summary>
     internal static class LivingMeshes
     {
         private static readonly Dictionary<Mesh, Entry> s_Living = new Dictionary<Mesh, Entry>();
 
-        /// <summary>Living meshes now.</summary>
+        /// <summary>Number of living meshes.</summary>
         public static int Count => s_Living.Count;
 
-        /// <summary>Notes that a living mesh stands for a source, and where.</summary>
+        /// <summary>Adds a living mesh with its source and its filter.</summary>
         public static void Add(Mesh living, Mesh source, MeshFilter filter) =>
             s_Living.Add(living, new Entry { source = source, filter = filter });
 
-        /// <summary>Forgets a living mesh.</summary>
+        /// <summary>Removes a living mesh.</summary>
         public static void Remove(Mesh living) => s_Living.Remove(living);
 
-        /// <summary>The authored mesh: that for which a living one stands, or the mesh itself.</summary>
+        /// <summary>Authored mesh: the source of a living mesh, or the mesh itself.</summary>
         public static Mesh SourceOf(Mesh mesh) => mesh is null || !s_Living.TryGetValue(mesh, out Entry entry) ? mesh : entry.source;
 
-        /// <summary>Whether an insect has given this very filter the mesh that it shows; false for the filters of its clones.</summary>
+        /// <summary>
+        /// Returns true where an insect has given this very filter the mesh that it shows; false for the filters of its clones.
+        /// </summary>
         public static bool LivesOn(MeshFilter filter)
         {
             Mesh shown = filter.sharedMesh;

@@ -5,12 +5,12 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// What is made once for a mesh and the wings on it, and shared by all insects that have them: the deformable copy, in which the vertices of each wing lie in one
-    /// piece, and a rig a wing.
+    /// Content made once for a mesh and the wings on it, and shared by all insects that have them: the deformable copy, in which the
+    /// vertices of each wing lie in one piece, and a rig for each wing.
     /// </summary>
     internal sealed class MeshTemplate
     {
-        /// <summary>How far beyond its rest length from the hinge a wing may reach: stretch is below a tenth.</summary>
+        /// <summary>Reach of a wing from the hinge over its rest length, at most: stretch is below a tenth.</summary>
         private const float k_Reach = 1.1f;
 
         private readonly Mesh m_Mesh;
@@ -24,31 +24,31 @@ namespace Alate
             m_Mesh.bounds = Reach(source.bounds);
         }
 
-        /// <summary>The mesh as it was found.</summary>
+        /// <summary>Mesh that the template was made of.</summary>
         public Mesh Source { get; }
 
-        /// <summary>[wing]</summary>
+        /// <summary>[wing] Vertices and rig.</summary>
         public RiggedPart[] Shapes { get; }
 
-        /// <summary>[wing] Its first vertex in the copies.</summary>
+        /// <summary>[wing] Index of its first vertex in the copies.</summary>
         public int[] Starts { get; }
 
         /// <summary>Vertices of the mesh.</summary>
         public int VertexCount => m_Mesh.vertexCount;
 
-        /// <summary>Insects that use it.</summary>
+        /// <summary>Number of insects that use the template.</summary>
         public int Users { get; set; }
 
-        /// <summary>When the last of them left, seconds of real time.</summary>
+        /// <summary>Time at which the last user left, seconds of real time.</summary>
         public double UnusedSince { get; set; }
 
-        /// <summary>The authored mesh was changed since: whoever uses the template needs another.</summary>
+        /// <summary>True where the authored mesh has changed since: users of the template need another.</summary>
         public bool IsOutdated { get; set; }
 
         /// <summary>Makes a template of shapes that do not overlap; it takes over the shapes.</summary>
         public static MeshTemplate Build(Mesh source, RiggedPart[] shapes) => new MeshTemplate(source, shapes);
 
-        /// <summary>A mesh for one insect. Its bounds hold every pose the wings can take.</summary>
+        /// <summary>Makes a mesh for one insect. Its bounds hold every pose the wings can take.</summary>
         public Mesh CreateCopy()
         {
             Mesh copy = Object.Instantiate(m_Mesh);

@@ -4,15 +4,17 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// Velocity and turn rate of a body from where it is frame by frame. Far from the origin, where positions are coarse, it looks over longer times; a jump is
-    /// told from motion and does not enter the velocity.
+    /// Velocity and turn rate of a body from its position frame by frame. Samples longer times far from the origin, where positions are
+    /// coarse; a jump is told from motion and does not enter the velocity.
     /// </summary>
     internal struct MotionSampler
     {
-        /// <summary>Seconds over which a new velocity is taken over; a beat or less, so that jitter of frame times does not shake the wings.</summary>
+        /// <summary>
+        /// Time over which a new velocity is taken over, seconds; a beat or less, so that jitter of frame times does not shake the wings.
+        /// </summary>
         private const float k_Smoothing = 0.05f;
 
-        /// <summary>Longest time to look over, seconds.</summary>
+        /// <summary>Longest time of a sample, seconds.</summary>
         private const float k_LongestWindow = 0.5f;
 
         private Vector3 m_Position, m_WindowPosition, m_JumpVelocity, m_JumpRate;
@@ -20,16 +22,16 @@ namespace Alate
         private float m_Window;
         private bool m_Started, m_Moving, m_Jumped;
 
-        /// <summary>World units per second.</summary>
+        /// <summary>Velocity of the body, world units per second.</summary>
         public Vector3 Velocity { get; private set; }
 
-        /// <summary>Radians per second about the world's axes.</summary>
+        /// <summary>Angular velocity of the body, radians per second about the world's axes.</summary>
         public Vector3 AngularVelocity { get; private set; }
 
-        /// <summary>The body has just been moved, or is about to be: wherever it is seen next, its motion stays as it was.</summary>
+        /// <summary>Marks a jump of the body, just made or about to be: its motion stays unchanged at the next position.</summary>
         public void Interrupt() => m_Started = false;
 
-        /// <summary>Takes in where the body is after some time, seconds; where no time has passed it may be anywhere.</summary>
+        /// <summary>Samples the body after some time, seconds; its position may be anywhere where no time has passed.</summary>
         /// <param name="position">World position.</param>
         /// <param name="rotation">World rotation.</param>
         /// <param name="dt">Seconds since the last place.</param>

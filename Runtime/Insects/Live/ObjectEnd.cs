@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The right way to destroy, in play, at its end and in the editor.</summary>
+    /// <summary>Destroys objects in the way that fits play, its end and the editor.</summary>
     internal static class ObjectEnd
     {
         public static void Destroy(Object target)

@@ -3,17 +3,17 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// Knows when play has ended: the game in a player, play mode in the editor. From then on nothing starts any more, and what is destroyed must be so at once, because no
-    /// frame comes that would end it.
+    /// Detects the end of play: of the game in a player, of play mode in the editor. From then on nothing starts any more, and objects must
+    /// be destroyed at once, because no further frame comes.
     /// </summary>
     internal static class PlayEnd
     {
         static PlayEnd() => Application.quitting += OnQuitting;
 
-        /// <summary>Whether play has ended.</summary>
+        /// <summary>True once play has ended.</summary>
         public static bool HasCome { get; private set; }
 
-        /// <summary>Makes sure that the end will be heard; a recompile during play forgets who listens.</summary>
+        /// <summary>Subscribes to the end of play; a recompile during play loses subscriptions.</summary>
         public static void Listen()
         {
             // The first call of anything here runs the static constructor.

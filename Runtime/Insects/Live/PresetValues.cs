@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What a preset says now, in the units of the model; compared once a step, however many insects share it.</summary>
+    /// <summary>Values of a preset in the units of the model; compared once a step, however many insects share the preset.</summary>
     internal sealed class PresetValues : WatchedValue
     {
         private readonly WingPreset m_Preset;
@@ -17,19 +17,19 @@ namespace Alate
             Refresh();
         }
 
-        /// <summary>The preset in the units of the model.</summary>
+        /// <summary>Parameters of the model.</summary>
         public WingParameters parameters;
 
-        /// <summary>Metres.</summary>
+        /// <summary>Wing length, metres.</summary>
         public float wingLength;
 
-        /// <summary>Kilograms.</summary>
+        /// <summary>Mass of a wing and of the insect, kilograms.</summary>
         public float wingMass, insectMass;
 
-        /// <summary>Share of gravity that the wing feels.</summary>
+        /// <summary>Share of gravity that the wing feels, 0 to 1.</summary>
         public float gravityShare;
 
-        /// <summary>Counts changes of <see cref="parameters"/>.</summary>
+        /// <summary>Number of changes of <see cref="parameters"/>.</summary>
         public int Stamp
         {
             get

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>The presets in use, read once a step. A monarch stands for none.</summary>
+    /// <summary>Presets in use, read once a step. None stands for a monarch's.</summary>
     internal sealed class PresetWatch : AssetWatch<WingPreset, PresetValues>
     {
         public PresetWatch()

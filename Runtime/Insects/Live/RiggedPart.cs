@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>One wing of a mesh: which vertices, and their rig.</summary>
+    /// <summary>Vertices of one wing of a mesh, and their rig.</summary>
     internal sealed class RiggedPart
     {
         public RiggedPart(MeshSelection selection, WingRig rig)
@@ -12,10 +12,10 @@ namespace Alate
         /// <summary>The wing's part of the mesh.</summary>
         public MeshSelection Selection { get; }
 
-        /// <summary>Baked from that part; vertex k of the rig is vertex <c>Selection.vertices[k]</c> of the mesh.</summary>
+        /// <summary>Rig baked from that part; vertex k of the rig is vertex <c>Selection.vertices[k]</c> of the mesh.</summary>
         public WingRig Rig { get; }
 
-        /// <summary>Whether two wings share a vertex.</summary>
+        /// <summary>Returns true where two wings share a vertex.</summary>
         public bool Overlaps(RiggedPart other)
         {
             int[] a = Selection.vertices, b = other.Selection.vertices;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Takes the wings out of a mesh and bakes their rigs; says what is wrong instead of throwing.</summary>
+    /// <summary>Takes the wings out of a mesh and bakes their rigs; reports problems instead of throwing.</summary>
     internal readonly struct RiggedParts
     {
         private readonly AutomaticSkeleton m_Automatic;
@@ -23,7 +23,7 @@ namespace Alate
         /// <summary>The mesh that the wings are part of.</summary>
         public Mesh Mesh { get; }
 
-        /// <summary>A part for each wing; the indices are their places in the insect's list, for messages.</summary>
+        /// <summary>Makes a part for each wing; the indices are their places in the insect's list, for messages.</summary>
         /// <returns>Null when there is a problem.</returns>
         public RiggedPart[] Build(Wing[] wings, List<int> indices, out InsectProblem problem)
         {

@@ -16,7 +16,7 @@ namespace Alate
             Refresh();
         }
 
-        /// <summary>0 for no skeleton.</summary>
+        /// <summary>Hash of the skeleton's content; 0 for no skeleton.</summary>
         public uint Hash
         {
             get

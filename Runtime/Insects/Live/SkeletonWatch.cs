@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>The skeletons in use, read once a frame.</summary>
+    /// <summary>Skeletons in use, read once a frame.</summary>
     internal sealed class SkeletonWatch : AssetWatch<WingSkeleton, SkeletonValue>
     {
         public SkeletonWatch()

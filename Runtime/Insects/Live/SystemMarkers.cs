@@ -2,7 +2,7 @@ using Unity.Profiling;
 
 namespace Alate
 {
-    /// <summary>Names in the profiler for each thing the system does on the main thread.</summary>
+    /// <summary>Profiler markers for each phase of the system on the main thread.</summary>
     internal static class SystemMarkers
     {
         public static readonly ProfilerMarker fixedStep = new ProfilerMarker("Alate.FixedStep");

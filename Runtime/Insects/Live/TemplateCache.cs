@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// The templates; insects with the same mesh, wings and skeletons share one. Those that nobody uses are kept for a while: a pool takes its insects back.
+    /// Templates, shared by insects with equal mesh, wings and skeletons. Unused ones are kept for a while: a pool takes its insects back.
     /// </summary>
     internal sealed class TemplateCache : IDisposable
     {
@@ -14,7 +14,7 @@ namespace Alate
         /// <summary>Templates in use or kept.</summary>
         public int Count => m_Entries.Count;
 
-        /// <summary>Finds or builds the template for some wings of one mesh; one user more.</summary>
+        /// <summary>Finds or builds the template for some wings of one mesh, and adds one user.</summary>
         /// <param name="key">What it is made of.</param>
         /// <param name="parts">How to make what is not there.</param>
         /// <param name="wings">The wings on it.</param>
@@ -52,7 +52,7 @@ namespace Alate
             return template;
         }
 
-        /// <summary>One user fewer.</summary>
+        /// <summary>Removes one user.</summary>
         public void Return(MeshTemplate template)
         {
             template.Users--;
@@ -60,7 +60,7 @@ namespace Alate
             FreeUnused();
         }
 
-        /// <summary>Frees what nobody has used for some time.</summary>
+        /// <summary>Frees templates that were unused for some time.</summary>
         public void FreeUnused()
         {
             double now = Time.realtimeSinceStartupAsDouble;
@@ -72,7 +72,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Frees everything.</summary>
+        /// <summary>Frees all templates.</summary>
         public void Dispose()
         {
             while (m_Entries.Count > 0)

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>What a template is made of: a mesh, the wings on it, and how finely they meet the air.</summary>
+    /// <summary>Key of a template: a mesh, the wings on it, and the number of patches that meet the air.</summary>
     internal sealed class TemplateKey
     {
         private readonly Mesh m_Mesh;
@@ -32,7 +32,7 @@ namespace Alate
             return true;
         }
 
-        /// <summary>Which part, and which skeleton with what content.</summary>
+        /// <summary>Part of the mesh, and its skeleton with the hash of its content.</summary>
         public readonly struct WingKey : IEquatable<WingKey>
         {
             private readonly WingPart m_Part;
@@ -52,10 +52,10 @@ namespace Alate
                 m_SkeletonHash = skeletonHash;
             }
 
-            /// <summary>Whether the wing has no skeleton of its own.</summary>
+            /// <summary>True where the wing has no skeleton of its own.</summary>
             public bool IsAutomatic => m_Skeleton == null;
 
-            /// <summary>Whether a wing is still what the key was made of.</summary>
+            /// <summary>Returns true where a wing still matches the key.</summary>
             public bool Describes(Wing wing, uint skeletonHash) =>
                 IsSame(wing.Skeleton) && m_SkeletonHash == skeletonHash && Equals(new WingKey(wing, skeletonHash));
 

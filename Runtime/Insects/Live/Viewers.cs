@@ -4,15 +4,15 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The cameras by which levels of detail are chosen, as they are in a frame.</summary>
+    /// <summary>Cameras by which levels of detail are chosen, as sampled in a frame.</summary>
     internal sealed class Viewers
     {
         private readonly List<Viewer> m_Viewers = new List<Viewer>();
 
-        /// <summary>Whether there is a camera.</summary>
+        /// <summary>True where there is a camera.</summary>
         public bool Any => m_Viewers.Count > 0;
 
-        /// <summary>Looks where the cameras are now.</summary>
+        /// <summary>Samples the positions of the cameras.</summary>
         public void UpdateCameras()
         {
             m_Viewers.Clear();
@@ -27,7 +27,7 @@ namespace Alate
                 m_Viewers.Add(new Viewer(main, bias));
         }
 
-        /// <summary>The largest share of a screen's height that a sphere fills, times the LOD bias of the quality settings.</summary>
+        /// <summary>Largest share of a screen's height that a sphere fills, times the LOD bias of the quality settings.</summary>
         public float ScreenHeight(float3 centre, float radius)
         {
             float largest = 0f;

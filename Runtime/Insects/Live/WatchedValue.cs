@@ -1,17 +1,20 @@
 namespace Alate
 {
-    /// <summary>What is read of an asset, kept while somebody looks at it.</summary>
+    /// <summary>Value read of an asset, kept while it is in use.</summary>
     internal abstract class WatchedValue
     {
-        /// <summary>Frames without a look after which a value is let go: in slow motion steps are many frames apart, and insects may be disabled for a moment.</summary>
+        /// <summary>
+        /// Number of unused frames after which a value is released: in slow motion steps are many frames apart, and insects may be disabled
+        /// for a moment.
+        /// </summary>
         private const int k_Patience = 600;
 
         private int m_FramesUnused;
 
-        /// <summary>Whether it was let go: then it is not read again, and has to be asked for again.</summary>
+        /// <summary>True once the value was released: then it is not read again, and must be requested again.</summary>
         public bool IsForgotten => m_FramesUnused > k_Patience;
 
-        /// <summary>Reads the asset again. One that was destroyed keeps its last value.</summary>
+        /// <summary>Reads the asset again. Keeps the last value where the asset was destroyed.</summary>
         public abstract void Refresh();
 
         /// <returns>Whether somebody has looked lately.</returns>
@@ -21,7 +24,7 @@ namespace Alate
             return !IsForgotten;
         }
 
-        /// <summary>Notes that the value is in use.</summary>
+        /// <summary>Marks the value as in use.</summary>
         protected void Use()
         {
             if (!IsForgotten)

@@ -13,7 +13,7 @@ namespace Alate
     {
         private const float k_TurbulenceShare = 1f / 3f, k_TurbulenceRate = 3f, k_TurbulencePerUnit = 0.2f;
 
-        /// <summary>Seconds between looks for zones.</summary>
+        /// <summary>Time between searches for zones, seconds.</summary>
         private const double k_Pause = 1.0;
 
         private readonly List<WindZone> m_Zones = new List<WindZone>();
@@ -21,13 +21,13 @@ namespace Alate
         private bool m_IsKnown, m_MayHaveChanged;
         private double m_Found;
 
-        /// <summary>There are others now: they are looked for when they are read next.</summary>
+        /// <summary>Forgets the zones; they are searched at the next reading.</summary>
         public void Forget() => m_IsKnown = false;
 
-        /// <summary>There may be others, as somebody has come: they are looked for soon, however many come.</summary>
+        /// <summary>Marks the zones as possibly changed, because an object has come: they are searched soon, however many come.</summary>
         public void Invalidate() => m_MayHaveChanged = true;
 
-        /// <summary>Reads what all zones do now; those that are gone or switched off do not blow.</summary>
+        /// <summary>Reads all zones; those that are gone or switched off do not blow.</summary>
         /// <param name="time">Seconds.</param>
         public void Read(float time)
         {
@@ -41,7 +41,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The wind at a place, as it was read last.</summary>
+        /// <summary>Wind at a place, as last read, world units per second.</summary>
         public float3 At(float3 place)
         {
             float3 sum = default;

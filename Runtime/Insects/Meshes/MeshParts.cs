@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Takes a wing out of a mesh: all of it, a submesh, or what hangs together.</summary>
+    /// <summary>Takes a wing out of a mesh: all of it, a submesh, or a connected part.</summary>
     internal static class MeshParts
     {
-        /// <summary>The part of a mesh that is a wing.</summary>
+        /// <summary>Selects the part of a mesh that is a wing.</summary>
         /// <param name="mesh">A readable mesh.</param>
         /// <param name="part">What of it is the wing.</param>
         /// <param name="submesh">From 0; only for <see cref="WingPart.Submesh"/>.</param>
@@ -33,7 +33,7 @@ namespace Alate
             }
         }
 
-        /// <summary>What is baked of a part: its own vertices, numbered as the selection numbers them.</summary>
+        /// <summary>Surface of a part to bake: its own vertices, in the selection's numbering.</summary>
         /// <exception cref="ArgumentException">The mesh is not readable.</exception>
         public static WingSurface Surface(Mesh mesh, MeshSelection selection)
         {
@@ -48,7 +48,7 @@ namespace Alate
             };
         }
 
-        /// <summary>All pieces of a mesh that hang together, in the order of their first vertices.</summary>
+        /// <summary>Connected pieces of a mesh, in the order of their first vertices.</summary>
         /// <exception cref="ArgumentException">The mesh is not readable or has no triangles.</exception>
         public static List<MeshPiece> Parts(Mesh mesh)
         {
@@ -82,7 +82,7 @@ namespace Alate
             return MeshSelection.Of(Array.FindAll(corners, vertex => sets.Find(vertex) == wanted));
         }
 
-        /// <summary>The vertices of the triangles, joined where triangles share one or touch.</summary>
+        /// <summary>Joins the vertices of the triangles into sets where triangles share a vertex or touch.</summary>
         public static DisjointSets Connect(int[] corners, Vector3[] positions)
         {
             var sets = new DisjointSets(positions.Length);
@@ -96,7 +96,7 @@ namespace Alate
             return sets;
         }
 
-        /// <summary>The first corner of the triangle nearest to the point.</summary>
+        /// <summary>Finds the first corner of the triangle nearest to the point.</summary>
         private static int Nearest(int[] corners, Vector3[] positions, Vector3 point)
         {
             var nearest = 0;

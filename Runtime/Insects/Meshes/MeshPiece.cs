@@ -2,13 +2,13 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Triangles of a mesh that hang together, and their size.</summary>
+    /// <summary>Connected triangles of a mesh, and their size.</summary>
     internal sealed class MeshPiece
     {
         /// <summary>The triangles.</summary>
         public readonly MeshSelection selection;
 
-        /// <summary>Box around them, mesh space.</summary>
+        /// <summary>Bounds of the triangles, mesh space.</summary>
         public readonly Bounds bounds;
 
         /// <summary>Sum of the triangles' areas, mesh units squared.</summary>
@@ -17,7 +17,7 @@ namespace Alate
         /// <summary>Middle of the area, mesh space.</summary>
         public readonly Vector3 centroid;
 
-        /// <summary>Middle of the largest triangle, mesh space: a point that tells this piece from the others.</summary>
+        /// <summary>Middle of the largest triangle, mesh space: a point that identifies this piece.</summary>
         public readonly Vector3 point;
 
         public MeshPiece(MeshSelection selection, Vector3[] positions)

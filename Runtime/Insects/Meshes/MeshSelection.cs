@@ -2,13 +2,13 @@ using System;
 
 namespace Alate
 {
-    /// <summary>Some triangles of a mesh and the vertices they use.</summary>
+    /// <summary>Set of triangles of a mesh and the vertices they use.</summary>
     internal sealed class MeshSelection
     {
         /// <summary>Vertices of the mesh, ascending; each is a corner of one of the triangles.</summary>
         public readonly int[] vertices;
 
-        /// <summary>Three entries a triangle: places in <see cref="vertices"/>, in the mesh's order and winding.</summary>
+        /// <summary>Corners, three a triangle: places in <see cref="vertices"/>, in the mesh's order and winding.</summary>
         public readonly int[] triangles;
 
         public MeshSelection(int[] vertices, int[] triangles)
@@ -17,7 +17,7 @@ namespace Alate
             this.triangles = triangles;
         }
 
-        /// <summary>The vertices that the corners use, and the corners renumbered to them.</summary>
+        /// <summary>Selects the vertices that the corners use, and renumbers the corners to them.</summary>
         /// <param name="corners">Three vertices of the mesh a triangle.</param>
         public static MeshSelection Of(int[] corners)
         {

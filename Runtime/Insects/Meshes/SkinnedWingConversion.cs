@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// Makes plain renderers of the wings of a skinned mesh, which <see cref="InsectWings"/> can bend. Each wing gets an object under the
-    /// bone that carries it and follows that bone; the body stays skinned.
+    /// Converts the wings of a skinned mesh to plain renderers, which <see cref="InsectWings"/> can bend. Each wing gets an object under
+    /// the bone that carries it and follows that bone; the body stays skinned.
     /// </summary>
     /// <remarks>
     /// A wing is carried by the bone with the most weight in it or, if the bones of a wing are named with its side, by the first of them.
@@ -16,7 +16,7 @@ namespace Alate
     /// </remarks>
     public static class SkinnedWingConversion
     {
-        /// <summary>Converts all wings: what names of the renderer, its materials or bones call so, else thin mirrored parts.</summary>
+        /// <summary>Converts all wings: parts named so by the renderer, its materials or bones, else thin mirrored parts.</summary>
         /// <param name="source">The skinned renderer.</param>
         /// <param name="insect">The insect's root: X right, Y up, Z ahead. None: the renderer's parent.</param>
         /// <exception cref="ArgumentNullException">There is no renderer.</exception>
@@ -52,7 +52,7 @@ namespace Alate
             return Convert(source, insect, wings);
         }
 
-        /// <summary>The groups of levels of detail above a renderer, which conversion may change.</summary>
+        /// <summary>Groups of levels of detail above a renderer, which conversion may change.</summary>
         public static IReadOnlyList<LODGroup> DetailGroups(SkinnedMeshRenderer source) => source.GetComponentsInParent<LODGroup>(true);
 
         private static SkinnedWingResult Convert(SkinnedMeshRenderer source, Transform insect, TriangleSet triangles)

@@ -11,7 +11,7 @@ namespace Alate
         private readonly int[][] m_Corners;
         private readonly bool[][] m_Has;
 
-        /// <summary>None of the triangles of a readable mesh.</summary>
+        /// <summary>Makes an empty set for a readable mesh.</summary>
         public TriangleSet(Mesh mesh)
         {
             m_Mesh = mesh;
@@ -24,16 +24,16 @@ namespace Alate
             }
         }
 
-        /// <summary>Whether the set has no triangle.</summary>
+        /// <summary>True where the set has no triangle.</summary>
         public bool IsEmpty => Array.TrueForAll(m_Has, has => Array.IndexOf(has, true) < 0);
 
-        /// <summary>Whether the set has all triangles of the mesh.</summary>
+        /// <summary>True where the set has all triangles of the mesh.</summary>
         public bool IsAll => Array.TrueForAll(m_Has, has => Array.IndexOf(has, false) < 0);
 
         /// <summary>Number of submeshes.</summary>
         public int SubmeshCount => m_Corners.Length;
 
-        /// <summary>The corners of its triangles, three each.</summary>
+        /// <summary>Corners of the set's triangles, three each.</summary>
         public int[] Corners()
         {
             var corners = new List<int>();
@@ -46,10 +46,10 @@ namespace Alate
             return corners.ToArray();
         }
 
-        /// <summary>A triangle of a submesh is one of them.</summary>
+        /// <summary>Returns true where the set has a triangle of a submesh.</summary>
         public bool Has(int submesh, int triangle) => m_Has[submesh][triangle];
 
-        /// <summary>Adds the triangles that fit, by submesh and corners.</summary>
+        /// <summary>Adds the triangles for which a condition on submesh and corners holds.</summary>
         public void Add(Func<int, int, int, int, bool> fits)
         {
             for (var submesh = 0; submesh < m_Corners.Length; submesh++)
@@ -71,7 +71,7 @@ namespace Alate
             Add((own, a, b, c) => part == WingPart.Submesh ? own == submesh : Array.BinarySearch(vertices, a) >= 0);
         }
 
-        /// <summary>The corners of its triangles, by the group that each falls in; by submesh within a group.</summary>
+        /// <summary>Groups the corners of the set's triangles by a key, and by submesh within a group.</summary>
         public Dictionary<TKey, int[][]> Divide<TKey>(Func<int, int, int, TKey> groupOf)
         {
             var lists = new Dictionary<TKey, List<int>[]>();

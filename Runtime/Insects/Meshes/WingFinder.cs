@@ -10,7 +10,7 @@ namespace Alate
         // Area over that of the largest named part from which a named part is a wing, not a screw called "wing".
         private const float k_SmallestNamed = 0.05f;
 
-        /// <summary>The wings that plain renderers draw, ordered fore right, fore left, hind right, hind left.</summary>
+        /// <summary>Finds the wings that plain renderers draw, ordered fore right, fore left, hind right, hind left.</summary>
         /// <remarks>
         /// Names go first: an object, mesh or material called wing or fin, in English, but no elytra or wing covers. Where none is, thin
         /// parts count that are mirrored in the plane x = 0 of the object, the two largest pairs at most. The side is where most of a wing
@@ -33,7 +33,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// The skinned renderers that draw wings, alone or with the body; <see cref="SkinnedWingConversion"/> makes plain ones of them.
+        /// Finds the skinned renderers that draw wings, alone or with the body; <see cref="SkinnedWingConversion"/> makes plain ones of
+        /// them.
         /// </summary>
         /// <remarks>Bones that are called wing count too. Hidden renderers do not.</remarks>
         /// <param name="root">The insect: X right, Y up, Z ahead.</param>

@@ -4,17 +4,17 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>How the wing is driven at its root (Eq. 1, 6 and 7), in degrees and hertz.</summary>
+    /// <summary>Drive of the wing at its root (Eq. 1, 6 and 7), in degrees and hertz.</summary>
     [Serializable]
     [MovedFrom(true, null, null, "SpeciesBeat")]
     public struct PresetBeat
     {
-        /// <summary>MAX_f, hertz, 0.1 to 1000.</summary>
+        /// <summary>Largest frequency MAX_f of the beat, hertz, 0.1 to 1000.</summary>
         [Range(0.1f, 1000f)]
         [Tooltip("Hertz at full speed; 11 in the paper. Small insects reach hundreds. Higher beats load the wing more, and stiffen it in step.")]
         public float maxFrequency;
 
-        /// <summary>u_max, metres per second, 0.01 to 100.</summary>
+        /// <summary>Speed u_max of the body at full drive, metres per second, 0.01 to 100.</summary>
         [Range(0.01f, 100f)]
         [Tooltip("Metres per second at which the beat is at its fullest; 2. Half of it gives half the drive.")]
         public float maxSpeed;
@@ -29,17 +29,17 @@ namespace Alate
         [Tooltip("Share of the amplitude kept at rest; 0.5. 0 lets a resting insect hold still, as the paper has it; 1 beats at full amplitude always.")]
         public float amplitudeFloor;
 
-        /// <summary>MAX_a of flapping (Table 1), degrees from lowest to highest, 0 to 180.</summary>
+        /// <summary>Range MAX_a of flapping (Table 1), degrees from lowest to highest, 0 to 180.</summary>
         [Range(0f, 180f)]
         [Tooltip("Degrees of flapping from lowest to highest position at full drive; a monarch's is 120. 0 holds the wing level.")]
         public float flapRange;
 
-        /// <summary>MAX_a of feathering (Table 1), degrees from end to end, 0 to 180.</summary>
+        /// <summary>Range MAX_a of feathering (Table 1), degrees from end to end, 0 to 180.</summary>
         [Range(0f, 180f)]
         [Tooltip("Degrees of feathering (turning about the leading edge) from end to end at full drive; a monarch's is 24. 0 never turns the wing into the flow.")]
         public float featherRange;
 
-        /// <summary>MAX_a of sweeping (Table 1), degrees from end to end, 0 to 180.</summary>
+        /// <summary>Range MAX_a of sweeping (Table 1), degrees from end to end, 0 to 180.</summary>
         [Range(0f, 180f)]
         [Tooltip("Degrees of sweeping fore and aft from end to end at full drive; a monarch's is 36. 0 keeps the stroke in one plane.")]
         public float sweepRange;
@@ -69,7 +69,7 @@ namespace Alate
         [Tooltip("Degrees by which the stroke plane is turned about the span, nose up positive; 0 is upright. 90 beats fore and aft.")]
         public float tilt;
 
-        /// <summary>Phase of this wing before the insect's beat, degrees, −180 to 180.</summary>
+        /// <summary>Lead of this wing before the insect's beat, degrees, −180 to 180.</summary>
         [Range(-180f, 180f)]
         [Tooltip("Degrees by which this wing is ahead of the insect's beat; 0. Hind wings that follow their fore wings are below 0.")]
         public float phaseLead;

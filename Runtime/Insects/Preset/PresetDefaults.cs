@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>The numbers every preset starts from, and those in which the two readings of the paper differ.</summary>
+    /// <summary>Numbers every preset starts from, and those in which the two readings of the paper differ.</summary>
     internal static class PresetDefaults
     {
         /// <summary>λ of a monarch: the trailing edge of a measured butterfly lags by 10 to 40°, not by Eq. 2's half beat.</summary>

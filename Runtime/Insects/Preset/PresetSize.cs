@@ -4,24 +4,29 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>How large and heavy an insect is, and in what it flies. Biological sizes: the size of the mesh in the scene does not matter.</summary>
+    /// <summary>
+    /// Size and mass of an insect, and the density of the fluid around it. Biological sizes: the size of the mesh in the scene does not
+    /// matter.
+    /// </summary>
     [Serializable]
     [MovedFrom(true, null, null, "SpeciesSize")]
     public struct PresetSize
     {
-        /// <summary>L, metres, 0.0005 to 1.</summary>
+        /// <summary>Wing length L, metres, 0.0005 to 1.</summary>
         [Tooltip("Metres from hinge to tip of one wing of the real insect, 0.0005 to 1; a monarch's is 0.061. Longer wings feel more air and more gravity for their beat.")]
         public float wingLength;
 
-        /// <summary>m_w, kilograms, 10⁻⁹ to 1: one wing as it is simulated, a fore and hind wing couple when they move as one.</summary>
+        /// <summary>
+        /// Mass m_w of one wing as simulated, kilograms, 10⁻⁹ to 1: of a fore and hind wing couple when they move as one.
+        /// </summary>
         [Tooltip("Kilograms of one wing (of a fore and hind wing together when they move as one), 1e-9 to 1; a monarch's couple is 2.51e-5. Light wings are bent by air, heavy ones by their inertia.")]
         public float wingMass;
 
-        /// <summary>Mass of the whole insect, kilograms, 10⁻⁸ to 10. Read by whoever compares lift with weight; it does not change the wing.</summary>
+        /// <summary>Mass of the whole insect, kilograms, 10⁻⁸ to 10. Compared with lift; does not change the wing.</summary>
         [Tooltip("Kilograms of the whole insect, 1e-8 to 10; a monarch is 4.28e-4. Only used to compare lift with weight.")]
         public float insectMass;
 
-        /// <summary>ρ, kilograms per cubic metre, 0 to 2000; air 1.225, fresh water 998.</summary>
+        /// <summary>Density ρ of the fluid, kilograms per cubic metre, 0 to 2000; air 1.225, fresh water 998.</summary>
         [Range(0f, 2000f)]
         [Tooltip("Kilograms per cubic metre of what the wing beats in; air 1.225, water 998. 0 is a vacuum: the wing bends by its inertia alone.")]
         public float fluidDensity;
@@ -31,7 +36,7 @@ namespace Alate
         [Tooltip("Share of gravity the wing feels; 1 in air. 0 is a fin that neither sinks nor rises.")]
         public float gravityShare;
 
-        /// <summary>ρ* = ρL³/m_w.</summary>
+        /// <summary>Relative density ρ* = ρL³/m_w, without unit.</summary>
         public float RelativeDensity => fluidDensity * wingLength * wingLength * wingLength / wingMass;
     }
 }

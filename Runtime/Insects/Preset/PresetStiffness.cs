@@ -4,21 +4,21 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>How the wing resists bending, and how its joints are held together (Sec. 6).</summary>
+    /// <summary>Resistance of the wing to bending, and the springs that hold its joints together (Sec. 6).</summary>
     [Serializable]
     [MovedFrom(true, null, null, "SpeciesStiffness")]
     public struct PresetStiffness
     {
-        /// <summary>k_e of Table 2, 0.001 to 10⁶.</summary>
+        /// <summary>Elasticity k_e of Table 2, without unit, 0.001 to 10⁶.</summary>
         [Tooltip("Elasticity as in the paper's Table 2, 0.001 to 1000000; 1 for a monarch, 0.5 for a soft fishfly. A quarter makes a rag, four a stiff sheet.")]
         public float elasticity;
 
-        /// <summary>N_0, 0.01 to 100.</summary>
+        /// <summary>Bending frequency N_0 of the leading chain over f_ref, 0.01 to 100.</summary>
         [Range(0.01f, 100f)]
         [Tooltip("How many times faster than the beat the leading edge would swing by itself; 5. Low lets the leading edge bend.")]
         public float leadingEdge;
 
-        /// <summary>N_last, 0.01 to 100.</summary>
+        /// <summary>Bending frequency N_last of the last chain over f_ref, 0.01 to 100.</summary>
         [Range(0.01f, 100f)]
         [Tooltip("The same at the trailing edge; 3.5. Low lets the trailing edge trail and flutter.")]
         public float trailingEdge;
@@ -28,7 +28,7 @@ namespace Alate
         [Tooltip("Span over which the stiffness falls to a third (1/e), in wing lengths; 1. Small values soften the tip, large ones make all equal.")]
         public float decay;
 
-        /// <summary>ζ, 0 to 10.</summary>
+        /// <summary>Damping ζ of a bending joint over its critical damping, 0 to 10.</summary>
         [Range(0f, 10f)]
         [Tooltip("Damping of the bending; 0.7. 0 rings for long; above 1 creeps back.")]
         public float damping;
@@ -53,7 +53,7 @@ namespace Alate
         [Tooltip("Degrees a joint may bend about each axis; 30. 0 is a rigid wing.")]
         public float jointLimit;
 
-        /// <summary>κ, 0 to 1000.</summary>
+        /// <summary>Stiffness κ of the springs between joints, without unit, 0 to 1000.</summary>
         [Range(0f, 1000f)]
         [Tooltip("Stiffness of the springs between the joints; 10. Low values let the surface stretch.")]
         public float springScale;
@@ -63,7 +63,7 @@ namespace Alate
         [Tooltip("How firmly the springs' joints follow the bent chains; 2. 0 lets them drift.")]
         public float anchor;
 
-        /// <summary>ζ_E, 0 to 10.</summary>
+        /// <summary>Damping ζ_E of the elastic deviation, without unit, 0 to 10.</summary>
         [Range(0f, 10f)]
         [Tooltip("Damping of the springs; 0.3. 0 shivers; above 1 is sluggish.")]
         public float springDamping;

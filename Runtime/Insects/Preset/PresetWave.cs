@@ -4,27 +4,27 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>How the drive runs over the wing as a wave (Eq. 2 and 3).</summary>
+    /// <summary>Delays with which the drive runs over the wing as a wave (Eq. 2 and 3).</summary>
     [Serializable]
     [MovedFrom(true, null, null, "SpeciesWave")]
     public struct PresetWave
     {
-        /// <summary>λ, the largest delay of the trailing edge, half beats, 0 to 2; see <see cref="WingParameters.chordDelay"/>.</summary>
+        /// <summary>Largest delay λ of the trailing edge, half beats, 0 to 2; see <see cref="WingParameters.chordDelay"/>.</summary>
         [Range(0f, 2f)]
         [Tooltip("Half beats by which the trailing edge follows the leading edge, less where neighbouring chains are too close to bear it; 0.15. 0 is a wing without a wave; 1 with Coupling One Way is the paper's print, where the trailing edge goes up while the leading edge goes down.")]
         public float chordDelay;
 
-        /// <summary>μ, half beats, 0 to 2.</summary>
+        /// <summary>Delay μ from root to tip, half beats, 0 to 2.</summary>
         [Range(0f, 2f)]
         [Tooltip("Half beats by which the tip follows the root; 0.1. 0 is the paper's.")]
         public float spanDelay;
 
-        /// <summary>w_0, 0 to 1.</summary>
+        /// <summary>Share w_0 of the driven angle that the root turns, 0 to 1.</summary>
         [Range(0f, 1f)]
         [Tooltip("Share of the stroke that turns at the hinge; 0.8. 1 drives a flat wing from its root; 0 rolls the whole stroke out along the span.")]
         public float rootShare;
 
-        /// <summary>κ_in, 0 to 10.</summary>
+        /// <summary>Factor κ_in of the beat's own inertia, 0 to 10.</summary>
         [Range(0f, 10f)]
         [Tooltip("Factor of the beat's own inertia; 1 is Newton's law, 2 the printed Eq. 5. 0 leaves the wing to air and gravity.")]
         public float inertia;

@@ -54,11 +54,12 @@ namespace Alate
         /// <summary>The choices the paper leaves open.</summary>
         public ref ModelOptions Options => ref m_Options;
 
-        /// <summary>L: metres from hinge to tip of the real wing.</summary>
+        /// <summary>Wing length L: metres from hinge to tip of the real wing.</summary>
         public float WingLength => m_Size.wingLength;
 
         /// <summary>
-        /// f_ref = MAX_f √(1 + (u_max / v_tip)²) with v_tip = 2π MAX_f (MAX_a,flap / 2) L: the beat, corrected for the speed of flight, hertz.
+        /// Reference frequency f_ref = MAX_f √(1 + (u_max / v_tip)²), hertz, with v_tip = 2π MAX_f (MAX_a,flap / 2) L: the beat, corrected
+        /// for the speed of flight.
         /// </summary>
         public float ReferenceFrequency
         {
@@ -70,7 +71,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Parameters of the wing in the units of the model, every value in its range. Allocates nothing.</summary>
+        /// <summary>Converts the preset to the units of the model, every value in its range. Allocates nothing.</summary>
         public WingParameters ToParameters()
         {
             var parameters = new WingParameters

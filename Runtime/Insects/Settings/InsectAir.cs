@@ -11,11 +11,11 @@ namespace Alate
         [Tooltip("Steady wind, world units per second, world axes; 0 is still air. It counts like flight the other way.")]
         public Vector3 wind;
 
-        /// <summary>Whether Unity's wind zones blow on the wings too.</summary>
+        /// <summary>True where Unity's wind zones blow on the wings too.</summary>
         [Tooltip("Adds the scene's WindZones: their main wind, pulses and turbulence, in world units per second.")]
         public bool windZones;
 
-        /// <summary>Still air, wind zones felt.</summary>
+        /// <summary>Default settings: still air, wind zones felt.</summary>
         public static InsectAir Default => new InsectAir { windZones = true };
     }
 }

@@ -4,37 +4,41 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>How an insect learns of its own motion, and what is a jump.</summary>
+    /// <summary>Source of an insect's own motion, and the response to jumps.</summary>
     [Serializable]
     public struct InsectMotion
     {
-        /// <summary>Where the velocity comes from.</summary>
+        /// <summary>Source of the velocity.</summary>
         [Tooltip("Where the body's velocity comes from. Transform: from how it moves. Rigidbody: from its physics. Script: from InsectWings.Velocity.")]
         public VelocitySource source;
 
-        /// <summary>The body for <see cref="VelocitySource.Rigidbody"/>; null finds the nearest above.</summary>
+        /// <summary>Rigidbody for <see cref="VelocitySource.Rigidbody"/>; null finds the nearest above.</summary>
         [Tooltip("The body that carries the insect. None: the nearest one at or above this object.")]
         public Rigidbody body;
 
-        /// <summary>Metres of real flight that one world unit stands for, 0 to 1000; 0: the wing's own size in the scene counts as life size.</summary>
+        /// <summary>
+        /// Metres of real flight that one world unit stands for, 0 to 1000; 0 takes the wing's own size in the scene for life size.
+        /// </summary>
         [Tooltip("Metres of real flight that one world unit stands for, 0 to 1000. 0: an insect drawn ten times life size that moves 10 units a second flies at 1 m/s. 1: units are metres, whatever the insect's size.")]
         public float metresPerUnit;
 
-        /// <summary>What to do about jumps.</summary>
+        /// <summary>Response to jumps.</summary>
         [Tooltip("What happens when the insect jumps to another place. Keep: the wings beat on. Reset: they start over. Ignore: they feel the jump as wind.")]
         public TeleportResponse onTeleport;
 
-        /// <summary>Wing lengths of one frame's unexplained move that make it a jump, 1 to 10000.</summary>
+        /// <summary>Wing lengths of one frame's unexplained move from which on it is a jump, 1 to 10000.</summary>
         [Range(1f, 10000f)]
         [Tooltip("Wing lengths of an unexplained move in one frame that make it a jump, 1 to 10000; 25. Lower catches short teleports, but also sudden starts.")]
         public float teleportDistance;
 
-        /// <summary>Degrees of one frame's unexplained turn that make it a jump, 10 to 180.</summary>
+        /// <summary>Degrees of one frame's unexplained turn from which on it is a jump, 10 to 180.</summary>
         [Range(10f, 180f)]
         [Tooltip("Degrees of an unexplained turn in one frame that make it a jump, 10 to 180; 100. At 180 turns are never jumps.")]
         public float teleportAngle;
 
-        /// <summary>Transform motion, life size by itself, jumps of 25 wing lengths or 100 degrees kept.</summary>
+        /// <summary>
+        /// Default settings: motion of the transform, life size by the wing's own size, jumps of 25 wing lengths or 100 degrees kept.
+        /// </summary>
         public static InsectMotion Default => new InsectMotion { teleportDistance = 25f, teleportAngle = 100f };
 
         internal InsectMotion Clamped()

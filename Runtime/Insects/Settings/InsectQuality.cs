@@ -4,11 +4,11 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>How finely an insect's wings are computed, near the camera and far from it.</summary>
+    /// <summary>Fineness of the computation of an insect's wings, near the camera and far from it.</summary>
     [Serializable]
     public struct InsectQuality
     {
-        /// <summary>Most patches that can be asked for.</summary>
+        /// <summary>Largest number of patches.</summary>
         public const int MaxPatches = 4096;
 
         /// <summary>Substeps of a beat, 12 to 480; 0 takes the preset's.</summary>
@@ -20,22 +20,22 @@ namespace Alate
         [Tooltip("Surface patches that meet the air, 24 to 4096; 64. Fewer cost less; shared by all insects of the same mesh and number.")]
         public int patches;
 
-        /// <summary>Whether far insects are computed with less detail.</summary>
+        /// <summary>True where far insects are computed with less detail.</summary>
         [Tooltip("Computes insects that look small with less detail. Off: always in full.")]
         public bool levelOfDetail;
 
-        /// <summary>Below which sizes on the screen each level begins.</summary>
+        /// <summary>Sizes on the screen below which each level begins.</summary>
         public ScreenHeights screenHeights;
 
-        /// <summary>What is computed out of sight.</summary>
+        /// <summary>Computation out of sight.</summary>
         [Tooltip("What is computed while no camera sees the wings. Cull Completely: nothing; the beat is made up for on return. Cull Skinning: forces and joints. Always Simulate: everything.")]
         public WingCulling culling;
 
-        /// <summary>Whether forces are computed however small or hidden the insect is.</summary>
+        /// <summary>True where forces are computed however small or hidden the insect is.</summary>
         [Tooltip("Computes the air's forces however small the insect is and though no camera sees it: for a body that the wings carry. Costs as much as coarse patches.")]
         public bool keepForces;
 
-        /// <summary>The preset's substeps, 64 patches, detail by screen size, nothing computed out of sight.</summary>
+        /// <summary>Default settings: the preset's substeps, 64 patches, detail by screen size, nothing computed out of sight.</summary>
         public static InsectQuality Default => new InsectQuality
         {
             patches = WingRigSettings.Default.patchCount,

@@ -5,33 +5,33 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// How an insect's beat differs from its preset's now, for flight controllers; may be changed in every step. What differs from wing to wing stands in
-    /// <see cref="Wing"/>.
+    /// Changes to the preset's beat that hold for all wings, for flight controllers; may be set in every step. Changes that differ from
+    /// wing to wing are in <see cref="Wing"/>.
     /// </summary>
     [Serializable]
     public struct InsectSteering : IEquatable<InsectSteering>
     {
-        /// <summary>Factor on the beat's frequency, 0.1 to 4; 1. Seen from the next beat on.</summary>
+        /// <summary>Factor on the beat's frequency, 0.1 to 4; default 1. Takes effect with the next beat.</summary>
         [Range(0.1f, 4f)]
         [Tooltip("Factor on the frequency of the beat, 0.1 to 4; 1 is the preset's. Seen from the next beat on.")]
         public float frequencyScale;
 
-        /// <summary>Factor on all amplitudes, 0 to 2; 1. 0 holds the wings still: a glide. Followed over the next beats.</summary>
+        /// <summary>Factor on all amplitudes, 0 to 2; default 1. 0 holds the wings still: a glide. Followed over the next beats.</summary>
         [Range(0f, 2f)]
         [Tooltip("Factor on the amplitudes of all wings, 0 to 2; 1 is the preset's. 0 holds them still in the middle of their stroke: a glide.")]
         public float amplitudeScale;
 
-        /// <summary>Degrees by which the middle of the stroke is raised, −60 to 60; 0.</summary>
+        /// <summary>Raise of the middle of the stroke, degrees, −60 to 60; default 0.</summary>
         [Range(-60f, 60f)]
         [Tooltip("Degrees by which the middle of the stroke is raised, -60 to 60; 0 is the preset's. Raised wings make a glide steady.")]
         public float meanFlap;
 
-        /// <summary>Degrees by which the stroke plane is tilted, nose up positive, −60 to 60; 0.</summary>
+        /// <summary>Tilt of the stroke plane, degrees, nose up positive, −60 to 60; default 0.</summary>
         [Range(-60f, 60f)]
         [Tooltip("Degrees by which the plane of the stroke is tilted, nose up positive, -60 to 60; 0 is the preset's. Tilts the force forwards and back.")]
         public float tilt;
 
-        /// <summary>The preset's beat.</summary>
+        /// <summary>Default steering: the preset's beat unchanged.</summary>
         public static InsectSteering Default => new InsectSteering { frequencyScale = 1f, amplitudeScale = 1f };
 
         /// <inheritdoc/>
@@ -44,7 +44,7 @@ namespace Alate
         /// <inheritdoc/>
         public override int GetHashCode() => HashCode.Combine(frequencyScale, amplitudeScale, meanFlap, tilt);
 
-        /// <summary>Steering with every value moved into its range; what is no number is the preset's.</summary>
+        /// <summary>Steering with every value moved into its range; a value that is no number becomes its default.</summary>
         internal InsectSteering Clamped() => new InsectSteering
         {
             frequencyScale = Clamp(frequencyScale, 0.1f, 4f, 1f),

@@ -4,26 +4,28 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Shares of the screen's height, 0 to 1, below which an insect is computed with less detail; 0 never is.</summary>
+    /// <summary>
+    /// Shares of the screen's height, 0 to 1, below which an insect is computed with less detail; 0 switches a level off.
+    /// </summary>
     [Serializable]
     public struct ScreenHeights
     {
-        /// <summary>Below it <see cref="WingDetail.FewerSubsteps"/>; default 0.2.</summary>
+        /// <summary>Height below which the detail is <see cref="WingDetail.FewerSubsteps"/>, share of the screen; default 0.2.</summary>
         [Range(0f, 1f)]
         [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps, but not fewer than 12 a beat. 0 never is. Multiplied by the quality settings' LOD bias.")]
         public float fewerSubstepsBelow;
 
-        /// <summary>Below it <see cref="WingDetail.CoarsePatches"/>; default 0.1.</summary>
+        /// <summary>Height below which the detail is <see cref="WingDetail.CoarsePatches"/>, share of the screen; default 0.1.</summary>
         [Range(0f, 1f)]
         [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with fewer substeps and coarse patches. 0 never is. Multiplied by the quality settings' LOD bias.")]
         public float coarsePatchesBelow;
 
-        /// <summary>Below it <see cref="WingDetail.WavesOnly"/>; default 0.03.</summary>
+        /// <summary>Height below which the detail is <see cref="WingDetail.WavesOnly"/>, share of the screen; default 0.03.</summary>
         [Range(0f, 1f)]
         [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with the driven waves alone. 0 never is. Multiplied by the quality settings' LOD bias.")]
         public float wavesOnlyBelow;
 
-        /// <summary>Below it <see cref="WingDetail.Frozen"/>; default 0.005.</summary>
+        /// <summary>Height below which the detail is <see cref="WingDetail.Frozen"/>, share of the screen; default 0.005.</summary>
         [Range(0f, 1f)]
         [Tooltip("Share of the screen's height, 0 to 1, below which the wings come to rest. 0 never do. Multiplied by the quality settings' LOD bias.")]
         public float restBelow;

@@ -1,15 +1,15 @@
 namespace Alate
 {
-    /// <summary>Where the velocity of an insect's body comes from.</summary>
+    /// <summary>Source of the velocity of an insect's body.</summary>
     public enum VelocitySource
     {
-        /// <summary>From how its transform moves.</summary>
+        /// <summary>Motion of the transform.</summary>
         Transform,
 
-        /// <summary>From its Rigidbody.</summary>
+        /// <summary>Velocity of the Rigidbody.</summary>
         Rigidbody,
 
-        /// <summary>A script sets <see cref="InsectWings.Velocity"/>.</summary>
+        /// <summary>Velocity that a script sets in <see cref="InsectWings.Velocity"/>.</summary>
         Script,
     }
 }

@@ -1,15 +1,17 @@
 namespace Alate
 {
-    /// <summary>What is computed while no camera sees an insect's wings.</summary>
+    /// <summary>Computation while no camera sees an insect's wings.</summary>
     public enum WingCulling
     {
-        /// <summary>Nothing: the beat stands still and is made up for when the wings come into view. Forces read as they last were.</summary>
+        /// <summary>
+        /// Nothing is computed: the beat stands still and is made up for when the wings come into view. Forces keep their last values.
+        /// </summary>
         CullCompletely,
 
-        /// <summary>Forces and joints; the mesh is not deformed.</summary>
+        /// <summary>Forces and joints are computed; the mesh is not deformed.</summary>
         CullSkinning,
 
-        /// <summary>Everything.</summary>
+        /// <summary>Everything is computed.</summary>
         AlwaysSimulate,
     }
 }

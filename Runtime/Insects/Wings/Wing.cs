@@ -4,7 +4,10 @@ using UnityEngine.Serialization;
 
 namespace Alate
 {
-    /// <summary>One wing of an insect as it is authored: what is drawn, which part of it is the wing, its skeleton, and how it differs from the others.</summary>
+    /// <summary>
+    /// Wing of an insect as authored: its renderer, the part of the mesh that is the wing, its skeleton, and its differences from the other
+    /// wings.
+    /// </summary>
     [Serializable]
     public sealed class Wing
     {
@@ -59,35 +62,38 @@ namespace Alate
         [SerializeField, HideInInspector]
         private Mesh m_Authored;
 
-        /// <summary>The mesh to give back; null while the wing does not live.</summary>
+        /// <summary>Mesh to restore; null while the wing does not live.</summary>
         internal Mesh Authored
         {
             get => m_Authored;
             set => m_Authored = value;
         }
 
-        /// <summary>Draws the wing; needs a <see cref="MeshFilter"/> beside it. Several wings may share one renderer, each with a part of its mesh.</summary>
+        /// <summary>
+        /// Renderer that draws the wing; needs a <see cref="MeshFilter"/> beside it. Several wings may share one renderer, each with a part
+        /// of its mesh.
+        /// </summary>
         public MeshRenderer Renderer
         {
             get => m_Renderer;
             set => m_Renderer = value;
         }
 
-        /// <summary>Which part of the mesh is the wing.</summary>
+        /// <summary>Part of the mesh that is the wing.</summary>
         public WingPart Part
         {
             get => m_Part;
             set => m_Part = value;
         }
 
-        /// <summary>The submesh that is the wing, from 0, where <see cref="Part"/> says so.</summary>
+        /// <summary>Index of the submesh that is the wing, from 0, for <see cref="WingPart.Submesh"/>.</summary>
         public int Submesh
         {
             get => m_Submesh;
             set => m_Submesh = value;
         }
 
-        /// <summary>A point on the wing, mesh space, where <see cref="Part"/> is a connected part.</summary>
+        /// <summary>Point on the wing, mesh space, for <see cref="WingPart.ConnectedPart"/>.</summary>
         public Vector3 Point
         {
             get => m_Point;
@@ -115,7 +121,7 @@ namespace Alate
             set => m_Pair = value;
         }
 
-        /// <summary>A preset of its own; null takes the insect's.</summary>
+        /// <summary>Preset of this wing alone; null takes the insect's.</summary>
         public WingPreset Preset
         {
             get => m_Preset;
@@ -129,14 +135,14 @@ namespace Alate
             set => m_AmplitudeScale = Mathf.Clamp(value, 0f, 2f);
         }
 
-        /// <summary>Degrees of the beat by which the wing is ahead of the insect, −180 to 180 (clamped).</summary>
+        /// <summary>Lead of the wing before the insect's beat, degrees, −180 to 180 (clamped).</summary>
         public float PhaseLead
         {
             get => m_PhaseLead;
             set => m_PhaseLead = Mathf.Clamp(value, -180f, 180f);
         }
 
-        /// <summary>Gives an entry of zeros its defaults.</summary>
+        /// <summary>Sets the defaults of an entry whose fields are all zero.</summary>
         internal void FillIn()
         {
             if (m_IsFilledIn)

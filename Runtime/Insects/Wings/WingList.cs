@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>An insect's list of wings: which entries mean the same part of the same mesh.</summary>
+    /// <summary>Compares and merges entries of an insect's list of wings.</summary>
     internal static class WingList
     {
-        /// <summary>Whether two entries mean the same triangles of the same renderer.</summary>
+        /// <summary>Returns true where two entries mean equal triangles of one renderer.</summary>
         public static bool SamePart(Wing a, Wing b)
         {
             if (a == null || b == null || a.Renderer != b.Renderer || a.Part != b.Part)
@@ -16,7 +16,7 @@ namespace Alate
                 || (a.Part == WingPart.ConnectedPart && a.Point == b.Point);
         }
 
-        /// <summary>Whether another entry of the list means the same part as one, so that one of the two is too many.</summary>
+        /// <summary>Returns true where another entry of the list means the part of this one, so that one of the two is too many.</summary>
         public static bool HasTwin(IReadOnlyList<Wing> wings, int index)
         {
             for (int w = 0; w < wings.Count; w++)
@@ -29,7 +29,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// The wings that were found, with the settings of those that were in the list before; behind them what the user had added from renderers in which none were found.
+        /// Merges the found wings with the settings that they had in the list before; behind them come the wings that the user had added
+        /// from renderers in which none were found.
         /// </summary>
         public static List<Wing> Merge(IReadOnlyList<Wing> old, IReadOnlyList<Wing> found)
         {

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>Which pair of an insect's wings one belongs to.</summary>
+    /// <summary>Pair of an insect's wings: fore or hind.</summary>
     public enum WingPair
     {
         /// <summary>The front pair, or the only one.</summary>

@@ -1,15 +1,15 @@
 namespace Alate
 {
-    /// <summary>Which part of a mesh is a wing.</summary>
+    /// <summary>Part of a mesh that is a wing.</summary>
     public enum WingPart
     {
-        /// <summary>All of it.</summary>
+        /// <summary>The whole mesh.</summary>
         WholeMesh,
 
         /// <summary>The triangles of one submesh, so of one material.</summary>
         Submesh,
 
-        /// <summary>The triangles that hang together with the one nearest to a point; corners at the same place count as one.</summary>
+        /// <summary>The connected triangles around the one nearest to a point; corners at one place count as connected.</summary>
         ConnectedPart,
     }
 }

@@ -1,12 +1,12 @@
 namespace Alate
 {
-    /// <summary>The side of the insect a wing grows on, seen from the insect itself.</summary>
+    /// <summary>Side of the insect on which a wing grows, seen from the insect itself.</summary>
     public enum WingSide
     {
-        /// <summary>Span along +X.</summary>
+        /// <summary>Right side; span along +X.</summary>
         Right,
 
-        /// <summary>Span along −X; the mirror image of the right wing.</summary>
+        /// <summary>Left side; span along −X; the mirror image of a right wing.</summary>
         Left,
     }
 }

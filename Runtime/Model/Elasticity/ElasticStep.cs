@@ -19,7 +19,7 @@ namespace Alate
             return iterations;
         }
 
-        /// <summary>Keeps a share of the deviation, turned with the driven motion, without regard to springs.</summary>
+        /// <summary>Keeps a share of the deviation, turned with the driven motion; ignores the springs.</summary>
         public static void Relax(in WingPack pack, in StepScratch scratch, float4 kept)
         {
             Turn(pack, scratch);
@@ -33,7 +33,7 @@ namespace Alate
             }
         }
 
-        /// <summary>How much of ė a substep of backward Euler keeps, β = exp(−2 ζ_E Ω dt).</summary>
+        /// <summary>Share of ė that a substep of backward Euler keeps, β = exp(−2 ζ_E Ω dt).</summary>
         public static float4 Retention(float4 springDamping, float4 anchorRate, float dt) =>
             math.exp(-2f * springDamping * anchorRate * dt);
 

@@ -8,25 +8,26 @@ namespace Alate
     /// </summary>
     internal static unsafe class NewtonSolver
     {
-        /// <summary>How long the solver may work.</summary>
+        /// <summary>Limits of the solver's work.</summary>
         public struct Limits
         {
-            /// <summary>Newton iterations.</summary>
+            /// <summary>Largest number of Newton iterations.</summary>
             public int newton;
 
             /// <summary>
-            /// Done when no joint moves further in an iteration, wing lengths. What remains is at most some hundred times its square.
+            /// Largest movement of a joint in an iteration that ends the solve, wing lengths. The remaining error is at most some hundred
+            /// times its square.
             /// </summary>
             public float tolerance;
 
-            /// <summary>What a substep uses: the minimum to 1e-4 L.</summary>
+            /// <summary>Limits of a substep: four iterations, the minimum to 1e-4 L.</summary>
             public static Limits Default => new Limits { newton = 4, tolerance = 7e-4f };
         }
 
-        /// <summary>Armijo: the share of the predicted decrease that a step must bring.</summary>
+        /// <summary>Share of the predicted decrease that a step must bring (Armijo).</summary>
         private const float k_Decrease = 1e-4f;
 
-        /// <summary>Relative rounding of the energy sum; a rise below it is no rise.</summary>
+        /// <summary>Relative rounding of the energy sum; smaller rises are ignored.</summary>
         private const float k_Rounding = 1e-6f;
 
         private const int k_MaxHalvings = 10;

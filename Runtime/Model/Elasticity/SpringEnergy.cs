@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The function that the implicit step minimises (Eq. 12, 15) with its gradient and Hessian: mass against the anchor point of
-    /// each joint, and the springs.
+    /// Function that the implicit step minimises (Eq. 12, 15), with its gradient and Hessian: mass against the anchor point of each joint,
+    /// and the springs.
     /// </summary>
     internal static unsafe class SpringEnergy
     {
@@ -61,7 +61,7 @@ namespace Alate
             return 0.5f * (stiffness * stretch * stretch + hold * SoaFloat3.LengthSquared(turned));
         }
 
-        /// <summary>The springs' share alone: the elastic energy of Eq. 12, wing mass · L²/s².</summary>
+        /// <summary>Elastic energy of the springs alone (Eq. 12), wing mass · L²/s².</summary>
         /// <param name="pack">Rig and spring stiffness.</param>
         /// <param name="pose">[joint]</param>
         /// <param name="largest">Largest |l/L − 1| of any spring.</param>

@@ -9,7 +9,7 @@ namespace Alate
     /// </summary>
     internal static unsafe class Aerodynamics
     {
-        /// <summary>Adds the air's forces and damping to the joints'; after <see cref="CarriedSurface"/>.</summary>
+        /// <summary>Adds forces and damping of the air to the joints'; call after <see cref="CarriedSurface"/>.</summary>
         public static void Apply(in WingPack pack, in StepScratch scratch)
         {
             CellMotion.Evaluate(pack, scratch);

@@ -4,18 +4,21 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Torques turn the joints: three damped hinges a bone (bend, in-plane, torsion), each by one implicit step. The paper leaves
+    /// Turns the joints by their torques: three damped hinges a bone (bend, in-plane, torsion), each by one implicit step. The paper leaves
     /// this step open; the form is that of Ju et al. 2013.
     /// </summary>
     internal static unsafe class Bending
     {
-        /// <summary>The air's damping in the second-order hinge, over its estimate: what the loads lag by is made up for, and soft wings stay stable.</summary>
+        /// <summary>
+        /// Factor on the estimate of the air's damping in the second-order hinge: makes up for the lag of the loads, and keeps soft wings
+        /// stable.
+        /// </summary>
         private const float k_AirShare = 1.5f;
 
         /// <summary>Bend at which a joint has become twice as stiff, radians (7°); it rises with the fourth power, so that ordinary bends do not feel it.</summary>
         private const float k_StiffeningAngle = 0.12f;
 
-        /// <summary>Bending stiffness of every bone, k_e I (2π f_ref N)² e^(−σ/decay), from parameters and rig.</summary>
+        /// <summary>Derives the bending stiffness of every bone, k_e I (2π f_ref N)² e^(−σ/decay), from parameters and rig.</summary>
         public static void DeriveStiffness(in WingPack pack)
         {
             ref readonly LaneParameters p = ref *pack.parameters;
@@ -38,14 +41,14 @@ namespace Alate
             Compose(pack, scratch);
         }
 
-        /// <summary>First part of <see cref="Step"/>: every hinge by itself.</summary>
+        /// <summary>First part of <see cref="Step"/>: turns every hinge independently.</summary>
         public static void Turn(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
                 TurnJoint(pack, scratch, bone, step);
         }
 
-        /// <summary>Keeps a share of every bend, without regard to loads, and turns the chains.</summary>
+        /// <summary>Keeps a share of every bend, and turns the chains; ignores the loads.</summary>
         public static void Relax(in WingPack pack, in StepScratch scratch, float4 kept)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
@@ -60,8 +63,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Advances one hinge by one implicit step of the given length: the new rate, and the angle held within ±limit. Angle and rate come in as the step's past
-        /// (<see cref="ImplicitStep"/>); the rate seen is the one that the loads were made with.
+        /// Advances one hinge by one implicit step of the given length: the new rate, and the angle held within ±limit. Takes angle and
+        /// rate as the step's past (<see cref="ImplicitStep"/>); the given rate is the one that the loads were made with.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static float4 Hinge(

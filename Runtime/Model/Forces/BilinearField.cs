@@ -8,7 +8,7 @@ namespace Alate
     {
         private SoaFloat3 m_C, m_U, m_V, m_UV;
 
-        /// <summary>From the values at the four joints of a cell.</summary>
+        /// <summary>Makes a field from the values at the four joints of a cell.</summary>
         /// <param name="field">To fill.</param>
         /// <param name="values">[joint]</param>
         /// <param name="joint">First joint of the cell.</param>

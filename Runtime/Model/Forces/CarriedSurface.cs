@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The joints carried to the end of the substep, before its loads are known: the driven motion moves them on exactly, and their deformation goes on as in the last
-    /// substep (backward Euler holds it).
+    /// Joints carried to the end of the substep, before its loads are known: the driven motion moves them exactly, and their deformation
+    /// continues as in the last substep (backward Euler holds it).
     /// </summary>
     internal static unsafe class CarriedSurface
     {
@@ -18,7 +18,7 @@ namespace Alate
                 CarryJoint(pack, scratch, joint, pack.rig.BoneOf(joint), ahead);
         }
 
-        /// <summary>Fills turns: how each driven frame has turned since the last substep.</summary>
+        /// <summary>Fills turns: the rotation of each driven frame since the last substep.</summary>
         public static void Turn(in WingPack pack, in StepScratch scratch)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)

@@ -11,7 +11,7 @@ namespace Alate
     {
         private BilinearField m_Hinge, m_Span, m_Chord;
 
-        /// <summary>The three vectors of every joint; after <see cref="CarriedSurface"/>.</summary>
+        /// <summary>Evaluates the three vectors of every joint; call after <see cref="CarriedSurface"/>.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
             SoaFloat3 body = pack.surroundings->angularVelocity, hinge = pack.surroundings->hinge;
@@ -29,7 +29,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The field of one cell.</summary>
+        /// <summary>Gathers the field of one cell.</summary>
         public static void Gather(CellMotion* field, in StepScratch scratch, int joint, int next)
         {
             BilinearField.Gather(&field->m_Hinge, scratch.hingeVelocities, joint, next);

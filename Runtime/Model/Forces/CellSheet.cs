@@ -15,14 +15,14 @@ namespace Alate
         // Coefficients of u^p v^q; that of u^0 v^0 has no part in the tangents.
         private SoaFloat3 m_U, m_V, m_UV, m_UU, m_VV, m_UUV, m_UVV, m_UUVV;
 
-        /// <summary>The sheet halfway along every edge; after <see cref="CarriedSurface"/>.</summary>
+        /// <summary>Evaluates the sheet halfway along every edge; call after <see cref="CarriedSurface"/>.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
             AlongChains(pack, scratch);
             AcrossChains(pack, scratch);
         }
 
-        /// <summary>The sheet over one cell.</summary>
+        /// <summary>Gathers the sheet over one cell.</summary>
         public static void Gather(CellSheet* sheet, in WingPack pack, in StepScratch scratch, int joint, int next)
         {
             BilinearField.Gather(&sheet->m_Span, scratch.carriedSpans, joint, next);

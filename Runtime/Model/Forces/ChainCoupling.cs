@@ -4,9 +4,10 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Lets neighbouring chains bend together where bending apart would tear the strip of membrane between them: out of its plane beyond a slope, in its plane beyond a
-    /// strain. The hinges' implicit steps are corrected by the strips' forces, which minimise Σ ½ (θ − θ*)²/c + Σ ½ K max(|s| − s₀, 0)² over all bends θ of the wing,
-    /// one strip after the other (projected Gauss–Seidel, compliant as in XPBD, Macklin et al. 2016). Each strip's force acts on both chains alike.
+    /// Bends neighbouring chains together where bending apart would tear the strip of membrane between them: out of its plane beyond a
+    /// slope, in its plane beyond a strain. The hinges' implicit steps are corrected by the strips' forces, which minimise Σ ½ (θ − θ*)²/c
+    /// + Σ ½ K max(|s| − s₀, 0)² over all bends θ of the wing, one strip after the other (projected Gauss–Seidel, compliant as in XPBD,
+    /// Macklin et al. 2016). Each strip's force acts on both chains alike.
     /// </summary>
     internal static unsafe class ChainCoupling
     {
@@ -16,16 +17,19 @@ namespace Alate
         /// <summary>Strain of a strip in its plane up to which chains bend freely.</summary>
         private const float k_FreeStrain = 0.05f;
 
-        /// <summary>K over the stiffness of the bends that the strip couples.</summary>
+        /// <summary>Stiffness K of a strip over that of the bends that it couples.</summary>
         private const float k_Stiffness = 100f;
 
-        /// <summary>Passes over all strips. Four leave the narrowest wings a tenth more stretch; in still air two or three suffice and the rest is not run.</summary>
+        /// <summary>
+        /// Number of passes over all strips. Four leave the narrowest wings a tenth more stretch; in still air two or three suffice and the
+        /// rest is not run.
+        /// </summary>
         private const int k_Passes = 8;
 
-        /// <summary>A change of force below this share of a strip's free slope ends the passes.</summary>
+        /// <summary>Change of force, as a share of a strip's free slope, below which the passes end.</summary>
         private const float k_Tolerance = 0.1f;
 
-        /// <summary>Corrects bend angles and rates of the pack, after every hinge has moved by itself.</summary>
+        /// <summary>Corrects bend angles and rates of the pack, after every hinge has moved independently.</summary>
         public static void Apply(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             var angles = (float4*)pack.bendAngles;

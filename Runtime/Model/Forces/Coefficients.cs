@@ -36,7 +36,7 @@ namespace Alate
                 s->angle = SoaMath.QuadrantAngle(math.abs(s->across), s->tangential);
         }
 
-        /// <summary>The polynomials of Fig. 6; the angle is in degrees there, in radians here.</summary>
+        /// <summary>Evaluates the polynomials of Fig. 6; the angle is in degrees there, in radians here.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Paper(float4 angle, bool clampLift, out float4 lift, out float4 drag)
         {

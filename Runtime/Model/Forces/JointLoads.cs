@@ -2,7 +2,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>All forces on the joints: inertia of the beat (Eq. 5, 8), gravity, air (Eq. 9–11), and their torques (Eq. 4).</summary>
+    /// <summary>
+    /// Evaluates all forces on the joints: inertia of the beat (Eq. 5, 8), gravity, air (Eq. 9–11), and their torques (Eq. 4).
+    /// </summary>
     internal static unsafe class JointLoads
     {
         /// <summary>Fills forces, airDamping and torques, and adds force and moment of the air to the readings.</summary>

@@ -6,13 +6,13 @@ namespace Alate
     /// <summary>Aerodynamic force on one surface element in an air stream (Eq. 9, 10).</summary>
     internal static class PatchAir
     {
-        /// <summary>Below this air speed, L/s, there is no force.</summary>
+        /// <summary>Air speed below which there is no force, L/s.</summary>
         private const float k_LeastSpeed = 1e-6f;
 
-        /// <summary>Below this sine of the angle between stream and normal there is no lift.</summary>
+        /// <summary>Sine of the angle between stream and normal below which there is no lift.</summary>
         private const float k_LeastTangent = 1e-6f;
 
-        /// <summary>The damping estimate divides by the sine of the angle of attack, never by less.</summary>
+        /// <summary>Least sine of the angle of attack by which the damping estimate divides.</summary>
         private const float k_LeastSine = 0.05f;
 
         /// <summary>Eq. 9 and 10 for one element of four wings, at once; a wing's many elements take the three steps one after the other.</summary>
@@ -34,7 +34,7 @@ namespace Alate
             return load;
         }
 
-        /// <summary>First step: the stream seen from the element.</summary>
+        /// <summary>First step: finds the stream in the frame of the element.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static PatchStream Meet(in SoaFloat3 wind, in SoaFloat3 normal)
         {
@@ -48,7 +48,7 @@ namespace Alate
             return stream;
         }
 
-        /// <summary>Third step, after <see cref="Coefficients.Evaluate"/>: the force.</summary>
+        /// <summary>Third step, after <see cref="Coefficients.Evaluate"/>: finds the force.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaFloat3 Force(in PatchStream stream, in SoaFloat3 wind, in SoaFloat3 normal, float4 halfDensityArea)
         {

@@ -3,15 +3,16 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The wind as the wing feels it: up to the strongest wind that bends it unchanged, beyond that growing as its fourth root. Soft sheets in a stream curl up and offer it
-    /// less and less area (Vogel 1989, leaves), which a wing that keeps its area and its joints' limits cannot do.
+    /// Wind as felt by the wing: unchanged up to the strongest wind that bends the wing freely, growing with the fourth root beyond. Soft
+    /// sheets in a stream curl up and offer less and less area (Vogel 1989, leaves), which a wing that keeps its area and its joints'
+    /// limits cannot do.
     /// </summary>
     internal static unsafe class StrongestWind
     {
-        /// <summary>Faster air counts as this fast along each axis, L/s: its square would overflow.</summary>
+        /// <summary>Largest speed of the air along each axis, L/s: the square of a larger one would overflow.</summary>
         private const float k_Most = 1e15f;
 
-        /// <summary>Air relative to the body, L/s.</summary>
+        /// <summary>Bounded velocity of the air relative to the body, L/s.</summary>
         public static SoaFloat3 Bound(in WingPack pack)
         {
             SoaFloat3 wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);

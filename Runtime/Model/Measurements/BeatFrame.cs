@@ -3,7 +3,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>A wing at one time of its beat.</summary>
+    /// <summary>State of a wing at one time of its beat.</summary>
     [MovedFrom(true, null, "Alate")]
     public readonly struct BeatFrame
     {
@@ -15,16 +15,16 @@ namespace Alate
             Positions = positions;
         }
 
-        /// <summary>Φ, radians.</summary>
+        /// <summary>Phase Φ, radians.</summary>
         public float Phase { get; }
 
         /// <summary>Rotation by which the muscles turn the root of the leading edge out of its rest pose, about the hinge.</summary>
         public quaternion Root { get; }
 
-        /// <summary>[vertex] Deformed positions, wing frame, wing lengths.</summary>
+        /// <summary>[vertex] Deformed position, wing frame, wing lengths.</summary>
         public float3[] Positions { get; }
 
-        /// <summary>A place of the wing as its root sees it: where it would be if the root stood still.</summary>
+        /// <summary>Position of a place of the wing in the frame of its root: as if the root stood still.</summary>
         public float3 AtRoot(float3 position) => math.rotate(math.conjugate(Root), position);
     }
 }

@@ -12,8 +12,9 @@ namespace Alate
     [MovedFrom(true, null, "Alate")]
     public sealed class BeatMeasurement
     {
-        /// <summary>Span of the inner section of the twist, wing lengths. A mesh that begins farther out is cut a little past its
-        /// beginning instead.</summary>
+        /// <summary>
+        /// Span of the inner section of the twist, wing lengths. A mesh that begins farther out is cut a little past its beginning.
+        /// </summary>
         public const float k_InnerSpan = 0.1f;
 
         /// <summary>Span of the section of camber and lag, wing lengths.</summary>
@@ -25,8 +26,9 @@ namespace Alate
         /// <summary>The percentile of the stretch that is reported beside the largest.</summary>
         private const float k_StretchShare = 0.99f;
 
-        /// <summary>How far past its beginning such a mesh is cut, wing lengths: a base may be pointed, and has no chord
-        /// there.</summary>
+        /// <summary>
+        /// Distance past the beginning of such a mesh at which it is cut, wing lengths: a base may be pointed, and has no chord there.
+        /// </summary>
         private const float k_BaseMargin = 0.02f;
 
         private static readonly float2 s_Nothing = new float2(float.PositiveInfinity, float.NegativeInfinity);

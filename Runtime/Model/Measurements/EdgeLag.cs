@@ -6,14 +6,14 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// Lag of a section's trailing edge: the phase of its height behind that of the leading edge, both in the fundamental of the beat,
-    /// less what a wing that only turns with its root has by its feathering. Each edge's height has a phase of its own here and the two
+    /// Lag of a section's trailing edge: the phase of its height behind that of the leading edge, both in the fundamental of the beat, less
+    /// the lag that a wing which only turns with its root has by its feathering. Each edge's height has a phase of its own here and the two
     /// are subtracted; the phase of the difference in height is another number (15° where the monarch's lag is 27°).
     /// </summary>
     [MovedFrom(true, null, "Alate")]
     public static class EdgeLag
     {
-        /// <summary>Heights that swing less than this, wing lengths, have no phase.</summary>
+        /// <summary>Least swing of a height that has a phase, wing lengths.</summary>
         private const float k_LeastSwing = 1e-5f;
 
         /// <summary>The lag, radians, −π to π, positive with the trailing edge later.</summary>

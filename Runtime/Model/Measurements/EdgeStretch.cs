@@ -5,7 +5,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>How much the edges of a mesh are longer or shorter than at rest.</summary>
+    /// <summary>Measures the stretch of the edges of a mesh against their length at rest.</summary>
     [MovedFrom(true, null, "Alate")]
     public sealed class EdgeStretch
     {

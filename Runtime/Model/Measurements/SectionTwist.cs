@@ -5,8 +5,8 @@ namespace Alate
 {
     /// <summary>
     /// Twist of a wing: the angle from the chord of an inner section to that of an outer one about the leading edge, positive with the
-    /// outer one nose-down as in feathering. The leading edge is the straight line between the leading places of the two sections as they
-    /// are now, so a wing that turns as a whole, about whatever axis, has no twist.
+    /// outer one nose-down as in feathering. The leading edge is the straight line between the leading places of the two deformed sections,
+    /// so a wing that turns as a whole, about whatever axis, has no twist.
     /// </summary>
     [MovedFrom(true, null, "Alate")]
     public static class SectionTwist

@@ -3,8 +3,9 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>Bend of a wing: how far its tip stands out of the wing's plane, as an angle at the hinge, where the plane turns with the
-    /// root.</summary>
+    /// <summary>
+    /// Bend of a wing: the height of its tip over the wing's plane, as an angle at the hinge; the plane turns with the root.
+    /// </summary>
     [MovedFrom(true, null, "Alate")]
     public static class TipBend
     {

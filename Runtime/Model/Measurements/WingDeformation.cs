@@ -2,7 +2,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>What one beat did to a wing: the numbers by which wings are compared. Radians and ratios.</summary>
+    /// <summary>Deformation of a wing over one beat: the numbers by which wings are compared, in radians and ratios.</summary>
     [MovedFrom(true, null, "Alate")]
     public readonly struct WingDeformation
     {

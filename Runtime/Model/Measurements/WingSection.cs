@@ -6,13 +6,13 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// A cut through a wing at one rest span, as places on the edges of its mesh from the leading to the trailing edge. Baked once on the
-    /// rest mesh; it follows the deformed mesh.
+    /// Cut through a wing at one rest span, as places on the edges of its mesh from the leading to the trailing edge. Baked once on the
+    /// rest mesh; follows the deformed mesh.
     /// </summary>
     [MovedFrom(true, null, "Alate")]
     public sealed class WingSection
     {
-        /// <summary>Places nearer to each other than this, wing lengths, are one: edges that meet in a vertex on the cut.</summary>
+        /// <summary>Distance below which two places are one, wing lengths: edges that meet in a vertex on the cut.</summary>
         private const float k_SamePlace = 1e-6f;
 
         private readonly Place[] m_Places;
@@ -69,7 +69,7 @@ namespace Alate
         /// <summary>The section's place on the trailing edge.</summary>
         public float3 Trailing(float3[] positions) => At(m_Places.Length - 1, positions);
 
-        /// <summary>From the trailing to the leading edge.</summary>
+        /// <summary>Vector from the trailing to the leading edge, wing lengths.</summary>
         public float3 Chord(float3[] positions) => Leading(positions) - Trailing(positions);
 
         private readonly struct Place

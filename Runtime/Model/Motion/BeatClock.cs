@@ -6,18 +6,21 @@ namespace Alate
     /// <summary>Advances the beat and latches frequency and amplitude at the start of each cycle (Eq. 6, Eq. 7).</summary>
     internal static class BeatClock
     {
-        /// <summary>Eq. 6–7: the pitch above which an insect beats hard.</summary>
+        /// <summary>Pitch above which an insect beats hard, radians (Eq. 6–7).</summary>
         public const float PitchThreshold = math.PI / 6f;
 
-        /// <summary>Eq. 6–7: the least share of the maximum while pitched up.</summary>
+        /// <summary>Least share of the maximum while pitched up (Eq. 6–7).</summary>
         public const float PitchedShare = 0.85f;
 
-        /// <summary>Half width of the band in which the pitch keeps its last verdict, so that it does not flicker: 2°.</summary>
+        /// <summary>
+        /// Half width of the band around the threshold in which the state of being pitched up does not change, so that it does not flicker:
+        /// 2°.
+        /// </summary>
         private const float k_PitchHysteresis = 2f * math.PI / 180f;
 
         private const float k_TwoPi = 2f * math.PI;
 
-        /// <summary>Fig. 5's slope shape function s(u) = 1 / (1 + exp(−16 (|u|/u_max − ½))).</summary>
+        /// <summary>Slope shape function of Fig. 5, s(u) = 1 / (1 + exp(−16 (|u|/u_max − ½))).</summary>
         /// <param name="relativeSpeed">|u| / u_max.</param>
         public static float4 Slope(float4 relativeSpeed) => 1f / (1f + math.exp(-16f * (relativeSpeed - 0.5f)));
 
@@ -38,7 +41,9 @@ namespace Alate
             beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, amplitude, lanes);
         }
 
-        /// <summary>Advances the phase by one substep; a wing that completes its cycle latches what the body does now.</summary>
+        /// <summary>
+        /// Advances the phase by one substep; a wing that completes its cycle latches the body's current speed and pitch.
+        /// </summary>
         public static void Advance(ref BeatState beat, in LaneParameters parameters, in LaneSurroundings air, CycleChange change, float dt)
         {
             beat.rate = Rate(beat, change);

@@ -3,9 +3,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Delay of each chain behind the leading one (Eq. 2). Where two chains are so near each other that their delay would shear the strip between them beyond a slope,
-    /// the excess goes to the strips that have room, so that the driven pose is one that a membrane can take. What no strip has room for still counts, by its logarithm:
-    /// a longer delay always twists the wing more.
+    /// Delay of each chain behind the leading one (Eq. 2). Where two chains are so near each other that their delay would shear the strip
+    /// between them beyond a slope, the excess goes to the strips that have room, so that a membrane can take the driven pose. An excess
+    /// for which no strip has room counts by its logarithm: a longer delay always twists the wing more.
     /// </summary>
     internal static unsafe class ChainDelays
     {
@@ -15,10 +15,10 @@ namespace Alate
         /// </summary>
         private const float k_LargestSlope = 0.65f;
 
-        /// <summary>How much of the logarithm of what no strip has room for still counts.</summary>
+        /// <summary>Factor on the logarithm of the excess for which no strip has room.</summary>
         private const float k_Beyond = 0.5f;
 
-        /// <summary>A wing that hardly flaps is sheared by nothing; its delays stay finite.</summary>
+        /// <summary>Least flap by which slopes are computed, radians: the delays of a wing that hardly flaps stay finite.</summary>
         private const float k_LeastFlap = 1e-3f;
 
         /// <summary>Fills the delays of the pack from its parameters.</summary>

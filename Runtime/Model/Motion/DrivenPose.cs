@@ -4,12 +4,12 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The pose that the muscles drive: rotations G = R_X(−tilt) R_Z(flap) R_−Y(sweep) R_LE(feather) along each chain, with the
-    /// positions, velocities and accelerations of the joints that follow from it.
+    /// Pose that the muscles drive: rotations G = R_X(−tilt) R_Z(flap) R_−Y(sweep) R_LE(feather) along each chain, with the positions,
+    /// velocities and accelerations of the joints that follow.
     /// </summary>
     internal static unsafe class DrivenPose
     {
-        /// <summary>From the angles of <see cref="DelayedWaves"/> to positions, velocities and accelerations of the joints.</summary>
+        /// <summary>Converts the angles of <see cref="DelayedWaves"/> to positions, velocities and accelerations of the joints.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
             Flap(pack, scratch);

@@ -6,7 +6,7 @@ namespace Alate
     /// <summary>One cell of the skeleton in plan: the quadrilateral of two neighbouring joints on two neighbouring chains.</summary>
     internal readonly struct BilinearCell
     {
-        /// <summary>How far outside [0, 1] a coordinate may round and still count as inside.</summary>
+        /// <summary>Tolerance for rounding of a coordinate outside [0, 1] that still counts as inside.</summary>
         private const double k_Rounding = 1e-9;
 
         private readonly PlanPoint m_P00;
@@ -16,7 +16,7 @@ namespace Alate
         private readonly PlanPoint m_Low;
         private readonly PlanPoint m_High;
 
-        /// <summary>First index across the chains, second along them.</summary>
+        /// <summary>Makes a cell of four corners: the first index counts across the chains, the second along them.</summary>
         public BilinearCell(PlanPoint p00, PlanPoint p01, PlanPoint p10, PlanPoint p11)
         {
             m_P00 = p00;
@@ -29,11 +29,11 @@ namespace Alate
                 Math.Max(Math.Max(p00.x, p01.x), Math.Max(p10.x, p11.x)), Math.Max(Math.Max(p00.z, p01.z), Math.Max(p10.z, p11.z)));
         }
 
-        /// <summary>The point of the cell with these coordinates.</summary>
+        /// <summary>Point of the cell with these coordinates.</summary>
         public PlanPoint At(double u, double v) =>
             (m_P00 * (1.0 - v) + m_P01 * v) * (1.0 - u) + (m_P10 * (1.0 - v) + m_P11 * v) * u;
 
-        /// <summary>A squared distance that the cell is certainly not closer to p than.</summary>
+        /// <summary>Lower bound for the squared distance of a point from the cell.</summary>
         public double LeastDistanceSquared(PlanPoint p)
         {
             double x = Math.Max(Math.Max(m_Low.x - p.x, p.x - m_High.x), 0.0), z = Math.Max(Math.Max(m_Low.z - p.z, p.z - m_High.z), 0.0);
@@ -41,9 +41,9 @@ namespace Alate
         }
 
         /// <summary>
-        /// The coordinates of p, and 0; for a point outside, those of the closest point on the outline of the cell, and its squared
-        /// distance. Closest points keep the weights continuous from cell to cell outside the fan too, where coordinates clamped one
-        /// by one do not.
+        /// Finds the coordinates of p, and returns 0; for a point outside, those of the closest point on the outline of the cell, and
+        /// returns its squared distance. Closest points keep the weights continuous from cell to cell outside the fan too, where
+        /// coordinates clamped one by one do not.
         /// </summary>
         public double Locate(PlanPoint p, out double u, out double v)
         {
@@ -73,7 +73,7 @@ namespace Alate
         }
 
         /// <summary>
-        /// Inverse of p = p00 + u c + v b + u v d, true where both coordinates lie in [0, 1]. The cross product with (b + u d) leaves
+        /// Inverts p = p00 + u c + v b + u v d; returns true where both coordinates lie in [0, 1]. The cross product with (b + u d) leaves
         /// a quadratic in u, which is linear where the chains are parallel.
         /// </summary>
         public bool TryInvert(PlanPoint p, out double u, out double v)

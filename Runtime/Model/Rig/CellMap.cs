@@ -21,7 +21,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The closest cell, of equally close ones the first.</summary>
+        /// <summary>Finds the closest cell of a point, of equally close ones the first.</summary>
         public CellPoint Locate(float3 point)
         {
             PlanPoint p = Plan(point);
@@ -41,14 +41,14 @@ namespace Alate
             return found;
         }
 
-        /// <summary>The coordinates in a given cell, clamped to it.</summary>
+        /// <summary>Finds the coordinates of a point in a given cell, clamped to it.</summary>
         public CellPoint LocateIn(int cell, float3 point)
         {
             double distance = m_Cells[cell].Locate(Plan(point), out double u, out double v);
             return Point(cell, u, v, distance);
         }
 
-        /// <summary>Each point located.</summary>
+        /// <summary>Locates each point.</summary>
         public CellPoint[] Locate(float3[] points)
         {
             var located = new CellPoint[points.Length];

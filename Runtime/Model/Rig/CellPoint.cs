@@ -8,10 +8,10 @@ namespace Alate
         /// <summary>Cell index.</summary>
         public int cell;
 
-        /// <summary>Across the chains, 0 on the forward chain, in [0, 1].</summary>
+        /// <summary>Coordinate across the chains, 0 on the forward chain, in [0, 1].</summary>
         public float u;
 
-        /// <summary>Along the chains, 0 at the inner joints, in [0, 1].</summary>
+        /// <summary>Coordinate along the chains, 0 at the inner joints, in [0, 1].</summary>
         public float v;
 
         /// <summary>Distance in plan from the point that (u, v) names; 0 inside the cell. Wing lengths.</summary>

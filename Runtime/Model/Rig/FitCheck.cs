@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Refuses a mesh that is not the wing its skeleton was made for. It fits when the joints reach between half and twice as far from
+    /// Refuses a mesh that is not the wing its skeleton was made for. A mesh fits when the joints reach between half and twice as far from
     /// the hinge along the span as the mesh, and at least half of the wing's area lies within 0.15 wing lengths of the fan of joints.
     /// </summary>
     internal static class FitCheck

@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Masses of the joints, a wing of mass 1 spread evenly over its area, and the inertia of what hangs on them.</summary>
+    /// <summary>
+    /// Masses of the joints, of a wing with mass 1 spread evenly over its area, and the inertia of the joints beyond each bone.
+    /// </summary>
     internal static class JointMasses
     {
         /// <summary>
@@ -38,7 +40,7 @@ namespace Alate
             return masses;
         }
 
-        /// <summary>Per bone I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>
+        /// <summary>Inertia of the joints beyond each bone, I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>
         public static float[] Inertias(RestSkeleton rest, float[] masses)
         {
             var inertias = new float[rest.BoneCount];
@@ -53,8 +55,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// For joints k &gt; j of a chain |p_ik−p_ij| Λ_ik, Λ_ik = Σ_{l&lt;k} |p_ik−p_il|: row sums, which keep the implicit bending
-        /// step stable on soft wings. Index joint · m + k.
+        /// Lever damping for joints k &gt; j of a chain: |p_ik−p_ij| Λ_ik, Λ_ik = Σ_{l&lt;k} |p_ik−p_il|: row sums, which keep the implicit
+        /// bending step stable on soft wings. Index joint · m + k.
         /// </summary>
         public static float[] LeverDamping(RestSkeleton rest)
         {

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>Which patches lie in a cell.</summary>
+    /// <summary>Range of patches that lie in a cell.</summary>
     internal struct PatchCell
     {
         public int firstPatch;

@@ -3,10 +3,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Which triangle belongs to which patch. Patches are numbered cell by cell.</summary>
+    /// <summary>Assigns triangles to patches. Patches are numbered cell by cell.</summary>
     internal static class PatchClusters
     {
-        /// <summary>Every triangle a patch of its own.</summary>
+        /// <summary>Makes every triangle a patch of its own.</summary>
         /// <param name="rest">The skeleton.</param>
         /// <param name="located">Where the centres of the triangles lie.</param>
         /// <param name="firsts">[cell] Its first patch; one more entry holds their number.</param>
@@ -26,8 +26,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// The triangles of each cell sorted by their centres into a grid over (u, v). Cells get their share of the wanted number by
-        /// area, and at least one; the grid's rows run across the chains and are about as long as they are wide.
+        /// Sorts the triangles of each cell by their centres into a grid over (u, v). Cells get their share of the wanted number by area,
+        /// and at least one; the grid's rows run across the chains and are about as long as they are wide.
         /// </summary>
         /// <inheritdoc cref="OnePerTriangle"/>
         public static int[] Make(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] located, int wanted, out int[] firsts)

@@ -2,12 +2,12 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>The surface patches that meet the air, cell by cell: the triangles themselves, or clusters of them.</summary>
+    /// <summary>Surface patches that meet the air, cell by cell: the triangles themselves, or clusters of triangles.</summary>
     internal sealed class PatchLayout
     {
         private const float k_LeastShare = 0.05f;
 
-        /// <summary>[cell]</summary>
+        /// <summary>[cell] Range of patches.</summary>
         public readonly PatchCell[] cells;
         public readonly float[] u;
         public readonly float[] v;
@@ -45,8 +45,8 @@ namespace Alate
         public int Count => areas.Length;
 
         /// <summary>
-        /// [patch] 1/|p_u × p_v| of the rest cell at the centre. Where a cell ends in a point that product vanishes; there it counts as <see cref="k_LeastShare"/> of
-        /// that in the middle, so that a patch at the point does not grow without bound.
+        /// [patch] 1/|p_u × p_v| of the rest cell at the centre. Where a cell ends in a point that product vanishes; there, <see
+        /// cref="k_LeastShare"/> of the product in the middle replaces it, so that a patch at the point does not grow without bound.
         /// </summary>
         public float[] Measures(RestSkeleton rest)
         {

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>The skeleton at rest in the wing frame, and what follows from its joints alone (Sec. 4.1).</summary>
+    /// <summary>Skeleton at rest in the wing frame, with the quantities that follow from its joints alone (Sec. 4.1).</summary>
     internal sealed class RestSkeleton
     {
         public readonly int chainCount;
@@ -53,7 +53,7 @@ namespace Alate
 
         public int CellCount => (chainCount - 1) * (jointsPerChain - 1);
 
-        /// <summary>The joint from which a bone goes out.</summary>
+        /// <summary>Index of the joint from which a bone goes out.</summary>
         public int InnerJoint(int bone) => bone / (jointsPerChain - 1) * jointsPerChain + bone % (jointsPerChain - 1);
 
         /// <summary>A cell's inner joint on its forward chain; cells are numbered like the bones of their forward chains.</summary>

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>All that a bake finds out, still in managed arrays.</summary>
+    /// <summary>Results of a bake, in managed arrays.</summary>
     internal sealed class RigContent
     {
         public WingFrame frame;

@@ -12,7 +12,7 @@ namespace Alate
         public int strips;
         public int bandBlocks;
 
-        /// <summary>The counts of one rig.</summary>
+        /// <summary>Reads the counts of one rig.</summary>
         public static RigSize Of(in RigView rig) => new RigSize
         {
             joints = rig.jointCount,
@@ -23,7 +23,7 @@ namespace Alate
             bandBlocks = rig.BandBlocks,
         };
 
-        /// <summary>Enough for both.</summary>
+        /// <summary>Larger of the counts of two rigs, one by one.</summary>
         public static RigSize Max(in RigSize a, in RigSize b) => new RigSize
         {
             joints = math.max(a.joints, b.joints),

@@ -3,9 +3,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// A rig as the jobs see it: counts and pointers into native memory that a <see cref="WingRig"/> owns. All lengths in wing
-    /// lengths, in the wing frame, unless said otherwise; n chains of m joints.
-    /// Joint index = chain · m + joint; bone index = chain · (m−1) + inner joint; cell index = forward chain · (m−1) + inner joint.
+    /// Rig as passed to jobs: counts and pointers into native memory that a <see cref="WingRig"/> owns. All lengths are in wing lengths, in
+    /// the wing frame, unless said otherwise; n chains of m joints. Joint index = chain · m + joint; bone index = chain · (m−1) + inner
+    /// joint; cell index = forward chain · (m−1) + inner joint.
     /// </summary>
     internal unsafe struct RigView
     {
@@ -45,11 +45,11 @@ namespace Alate
         public float3* bendAxes;
 
         /// <summary>
-        /// [bone] From the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.
+        /// [bone] Vector from the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.
         /// </summary>
         public float3* crossDirections;
 
-        /// <summary>[joint] Sum 1, each above 0.</summary>
+        /// <summary>[joint] Mass; the sum is 1, each is above 0.</summary>
         public float* jointMasses;
 
         /// <summary>[bone] I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>
@@ -61,16 +61,20 @@ namespace Alate
         /// </summary>
         public float* leverDamping;
 
-        /// <summary>[spring] Along chains, across neighbouring chains, both diagonals; none between two roots.</summary>
+        /// <summary>
+        /// [spring] Springs along chains, across neighbouring chains and along both diagonals of each cell; none between two roots.
+        /// </summary>
         public Spring* springs;
 
-        /// <summary>[strip] The places between neighbouring chains where their bends are compared.</summary>
+        /// <summary>[strip] Places between neighbouring chains where their bends are compared.</summary>
         public Strip* strips;
 
         /// <summary>Slopes of the strips by the bends of their chains; see <see cref="Strip.lever"/>.</summary>
         public float* stripLevers;
 
-        /// <summary>How far the chains spread: 1 for a fan, towards 0 for a ribbon, whose membrane would be sheared by chains that move each by themselves.</summary>
+        /// <summary>
+        /// Spread of the chains: 1 for a fan, towards 0 for a ribbon, whose membrane would be sheared by chains that move independently.
+        /// </summary>
         public float spread;
 
         /// <summary>[bone] Share of the flap that is added to the root's from the root to this bone, 0 to 1.</summary>
@@ -99,7 +103,7 @@ namespace Alate
         /// <summary>[patch] Rest area, L².</summary>
         public float* patchAreas;
 
-        /// <summary>[patch] 1/|x_u × x_v| at rest, L⁻²: how much |x_u × x_v| has grown is how much the area has.</summary>
+        /// <summary>[patch] 1/|x_u × x_v| at rest, L⁻²: times the current |x_u × x_v|, the growth of the area.</summary>
         public float* patchMeasures;
 
         /// <summary>[cell] Vertices of each cell, in order.</summary>
@@ -114,7 +118,7 @@ namespace Alate
         /// <summary>Number of blocks below the diagonal of the banded Hessian.</summary>
         public readonly int BandBlocks => chainCount * (jointsPerChain - 1) * jointsPerChain;
 
-        /// <summary>The bone that goes out from a joint; for the last joint of a chain the bone that comes in.</summary>
+        /// <summary>Index of the bone that goes out from a joint; for the last joint of a chain, of the bone that comes in.</summary>
         public readonly int BoneOf(int joint)
         {
             int chain = joint / jointsPerChain;

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>The vertices that one cell's four joints move: a run of <see cref="SkinQuad"/>.</summary>
+    /// <summary>Vertices that one cell's four joints move: a run of <see cref="SkinQuad"/>.</summary>
     internal struct SkinCell
     {
         public int firstQuad;

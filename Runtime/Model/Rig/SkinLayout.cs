@@ -3,16 +3,16 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The vertices in the order in which they are skinned: cell by cell, four at a time.</summary>
+    /// <summary>Order in which the vertices are skinned: cell by cell, four at a time.</summary>
     internal sealed class SkinLayout
     {
-        /// <summary>[cell]</summary>
+        /// <summary>[cell] Run of quads.</summary>
         public readonly SkinCell[] cells;
 
-        /// <summary>Every vertex once, those of no triangle too; a cell's last vertex may be repeated.</summary>
+        /// <summary>[quad] Every vertex once, those of no triangle too; a cell's last vertex may be repeated.</summary>
         public readonly SkinQuad[] quads;
 
-        /// <summary>Beside <see cref="quads"/>; null when the mesh has none.</summary>
+        /// <summary>[quad] Tangents beside <see cref="quads"/>; null when the mesh has none.</summary>
         public readonly SkinTangentQuad[] tangents;
 
         public SkinLayout(int cellCount, CellPoint[] points, in WingSurface surface, float3[] normals)

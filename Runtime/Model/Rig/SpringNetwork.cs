@@ -6,7 +6,7 @@ namespace Alate
     /// <summary>The mass-spring network of Eq. 12: along the chains, across neighbouring chains, both diagonals of each cell.</summary>
     internal static class SpringNetwork
     {
-        /// <summary>All springs, by their first joint; none between two roots, which the wing's base holds.</summary>
+        /// <summary>Makes all springs, ordered by their first joint; none between two roots, which the wing's base holds.</summary>
         public static Spring[] Make(RestSkeleton rest)
         {
             int n = rest.chainCount, m = rest.jointsPerChain;

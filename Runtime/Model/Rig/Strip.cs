@@ -1,20 +1,21 @@
 namespace Alate
 {
     /// <summary>
-    /// A place between two neighbouring chains where bending apart would tear the membrane: between a joint of one chain and its foot on the other.
+    /// Place between two neighbouring chains where bending apart would tear the membrane: between a joint of one chain and its foot on the
+    /// other.
     /// </summary>
     internal struct Strip
     {
         /// <summary>First bone of the joint's chain.</summary>
         public int bone;
 
-        /// <summary>How many bones of that chain lie on the way to the joint.</summary>
+        /// <summary>Number of bones of that chain up to the joint.</summary>
         public int bones;
 
         /// <summary>First bone of the other chain.</summary>
         public int other;
 
-        /// <summary>How many bones of the other chain lie on the way to the foot.</summary>
+        /// <summary>Number of bones of the other chain up to the foot.</summary>
         public int others;
 
         /// <summary>

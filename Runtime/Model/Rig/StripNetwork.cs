@@ -6,10 +6,12 @@ namespace Alate
     /// <summary>The strips between neighbouring chains: one for every joint that has a foot on the chain beside it.</summary>
     internal sealed class StripNetwork
     {
-        /// <summary>Narrower strips count as this wide, wing lengths.</summary>
+        /// <summary>Least width of a strip, wing lengths.</summary>
         private const float k_LeastWidth = 2e-3f;
 
-        /// <summary>How far past the end of a chain a foot may lie, in lengths of its last bone: chains' tips are seldom side by side.</summary>
+        /// <summary>
+        /// Largest distance of a foot past the end of a chain, in lengths of its last bone: chains' tips are seldom side by side.
+        /// </summary>
         private const float k_Beyond = 0.1f;
 
         /// <summary>Sum of the fan's widths from which on a wing is a fan: the fishfly's fore wing has 0.4, a ribbon of 12:1 has 0.1.</summary>
@@ -44,7 +46,7 @@ namespace Alate
             Spread = share * share;
         }
 
-        /// <summary>By their joints.</summary>
+        /// <summary>Strips, ordered by their joints.</summary>
         public Strip[] Strips { get; }
 
         /// <summary>
@@ -55,7 +57,7 @@ namespace Alate
         /// <summary>[n − 1] Narrowest strip between a chain and the next one, its width over the distance from the root; infinite where there is none.</summary>
         public float[] FanWidths { get; }
 
-        /// <summary>How far the chains spread: 1 for a fan, towards 0 for a ribbon.</summary>
+        /// <summary>Spread of the chains: 1 for a fan, towards 0 for a ribbon.</summary>
         public float Spread { get; }
 
         private float[] Widths()

@@ -33,7 +33,7 @@ namespace Alate
             }
         }
 
-        /// <summary>How messages call the surface, at the start of a sentence.</summary>
+        /// <summary>Name of a surface in messages, at the start of a sentence.</summary>
         public static string Name(in WingSurface surface) => string.IsNullOrEmpty(surface.name) ? "The mesh" : $"Mesh '{surface.name}'";
 
         private static void CheckLength(string name, string what, int length, int vertices)

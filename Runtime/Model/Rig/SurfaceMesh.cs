@@ -6,13 +6,13 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// A triangle mesh as plain arrays, one entry per vertex: what the generators make, before or without a <see cref="Mesh"/>. Triangles are three indices
-    /// each, wound so that (x1 − x0) × (x2 − x0) is the outward or upper side.
+    /// Triangle mesh as plain arrays, one entry per vertex: the output of the generators, before or without a <see cref="Mesh"/>. Triangles
+    /// are three indices each, wound so that (x1 − x0) × (x2 − x0) is the outward or upper side.
     /// </summary>
     [MovedFrom(true, null, "Alate")]
     public sealed class SurfaceMesh
     {
-        /// <summary>Positions, in the units the generator was asked for.</summary>
+        /// <summary>Positions, in the unit given to the generator.</summary>
         public Vector3[] positions;
 
         /// <summary>Unit normals.</summary>

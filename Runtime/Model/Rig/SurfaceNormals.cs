@@ -8,7 +8,7 @@ namespace Alate
         private const float k_LeastLengthSquared = 1e-12f;
 
         /// <summary>
-        /// The mesh's own normals; where there are none, or one is zero or not finite, the area-weighted mean of the vertex's
+        /// Makes the normals: the mesh's own; where there are none, or one is zero or not finite, the area-weighted mean of the vertex's
         /// triangles. Where that vanishes, as between the two sides of a double-sided wing, and at unused vertices: the up axis.
         /// </summary>
         public static float3[] Make(in WingSurface surface, in WingFrame frame)

@@ -4,13 +4,13 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The triangles of a surface that have an area, each place once, with the area of one side of the wing. Two triangles are one
-    /// place when their corners lie at exactly the same three points, whatever their order and indices. On a surface that is closed,
-    /// every edge between an even number of triangles, a triangle has half its area where it has no double: a thin shell.
+    /// Triangles of a surface that have an area, each place once, with the area of one side of the wing. Two triangles are one place when
+    /// their corners lie at exactly equal points, whatever their order and indices. On a surface that is closed, every edge between an even
+    /// number of triangles, a triangle has half its area where it has no double: a thin shell.
     /// </summary>
     internal sealed class SurfaceTriangles
     {
-        /// <summary>Doubled area, L², below which a triangle has none.</summary>
+        /// <summary>Doubled area, L², below which a triangle counts as empty.</summary>
         public const float k_LeastDoubledArea = 1e-12f;
 
         /// <summary>Vertex indices of the corners.</summary>
@@ -19,7 +19,7 @@ namespace Alate
         /// <summary>Areas of one side of the wing, L².</summary>
         public readonly List<float> areas;
 
-        /// <summary>Centroids.</summary>
+        /// <summary>Centroids of the triangles.</summary>
         public readonly List<float3> centres;
 
         /// <param name="points">Vertex positions in the wing frame.</param>

@@ -2,16 +2,16 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Which joints move each vertex, and which vertices each joint moves (Sec. 4.1).</summary>
+    /// <summary>Joints that move each vertex, and vertices that each joint moves (Sec. 4.1).</summary>
     internal sealed class VertexInfluences
     {
         /// <summary>[vertex] The four joints of its cell.</summary>
         public readonly int4[] joints;
 
-        /// <summary>[vertex] Their weights; sum 1.</summary>
+        /// <summary>[vertex] Weights of those joints; sum 1.</summary>
         public readonly float4[] weights;
 
-        /// <summary>[joint] Where its vertices begin in <see cref="jointVertices"/>; one more entry holds the end.</summary>
+        /// <summary>[joint] Index of its first vertex in <see cref="jointVertices"/>; one more entry holds the end.</summary>
         public readonly int[] jointVertexStarts;
 
         /// <summary>The vertices of weight ≠ 0, joint by joint, ascending.</summary>

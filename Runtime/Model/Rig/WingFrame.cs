@@ -19,7 +19,7 @@ namespace Alate
         /// <summary>Wing length: the largest distance of the mesh from the hinge along the span, mesh units.</summary>
         public readonly float length;
 
-        /// <summary>A left wing: forward is −cross(span, up).</summary>
+        /// <summary>True for a left wing: forward is −cross(span, up).</summary>
         public readonly bool mirrored;
 
         /// <summary>A frame from its parts; the axes are unit vectors at right angles, a mirror image where mirrored.</summary>
@@ -31,17 +31,17 @@ namespace Alate
             this.mirrored = mirrored;
         }
 
-        /// <summary>A point of mesh space in the wing frame, wing lengths.</summary>
+        /// <summary>Converts a point of mesh space to the wing frame, in wing lengths.</summary>
         public float3 ToWing(float3 meshPoint) => DirectionToWing(meshPoint - origin) / length;
 
-        /// <summary>A point of the wing frame in mesh space.</summary>
+        /// <summary>Converts a point of the wing frame to mesh space.</summary>
         public float3 ToMesh(float3 wingPoint) => origin + DirectionToMesh(wingPoint) * length;
 
-        /// <summary>A direction of mesh space in the wing frame, of the same length.</summary>
+        /// <summary>Converts a direction of mesh space to the wing frame, of equal length.</summary>
         public float3 DirectionToWing(float3 meshDirection) =>
             new float3(math.dot(axes.c0, meshDirection), math.dot(axes.c1, meshDirection), math.dot(axes.c2, meshDirection));
 
-        /// <summary>A direction of the wing frame in mesh space, of the same length.</summary>
+        /// <summary>Converts a direction of the wing frame to mesh space, of equal length.</summary>
         public float3 DirectionToMesh(float3 wingDirection) => math.mul(axes, wingDirection);
     }
 }

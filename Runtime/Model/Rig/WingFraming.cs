@@ -23,7 +23,7 @@ namespace Alate
             return new WingFrame(hinge, axes, length, mirrored);
         }
 
-        /// <summary>Vertex positions in the wing frame.</summary>
+        /// <summary>Converts vertex positions to the wing frame.</summary>
         /// <exception cref="ArgumentException">The mesh is too large for its positions to be told apart.</exception>
         public static float3[] ToWing(in WingFrame frame, in WingSurface surface)
         {

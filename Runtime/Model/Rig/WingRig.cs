@@ -7,9 +7,9 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// What is made once from a skeleton and a mesh (Sec. 4.1): weights, the map from joints to vertices, masses, springs, surface
-    /// patches, the order of skinning. Never changes; all wings of one skeleton and mesh share it, left and right ones too where one
-    /// mesh serves both. In native memory, which is freed when the last user has called <see cref="Release"/>.
+    /// Content baked once from a skeleton and a mesh (Sec. 4.1): weights, the map from joints to vertices, masses, springs, surface
+    /// patches, the order of skinning. Never changes; all wings of one skeleton and mesh share it, left and right ones too where one mesh
+    /// serves both. Lies in native memory, which is freed when the last user has called <see cref="Release"/>.
     /// </summary>
     /// <remarks>For the main thread. Reading a property of a disposed rig throws <see cref="ObjectDisposedException"/>.</remarks>
     [MovedFrom(true, null, "Alate")]
@@ -26,40 +26,40 @@ namespace Alate
             Area = content.area;
         }
 
-        /// <summary>Mesh space to wing frame and back; may be read after disposal.</summary>
+        /// <summary>Frame of the wing: converts between mesh space and wing frame; may be read after disposal.</summary>
         public WingFrame Frame { get; }
 
-        /// <summary>Triangles with an area, each place once; those that have a say in masses and patches.</summary>
+        /// <summary>Number of triangles with an area, each place once; masses and patches count these alone.</summary>
         public int TriangleCount { get; }
 
         /// <summary>Area of the wing, one side, squared wing lengths.</summary>
         public float Area { get; }
 
-        /// <summary>Whether the last user has released the rig.</summary>
+        /// <summary>True once the last user has released the rig.</summary>
         public bool IsDisposed => m_Users == 0;
 
-        /// <summary>Chains, n.</summary>
+        /// <summary>Number of chains, n.</summary>
         public int ChainCount => View.chainCount;
 
-        /// <summary>Joints of each chain, m.</summary>
+        /// <summary>Number of joints of each chain, m.</summary>
         public int JointsPerChain => View.jointsPerChain;
 
-        /// <summary>Joints, n·m; joint index = chain · m + joint.</summary>
+        /// <summary>Number of joints, n·m; joint index = chain · m + joint.</summary>
         public int JointCount => View.jointCount;
 
-        /// <summary>Bones, n·(m−1); bone index = chain · (m−1) + inner joint.</summary>
+        /// <summary>Number of bones, n·(m−1); bone index = chain · (m−1) + inner joint.</summary>
         public int BoneCount => View.boneCount;
 
-        /// <summary>Cells between neighbouring chains, (n−1)·(m−1); cell index = forward chain · (m−1) + inner joint.</summary>
+        /// <summary>Number of cells between neighbouring chains, (n−1)·(m−1); cell index = forward chain · (m−1) + inner joint.</summary>
         public int CellCount => View.cellCount;
 
-        /// <summary>Springs of the elastic network.</summary>
+        /// <summary>Number of springs of the elastic network.</summary>
         public int SpringCount => View.springCount;
 
-        /// <summary>Surface patches that meet the air.</summary>
+        /// <summary>Number of surface patches that meet the air.</summary>
         public int PatchCount => View.patchCount;
 
-        /// <summary>Vertices of the mesh, also those of no triangle.</summary>
+        /// <summary>Number of vertices of the mesh, including those of no triangle.</summary>
         public int VertexCount => View.vertexCount;
 
         /// <summary>[joint] Rest positions, wing frame, wing lengths.</summary>
@@ -77,16 +77,16 @@ namespace Alate
         /// <summary>[vertex] Weights of the four joints, in [0, 1], sum 1.</summary>
         public NativeArray<float4>.ReadOnly VertexWeights => Alive.vertexWeights.AsReadOnly();
 
-        /// <summary>[joint] Where the joint's vertices begin in <see cref="JointVertices"/>; one more entry holds the end.</summary>
+        /// <summary>[joint] Index of the joint's first vertex in <see cref="JointVertices"/>; one more entry holds the end.</summary>
         public NativeArray<int>.ReadOnly JointVertexStarts => Alive.jointVertexStarts.AsReadOnly();
 
         /// <summary>The vertices that each joint moves, {v_j | w_ij ≠ 0} of Sec. 4.1, joint by joint, ascending.</summary>
         public NativeArray<int>.ReadOnly JointVertices => Alive.jointVertices.AsReadOnly();
 
-        /// <summary>The rig as the jobs see it; valid until disposal.</summary>
+        /// <summary>View of the rig for jobs; valid until disposal.</summary>
         internal ref readonly RigView View => ref Alive.view;
 
-        /// <summary>The rig with all its patches, or with few; the joints are the same.</summary>
+        /// <summary>View of the rig with all its patches, or with few; the joints are the same.</summary>
         internal ref readonly RigView ViewAt(bool coarse)
         {
             if (coarse)
@@ -96,7 +96,7 @@ namespace Alate
 
         private RigMemory Alive => IsDisposed ? throw new ObjectDisposedException(nameof(WingRig)) : m_Memory;
 
-        /// <summary>A rig for a mesh, with one user: whoever bakes it releases it.</summary>
+        /// <summary>Bakes a rig for a mesh, with one user: the caller releases it.</summary>
         /// <param name="skeleton">A valid skeleton in the space of the mesh.</param>
         /// <param name="mesh">A readable mesh; the triangles of all its submeshes make the wing.</param>
         /// <param name="settings">What to choose.</param>
@@ -108,12 +108,12 @@ namespace Alate
         public static WingRig Bake(WingSkeleton skeleton, Mesh mesh, in WingRigSettings settings) =>
             Bake(skeleton, WingSurface.FromMesh(mesh), settings);
 
-        /// <summary>A rig for a surface of plain arrays.</summary>
+        /// <summary>Bakes a rig for a surface of plain arrays, with one user: the caller releases it.</summary>
         /// <inheritdoc cref="Bake(WingSkeleton, Mesh, in WingRigSettings)"/>
         public static WingRig Bake(WingSkeleton skeleton, in WingSurface surface, in WingRigSettings settings) =>
             new WingRig(RigBaker.Bake(skeleton, surface, settings));
 
-        /// <summary>One more user.</summary>
+        /// <summary>Adds one user.</summary>
         /// <exception cref="ObjectDisposedException">The last user has released the rig.</exception>
         public void Retain()
         {
@@ -121,7 +121,7 @@ namespace Alate
             m_Users++;
         }
 
-        /// <summary>One user fewer; the last one frees the memory.</summary>
+        /// <summary>Removes one user; the last one frees the memory.</summary>
         /// <exception cref="ObjectDisposedException">The last user has released the rig before.</exception>
         public void Release()
         {

@@ -12,7 +12,7 @@ namespace Alate
     [MovedFrom(true, null, "Alate")]
     public struct WingSurface
     {
-        /// <summary>How messages call it; may be null.</summary>
+        /// <summary>Name in messages; may be null.</summary>
         public string name;
 
         /// <summary>Vertex positions.</summary>

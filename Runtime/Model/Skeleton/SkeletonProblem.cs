@@ -2,11 +2,11 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>One reason why a <see cref="WingSkeleton"/> cannot be used, and where it lies.</summary>
+    /// <summary>Reason why a <see cref="WingSkeleton"/> cannot be used, and its place.</summary>
     [MovedFrom(true, null, "Alate")]
     public readonly struct SkeletonProblem
     {
-        /// <summary>Stands in <see cref="Chain"/> or <see cref="Joint"/> when the problem concerns none in particular.</summary>
+        /// <summary>Value of <see cref="Chain"/> or <see cref="Joint"/> when the problem concerns none in particular.</summary>
         public const int None = -1;
 
         /// <summary>A problem with its place.</summary>
@@ -18,19 +18,19 @@ namespace Alate
             Message = message;
         }
 
-        /// <summary>What is wrong.</summary>
+        /// <summary>Kind of the problem.</summary>
         public SkeletonProblemKind Kind { get; }
 
-        /// <summary>The chain it concerns, 0 being the leading edge, or <see cref="None"/>.</summary>
+        /// <summary>Chain that the problem concerns, 0 being the leading edge, or <see cref="None"/>.</summary>
         public int Chain { get; }
 
-        /// <summary>The joint of that chain it concerns, 0 being the root, or <see cref="None"/>.</summary>
+        /// <summary>Joint of that chain that the problem concerns, 0 being the root, or <see cref="None"/>.</summary>
         public int Joint { get; }
 
         /// <summary>One sentence for the user.</summary>
         public string Message { get; }
 
-        /// <summary>The message.</summary>
+        /// <summary>Returns the message.</summary>
         public override string ToString() => Message;
     }
 }

@@ -2,17 +2,17 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>What can be wrong with a <see cref="WingSkeleton"/>.</summary>
+    /// <summary>Kinds of problems of a <see cref="WingSkeleton"/>.</summary>
     [MovedFrom(true, null, "Alate")]
     public enum SkeletonProblemKind
     {
-        /// <summary>Written by a newer version of the package.</summary>
+        /// <summary>The skeleton was written by a newer version of the package.</summary>
         UnsupportedVersion,
 
-        /// <summary>Fewer than <see cref="WingSkeleton.MinChains"/> chains.</summary>
+        /// <summary>The skeleton has fewer than <see cref="WingSkeleton.MinChains"/> chains.</summary>
         TooFewChains,
 
-        /// <summary>More than <see cref="WingSkeleton.MaxChains"/> chains.</summary>
+        /// <summary>The skeleton has more than <see cref="WingSkeleton.MaxChains"/> chains.</summary>
         TooManyChains,
 
         /// <summary>A chain has fewer than <see cref="WingSkeleton.MinJoints"/> joints.</summary>

@@ -23,8 +23,8 @@ namespace Alate
         private const double k_LeastArea = 1e-6;
 
         /// <summary>
-        /// The principal chain reaches the wing tip (Sec. 4.1). Where the last chain is so much longer, in length and in span, the
-        /// order of the chains is reversed. A left wing is a mirrored right one, so nothing else tells the two edges apart.
+        /// Least length of the principal chain over the last one's, in length and in span; a shorter one means a reversed order, because
+        /// the principal chain reaches the wing tip (Sec. 4.1). A left wing is a mirrored right one, so nothing else tells the edges apart.
         /// </summary>
         private const double k_ShortPrincipalChain = 0.7;
 

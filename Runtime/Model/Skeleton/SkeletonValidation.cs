@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Finds what is wrong with a skeleton: first numbers and values, then, when those are right, places.</summary>
+    /// <summary>Finds the problems of a skeleton: first numbers and values, then, when those are right, places.</summary>
     internal static class SkeletonValidation
     {
         public static List<SkeletonProblem> Run(WingSkeleton skeleton)

@@ -9,7 +9,9 @@ namespace Alate
         /// <summary>Sine below which span and up count as parallel.</summary>
         private const float k_LeastSine = 1e-3f;
 
-        /// <summary>Columns: span, up (made perpendicular to span), cross(span, up). False for zero, non-finite or parallel axes.</summary>
+        /// <summary>
+        /// Makes the axes as columns: span, up (made perpendicular to span), cross(span, up). False for zero, non-finite or parallel axes.
+        /// </summary>
         public static bool TryMake(Vector3 span, Vector3 up, out float3x3 axes)
         {
             axes = float3x3.identity;

@@ -17,7 +17,7 @@ namespace Alate
     [MovedFrom(true, null, "Alate")]
     public sealed class WingSkeleton : ScriptableObject
     {
-        /// <summary>The version that this package writes.</summary>
+        /// <summary>Version of the format that this package writes.</summary>
         public const int CurrentVersion = 1;
 
         /// <summary>Fewest chains of a wing (Sec. 4.1).</summary>
@@ -38,7 +38,7 @@ namespace Alate
         [SerializeField] private Vector3 m_UpAxis = Vector3.up;
         [SerializeField] private JointChain[] m_Chains = Array.Empty<JointChain>();
 
-        /// <summary>The version that wrote this skeleton.</summary>
+        /// <summary>Version of the format in which this skeleton was written.</summary>
         public int Version => m_Version;
 
         /// <summary>The point about which the wing turns, mesh space. Usually the root of the principal chain.</summary>
@@ -48,14 +48,14 @@ namespace Alate
             set => m_Hinge = value;
         }
 
-        /// <summary>From hinge to tip, mesh space, any length.</summary>
+        /// <summary>Direction from hinge to tip, mesh space, any length.</summary>
         public Vector3 SpanAxis
         {
             get => m_SpanAxis;
             set => m_SpanAxis = value;
         }
 
-        /// <summary>The wing's dorsal side, mesh space, any length; what of it runs along the span is ignored.</summary>
+        /// <summary>Direction of the wing's dorsal side, mesh space, any length; its part along the span is ignored.</summary>
         public Vector3 UpAxis
         {
             get => m_UpAxis;
@@ -75,7 +75,7 @@ namespace Alate
         /// <summary>Joints of the first chain, and in a valid skeleton of every chain; 0 without chains.</summary>
         public int JointsPerChain => ChainCount == 0 ? 0 : m_Chains[0].Length;
 
-        /// <summary>Whether <see cref="Validate"/> finds no problem.</summary>
+        /// <summary>True where <see cref="Validate"/> finds no problem.</summary>
         public bool IsValid => Validate().Count == 0;
 
         /// <summary>Rest position of a joint, mesh space.</summary>
@@ -93,8 +93,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Every reason why this skeleton cannot be used; empty when it can. Never throws, whatever the content: problems of number
-        /// hide those of place, which need complete chains.
+        /// Finds every reason why this skeleton cannot be used; empty when it can be used. Never throws, whatever the content: problems of
+        /// number hide those of place, which need complete chains.
         /// </summary>
         public List<SkeletonProblem> Validate() => SkeletonValidation.Run(this);
     }

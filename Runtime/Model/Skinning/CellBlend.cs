@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The blend of a cell's four joint transforms as a bilinear function of (u, v), each component broadcast to four lanes:
-    /// blend(u, v) = c + u·cu + v·(cv + u·cuv), which is the sum with weights (1−u)(1−v), (1−u)v, u(1−v), uv.
+    /// Blend of a cell's four joint transforms as a bilinear function of (u, v), each component broadcast to four lanes: blend(u, v) = c +
+    /// u·cu + v·(cv + u·cuv), which is the sum with weights (1−u)(1−v), (1−u)v, u(1−v), uv.
     /// </summary>
     internal struct CellBlend
     {
@@ -14,7 +14,9 @@ namespace Alate
         public Coefficients8 cv;
         public Coefficients8 cuv;
 
-        /// <summary>Signs are aligned to the first joint of the cell, once for all its vertices.</summary>
+        /// <summary>
+        /// Sets the transforms of the four joints; aligns their signs to the first joint of the cell, once for all its vertices.
+        /// </summary>
         public void Set(in DualQuaternion at00, in DualQuaternion at01, in DualQuaternion at10, in DualQuaternion at11)
         {
             DualQuaternion a01 = at01.AlignedWith(at00), a10 = at10.AlignedWith(at00), a11 = at11.AlignedWith(at00);

@@ -12,7 +12,7 @@ namespace Alate
         public float4 real;
         public float4 dual;
 
-        /// <summary>Rotation, then translation.</summary>
+        /// <summary>Makes a transform that rotates first, then translates.</summary>
         public DualQuaternion(quaternion rotation, float3 translation)
         {
             real = rotation.value;

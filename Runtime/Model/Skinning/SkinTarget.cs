@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>One wing as the skinning job sees it: whose pose, which rig, where to.</summary>
+    /// <summary>Wing as passed to the skinning job: its pose, its rig, and the vertices to write.</summary>
     internal unsafe struct SkinTarget
     {
         public RigView rig;
@@ -13,13 +13,13 @@ namespace Alate
         public int pack;
         public int lane;
 
-        /// <summary>Whether to deform it; otherwise vertices and bounds stay.</summary>
+        /// <summary>True where the job deforms the wing; otherwise vertices and bounds stay.</summary>
         public bool skinned;
 
-        /// <summary>[vertexCount], in the mesh's order.</summary>
+        /// <summary>[vertexCount] Deformed vertices, in the mesh's order.</summary>
         public SkinnedVertex* vertices;
 
-        /// <summary>[vertexCount]; null without tangents.</summary>
+        /// <summary>[vertexCount] Deformed tangents; null where the mesh has none.</summary>
         public float4* tangents;
     }
 

@@ -9,7 +9,7 @@ namespace Alate
         public SoaFloat3 min;
         public SoaFloat3 max;
 
-        /// <summary>Around nothing.</summary>
+        /// <summary>Bounds that contain nothing.</summary>
         public static SoaBounds Empty => new SoaBounds
         {
             min = new SoaFloat3(new float3(float.MaxValue)),

@@ -23,7 +23,7 @@ namespace Alate
         /// <summary>No rotation.</summary>
         public static SoaQuaternion Identity => new SoaQuaternion(default, 1f);
 
-        /// <summary>Turned about the x axis, given sine and cosine of half the angle.</summary>
+        /// <summary>Rotation about the x axis, given sine and cosine of half the angle.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaQuaternion AboutX(float4 sinHalf, float4 cosHalf) => new SoaQuaternion(new SoaFloat3(sinHalf, 0f, 0f), cosHalf);
 
@@ -31,7 +31,7 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaQuaternion Conjugate(SoaQuaternion q) => new SoaQuaternion(-q.v, q.w);
 
-        /// <summary><paramref name="b"/> first, then <paramref name="a"/>.</summary>
+        /// <summary>Product: rotates by <paramref name="b"/> first, then by <paramref name="a"/>.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaQuaternion operator *(SoaQuaternion a, SoaQuaternion b) => new SoaQuaternion(
             new SoaFloat3(

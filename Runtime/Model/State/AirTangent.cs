@@ -2,7 +2,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>Against which direction of the surface the angle of attack is measured (Eq. 10).</summary>
+    /// <summary>Direction of the surface against which the angle of attack is measured (Eq. 10).</summary>
     [MovedFrom(true, null, "Alate")]
     public enum AirTangent
     {

@@ -2,10 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Where four wings are in their beat; lane = wing (model of Eq. 6–7: frequency and amplitude change per cycle).</summary>
+    /// <summary>State of the beat of four wings; lane = wing (Eq. 6–7: frequency and amplitude change per cycle).</summary>
     internal struct BeatState
     {
-        /// <summary>Φ in [0, 2π).</summary>
+        /// <summary>Phase Φ, radians, [0, 2π).</summary>
         public float4 phase;
 
         /// <summary>Cycles completed since the reset.</summary>
@@ -38,7 +38,7 @@ namespace Alate
         /// <summary>ω, the angular rate of the phase now, rad/s.</summary>
         public float4 rate;
 
-        /// <summary>Takes over when another wing beats, but not how widely.</summary>
+        /// <summary>Takes over the phase, cycle and frequency of another wing, but not its amplitudes.</summary>
         public void TakeClock(int lane, in BeatState from, int fromLane)
         {
             phase[lane] = from.phase[fromLane];

@@ -12,14 +12,14 @@ namespace Alate
         /// <summary>Bytes handed out so far.</summary>
         public long Size { get; private set; }
 
-        /// <summary>Begins at the start of a block; null to measure.</summary>
+        /// <summary>Begins at the start of a block; null only measures.</summary>
         public BlockCarver(byte* block)
         {
             m_Block = block;
             Size = 0;
         }
 
-        /// <summary>The next <paramref name="count"/> elements of the block; null while measuring.</summary>
+        /// <summary>Takes the next <paramref name="count"/> elements of the block; null while measuring.</summary>
         public void* Take<T>(int count) where T : unmanaged
         {
             byte* start = m_Block == null ? null : m_Block + Size;

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>The clocks that wings may keep; the index of a step's length and of a picture's time in <see cref="StepPlan"/>.</summary>
+    /// <summary>Clocks of wings; the index of a step's length and of a picture's time in <see cref="StepPlan"/>.</summary>
     internal enum ClockId
     {
         /// <summary>Fixed steps of the physics.</summary>
@@ -12,7 +12,7 @@ namespace Alate
         /// <summary>Frames, time that does not stop when the game is paused.</summary>
         Unscaled,
 
-        /// <summary>Steps by hand, an insect at a time.</summary>
+        /// <summary>Steps by hand, one insect at a time.</summary>
         Own,
     }
 }

@@ -2,7 +2,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>How frequency and amplitude go from one cycle's values to the next (Eq. 6 and 7 set them once per cycle).</summary>
+    /// <summary>Transition of frequency and amplitude from one cycle's values to the next (Eq. 6 and 7 set them once per cycle).</summary>
     [MovedFrom(true, null, "Alate")]
     public enum CycleChange
     {

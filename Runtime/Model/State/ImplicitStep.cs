@@ -15,7 +15,7 @@ namespace Alate
         /// <summary>Length of the substep, seconds.</summary>
         public float dt;
 
-        /// <summary>dt over the substep before; 0 for a wing without a past.</summary>
+        /// <summary>Ratio of dt to the substep before; 0 for a wing without a past.</summary>
         public float4 ratio;
 
         /// <summary>Factor of the rate at the end, seconds.</summary>
@@ -27,7 +27,7 @@ namespace Alate
         /// <summary>Weight of the state one substep earlier, subtracted.</summary>
         public float4 before;
 
-        /// <summary>The next substep of a pack.</summary>
+        /// <summary>Makes the next substep of a pack.</summary>
         public static unsafe ImplicitStep Of(in WingPack pack, float dt)
         {
             if (pack.options.timeScheme == TimeScheme.BackwardEuler)
@@ -45,7 +45,7 @@ namespace Alate
             };
         }
 
-        /// <summary>What the step knows of the past of a vector: now · y − before · y₋₁.</summary>
+        /// <summary>Past of a vector as the step takes it: now · y − before · y₋₁.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly SoaFloat3 Past(in SoaFloat3 y, in SoaFloat3 earlier) => y * now - earlier * before;
     }

@@ -2,25 +2,29 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>The live parameters of four wings, as the kernels read them; lane = wing. A moved slider rewrites only these.</summary>
+    /// <summary>Live parameters of four wings, as the kernels read them; lane = wing. A moved slider rewrites only these.</summary>
     internal struct LaneParameters
     {
-        /// <summary>A wing that hardly flaps counts as flapping by this much where a speed is measured by that of its tip: 6°.</summary>
+        /// <summary>Least half amplitude by which the speed of the tip is measured where a wing hardly flaps: 6°.</summary>
         private const float k_LeastAmplitude = 0.1f;
 
         /// <summary>
-        /// The k_e below which a wing gets softer to bend but no easier to stretch: a thin membrane hardly stretches, however limp it is. With 1, the fishfly's edges
-        /// stretch by 5 % in a gale instead of 3 %.
+        /// Elasticity k_e below which a wing gets softer to bend but no easier to stretch: a thin membrane hardly stretches, however limp
+        /// the wing is. With 1, the fishfly's edges stretch by 5 % in a gale instead of 3 %.
         /// </summary>
         private const float k_LeastMembrane = 2f;
 
         /// <summary>
-        /// Stiffness of springs against turning out of their posed directions, over k_e κ (2π f_ref)². Springs alone let a sheet of joints fold without resistance, and a
-        /// narrow strip that snapped over in a gust would stay so; twice as much lets the drive's own shear stretch the narrow wings by a third more.
+        /// Stiffness of springs against turning out of their posed directions, over k_e κ (2π f_ref)². Springs alone let a sheet of joints
+        /// fold without resistance, and a narrow strip that snapped over in a gust would stay so; twice as much lets the drive's own shear
+        /// stretch the narrow wings by a third more.
         /// </summary>
         private const float k_FoldShare = 0.01f;
 
-        /// <summary>The k_e below which a wing gets no easier to fold: rags at a tenth of their elasticity fold over strip by strip with less.</summary>
+        /// <summary>
+        /// Elasticity k_e below which a wing gets no easier to fold: with less, wings at a tenth of their elasticity fold over strip by
+        /// strip.
+        /// </summary>
         private const float k_LeastFold = 0.5f;
 
         public float4 maxFrequency;
@@ -38,23 +42,23 @@ namespace Alate
         public float4 tiltHalfSin;
         public float4 tiltHalfCos;
 
-        /// <summary>λπ: delay of the last chain, radians.</summary>
+        /// <summary>Delay λπ of the last chain, radians.</summary>
         /// <summary>Amplitude of the flap as in the preset, whatever the steering makes of it, radians.</summary>
         public float4 wholeFlap;
 
         public float4 chordDelay;
 
-        /// <summary>μπ: delay of the last joint, radians.</summary>
+        /// <summary>Delay μπ of the last joint, radians.</summary>
         public float4 spanDelay;
 
-        /// <summary>The whole wing's delay, radians: 2π less its phase lead.</summary>
+        /// <summary>Delay of the whole wing, radians: 2π less its phase lead.</summary>
         public float4 wingDelay;
 
         public float4 rootShare;
         public float4 inertia;
         public float4 airDensity;
 
-        /// <summary>Speed of the air beyond which it bends the wing hardly more, L/s.</summary>
+        /// <summary>Speed of the air above which the wing hardly bends more, L/s.</summary>
         public float4 strongestWind;
 
         /// <summary>k_e (2π f_ref)², s⁻²: times a joint's inertia and N² it is the bending stiffness.</summary>
@@ -81,7 +85,7 @@ namespace Alate
         public float4 springDamping;
         public float4 substepsPerBeat;
 
-        /// <summary>Writes one wing's parameters; they are in range.</summary>
+        /// <summary>Writes one wing's parameters, which are in range.</summary>
         public void Set(int lane, in WingParameters p)
         {
             maxFrequency[lane] = p.maxFrequency;

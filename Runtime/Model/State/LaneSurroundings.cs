@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What four wings feel of the world, each in its own wing frame; lane = wing.</summary>
+    /// <summary>Surroundings of four wings, each in its own wing frame; lane = wing.</summary>
     internal struct LaneSurroundings
     {
         /// <summary>Air velocity relative to the body, wing lengths per second.</summary>
@@ -11,10 +11,10 @@ namespace Alate
         /// <summary>Gravity, wing lengths per second squared.</summary>
         public SoaFloat3 gravity;
 
-        /// <summary>Ω, how the body turns, rad/s.</summary>
+        /// <summary>Angular velocity Ω of the body, rad/s.</summary>
         public SoaFloat3 angularVelocity;
 
-        /// <summary>The hinge seen from the point whose velocity <see cref="wind"/> contains, wing lengths.</summary>
+        /// <summary>Vector to the hinge from the point whose velocity <see cref="wind"/> contains, wing lengths.</summary>
         public SoaFloat3 hinge;
 
         /// <summary>Speed of the body, m/s.</summary>

@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>Whether the membrane between the chains resists what would tear it.</summary>
+    /// <summary>Resistance of the membrane between the chains to being torn.</summary>
     public enum MembraneCoupling
     {
         /// <summary>
@@ -9,7 +9,10 @@ namespace Alate
         /// </summary>
         TwoWay,
 
-        /// <summary>As printed: chains bend each by itself, delayed by Eq. 2, and the springs mend the positions afterwards. Wings tear in wind, which is felt as it is.</summary>
+        /// <summary>
+        /// Chains bend independently, delayed by Eq. 2, as printed, and the springs correct the positions afterwards. Wings tear in wind,
+        /// which is not bounded.
+        /// </summary>
         OneWay,
     }
 }

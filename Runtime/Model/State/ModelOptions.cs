@@ -5,8 +5,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// Where the printed equations leave a choice, or where following them to the letter breaks the wing: each place is one option here, and
-    /// each option's own page gives the reason.
+    /// Choices where the printed equations leave one open, or where following them to the letter breaks the wing: each is one option here,
+    /// and each option's own page gives the reason.
     /// </summary>
     [Serializable]
     [MovedFrom(true, null, "Alate")]
@@ -16,34 +16,34 @@ namespace Alate
         [Tooltip("Lift and drag against the angle of attack. Dickinson 1999 was measured on a model fly wing; Paper is Fig. 6; Flat Plate suits water and fins.")]
         public CoefficientSet coefficients;
 
-        /// <summary>The tangent the angle of attack is measured against (Eq. 10).</summary>
+        /// <summary>Tangent against which the angle of attack is measured (Eq. 10).</summary>
         [Tooltip("Chordwise: only flow across the span counts. Base To Tip: as printed; nearly all drag in hover.")]
         public AirTangent tangent;
 
         /// <summary>
-        /// Whether a negative lift coefficient counts as zero. Only <see cref="CoefficientSet.Paper"/> ever goes below zero (under 3.9°), where it would push
-        /// the wing against the flow. On in both presets.
+        /// True where a negative lift coefficient counts as zero. Only <see cref="CoefficientSet.Paper"/> ever goes below zero (under
+        /// 3.9°), where it would push the wing against the flow. True in both readings.
         /// </summary>
         [Tooltip("Counts a negative lift coefficient as zero. Only the Paper coefficients go below zero, under 3.9 degrees.")]
         public bool clampLift;
 
-        /// <summary>How frequency and amplitude change between cycles (Eq. 6, 7).</summary>
+        /// <summary>Transition of frequency and amplitude between cycles (Eq. 6, 7).</summary>
         [Tooltip("Smooth: over half a beat. Step: at once, as printed.")]
         public CycleChange cycleChange;
 
-        /// <summary>Which loads turn a joint (Eq. 4).</summary>
+        /// <summary>Loads that turn a joint (Eq. 4).</summary>
         [Tooltip("Distal Joints: everything farther out bends the joint. Own Load About Root: as printed.")]
         public TorqueArm torqueArm;
 
-        /// <summary>The unit of k_e in the springs (Eq. 12).</summary>
+        /// <summary>Unit of k_e in the springs (Eq. 12).</summary>
         [Tooltip("Beat Rate: the springs keep pace with the beat. Printed: k_e alone, far too soft to matter.")]
         public SpringUnits springUnits;
 
-        /// <summary>Whether the membrane resists what would tear it.</summary>
+        /// <summary>Resistance of the membrane to being torn.</summary>
         [Tooltip("Two Way: neighbouring chains bend together before the membrane tears. One Way: as printed; wings tear in wind.")]
         public MembraneCoupling coupling;
 
-        /// <summary>How time advances (Eq. 13).</summary>
+        /// <summary>Scheme by which time advances (Eq. 13).</summary>
         [Tooltip("Second Order: the error falls with the square of the substep. Backward Euler: as printed; needs about twice the substeps.")]
         public TimeScheme timeScheme;
 
@@ -63,7 +63,7 @@ namespace Alate
             timeScheme = TimeScheme.BackwardEuler,
         };
 
-        /// <summary>Whether every option has the same value.</summary>
+        /// <summary>Returns true where every option is equal.</summary>
         public bool Equals(ModelOptions other)
         {
             return coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift

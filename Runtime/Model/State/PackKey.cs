@@ -2,13 +2,13 @@ using System;
 
 namespace Alate
 {
-    /// <summary>When a wing is stepped, and with how much detail. Wings share a pack only where both are the same.</summary>
+    /// <summary>Clock and level of detail of a wing. Wings share a pack only where both are equal.</summary>
     internal readonly struct PackKey : IEquatable<PackKey>
     {
-        /// <summary>Whose time the wing keeps.</summary>
+        /// <summary>Clock of the wing.</summary>
         public readonly ClockId clock;
 
-        /// <summary>With a clock of its own: whose, so that wings of one insect stay together. Otherwise 0.</summary>
+        /// <summary>Owner of a clock of its own, so that wings of one insect stay together; 0 for the other clocks.</summary>
         public readonly int owner;
 
         /// <summary>The level of detail.</summary>

@@ -11,19 +11,19 @@ namespace Alate
         private byte* m_Block;
         private readonly long m_Bytes;
 
-        /// <summary>The wings that live in the lanes; −1 where a lane is a copy.</summary>
+        /// <summary>Indices of the wings in the lanes; −1 where a lane is a copy.</summary>
         public readonly int[] wings = { -1, -1, -1, -1 };
 
-        /// <summary>The view that the job takes.</summary>
+        /// <summary>View for the job.</summary>
         public WingPack view;
 
-        /// <summary>Which wings may share it.</summary>
+        /// <summary>Key of the wings that may share the pack.</summary>
         public readonly PackKey pacing;
 
         /// <summary>Position among the packs of the world.</summary>
         public int index;
 
-        /// <summary>Lanes that hold wings of their own: always the first ones.</summary>
+        /// <summary>Number of lanes that hold wings of their own: always the first ones.</summary>
         public int Count { get; private set; }
 
         /// <summary>Allocates a pack for a rig, its lanes empty.</summary>
@@ -39,7 +39,7 @@ namespace Alate
             this.pacing = pacing;
         }
 
-        /// <summary>True until disposed.</summary>
+        /// <summary>True until disposal.</summary>
         public bool IsCreated => m_Block != null;
 
         /// <summary>Puts a new wing into the next lane; the first one also fills the lanes that are empty.</summary>
@@ -58,7 +58,7 @@ namespace Alate
             return lane;
         }
 
-        /// <summary>Takes over a wing from another pack (or another lane), state and all, into a lane.</summary>
+        /// <summary>Takes over the state of a wing from another pack, or another lane, into a lane.</summary>
         public void Take(PackMemory from, int fromLane, int lane)
         {
             if (Count == 1)
@@ -76,7 +76,7 @@ namespace Alate
             wings[lane] = from.wings[fromLane];
         }
 
-        /// <summary>A pack of its own that holds one wing's state.</summary>
+        /// <summary>Makes a pack of its own that holds one wing's state.</summary>
         public PackMemory Snapshot(int lane)
         {
             var copy = new PackMemory(view.rig, view.options) { Count = 1 };
@@ -84,7 +84,9 @@ namespace Alate
             return copy;
         }
 
-        /// <summary>Writes into a lane; what the first lane holds is also written into the empty ones.</summary>
+        /// <summary>
+        /// Returns true where a write to a wing also goes to a lane: to its own lane, and from the first lane to the empty ones.
+        /// </summary>
         public bool Writes(int wingLane, int lane) => lane == wingLane || (wingLane == 0 && lane >= Count);
 
         /// <summary>Gives up the last lane; it becomes a copy of the first.</summary>

@@ -2,13 +2,13 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Poses of a step when a wing moves to a pack whose step has other substeps.</summary>
+    /// <summary>Resamples the poses of a step when a wing moves to a pack whose step has other substeps.</summary>
     internal static unsafe class PackSlots
     {
         /// <summary>Floats of a pose in one lane: rotation x y z w, position x y z.</summary>
         private const int k_Floats = 7;
 
-        /// <summary>Writes a wing's poses at the times of the new pack's slots; without a step to read from, its pose of now.</summary>
+        /// <summary>Writes a wing's poses at the times of the new pack's slots; without a step to read from, its current pose.</summary>
         public static void Resample(in WingPack from, int fromLane, in WingPack to, int lane)
         {
             int joints = to.rig.jointCount;
@@ -33,7 +33,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The slots around a time, in substeps of the last step, and how far it lies between them.</summary>
+        /// <summary>Finds the slots around a time, in substeps of the last step, and the share between them.</summary>
         public static void Span(in WingPack pack, float time, out int slot, out float blend)
         {
             slot = math.min((int)(time / pack.slotStride), LastSlot(pack) - 1);

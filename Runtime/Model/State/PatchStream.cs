@@ -2,28 +2,28 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>The air stream at one element of four wings.</summary>
+    /// <summary>Air stream at one element of four wings.</summary>
     internal struct PatchStream
     {
-        /// <summary>|V|, L/s.</summary>
+        /// <summary>Speed |V|, L/s.</summary>
         public float4 speed;
 
-        /// <summary>V·n.</summary>
+        /// <summary>Component V·n along the normal, L/s.</summary>
         public float4 across;
 
-        /// <summary>|V − (V·n)n|.</summary>
+        /// <summary>Size |V − (V·n)n| of the component in the surface, L/s.</summary>
         public float4 along;
 
-        /// <summary>What the angle of attack is measured against.</summary>
+        /// <summary>Component against which the angle of attack is measured, L/s.</summary>
         public float4 tangential;
 
-        /// <summary>α, radians, 0…π/2; only where the coefficients need it.</summary>
+        /// <summary>Angle of attack α, radians, 0…π/2; only where the coefficients need it.</summary>
         public float4 angle;
 
-        /// <summary>C_L.</summary>
+        /// <summary>Lift coefficient C_L.</summary>
         public float4 lift;
 
-        /// <summary>C_D.</summary>
+        /// <summary>Drag coefficient C_D.</summary>
         public float4 drag;
     }
 }

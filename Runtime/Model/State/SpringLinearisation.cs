@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What one spring adds to gradient and Hessian at the present positions.</summary>
+    /// <summary>Contribution of one spring to gradient and Hessian at the present positions.</summary>
     internal struct SpringLinearisation
     {
         /// <summary>Unit vector from joint b to joint a.</summary>

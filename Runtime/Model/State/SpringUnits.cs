@@ -2,7 +2,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>The unit of the elasticity k_e in the spring energy (Eq. 12).</summary>
+    /// <summary>Unit of the elasticity k_e in the spring energy (Eq. 12).</summary>
     [MovedFrom(true, null, "Alate")]
     public enum SpringUnits
     {

@@ -22,7 +22,7 @@ namespace Alate
         public SoaFloat3* drivenVelocities;
         public SoaFloat3* drivenAccelerations;
 
-        /// <summary>[bone] How the driven frame has turned since the last substep, G G₋₁⁻¹.</summary>
+        /// <summary>[bone] Rotation of the driven frame since the last substep, G G₋₁⁻¹.</summary>
         public SoaQuaternion* turns;
 
         // Loads, per joint and per patch.
@@ -50,13 +50,13 @@ namespace Alate
         public SoaFloat3* torques;
         public SoaFloat3* arms;
 
-        /// <summary>[bone] How far a unit of torque turns the hinge in this substep, about each of its axes.</summary>
+        /// <summary>[bone] Angle by which a unit of torque turns the hinge in this substep, about each of its axes.</summary>
         public SoaFloat3* compliances;
 
-        /// <summary>[bone] A bend angle while chains are coupled.</summary>
+        /// <summary>[bone] Bend angle while chains are coupled.</summary>
         public float4* coupledAngles;
 
-        /// <summary>[strip] What a unit of the strip's force changes its slope by, and the force.</summary>
+        /// <summary>[strip] Change of the strip's slope by a unit of its force, and the force.</summary>
         public float4* stripCompliances;
         public float4* stripForces;
 

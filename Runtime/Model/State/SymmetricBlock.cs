@@ -13,7 +13,7 @@ namespace Alate
         public float4 xz;
         public float4 yz;
 
-        /// <summary>diagonal·I.</summary>
+        /// <summary>Makes diagonal·I.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SymmetricBlock Diagonal(float4 diagonal)
         {

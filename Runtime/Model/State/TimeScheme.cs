@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>How a substep advances bends and membrane. Both schemes are implicit and cost the same.</summary>
+    /// <summary>Scheme by which a substep advances bends and membrane. Both schemes are implicit and cost equally much.</summary>
     public enum TimeScheme
     {
         /// <summary>

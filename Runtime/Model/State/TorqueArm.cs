@@ -2,7 +2,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>Which loads turn a joint, and about which point (Eq. 4).</summary>
+    /// <summary>Loads that turn a joint, and the point about which they turn it (Eq. 4).</summary>
     [MovedFrom(true, null, "Alate")]
     public enum TorqueArm
     {

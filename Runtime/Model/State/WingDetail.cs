@@ -2,17 +2,20 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>How much of the model a wing is computed with; each level is cheaper than the one before. A wing may change level at any time without a jump.</summary>
+    /// <summary>
+    /// Level of detail of a wing's computation; each level is cheaper than the one before. A wing may change level at any time without a
+    /// jump.
+    /// </summary>
     [MovedFrom(true, null, "Alate")]
     public enum WingDetail
     {
-        /// <summary>All of it, as the parameters say.</summary>
+        /// <summary>Full model, as the parameters say.</summary>
         Full,
 
         /// <summary>Half the substeps, but not fewer than <see cref="WingParameters.MinSubsteps"/> a beat.</summary>
         FewerSubsteps,
 
-        /// <summary>Fewer substeps, and the air meets <see cref="WingRigSettings.CoarsePatches"/> patches.</summary>
+        /// <summary>Fewer substeps, and only <see cref="WingRigSettings.CoarsePatches"/> patches meet the air.</summary>
         CoarsePatches,
 
         /// <summary>Driven waves alone (Eq. 1–3, 6–7); bends and stretches fade within a quarter of a beat. Air force reads 0.</summary>

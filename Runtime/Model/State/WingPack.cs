@@ -3,15 +3,15 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Four wings that share a rig and its model options: where their live state lies. Pointers into one block that
-    /// <see cref="PackMemory"/> owns; arrays are indexed by joint or bone, every element holds the four wings.
+    /// Four wings that share a rig and its model options: pointers to their live state in one block that <see cref="PackMemory"/> owns;
+    /// arrays are indexed by joint or bone, every element holds the four wings.
     /// </summary>
     internal unsafe struct WingPack
     {
-        /// <summary>Poses kept of a step, so that rendering can pick any time within it.</summary>
+        /// <summary>Number of poses kept of a step, so that rendering can pick any time within the step.</summary>
         public const int PoseSlots = 13;
 
-        /// <summary>Wings in a pack.</summary>
+        /// <summary>Number of wings in a pack.</summary>
         public const int Lanes = 4;
 
         public RigView rig;
@@ -33,59 +33,61 @@ namespace Alate
         /// <summary>Bend angles per bone: x about the bend axis, y in the plane, z torsion; radians.</summary>
         public SoaFloat3* bendAngles;
 
-        /// <summary>Their rates, rad/s.</summary>
+        /// <summary>Rates of the bend angles, rad/s.</summary>
         public SoaFloat3* bendRates;
 
         /// <summary>Bend angles one substep earlier.</summary>
         public SoaFloat3* earlierAngles;
 
-        /// <summary>Their rates one substep earlier.</summary>
+        /// <summary>Rates of the bend angles one substep earlier, rad/s.</summary>
         public SoaFloat3* earlierRates;
 
 
         /// <summary>Length of the last substep, seconds; 0 for a wing without a past, which then takes a step of backward Euler.</summary>
         public float4* lastSubstep;
 
-        /// <summary>H per bone: driven and bent.</summary>
+        /// <summary>Rotation H per bone: driven and bent.</summary>
         public SoaQuaternion* bentRotations;
 
-        /// <summary>G per bone: driven alone, of the last substep.</summary>
+        /// <summary>Rotation G per bone: driven alone, of the last substep.</summary>
         public SoaQuaternion* drivenRotations;
 
-        /// <summary>d per joint: driven position of the last substep.</summary>
+        /// <summary>Position d per joint: driven, of the last substep.</summary>
         public SoaFloat3* drivenPositions;
 
-        /// <summary>What the driven velocity of a substep does not see of the mean driven velocity before it; 0 but for backward Euler.</summary>
+        /// <summary>
+        /// Part of the mean driven velocity of a substep that its driven velocity does not contain; 0 except for backward Euler.
+        /// </summary>
         public SoaFloat3* drivenLags;
 
-        /// <summary>e per joint: elastic minus posed position.</summary>
+        /// <summary>Deviation e per joint: elastic minus posed position, wing lengths.</summary>
         public SoaFloat3* offsets;
 
-        /// <summary>ė per joint.</summary>
+        /// <summary>Rate ė of the deviation per joint, L/s.</summary>
         public SoaFloat3* offsetRates;
 
-        /// <summary>e one substep earlier, turned with the driven motion since.</summary>
+        /// <summary>Deviation e one substep earlier, turned with the driven motion since.</summary>
         public SoaFloat3* earlierOffsets;
 
-        /// <summary>ė one substep earlier, turned with the driven motion since.</summary>
+        /// <summary>Rate ė one substep earlier, turned with the driven motion since.</summary>
         public SoaFloat3* earlierOffsetRates;
 
-        /// <summary>How each joint's frame moved against its driven one in the last substep.</summary>
+        /// <summary>Motion of each joint's frame against its driven one in the last substep.</summary>
         public JointMotion* motions;
 
         /// <summary>Aerodynamic loads per patch of the last substep; null unless recording.</summary>
         public PatchLoad* recordedLoads;
 
-        /// <summary>[joint]: where the wing is now, the start of the next substep.</summary>
+        /// <summary>[joint] Current pose, at the start of the next substep.</summary>
         public JointPose* pose;
 
-        /// <summary>[slot][joint]: the poses within the last step, every <see cref="slotStride"/> substeps; slot 0 is its start.</summary>
+        /// <summary>[slot][joint] Poses within the last step, every <see cref="slotStride"/> substeps; slot 0 is its start.</summary>
         public JointPose* slots;
 
-        /// <summary>Substeps of the last step; 0 before the first.</summary>
+        /// <summary>Number of substeps of the last step; 0 before the first.</summary>
         public int substeps;
 
-        /// <summary>Substeps from slot to slot; the last slot may follow sooner.</summary>
+        /// <summary>Number of substeps from slot to slot; the last slot may follow sooner.</summary>
         public int slotStride;
     }
 
@@ -99,10 +101,10 @@ namespace Alate
     /// <summary>Mean rates of one joint's deformation over the last substep.</summary>
     internal struct JointMotion
     {
-        /// <summary>Of r − d, the joint's position less its driven one, L/s.</summary>
+        /// <summary>Rate of r − d, the joint's position less its driven one, L/s.</summary>
         public SoaFloat3 velocity;
 
-        /// <summary>Of the quaternion G⁻¹S, the joint's frame seen from its driven one, 1/s.</summary>
+        /// <summary>Rate of the quaternion G⁻¹S, the joint's frame relative to its driven one, 1/s.</summary>
         public SoaQuaternion turning;
     }
 
@@ -119,7 +121,7 @@ namespace Alate
         public float4 sinAttack;
     }
 
-    /// <summary>What four wings report of their last step.</summary>
+    /// <summary>Readings of four wings after their last step.</summary>
     internal struct PackReadings
     {
         /// <summary>Aerodynamic force, mean over the substeps of the last step, wing mass · L/s².</summary>
@@ -139,7 +141,7 @@ namespace Alate
         /// <summary>Newton iterations, mean over the substeps of the last step.</summary>
         public float4 newtonIterations;
 
-        /// <summary>How often the wing was reset because its state was not finite.</summary>
+        /// <summary>Number of times the wing was reset because its state was not finite.</summary>
         public float4 resets;
     }
 }

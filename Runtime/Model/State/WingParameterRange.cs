@@ -5,7 +5,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>Name, unit, bounds and default of one number of <see cref="WingParameters"/>: the one place where they are kept.</summary>
+    /// <summary>Name, unit, bounds and default of one number of <see cref="WingParameters"/>, defined here alone.</summary>
     [MovedFrom(true, null, "Alate")]
     public sealed class WingParameterRange
     {
@@ -82,13 +82,13 @@ namespace Alate
         /// <summary>Reads or writes the field in a set of parameters.</summary>
         public Field Of { get; }
 
-        /// <summary>Whether the value is a number between the bounds.</summary>
+        /// <summary>Returns true where the value is a number between the bounds.</summary>
         public bool Contains(float value) => value >= Minimum && value <= Maximum;
 
         /// <summary>The nearest value between the bounds; the default when the value is not a number.</summary>
         public float Clamp(float value) => float.IsNaN(value) ? Default : math.clamp(value, Minimum, Maximum);
 
-        /// <summary>One line that says why the value is refused.</summary>
+        /// <summary>Describes in one line why the value is refused.</summary>
         public string Describe(float value)
         {
             var unit = Unit.Length == 0 ? "" : " " + Unit;

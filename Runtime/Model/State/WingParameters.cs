@@ -5,18 +5,18 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// All that can be tuned on one wing while it beats, in the units of the model: radians, wing lengths, seconds, hertz, and the wing's own mass as
-    /// the unit of mass; a preset has them at the surface, in degrees, metres and kilograms.
-    /// Ranges and defaults stand in <see cref="WingParameterRange.All"/>.
+    /// Parameters that can be tuned on one wing while it beats, in the units of the model: radians, wing lengths, seconds, hertz, and the
+    /// wing's own mass as the unit of mass; a preset has them in degrees, metres and kilograms. Ranges and defaults are in <see
+    /// cref="WingParameterRange.All"/>.
     /// </summary>
     [Serializable]
     [MovedFrom(true, null, "Alate")]
     public struct WingParameters
     {
-        /// <summary>MAX_f of Eq. 6, hertz, 0.1 to 1000; monarch 11.</summary>
+        /// <summary>Largest frequency MAX_f of Eq. 6, hertz, 0.1 to 1000; monarch 11.</summary>
         public float maxFrequency;
 
-        /// <summary>u_max of the slope function s(u) (Fig. 5), metres per second, 0.01 to 100; default 2.</summary>
+        /// <summary>Speed u_max of the slope function s(u) (Fig. 5), metres per second, 0.01 to 100; default 2.</summary>
         public float maxSpeed;
 
         /// <summary>Least value of s(u) in Eq. 6, 0 to 1; default 0.8. <c>Paper</c>: 0, where an insect at rest beats once in five minutes (s(0) = 3·10⁻⁴).</summary>
@@ -32,30 +32,39 @@ namespace Alate
         public float3 amplitude;
 
         /// <summary>
-        /// φ* of Eq. 1, radians, x flap, y sweep, z feather, −2π to 2π; default 0, −π/2, −π/2: feather and sweep lead the flap by a quarter of a beat,
-        /// so that the wing is edge-on at the turns. <c>Paper</c>: 0 (its Sec. 5.1 starts all three together).
+        /// Phase φ* of Eq. 1, radians, x flap, y sweep, z feather, −2π to 2π; default 0, −π/2, −π/2: feather and sweep lead the flap by a
+        /// quarter of a beat, so that the wing is edge-on at the turns. <c>Paper</c>: 0 (its Sec. 5.1 starts all three together).
         /// </summary>
         public float3 phase;
 
         /// <summary>Middle of the flapping stroke above the horizontal, radians, −π/2 to π/2; default 10°.</summary>
         public float meanFlap;
 
-        /// <summary>Stroke plane turned about the span axis, nose up positive, radians, −π/2 to π/2; default 0.</summary>
+        /// <summary>Tilt of the stroke plane about the span axis, nose up positive, radians, −π/2 to π/2; default 0.</summary>
         public float tilt;
 
-        /// <summary>λ: largest delay from leading to trailing edge in half beats, 0 to 2; default 0.15. Less where neighbouring chains are too close to bear it; see <see cref="MembraneCoupling.TwoWay"/>. <c>Paper</c>: 1, Eq. 2 as printed (trailing edge in anti-phase).</summary>
+        /// <summary>
+        /// Largest delay λ from leading to trailing edge in half beats, 0 to 2; default 0.15. Less where neighbouring chains are too close
+        /// to bear it; see <see cref="MembraneCoupling.TwoWay"/>. <c>Paper</c>: 1, Eq. 2 as printed (trailing edge in anti-phase).
+        /// </summary>
         public float chordDelay;
 
-        /// <summary>μ: delay from root to tip in half beats, 0 to 2; default 0.1. <c>Paper</c>: 0 (Eq. 2 has no such term).</summary>
+        /// <summary>Delay μ from root to tip in half beats, 0 to 2; default 0.1. <c>Paper</c>: 0 (Eq. 2 has no such term).</summary>
         public float spanDelay;
 
-        /// <summary>w_0: share of the driven angle that the root turns, 0 to 1; the other joints share the rest evenly; default 0.8.</summary>
+        /// <summary>
+        /// Share w_0 of the driven angle that the root turns, 0 to 1; the other joints share the rest evenly; default 0.8.
+        /// </summary>
         public float rootShare;
 
-        /// <summary>κ_in: factor of the beat's own inertia (Eq. 5), 0 to 10; default 1, Newton's law. <c>Paper</c>: 2, the printed factor.</summary>
+        /// <summary>
+        /// Factor κ_in of the beat's own inertia (Eq. 5), 0 to 10; default 1, Newton's law. <c>Paper</c>: 2, the printed factor.
+        /// </summary>
         public float inertia;
 
-        /// <summary>ρ* = ρL³/m_w: mass of the fluid in a cube of one wing length over the wing's mass, 0 to 10⁵; monarch 11.</summary>
+        /// <summary>
+        /// Relative density ρ* = ρL³/m_w: mass of the fluid in a cube of one wing length over the wing's mass, 0 to 10⁵; monarch 11.
+        /// </summary>
         public float airDensity;
 
         /// <summary>
@@ -64,25 +73,27 @@ namespace Alate
         /// </summary>
         public float strongestWind;
 
-        /// <summary>k_e of Table 2, without unit, 10⁻³ to 10⁶; default 1. Scales bending stiffness and springs together.</summary>
+        /// <summary>
+        /// Elasticity k_e of Table 2, without unit, 10⁻³ to 10⁶; default 1. Scales bending stiffness and springs together.
+        /// </summary>
         public float elasticity;
 
         /// <summary>
-        /// f_ref = MAX_f √(1 + (u_max/v_tip)²), hertz, 0.01 to 10⁵: the rate against which stiffness is measured. It contains the air speed, because a
-        /// stiffness that knows the beat alone lets small soft wings flutter in the wind.
+        /// Reference frequency f_ref = MAX_f √(1 + (u_max/v_tip)²), hertz, 0.01 to 10⁵: the rate against which stiffness is measured.
+        /// Contains the air speed, because a stiffness that knows the beat alone lets small soft wings flutter in the wind.
         /// </summary>
         public float referenceFrequency;
 
-        /// <summary>N_0: bending frequency of the leading chain over f_ref, 0.01 to 100; default 5.</summary>
+        /// <summary>Bending frequency N_0 of the leading chain over f_ref, 0.01 to 100; default 5.</summary>
         public float stiffnessRoot;
 
-        /// <summary>N_last: bending frequency of the last chain over f_ref, 0.01 to 100; default 3.5; between them geometrically.</summary>
+        /// <summary>Bending frequency N_last of the last chain over f_ref, 0.01 to 100; default 3.5; geometric between both.</summary>
         public float stiffnessTip;
 
         /// <summary>Span over which the bending stiffness of a chain falls to 1/e, in chain lengths, 0.05 to 100; default 1.</summary>
         public float stiffnessDecay;
 
-        /// <summary>ζ: damping of a bending joint over its critical damping, 0 to 10; default 0.7.</summary>
+        /// <summary>Damping ζ of a bending joint over its critical damping, 0 to 10; default 0.7.</summary>
         public float bendDamping;
 
         /// <summary>Stiffness against bending up over that against bending down, 0.1 to 10; default 1.4: wings yield more readily on the upstroke.</summary>
@@ -97,13 +108,13 @@ namespace Alate
         /// <summary>Largest angle of a joint about each of its three axes, radians, 0 to π/2; default 30°.</summary>
         public float jointLimit;
 
-        /// <summary>κ: stiffness of the springs between joints (Eq. 12), 0 to 1000; default 10.</summary>
+        /// <summary>Stiffness κ of the springs between joints (Eq. 12), 0 to 1000; default 10.</summary>
         public float springScale;
 
         /// <summary>Rate that pulls the elastic joints to the posed ones, over f_ref, 0 to 100; default 2.</summary>
         public float anchor;
 
-        /// <summary>ζ_E: damping of the elastic deviation, 0 to 10; default 0.3.</summary>
+        /// <summary>Damping ζ_E of the elastic deviation, 0 to 10; default 0.3.</summary>
         public float springDamping;
 
         /// <summary>Substeps of one beat, 12 to 480; default 16. Fast air takes more by itself.</summary>
@@ -115,7 +126,7 @@ namespace Alate
         /// <summary>Phase by which this wing is ahead of the beat clock, radians, −2π to 2π; default 0. For hind wings that follow their fore wings.</summary>
         public float phaseLead;
 
-        /// <summary>The choices the paper leaves open.</summary>
+        /// <summary>Choices that the paper leaves open.</summary>
         public ModelOptions options;
 
         /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
@@ -150,7 +161,7 @@ namespace Alate
             return clamped;
         }
 
-        /// <summary>Whether every value is the same.</summary>
+        /// <summary>Returns true where every value is equal.</summary>
         internal bool SameAs(WingParameters other)
         {
             var copy = this;
@@ -166,8 +177,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Says what is wrong with the first value that is not finite or out of its range, as "chordDelay is −1 half beats; it must be between 0 and
-        /// 2."; null when all is well.
+        /// Describes the first value that is not finite or out of its range, as "chordDelay is −1 half beats; it must be between 0 and 2.";
+        /// null when all are in range.
         /// </summary>
         public string FindProblem()
         {

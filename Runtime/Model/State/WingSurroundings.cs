@@ -3,7 +3,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>What one wing feels of the world, in its own right-wing frame: X hinge to tip, Y up, Z forward.</summary>
+    /// <summary>Surroundings of one wing, in its own right-wing frame: X hinge to tip, Y up, Z forward.</summary>
     /// <remarks>
     /// A left wing is simulated as a right wing: negate x of its wind, gravity and hinge, and y and z of its angular velocity.
     /// </remarks>
@@ -20,8 +20,8 @@ namespace Alate
         public float3 angularVelocity;
 
         /// <summary>
-        /// The hinge seen from the point of the body whose velocity <see cref="wind"/> contains, its centre of mass as a rule, wing lengths; 0 where
-        /// <see cref="wind"/> is that at the hinge. The moment of the air is about that point.
+        /// Vector to the hinge from the point of the body whose velocity <see cref="wind"/> contains, as a rule the centre of mass, wing
+        /// lengths; 0 where <see cref="wind"/> is that at the hinge. The moment of the air is about that point.
         /// </summary>
         public float3 hinge;
 

@@ -9,10 +9,12 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The arrays that the two jobs run over, rebuilt only when wings come or go, and the workers' scratch blocks.</summary>
+    /// <summary>Arrays that the two jobs run over, rebuilt only when wings come or go, and the workers' scratch blocks.</summary>
     internal sealed unsafe class JobArrays : IDisposable
     {
-        /// <summary>Quads of one index of the skinning job: about 2000 vertices, ten microseconds; a palette of its own.</summary>
+        /// <summary>
+        /// Number of quads of one index of the skinning job: about 2000 vertices, ten microseconds; each index has a palette of its own.
+        /// </summary>
         private const int k_QuadsPerChunk = 512;
 
         private NativeArray<WingPack> m_Packs;
@@ -30,10 +32,10 @@ namespace Alate
         /// <summary>Jobs scheduled so far.</summary>
         public long JobCount { get; private set; }
 
-        /// <summary>Changes whenever packs move or are stepped: what was read before is out of date.</summary>
+        /// <summary>Number that changes whenever packs move or are stepped: earlier readings are then out of date.</summary>
         public int Version { get; private set; }
 
-        /// <summary>Takes over what the jobs wrote, before packs or wings are rearranged.</summary>
+        /// <summary>Takes over the results of the jobs, before packs or wings are rearranged.</summary>
         public void Download(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
         {
             Version++;
@@ -53,7 +55,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Lays the jobs' arrays out for the packs and wings there are now, if any were rearranged.</summary>
+        /// <summary>Lays out the jobs' arrays for the current packs and wings, if any were rearranged.</summary>
         public void Upload(IReadOnlyList<PackMemory> packs, List<WingEntry> entries)
         {
             if (!m_Stale)
@@ -120,10 +122,10 @@ namespace Alate
             }.ScheduleParallel(m_ChunkCount, 1, after);
         }
 
-        /// <summary>The pack as the jobs left it.</summary>
+        /// <summary>Pack with the results of the jobs.</summary>
         public WingPack Pack(PackMemory pack) => m_Stale ? pack.view : m_Packs[pack.index];
 
-        /// <summary>After a change of a wing's parameters: derives what depends on them; restarts the wing where asked.</summary>
+        /// <summary>Derives the values that depend on a wing's parameters, after a change; restarts the wing where asked.</summary>
         public void Refresh(PackMemory pack, int lane, bool restart)
         {
             PackStep.Derive(pack.view);
@@ -131,11 +133,11 @@ namespace Alate
                 PackReset.Restart(pack.view, Scratch(pack), Lanes(pack, lane));
         }
 
-        /// <summary>Lets the beat of a wing run on by some time, and puts the wing into the driven pose there.</summary>
+        /// <summary>Advances the beat of a wing by some time, seconds, and puts the wing into the driven pose.</summary>
         public void Resume(PackMemory pack, int lane, float seconds) =>
             PackReset.Resume(pack.view, Scratch(pack), Lanes(pack, lane), seconds);
 
-        /// <summary>Puts a wing where another one is in its beat, into the driven pose there.</summary>
+        /// <summary>Moves a wing to the phase of another one, in the driven pose.</summary>
         public void Follow(PackMemory pack, int lane, PackMemory leader, int leaderLane)
         {
             // Resuming settles on the present frequency; the glide from the last one is taken over after it, so that the two stay together.
@@ -145,7 +147,7 @@ namespace Alate
             TakeClock(pack, lane, beat, leaderLane);
         }
 
-        /// <summary>Steps the wings of one owner, here and now.</summary>
+        /// <summary>Steps the wings of one owner on the calling thread.</summary>
         public void StepNow(IReadOnlyList<PackMemory> packs, int owner, float dt)
         {
             Version++;
@@ -159,7 +161,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Whether the skinning job deforms a wing.</summary>
+        /// <summary>Sets whether the skinning job deforms a wing.</summary>
         public void SetSkinned(WingEntry entry, bool skinned)
         {
             entry.skinned = skinned;

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The frames that carry the skin: bone rotations swung onto the elastic bones and rolled after the neighbouring chains, joint rotations
-    /// halfway between the bones that meet; and how the frames moved in the substep.
+    /// Frames that carry the skin: bone rotations swung onto the elastic bones and rolled after the neighbouring chains, joint rotations
+    /// halfway between the bones that meet; with their motion in the substep.
     /// </summary>
     internal static unsafe class JointFrames
     {
@@ -29,7 +29,9 @@ namespace Alate
             }
         }
 
-        /// <summary>Mean rates of the deformation from the last pose to the new one, for the surface that the next substep carries on.</summary>
+        /// <summary>
+        /// Evaluates the mean rates of the deformation from the last pose to the new one, for the surface that the next substep carries on.
+        /// </summary>
         public static void Motions(in WingPack pack, in StepScratch scratch, float dt)
         {
             float inverse = 1f / dt;

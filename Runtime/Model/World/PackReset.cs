@@ -5,7 +5,7 @@ namespace Alate
     /// <summary>Puts wings of a pack back into the driven pose: on request, or because their state is not finite.</summary>
     internal static unsafe class PackReset
     {
-        /// <summary>Starts the chosen wings again: first cycle, phase 0, driven pose, no bend, no velocity.</summary>
+        /// <summary>Restarts the chosen wings: first cycle, phase 0, driven pose, no bend, no velocity.</summary>
         public static void Restart(in WingPack pack, in StepScratch scratch, bool4 lanes)
         {
             BeatClock.Reset(ref *pack.beat, *pack.parameters, *pack.surroundings, lanes);
@@ -15,8 +15,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Moves the chosen wings on in their beat by some time in which they were not computed, frequency and amplitude as they were, into
-        /// the driven pose, no bend, no velocity.
+        /// Advances the beat of the chosen wings by a time in which they were not computed, with frequency and amplitude unchanged: driven
+        /// pose, no bend, no velocity.
         /// </summary>
         public static void Resume(in WingPack pack, in StepScratch scratch, bool4 lanes, float seconds)
         {
@@ -36,7 +36,9 @@ namespace Alate
             ToDrivenPose(pack, scratch, lanes);
         }
 
-        /// <summary>Brings wings whose state is not finite back to the driven pose of this substep, in phase, and counts it.</summary>
+        /// <summary>
+        /// Puts wings whose state is not finite back into the driven pose of this substep, in phase, and counts the recovery.
+        /// </summary>
         public static void Recover(in WingPack pack, in StepScratch scratch, bool4 lanes)
         {
             ToDrivenPose(pack, scratch, lanes);
@@ -45,7 +47,7 @@ namespace Alate
             pack.readings->airMoment = SoaFloat3.Select(pack.readings->airMoment, default, lanes);
         }
 
-        /// <summary>Wings with a joint, deviation or bend rate that is not a number or infinite.</summary>
+        /// <summary>Finds the wings with a joint, deviation or bend rate that is not a number or infinite.</summary>
         public static bool4 NotFinite(in WingPack pack)
         {
             // Finite times zero is zero; anything else is not a number.

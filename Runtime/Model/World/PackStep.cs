@@ -3,32 +3,42 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>One fixed step of a pack: how many substeps, and what happens in each, in order.</summary>
+    /// <summary>Runs one fixed step of a pack: the number of substeps, and the order of the work in each.</summary>
     internal static unsafe class PackStep
     {
-        /// <summary>Steps that are a whole number of substeps must not round up to one more.</summary>
+        /// <summary>Tolerance for steps that are a whole number of substeps, which must not round up to one more.</summary>
         private const float k_CountRounding = 1e-3f;
 
-        /// <summary>A mosquito at 600 Hz beats twelve times in a fiftieth of a second; more in one step than this is a spike of the frame rate.</summary>
+        /// <summary>
+        /// Largest number of beats in one step: a mosquito at 600 Hz beats twelve times in a fiftieth of a second; more is a spike of the
+        /// frame rate.
+        /// </summary>
         private const float k_MostBeats = 16f;
 
-        /// <summary>Wing lengths that the air may pass in a substep: its loads are made before the wing has answered them.</summary>
+        /// <summary>
+        /// Largest distance that the air passes in a substep, wing lengths: its loads are made before the wing has answered them.
+        /// </summary>
         private const float k_AirPerSubstep = 0.6f;
 
-        /// <summary>However fast the air, no beat takes more substeps for it.</summary>
+        /// <summary>Largest number of substeps that a beat takes for the speed of the air.</summary>
         private const float k_MostPerBeat = 192f;
 
-        /// <summary>With waves alone, bends fade by e within a quarter of a beat: seen as a settling, not as a jump.</summary>
+        /// <summary>
+        /// Number of times per beat that bends fade by e with waves alone: within a quarter of a beat, which is seen as a settling, not as
+        /// a jump.
+        /// </summary>
         private const float k_Fading = 4f;
 
-        /// <summary>Derives what depends on parameters and rig alone: stiffnesses and delays.</summary>
+        /// <summary>Derives the values that depend on parameters and rig alone: stiffnesses and delays.</summary>
         public static void Derive(in WingPack pack)
         {
             Bending.DeriveStiffness(pack);
             ChainDelays.Derive(pack);
         }
 
-        /// <summary>Advances the pack by <paramref name="dt"/> seconds; by nothing where dt is not positive or the pack is frozen.</summary>
+        /// <summary>
+        /// Advances the pack by <paramref name="dt"/> seconds; does nothing where dt is not positive or the pack is frozen.
+        /// </summary>
         public static void Run(ref WingPack pack, in StepScratch scratch, float dt)
         {
             if (!(dt > 0f) || pack.detail == WingDetail.Frozen)
@@ -65,7 +75,7 @@ namespace Alate
             return math.max((int)math.ceil(dt * rate - k_CountRounding), 1);
         }
 
-        /// <summary>The model, in the order of its equations.</summary>
+        /// <summary>Runs one substep: the model, in the order of its equations.</summary>
         public static void Substep(in WingPack pack, in StepScratch scratch, float h)
         {
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
@@ -84,7 +94,7 @@ namespace Alate
             RecoverBroken(pack, scratch);
         }
 
-        /// <summary>The beat and its waves alone; what the wing was bent and stretched by fades.</summary>
+        /// <summary>Runs one substep of the beat and its waves alone; bends and stretches fade.</summary>
         public static void WavesSubstep(in WingPack pack, in StepScratch scratch, float h)
         {
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
@@ -140,7 +150,7 @@ namespace Alate
             pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose, out pack.readings->stretch);
         }
 
-        /// <summary>Makes the substep's end the next one's start.</summary>
+        /// <summary>Makes the substep's end the start of the next.</summary>
         public static void Keep(in WingPack pack, in StepScratch scratch, float substep)
         {
             int joints = pack.rig.jointCount, bones = pack.rig.boneCount;

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>
-    /// Which wings share a pack: those of one rig with the same model options and pacing. Packs are kept dense: a wing that leaves is replaced by
-    /// the last one of its group, state and all, so only one pack of a group has empty lanes.
+    /// Assigns wings to packs: wings of one rig with equal model options, clock and detail share packs. Packs are kept dense: a wing that
+    /// leaves is replaced by the last one of its group, state and all, so only one pack of a group has empty lanes.
     /// </summary>
     internal sealed class PackTable : IDisposable
     {

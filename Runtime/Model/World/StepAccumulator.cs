@@ -5,8 +5,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// Cuts frames of any length into fixed steps, so that the result does not depend on the frame rate. What is left of a frame waits for
-    /// the next one; <see cref="Alpha"/> says where within the last step the picture stands.
+    /// Cuts frames of any length into fixed steps, so that the result does not depend on the frame rate. The rest of a frame waits for the
+    /// next one; <see cref="Alpha"/> is the time within the last step that the picture shows.
     /// </summary>
     /// <example><code>
     /// for (int steps = clock.Advance(Time.deltaTime); steps > 0; steps--)
@@ -37,10 +37,10 @@ namespace Alate
         /// <summary>Most steps that one frame may ask for.</summary>
         public int MaxStepsPerFrame { get; }
 
-        /// <summary>Time within the last step that a frame shows, 0 to 1: it trails the simulation by up to one step.</summary>
+        /// <summary>Time within the last step that a frame shows, 0 to 1; the picture trails the simulation by up to one step.</summary>
         public float Alpha => (float)math.saturate(m_Left / StepLength);
 
-        /// <summary>Takes a frame's time, seconds; none where it is not positive and finite.</summary>
+        /// <summary>Takes a frame's time, seconds, and ignores one that is not positive and finite.</summary>
         /// <returns>How many steps to make now.</returns>
         public int Advance(float seconds)
         {

@@ -6,7 +6,7 @@ using Unity.Profiling.LowLevel.Unsafe;
 
 namespace Alate
 {
-    /// <summary>A number in the profiler, one value a frame; nothing in builds without the profiler.</summary>
+    /// <summary>Number in the profiler, one value a frame; empty in builds without the profiler.</summary>
     internal readonly unsafe struct SystemCounter
     {
         public static readonly SystemCounter insects = new SystemCounter("Alate Insects");
@@ -26,7 +26,7 @@ namespace Alate
 #endif
         }
 
-        /// <summary>Whether anybody could look.</summary>
+        /// <summary>True where a profiler can show the number.</summary>
         public bool IsKept => m_Value != null;
 
         public void Set(int value)

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What a <see cref="WingWorld"/> keeps of one wing on the managed side.</summary>
+    /// <summary>Managed record of one wing of a <see cref="WingWorld"/>.</summary>
     internal sealed class WingEntry : IDisposable
     {
         public readonly WingRig rig;
@@ -21,17 +21,17 @@ namespace Alate
         /// <summary>Deformed tangents; not created where the mesh has none.</summary>
         public NativeArray<float4> tangents;
 
-        /// <summary>First chunk of the wing in the skinning job, and how many.</summary>
+        /// <summary>Index of the wing's first chunk in the skinning job, and number of chunks.</summary>
         public int firstChunk;
         public int chunkCount;
 
         /// <summary>Index in the skinning job's targets.</summary>
         public int target;
 
-        /// <summary>Whether the skinning job deforms it.</summary>
+        /// <summary>True where the skinning job deforms the wing.</summary>
         public bool skinned = true;
 
-        /// <summary>Corners of its vertices, kept while the jobs' arrays are laid out again.</summary>
+        /// <summary>Bounds of the wing's vertices, kept while the jobs' arrays are laid out again.</summary>
         public ChunkBounds bounds;
 
         public unsafe WingEntry(WingRig rig, int version, in WingParameters parameters)

@@ -29,16 +29,16 @@ namespace Alate
 #endif
         }
 
-        /// <summary>Chains n; joints are addressed by chain 0…n−1 and joint 0…m−1.</summary>
+        /// <summary>Number of chains, n; joints are addressed by chain 0…n−1 and joint 0…m−1.</summary>
         public int ChainCount => m_Pack.rig.chainCount;
 
-        /// <summary>Joints per chain, m.</summary>
+        /// <summary>Number of joints per chain, m.</summary>
         public int JointsPerChain => m_Pack.rig.jointsPerChain;
 
-        /// <summary>Φ, radians, [0, 2π).</summary>
+        /// <summary>Phase Φ, radians, [0, 2π).</summary>
         public float Phase => Beat->phase[m_Lane];
 
-        /// <summary>Beats completed since the last reset.</summary>
+        /// <summary>Number of beats completed since the last reset.</summary>
         public int Beats => (int)Beat->cycles[m_Lane];
 
         /// <summary>Frequency of this beat (Eq. 6), hertz.</summary>
@@ -65,16 +65,18 @@ namespace Alate
         /// <summary>Newton iterations per substep, mean over the last step.</summary>
         public float NewtonIterations => Readings->newtonIterations[m_Lane];
 
-        /// <summary>How often the wing fell back to its driven pose because its state was not finite.</summary>
+        /// <summary>Number of times the wing fell back to its driven pose because its state was not finite.</summary>
         public int Resets => (int)Readings->resets[m_Lane];
 
-        /// <summary>Substeps of the last step.</summary>
+        /// <summary>Number of substeps of the last step.</summary>
         public int Substeps => m_Pack.substeps;
 
         /// <summary>Position of a joint, wing lengths from the hinge.</summary>
         public float3 JointPosition(int chain, int joint) => m_Pack.pose[Joint(chain, joint)].position[m_Lane];
 
-        /// <summary>Position of a joint at a time within the last step, 0 its start, 1 its end: where it is drawn between two steps.</summary>
+        /// <summary>
+        /// Position of a joint at a time within the last step, 0 its start, 1 its end, wing lengths: as drawn between two steps.
+        /// </summary>
         public float3 JointPosition(int chain, int joint, float alpha)
         {
             if (m_Pack.substeps == 0)
@@ -94,10 +96,10 @@ namespace Alate
         /// <summary>Bend of the joint at the root side of a bone, radians: x up, y in the plane, z torsion.</summary>
         public float3 BendAngles(int chain, int bone) => m_Pack.bendAngles[Bone(chain, bone)][m_Lane];
 
-        /// <summary>Whether patch loads are kept; see <see cref="WingWorld.RecordPatches"/>.</summary>
+        /// <summary>True where patch loads are kept; see <see cref="WingWorld.RecordPatches"/>.</summary>
         public bool HasPatchLoads => m_Pack.recordedLoads != null;
 
-        /// <summary>Aerodynamic patches.</summary>
+        /// <summary>Number of aerodynamic patches.</summary>
         public int PatchCount => m_Pack.rig.patchCount;
 
         /// <summary>Middle of a patch, between the four joints around it, wing lengths from the hinge, at a time within the last step.</summary>

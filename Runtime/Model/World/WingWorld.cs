@@ -30,13 +30,13 @@ namespace Alate
         private int m_NextVersion = 1;
         private bool m_Disposed;
 
-        /// <summary>Wings in the world.</summary>
+        /// <summary>Number of wings in the world.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Jobs scheduled so far: one a step and one a skin, for one wing as for a thousand.</summary>
+        /// <summary>Number of jobs scheduled so far: one a step and one a skin, for one wing as for a thousand.</summary>
         public long JobCount => m_Arrays.JobCount;
 
-        /// <summary>Packs of four wings in use.</summary>
+        /// <summary>Number of packs of four wings in use.</summary>
         public int PackCount => m_Packs.Packs.Count;
 
         /// <summary>Adds a wing in its driven pose at the start of its beat.</summary>
@@ -101,7 +101,7 @@ namespace Alate
             Write(entry);
         }
 
-        /// <summary>Chooses with how much of the model a wing is computed from the next step on; its motion goes on without a jump.</summary>
+        /// <summary>Sets the level of detail of a wing from the next step on; its motion goes on without a jump.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void SetDetail(WingHandle wing, WingDetail detail)
         {
@@ -119,7 +119,7 @@ namespace Alate
             Write(entry);
         }
 
-        /// <summary>Tells a wing what it feels; seen from the next substep on.</summary>
+        /// <summary>Sets the surroundings of a wing, effective from the next substep on.</summary>
         /// <exception cref="ArgumentException">No such wing, or a value that is not finite.</exception>
         public unsafe void SetSurroundings(WingHandle wing, in WingSurroundings surroundings)
         {
@@ -138,7 +138,8 @@ namespace Alate
         public void Reset(WingHandle wing) => DeriveAndRestart(Entry(wing), restart: true);
 
         /// <summary>
-        /// Lets a wing's beat run on by some time in which it was not stepped, seconds: in phase with those that were, in the driven pose, without a kick.
+        /// Advances a wing's beat by a time in which it was not stepped, seconds: in phase with the stepped wings, in the driven pose,
+        /// without a kick.
         /// </summary>
         /// <exception cref="ArgumentException">No such wing, or a time that is negative or not finite.</exception>
         public void Resume(WingHandle wing, float seconds)
@@ -149,7 +150,7 @@ namespace Alate
             m_Arrays.Resume(entry.pack, entry.lane, seconds);
         }
 
-        /// <summary>Lets a wing go on in the beat of another one, in its own driven pose, without a kick.</summary>
+        /// <summary>Moves a wing to the phase of another one, in its own driven pose, without a kick.</summary>
         internal void Follow(WingHandle wing, WingHandle leader)
         {
             WingEntry follower = Entry(wing), led = Entry(leader);
@@ -226,11 +227,11 @@ namespace Alate
             m_Pending = default;
         }
 
-        /// <summary>The vertices that the last <see cref="Skin"/> made: mesh space, in the mesh's vertex order. Do not dispose.</summary>
+        /// <summary>Vertices that the last <see cref="Skin"/> made: mesh space, in the mesh's vertex order. Do not dispose.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public NativeArray<SkinnedVertex> Vertices(WingHandle wing) => Entry(wing).vertices;
 
-        /// <summary>The tangents that go with them, w the handedness; not created where the mesh has none.</summary>
+        /// <summary>Tangents that go with the vertices, w the handedness; not created where the mesh has none.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public NativeArray<float4> Tangents(WingHandle wing) => Entry(wing).tangents;
 
@@ -238,7 +239,7 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing));
 
-        /// <summary>How often a wing fell back to its driven pose because its state was not finite, of all wings together.</summary>
+        /// <summary>Number of times a wing fell back to its driven pose because its state was not finite, of all wings together.</summary>
         internal unsafe int CountResets()
         {
             CompleteUse();

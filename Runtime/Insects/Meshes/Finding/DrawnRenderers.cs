@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The renderers with meshes that draw an insect from near.</summary>
+    /// <summary>Finds the renderers with meshes that draw an insect from near.</summary>
     internal static class DrawnRenderers
     {
-        /// <summary>All below an object that draw a mesh, except those of the lower levels of detail.</summary>
+        /// <summary>Finds all renderers below an object that draw a mesh, except those of the lower levels of detail.</summary>
         /// <param name="root">The insect.</param>
         /// <param name="hiddenToo">Also those that are disabled or inactive below the root; the root itself may be inactive.</param>
         public static List<Renderer> Under(Transform root, bool hiddenToo)
@@ -22,7 +22,7 @@ namespace Alate
             return drawn;
         }
 
-        /// <summary>The mesh that a renderer draws; null if it draws none, or something else.</summary>
+        /// <summary>Mesh that a renderer draws; null if it draws none, or something else.</summary>
         public static Mesh MeshOf(Renderer renderer)
         {
             switch (renderer)

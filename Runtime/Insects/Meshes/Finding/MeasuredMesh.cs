@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The shapes of a mesh and of its parts, in the insect's space. Of a mesh that cannot be read, what its boxes tell.</summary>
+    /// <summary>
+    /// Shapes of a mesh and of its parts, in the insect's space; of a mesh that cannot be read, estimates from its boxes.
+    /// </summary>
     internal sealed class MeasuredMesh
     {
         // Area over that of the largest sheet from which a piece can be a wing of its own, not a vein or a speck.
@@ -23,24 +25,24 @@ namespace Alate
             m_Positions = mesh.isReadable ? mesh.vertices : null;
         }
 
-        /// <summary>Its triangles can be read.</summary>
+        /// <summary>True where the triangles can be read.</summary>
         public bool IsReadable => m_Positions != null;
 
         /// <summary>Number of submeshes.</summary>
         public int SubmeshCount => m_Mesh.subMeshCount;
 
-        /// <summary>A submesh has triangles.</summary>
+        /// <summary>Returns true where a submesh has triangles.</summary>
         public bool IsDrawn(int submesh) =>
             m_Mesh.GetTopology(submesh) == MeshTopology.Triangles && m_Mesh.GetSubMesh(submesh).indexCount > 0;
 
-        /// <summary>All of it; it must have triangles.</summary>
+        /// <summary>Shape of the whole mesh, which must have triangles.</summary>
         public WingShape Whole() => IsReadable ? Shape(WingPart.WholeMesh, 0) : WingShape.Of(m_Mesh.bounds, m_ToInsect);
 
-        /// <summary>One submesh; it must have triangles.</summary>
+        /// <summary>Shape of one submesh, which must have triangles.</summary>
         public WingShape Submesh(int submesh) =>
             IsReadable ? Shape(WingPart.Submesh, submesh) : WingShape.Of(m_Mesh.GetSubMesh(submesh).bounds, m_ToInsect);
 
-        /// <summary>The larger connected parts of a readable mesh that are sheets on one side.</summary>
+        /// <summary>Larger connected parts of a readable mesh that are sheets on one side.</summary>
         public List<MeasuredPiece> Sheets()
         {
             var sheets = new List<MeasuredPiece>();
@@ -58,7 +60,7 @@ namespace Alate
             return sheets;
         }
 
-        /// <summary>The two halves of a box, for meshes that cannot be read: what is nearest to its right and left face.</summary>
+        /// <summary>Halves of a box towards its right and left face, for meshes that cannot be read.</summary>
         /// <param name="submesh">−1 for the box around all.</param>
         public List<MeasuredPiece> Halves(int submesh)
         {

@@ -15,7 +15,7 @@ namespace Alate
 
         private const int k_Most = 2;
 
-        /// <summary>The members of the largest pairs, two pairs at most.</summary>
+        /// <summary>Finds the members of the largest pairs, two pairs at most.</summary>
         public static List<WingCandidate> Of(List<WingCandidate> candidates)
         {
             var sheets = candidates.FindAll(one => one.shape.isSheet && one.shape.Side != null);

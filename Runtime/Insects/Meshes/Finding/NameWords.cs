@@ -2,10 +2,10 @@ using System.Collections.Generic;
 
 namespace Alate
 {
-    /// <summary>Takes an object's name apart: at signs, digits and capitals, so that "ForeWing_L.001" gives fore, wing, l.</summary>
+    /// <summary>Splits an object's name into words at signs, digits and capitals: "ForeWing_L.001" gives fore, wing, l.</summary>
     internal static class NameWords
     {
-        /// <summary>The words in lower case; digits are no words.</summary>
+        /// <summary>Words of a name in lower case; digits are no words.</summary>
         public static List<string> Of(string name)
         {
             var words = new List<string>();

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>What the names around a renderer say: its own, its mesh's, those of its parents and of its materials.</summary>
+    /// <summary>Meaning of the names around a renderer: its own, its mesh's, those of its parents and of its materials.</summary>
     internal sealed class RendererNames
     {
         private readonly List<Material> m_Materials = new List<Material>();
@@ -17,19 +17,19 @@ namespace Alate
                 Take(WingName.Read(place.parent.name), false);
         }
 
-        /// <summary>The renderer as a whole is called a wing, or lies below what is only called that.</summary>
+        /// <summary>True where the renderer as a whole is named a wing, or lies below an object that is named only that.</summary>
         public bool IsWing { get; private set; }
 
-        /// <summary>Whether the renderer is named as a wing's cover, or lies below one.</summary>
+        /// <summary>True where the renderer is named a wing's cover, or lies below one.</summary>
         public bool IsCase { get; private set; }
 
-        /// <summary>The side by the nearest name that says one.</summary>
+        /// <summary>Side given by the nearest name that has one.</summary>
         public WingSide? Side { get; private set; }
 
-        /// <summary>The pair by the nearest name that says one.</summary>
+        /// <summary>Pair given by the nearest name that has one.</summary>
         public WingPair? Pair { get; private set; }
 
-        /// <summary>The name of the material of a submesh; says nothing if there is none.</summary>
+        /// <summary>Meaning of the name of a submesh's material; empty if there is none.</summary>
         public WingName Material(int submesh) =>
             WingName.Read(submesh < m_Materials.Count && m_Materials[submesh] != null ? m_Materials[submesh].name : null);
 

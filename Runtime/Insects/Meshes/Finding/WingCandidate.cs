@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>A part of a renderer that may be a wing.</summary>
+    /// <summary>Part of a renderer that may be a wing.</summary>
     internal sealed class WingCandidate
     {
         public Renderer renderer;
@@ -11,19 +11,19 @@ namespace Alate
         public Vector3 point;
         public WingShape shape;
 
-        /// <summary>A name says that it is a wing.</summary>
+        /// <summary>True where a name says that the part is a wing.</summary>
         public bool isNamed;
 
-        /// <summary>The side by name, where the place does not tell.</summary>
+        /// <summary>Side given by a name, for parts whose place does not tell.</summary>
         public WingSide? namedSide;
 
-        /// <summary>The pair: by name, or as found later.</summary>
+        /// <summary>Pair, given by a name or found later.</summary>
         public WingPair? pair;
 
-        /// <summary>The side of the body: where most of it is, else what its name says.</summary>
+        /// <summary>Side of the body on which most of the part is, else the side given by its name.</summary>
         public WingSide Side => shape.Side ?? namedSide ?? (shape.centroid.x < 0f ? WingSide.Left : WingSide.Right);
 
-        /// <summary>The wing for the inspector's list.</summary>
+        /// <summary>Makes the wing for the inspector's list.</summary>
         public Wing ToWing()
         {
             return new Wing

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Goes through the parts of a renderer's mesh that may each be one wing.</summary>
+    /// <summary>Lists the parts of a renderer's mesh that may each be one wing.</summary>
     internal sealed class WingCandidates
     {
         private readonly Renderer m_Renderer;
@@ -19,7 +19,7 @@ namespace Alate
             m_Mesh = new MeasuredMesh(mesh, root.worldToLocalMatrix * toWorld);
         }
 
-        /// <summary>The parts of a renderer that may be wings, marked where names call them so; none of a wing case.</summary>
+        /// <summary>Lists the parts of a renderer that may be wings, marked where names call them so; none of a wing case.</summary>
         public static List<WingCandidate> Of(Renderer renderer, Mesh mesh, Transform root)
         {
             var candidates = new WingCandidates(renderer, mesh, root);
@@ -46,7 +46,7 @@ namespace Alate
                 CollectAll(drawn, wings.Count > 0);
         }
 
-        /// <summary>The mesh is all wing, or nothing is known of it.</summary>
+        /// <summary>Collects candidates of a mesh that is all wing, or of which nothing is known.</summary>
         private void CollectAll(List<int> drawn, bool isNamed)
         {
             var whole = m_Mesh.Whole();
@@ -63,7 +63,7 @@ namespace Alate
                 Add(WingPart.WholeMesh, 0, default, whole, isNamed);
         }
 
-        /// <summary>Some materials are called wings.</summary>
+        /// <summary>Collects the submeshes whose materials are named wings.</summary>
         private void CollectSubmeshes(List<int> wings)
         {
             foreach (var submesh in wings)

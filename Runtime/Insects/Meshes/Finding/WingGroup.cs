@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Sheets of one side that make up one wing: its membrane, its veins, its other face.</summary>
+    /// <summary>Groups the sheets of one side that make up one wing: its membrane, its veins, its other face.</summary>
     internal static class WingGroup
     {
         // A sheet belongs to a larger one if this share of its plan lies over the larger one's box …
@@ -12,7 +12,7 @@ namespace Alate
         // … and their middles are nearer to each other, along the body, than this share of the larger one's length.
         private const float k_Apart = 0.2f;
 
-        /// <summary>The number of wings that the pieces are on the side that has more.</summary>
+        /// <summary>Number of wings on the side that has more.</summary>
         public static int Count(List<MeasuredPiece> pieces)
         {
             var right = pieces.FindAll(piece => piece.shape.Side == WingSide.Right).ConvertAll(piece => piece.shape);
@@ -20,7 +20,7 @@ namespace Alate
             return Mathf.Max(Divide(right, out _), Divide(left, out _));
         }
 
-        /// <summary>Numbers the wings that shapes of one side make up.</summary>
+        /// <summary>Numbers the wings that the shapes of one side make up.</summary>
         /// <param name="shapes">Shapes of one side.</param>
         /// <param name="groups">The number of the wing that each shape belongs to, from 0, from front to back.</param>
         /// <returns>The number of wings.</returns>

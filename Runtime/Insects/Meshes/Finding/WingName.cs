@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>What a name says about a wing: that it is one, its side, its pair.</summary>
+    /// <summary>Meaning of a name for a wing: that it names one, its side, its pair.</summary>
     internal readonly struct WingName
     {
         private readonly WingWord m_Meaning;
@@ -12,19 +12,19 @@ namespace Alate
             m_IsKnown = isKnown;
         }
 
-        /// <summary>Whether the name is that of a wing or a fin, perhaps together with the body.</summary>
+        /// <summary>True where the name is that of a wing or a fin, perhaps together with the body.</summary>
         public bool NamesWing => Has(WingWord.Wing) && !Has(WingWord.Case);
 
-        /// <summary>Whether the name is that of a wing alone.</summary>
+        /// <summary>True where the name is that of a wing alone.</summary>
         public bool IsWing => NamesWing && !Has(WingWord.Body | WingWord.Mount);
 
-        /// <summary>Whether all words of the name are known and name a wing: then it counts for the objects below too.</summary>
+        /// <summary>True where all words of the name are known and name a wing: then the name counts for the objects below too.</summary>
         public bool IsPlainWing => IsWing && m_IsKnown;
 
-        /// <summary>Whether the name is that of a wing's cover, or of a haltere.</summary>
+        /// <summary>True where the name is that of a wing's cover, or of a haltere.</summary>
         public bool IsCase => Has(WingWord.Case);
 
-        /// <summary>The side, if it says one.</summary>
+        /// <summary>Side that the name gives, if any.</summary>
         public WingSide? Side
         {
             get
@@ -35,7 +35,7 @@ namespace Alate
             }
         }
 
-        /// <summary>The pair, if it says one; the upper body is not a pair.</summary>
+        /// <summary>Pair that the name gives, if any; the upper body is not a pair.</summary>
         public WingPair? Pair
         {
             get
@@ -46,7 +46,7 @@ namespace Alate
             }
         }
 
-        /// <summary>Reads a name; null and empty say nothing.</summary>
+        /// <summary>Reads a name; null and empty names have no meaning.</summary>
         public static WingName Read(string name)
         {
             var isKnown = WingWords.Read(name ?? "", out var meaning);

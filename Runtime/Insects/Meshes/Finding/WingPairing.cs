@@ -5,7 +5,7 @@ namespace Alate
     /// <summary>Tells fore wings from hind wings, by names or else by their order along the body.</summary>
     internal static class WingPairing
     {
-        /// <summary>Gives each wing its pair. The wings of an insect that has one pair only are fore wings, whatever their name.</summary>
+        /// <summary>Assigns each wing its pair. The wings of an insect with one pair are fore wings, whatever their name.</summary>
         public static void Assign(List<WingCandidate> wings)
         {
             Assign(wings, WingSide.Right);

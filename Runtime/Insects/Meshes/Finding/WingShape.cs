@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Measures of something that may be a wing, in the space of the insect: X right, Z ahead.</summary>
+    /// <summary>Measures of a part that may be a wing, in the space of the insect: X right, Z ahead.</summary>
     internal readonly struct WingShape
     {
         // Area on one side of the middle plane from which a part belongs to that side.
@@ -15,19 +15,19 @@ namespace Alate
         // Smallest side over middle side of a box where only that is known.
         private const float k_BoxThickness = 0.2f;
 
-        /// <summary>Area of all triangles.</summary>
+        /// <summary>Area of all triangles, square units of the insect's space.</summary>
         public readonly float area;
 
         /// <summary>Middle of the area.</summary>
         public readonly Vector3 centroid;
 
-        /// <summary>Box around it.</summary>
+        /// <summary>Bounds of the part.</summary>
         public readonly Bounds bounds;
 
-        /// <summary>Share of the area that is right of the middle plane.</summary>
+        /// <summary>Share of the area that is right of the middle plane, 0 to 1.</summary>
         public readonly float rightShare;
 
-        /// <summary>Whether the mesh is thin and mostly even, as wings are and bodies and legs are not.</summary>
+        /// <summary>True where the mesh is thin and mostly even, as wings are and bodies and legs are not.</summary>
         public readonly bool isSheet;
 
         private WingShape(float area, Vector3 centroid, Bounds bounds, float rightShare, bool isSheet)
@@ -39,7 +39,7 @@ namespace Alate
             this.isSheet = isSheet;
         }
 
-        /// <summary>The side that it is on; none if it reaches over both.</summary>
+        /// <summary>Side of the body; none for a part that reaches over both.</summary>
         public WingSide? Side
         {
             get
@@ -81,7 +81,7 @@ namespace Alate
             return new WingShape(area, centroid, bounds, area > 0f ? right / area : 0.5f, isSheet);
         }
 
-        /// <summary>What a box tells, for meshes that cannot be read.</summary>
+        /// <summary>Estimates the shape from a box, for meshes that cannot be read.</summary>
         public static WingShape Of(Bounds box, Matrix4x4 toInsect)
         {
             var bounds = new Bounds(toInsect.MultiplyPoint3x4(box.center), Vector3.zero);

@@ -2,11 +2,11 @@ using System;
 
 namespace Alate
 {
-    /// <summary>What a word in the name of an object can mean for a wing.</summary>
+    /// <summary>Meanings of a word in the name of an object, for finding wings.</summary>
     [Flags]
     internal enum WingWord
     {
-        /// <summary>Nothing, such as "mesh".</summary>
+        /// <summary>Word without a meaning for wings, such as "mesh".</summary>
         Plain = 0,
 
         Wing = 1,
@@ -15,13 +15,13 @@ namespace Alate
         Fore = 8,
         Hind = 16,
 
-        /// <summary>Other parts of an animal.</summary>
+        /// <summary>Word for another part of an animal.</summary>
         Body = 32,
 
-        /// <summary>What wings hang from, or what stands for one in physics.</summary>
+        /// <summary>Word for the mount of a wing, or for its stand-in in physics.</summary>
         Mount = 64,
 
-        /// <summary>Hard covers of wings, which do not flex, and halteres.</summary>
+        /// <summary>Word for a hard cover of a wing, which does not flex, or for a haltere.</summary>
         Case = 128,
     }
 }

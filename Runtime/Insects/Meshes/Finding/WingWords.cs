@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Alate
 {
-    /// <summary>The words that tell wings in the names of objects, bones, meshes and materials.</summary>
+    /// <summary>Words that tell wings in the names of objects, bones, meshes and materials.</summary>
     internal static class WingWords
     {
         private const int k_LongestAbbreviation = 2;
@@ -25,7 +25,8 @@ namespace Alate
             (WingWord.Plain, "bone root rig pivot holder parent lod"));
 
         /// <summary>
-        /// The meanings of a name's words, together; "forewingL" is three of them. False if a word is unknown; the others still count.
+        /// Reads the meanings of a name's words, together; "forewingL" is three of them. Returns false if a word is unknown; the others
+        /// still count.
         /// </summary>
         public static bool Read(string name, out WingWord meaning)
         {

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>A mesh with the blend shapes of its renderer as they are set now.</summary>
+    /// <summary>Mesh with the blend shapes of its renderer at their current weights.</summary>
     internal sealed class BlendedShape
     {
         public readonly Vector3[] positions;

@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Adds renderers to the levels of detail of another, and takes them out again.</summary>
+    /// <summary>Adds renderers to the levels of detail of another, and removes them.</summary>
     internal static class DetailLevels
     {
-        /// <summary>Shows renderers in the same levels of a group as another one.</summary>
+        /// <summary>Shows renderers in the levels of a group in which another one is shown.</summary>
         public static void Add(LODGroup group, Renderer beside, IReadOnlyList<Renderer> added)
         {
             Change(group, renderers =>
@@ -17,7 +17,7 @@ namespace Alate
             });
         }
 
-        /// <summary>Takes renderers out of all levels of a group.</summary>
+        /// <summary>Removes renderers from all levels of a group.</summary>
         public static void Remove(LODGroup group, IReadOnlyList<Renderer> removed)
         {
             Change(group, renderers =>

@@ -2,12 +2,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>How a renderer is drawn, apart from what it draws.</summary>
+    /// <summary>Copies the settings of a renderer, apart from its mesh and materials.</summary>
     internal static class RendererSettings
     {
-        /// <summary>
-        /// Layer, tag, shadows, probes, sorting, motion vectors and properties, as another renderer has them. Not the materials.
-        /// </summary>
+        /// <summary>Copies layer, tag, shadows, probes, sorting, motion vectors and properties from another renderer.</summary>
         public static void Copy(Renderer from, Renderer to)
         {
             to.gameObject.layer = from.gameObject.layer;
@@ -33,7 +31,7 @@ namespace Alate
             to.SetPropertyBlock(properties);
         }
 
-        /// <summary>The properties of one material of a renderer to one of another's.</summary>
+        /// <summary>Copies the properties of one material of a renderer to a material of another.</summary>
         public static void CopyProperties(Renderer from, int material, Renderer to, int place)
         {
             if (!from.HasPropertyBlock())

@@ -2,12 +2,12 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Where a skinned mesh is.</summary>
+    /// <summary>Placement of a skinned mesh in the world.</summary>
     internal static class SkinnedPose
     {
         /// <summary>
-        /// From the mesh to the world as a bone has it, which is the same for all bones in the bind pose: the root bone if it moves the
-        /// mesh, else the first. The renderer's own place for a mesh without bones.
+        /// Matrix from the mesh to the world by a bone, which is equal for all bones in the bind pose: by the root bone if it moves the
+        /// mesh, else by the first. The renderer's own matrix for a mesh without bones.
         /// </summary>
         public static Matrix4x4 ToWorld(SkinnedMeshRenderer renderer)
         {

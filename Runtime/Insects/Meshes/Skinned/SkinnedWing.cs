@@ -1,15 +1,15 @@
 namespace Alate
 {
-    /// <summary>One wing of a skinned mesh, before it becomes a mesh of its own.</summary>
+    /// <summary>Wing of a skinned mesh, before it becomes a mesh of its own.</summary>
     internal sealed class SkinnedWing
     {
-        /// <summary>The corners of its triangles, by submesh of the source.</summary>
+        /// <summary>Corners of its triangles, by submesh of the source.</summary>
         public int[][] submeshes;
 
-        /// <summary>The bone that carries it; −1 if the mesh has none.</summary>
+        /// <summary>Index of the bone that carries the wing; −1 if the mesh has none.</summary>
         public int bone;
 
-        /// <summary>Its shape, side and pair.</summary>
+        /// <summary>Shape, side and pair of the wing.</summary>
         public WingCandidate place;
     }
 }

@@ -26,7 +26,9 @@ namespace Alate
             }
         }
 
-        /// <summary>Its triangles in the space of a bone, a submesh for each of the source's that it has triangles of.</summary>
+        /// <summary>
+        /// Makes the wing's mesh in the space of a bone, with a submesh for each of the source's that it has triangles of.
+        /// </summary>
         public Mesh Mesh(BlendedShape shape, Matrix4x4 bind)
         {
             var mesh = WingMeshCut.Take(m_Source.sharedMesh, shape, m_Corners, bind);
@@ -34,7 +36,7 @@ namespace Alate
             return mesh;
         }
 
-        /// <summary>An object under a bone that draws the mesh as the source would.</summary>
+        /// <summary>Makes an object under a bone that draws the mesh as the source would.</summary>
         public MeshRenderer Renderer(Transform bone, Mesh mesh)
         {
             var made = new GameObject(m_Name);

@@ -29,7 +29,7 @@ namespace Alate
             m_Sets = MeshParts.Connect(wings.Corners(), positions);
         }
 
-        /// <summary>The wings, ordered fore right, fore left, hind right, hind left.</summary>
+        /// <summary>Divides the wings, ordered fore right, fore left, hind right, hind left.</summary>
         /// <param name="wings">The triangles of all; not empty.</param>
         /// <param name="bones">The bones and weights of the mesh.</param>
         /// <param name="positions">The vertices of the mesh.</param>
@@ -142,10 +142,10 @@ namespace Alate
 
         private struct Part
         {
-            /// <summary>None if it reaches over both sides.</summary>
+            /// <summary>Side of the group; none if it reaches over both.</summary>
             public WingSide? side;
 
-            /// <summary>Bones of a fore and of a hind wing move it.</summary>
+            /// <summary>True where bones of a fore and of a hind wing move the group.</summary>
             public bool hasBothPairs;
         }
     }

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>What became of a skinned renderer whose wings are plain renderers now.</summary>
+    /// <summary>Result of converting a skinned renderer whose wings are now plain renderers.</summary>
     public sealed class SkinnedWingResult
     {
         private readonly Mesh m_Original;
@@ -23,16 +23,18 @@ namespace Alate
             m_Groups = SkinnedWingConversion.DetailGroups(source);
         }
 
-        /// <summary>The skinned renderer. It draws the body, or is disabled if it was all wing.</summary>
+        /// <summary>Skinned renderer of the source. It draws the body, or is disabled if the mesh was all wing.</summary>
         public SkinnedMeshRenderer Source { get; }
 
         /// <summary>The new renderers, one a wing, under the bones that carry them: fore right, fore left, hind right, hind left.</summary>
         public IReadOnlyList<MeshRenderer> Wings { get; }
 
-        /// <summary>The new meshes of the wings, in the same order. No asset: save them, or destroy them with the wings.</summary>
+        /// <summary>
+        /// New meshes of the wings, in the order of <see cref="Wings"/>. They are no assets: save them, or destroy them with the wings.
+        /// </summary>
         public IReadOnlyList<Mesh> WingMeshes { get; }
 
-        /// <summary>The new mesh of the body, skinned as before; null if all was wing. No asset either.</summary>
+        /// <summary>New mesh of the body, skinned as before; null if the mesh was all wing. It is no asset either.</summary>
         public Mesh BodyMesh { get; }
 
         /// <summary>

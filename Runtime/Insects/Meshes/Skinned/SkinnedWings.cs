@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Which triangles of a skinned mesh are wings.</summary>
+    /// <summary>Finds the triangles of a skinned mesh that are wings.</summary>
     internal sealed class SkinnedWings
     {
         private readonly SkinnedMeshRenderer m_Source;
@@ -19,7 +19,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// The triangles of wings: all if the renderer is called so, else those of such materials, then bones, else thin mirrored parts.
+        /// Finds the triangles of wings: all if the renderer is named a wing, else those of such materials, then bones, else thin mirrored
+        /// parts.
         /// </summary>
         /// <param name="source">A renderer with a readable mesh.</param>
         /// <param name="insect">Its root: X right, Y up, Z ahead.</param>
@@ -37,7 +38,7 @@ namespace Alate
             return found;
         }
 
-        /// <summary>A renderer draws wings; of a mesh that cannot be read, names have to tell.</summary>
+        /// <summary>Returns true where a renderer draws wings; for a mesh that cannot be read, names decide.</summary>
         public static bool IsIn(SkinnedMeshRenderer source, Transform insect)
         {
             if (source.sharedMesh.isReadable)

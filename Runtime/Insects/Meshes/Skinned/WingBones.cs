@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The bones of a skinned mesh: their weights at its vertices, and which of them are called wings.</summary>
+    /// <summary>Bones of a skinned mesh: their weights at its vertices, and the bones that are named wings.</summary>
     internal sealed class WingBones
     {
         private readonly Transform[] m_Bones;
@@ -19,19 +19,21 @@ namespace Alate
             m_Names = Array.ConvertAll(m_Bones, bone => NameOf(bone, insect, m_Bones));
         }
 
-        /// <summary>The mesh is moved by bones, not by its own transform.</summary>
+        /// <summary>True where the mesh is moved by bones, not by its own transform.</summary>
         public bool IsSkinned => m_Weights.Length > 0;
 
         /// <summary>Number of bones.</summary>
         public int Count => m_Bones.Length;
 
-        /// <summary>A bone; may be missing.</summary>
+        /// <summary>Transform of a bone; may be missing.</summary>
         public Transform this[int bone] => m_Bones[bone];
 
-        /// <summary>What the name of a bone or of its nearest parent that is called a wing says.</summary>
+        /// <summary>Meaning of the name of a bone, or of its nearest parent that is named a wing.</summary>
         public WingName Name(int bone) => m_Names[bone];
 
-        /// <summary>Most of the weight at the three corners is that of bones that are called wings, or of their children.</summary>
+        /// <summary>
+        /// Returns true where most of the weight at the three corners is that of bones that are named wings, or of their children.
+        /// </summary>
         public bool IsWing(int a, int b, int c) => WingWeight(a) + WingWeight(b) + WingWeight(c) > 1.5f;
 
         /// <summary>Adds the weights at a vertex to sums by bone.</summary>
@@ -45,7 +47,7 @@ namespace Alate
         }
 
         /// <summary>
-        /// The first bone of the wing that a bone moves: the wings of finer rigs have several, which all hang from the first.
+        /// First bone of the wing that a bone moves: the wings of finer rigs have several, which all hang from the first.
         /// </summary>
         public int RootOf(int bone)
         {

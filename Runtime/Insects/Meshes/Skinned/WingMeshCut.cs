@@ -5,13 +5,13 @@ using UnityEngine.Rendering;
 
 namespace Alate
 {
-    /// <summary>Makes meshes of some of another's triangles.</summary>
+    /// <summary>Makes meshes of some of the triangles of another.</summary>
     internal static class WingMeshCut
     {
         private const int k_Channels = 8;
 
         /// <summary>
-        /// A mesh of these triangles alone, moved by a matrix; colours and texture coordinates are kept, weights are not.
+        /// Makes a mesh of these triangles alone, moved by a matrix; colours and texture coordinates are kept, weights are not.
         /// </summary>
         /// <param name="mesh">The mesh they are taken from; it is not changed.</param>
         /// <param name="shape">Its vertices.</param>
