@@ -49,7 +49,7 @@ namespace Alate.Authoring
             return text.Append("\n  ]\n}\n").ToString();
         }
 
-        /// <summary>The skeleton that a text describes. Whether it is usable, <see cref="WingSkeleton.Validate"/> says.</summary>
+        /// <summary>Reads the skeleton that a text describes. <see cref="WingSkeleton.Validate"/> tells whether it is usable.</summary>
         /// <exception cref="ArgumentNullException">There is no text.</exception>
         /// <exception cref="FormatException">The text is not such a skeleton; the message says where and why, in one line.</exception>
         public static WingSkeleton Read(string json) => Read(json, default);

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Authoring
 {
-    /// <summary>Reads exactly the JSON of <see cref="SkeletonJson"/> and says where a text departs from it.</summary>
+    /// <summary>Reads exactly the JSON of <see cref="SkeletonJson"/>, and reports where a text departs from it.</summary>
     internal sealed class SkeletonJsonReader
     {
         private static readonly string[] s_Keys =
@@ -25,7 +25,7 @@ namespace Alate.Authoring
             m_Origin = origin;
         }
 
-        /// <summary>What a text says.</summary>
+        /// <summary>Content of a text.</summary>
         public struct Content
         {
             public Vector3 hinge;
@@ -34,7 +34,7 @@ namespace Alate.Authoring
             public JointChain[] chains;
         }
 
-        /// <summary>The whole text.</summary>
+        /// <summary>Reads the whole text.</summary>
         public Content Read()
         {
             Content content = default;

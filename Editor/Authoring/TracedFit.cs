@@ -9,18 +9,18 @@ namespace Alate.Authoring
     /// <summary>Fits chains to the mesh of a traced wing in the plane of its picture: pixels, x to the right and z up.</summary>
     internal sealed class TracedFit
     {
-        /// <summary>Sine between the span and the picture's up from which on up does not tell the edges apart.</summary>
+        /// <summary>Sine between the span and the picture's up above which up does not tell the edges apart.</summary>
         private const double k_Upright = 0.87;
 
         /// <summary>Confidence in the upper edge of the picture being the leading one, and in the straighter one.</summary>
         private const float k_UpConfidence = 0.8f, k_ShapeConfidence = 0.6f;
 
-        /// <summary>Power of the distance from the hinge by which parts of the wing tell where its tip lies.</summary>
+        /// <summary>Power of the distance from the hinge by which parts of the wing weigh in the direction of its tip.</summary>
         private const double k_FarPower = 5.0;
 
         /// <summary>
-        /// Extents of the wing by which the fitter sees the picture's corner moved away: it takes a wing to turn at its mesh's origin, and that of a picture
-        /// means nothing.
+        /// Distance, in extents of the wing, by which the picture's corner is moved away for the fitter, which assumes that a wing turns at
+        /// its mesh's origin.
         /// </summary>
         private const float k_Away = 16f;
 
@@ -51,7 +51,7 @@ namespace Alate.Authoring
         /// <summary>Unit vector from the hinge towards the tip.</summary>
         public PlanPoint Span { get; private set; }
 
-        /// <summary>How sure all that is, 0 to 1.</summary>
+        /// <summary>Confidence in hinge, tip and edges, 0 to 1.</summary>
         public float Confidence { get; private set; } = 1f;
 
         /// <summary>A sentence for each guess.</summary>

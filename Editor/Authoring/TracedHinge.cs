@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate.Authoring
 {
-    /// <summary>Where the hinge of a traced wing lies, and how that is known.</summary>
+    /// <summary>Hinge of a traced wing, with its source.</summary>
     internal readonly struct TracedHinge
     {
-        /// <summary>Confidence in a hinge where the wing runs out of the picture, and where its veins come together.</summary>
+        /// <summary>Confidence in a hinge: where the wing runs out of the picture, and where its veins come together.</summary>
         private const double k_EdgeConfidence = 0.7, k_FocusConfidence = 0.85;
 
         private TracedHinge(PlanPoint place, double confidence, string warning)
@@ -16,16 +16,18 @@ namespace Alate.Authoring
             Warning = warning;
         }
 
-        /// <summary>Pixels, z up.</summary>
+        /// <summary>Place of the hinge, pixels, z up.</summary>
         public PlanPoint Place { get; }
 
-        /// <summary>0 to 1.</summary>
+        /// <summary>Confidence in the hinge, 0 to 1.</summary>
         public double Confidence { get; }
 
-        /// <summary>A sentence for the user when it is not sure; else null.</summary>
+        /// <summary>Sentence for the user where the hinge is unsure; else null.</summary>
         public string Warning { get; }
 
-        /// <summary>The hinge as the user said; else where the veins come together, where the wing was cut off, or at its more pointed end.</summary>
+        /// <summary>
+        /// Finds the hinge: as the user said, else where the veins come together, where the wing was cut off, or at its more pointed end.
+        /// </summary>
         public static TracedHinge Find(in WingTracingSettings settings, VeinLines lines, WingSeparation wing, int factor, PlanPoint[] outline)
         {
             if (settings.hinge is Vector2 given)

@@ -8,7 +8,7 @@ namespace Alate.Authoring
     /// <summary>The skeleton of a traced wing in the plane of its picture: pixels, x to the right and z up.</summary>
     internal sealed class TracedSkeleton
     {
-        /// <summary>A chain on a vein stays in the wing but for this share of the wing's length.</summary>
+        /// <summary>Largest distance of a chain on a vein outside the wing, as a share of the wing's length.</summary>
         private const double k_Outside = 0.01;
 
         /// <summary>Share of a chain that must lie on its vein.</summary>
@@ -37,10 +37,10 @@ namespace Alate.Authoring
         /// <summary>Unit vector from the hinge to the tip.</summary>
         public PlanPoint Span { get; }
 
-        /// <summary>Of the wing along the span, pixels.</summary>
+        /// <summary>Length of the wing along the span, pixels.</summary>
         public double Length { get; }
 
-        /// <summary>[chain]</summary>
+        /// <summary>[chain] True where the chain follows a vein.</summary>
         public bool[] FollowsVein { get; private set; }
 
         /// <summary>Lays chains along veins, as many as the skeleton stays valid with.</summary>
@@ -67,7 +67,9 @@ namespace Alate.Authoring
             }
         }
 
-        /// <summary>How a mesh of a length lies in the picture: leading edge towards +Z, right wings along +X and left ones along −X.</summary>
+        /// <summary>
+        /// Placement in the picture of a mesh of a length: leading edge towards +Z, right wings along +X and left ones along −X.
+        /// </summary>
         public WingPlacement Place(WingPicture picture, float length)
         {
             int last = m_Chains.Length - 1;

@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Alate.Authoring
 {
-    /// <summary>The mesh of a traced wing as a user gets it.</summary>
+    /// <summary>Makes the mesh of a traced wing for the user.</summary>
     internal static class TracedSurface
     {
-        /// <summary>The triangles in the plane y = 0, facing up, with the picture's texture coordinates.</summary>
+        /// <summary>Makes the triangles in the plane y = 0, facing up, with the picture's texture coordinates.</summary>
         public static SurfaceMesh Make(TriangleLinks mesh, WingPlacement placement)
         {
             var normals = new Vector3[mesh.points.Length];

@@ -5,7 +5,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
-    /// <summary>How a wing's mesh lies in the picture that it was traced from: turned, scaled and moved, never mirrored.</summary>
+    /// <summary>Placement of a wing's mesh in the picture from which it was traced: turned, scaled and moved, never mirrored.</summary>
     [MovedFrom(true, "Alate", "Alate")]
     public readonly struct WingPlacement
     {
@@ -31,7 +31,7 @@ namespace Alate.Authoring
         /// <summary>Mesh units of a pixel.</summary>
         public float UnitsPerPixel => (float)m_Scale;
 
-        /// <summary>Where a point of the mesh lies in the picture: pixels from its top left corner, y down.</summary>
+        /// <summary>Converts a point of the mesh to the picture: pixels from its top left corner, y down.</summary>
         public Vector2 ToPicture(Vector3 point)
         {
             PlanPoint place = m_Hinge + m_Axis * (point.x / m_Scale) + new PlanPoint(-m_Axis.z, m_Axis.x) * (point.z / m_Scale);

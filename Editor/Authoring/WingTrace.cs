@@ -5,7 +5,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
-    /// <summary>What <see cref="WingTracer"/> found in a picture: places in it are in pixels from its top left corner, y down.</summary>
+    /// <summary>Result of <see cref="WingTracer"/> for a picture: places in it are in pixels from its top left corner, y down.</summary>
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class WingTrace
     {
@@ -23,7 +23,7 @@ namespace Alate.Authoring
             Warnings = warnings;
         }
 
-        /// <summary>How the mesh lies in the picture.</summary>
+        /// <summary>Placement of the mesh in the picture.</summary>
         public WingPlacement Placement { get; }
 
         /// <summary>The wing's outline in the picture, closed.</summary>
@@ -38,16 +38,16 @@ namespace Alate.Authoring
         /// <summary>A valid skeleton in the mesh's space, new and the caller's own.</summary>
         public WingSkeleton Skeleton { get; }
 
-        /// <summary>[chain] Whether it follows a vein of the picture; the others are fitted to the outline.</summary>
+        /// <summary>[chain] True where the chain follows a vein of the picture; the others are fitted to the outline.</summary>
         public IReadOnlyList<bool> FollowsVein { get; }
 
         /// <summary>The radial veins that were found in the picture, each from the hinge to the margin.</summary>
         public IReadOnlyList<Vector2[]> Veins { get; }
 
-        /// <summary>How sure hinge, leading edge and tip are, 0 to 1, as <see cref="SkeletonFit.Confidence"/>.</summary>
+        /// <summary>Confidence in hinge, leading edge and tip, 0 to 1, as <see cref="SkeletonFit.Confidence"/>.</summary>
         public float Confidence { get; }
 
-        /// <summary>What the user should look at, a sentence each; empty when nothing.</summary>
+        /// <summary>Points that the user should check, a sentence each; empty when there are none.</summary>
         public IReadOnlyList<string> Warnings { get; }
     }
 }

@@ -10,7 +10,7 @@ namespace Alate.Authoring
     [MovedFrom(true, "Alate", "Alate")]
     public static class WingTracer
     {
-        /// <summary>Where less than this share of the wing's rim is clear, the outline is in doubt.</summary>
+        /// <summary>Least share of the wing's rim that is clear; with less, the outline is in doubt.</summary>
         private const double k_ClearRim = 0.9;
 
         /// <summary>Traces a picture.</summary>

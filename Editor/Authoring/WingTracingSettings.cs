@@ -4,7 +4,7 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
-    /// <summary>What a user may say when a wing is traced from a picture; start from <see cref="Default"/>.</summary>
+    /// <summary>Settings for tracing a wing from a picture; start from <see cref="Default"/>.</summary>
     [MovedFrom(true, "Alate", "Alate")]
     public struct WingTracingSettings
     {
@@ -20,22 +20,24 @@ namespace Alate.Authoring
         /// <summary>Joints of each chain, <see cref="WingSkeleton.MinJoints"/> to <see cref="WingSkeleton.MaxJoints"/>.</summary>
         public int jointsPerChain;
 
-        /// <summary>Triangles of the mesh, <see cref="MinTriangles"/> to <see cref="MaxTriangles"/>; it gets exactly so many.</summary>
+        /// <summary>Triangles of the mesh, exactly, <see cref="MinTriangles"/> to <see cref="MaxTriangles"/>.</summary>
         public int triangles;
 
         /// <summary>Distance from the hinge to the tip along the span in the mesh, above 0; in metres or any other unit.</summary>
         public float length;
 
-        /// <summary>Where in the picture the wing's hinge lies, pixels from the top left corner, y down; null to find it.</summary>
+        /// <summary>Hinge of the wing in the picture, pixels from the top left corner, y down; null to find it.</summary>
         public Vector2? hinge;
 
         /// <summary>
-        /// On which side of the picture the leading edge lies, y down, any length; (0, −1) is up. Null for up, and where the wing points up or down to
-        /// guess it from the shape.
+        /// Direction in the picture towards the leading edge, y down, any length; (0, −1) is up. Null for up, and where the wing points up
+        /// or down to guess it from the shape.
         /// </summary>
         public Vector2? forward;
 
-        /// <summary>Five chains of five joints in a mesh of a thousand triangles, one unit long; hinge and leading edge are found.</summary>
+        /// <summary>
+        /// Default settings: five chains of five joints in a mesh of a thousand triangles, one unit long; hinge and leading edge are found.
+        /// </summary>
         public static WingTracingSettings Default => new WingTracingSettings { chains = 5, jointsPerChain = 5, triangles = 1000, length = 1f };
 
         /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>

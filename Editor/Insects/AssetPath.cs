@@ -4,7 +4,7 @@ using UnityEditor;
 
 namespace Alate.Editor
 {
-    /// <summary>Asks the user where a new asset shall lie; null when he thinks better of it.</summary>
+    /// <summary>Asks the user for the path of a new asset; null when the user cancels.</summary>
     /// <param name="title">Of the dialog.</param>
     /// <param name="name">Suggested file name, without extension.</param>
     /// <param name="message">What is about to be saved.</param>
@@ -19,7 +19,7 @@ namespace Alate.Editor
         public static string Ask(string title, string name, string message) =>
             EditorUtility.SaveFilePanelInProject(title, name, k_Extension.Substring(1), message);
 
-        /// <summary>Why an asset cannot be saved there; null when it can.</summary>
+        /// <summary>Reason why an asset cannot be saved at a path; null when it can.</summary>
         public static string FindProblem(string path)
         {
             if (!path.StartsWith(k_Home, StringComparison.Ordinal))

@@ -3,10 +3,12 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Saves objects as assets. One that lies at the path already is written over, so that all who refer to it see the new content.</summary>
+    /// <summary>
+    /// Saves objects as assets. Overwrites an asset that exists at the path, so that all objects that refer to it get the new content.
+    /// </summary>
     internal static class AssetWriter
     {
-        /// <summary>Saves an object that lies nowhere yet.</summary>
+        /// <summary>Saves an object that is no asset yet.</summary>
         /// <param name="made">Becomes the asset, or is destroyed when its content has gone into the one that was there.</param>
         /// <param name="path">Has been checked by <see cref="AssetPath"/>.</param>
         /// <param name="act">What the undo menu calls writing over.</param>

@@ -18,7 +18,7 @@ namespace Alate.Editor
             KeepOverrides(target);
         }
 
-        /// <summary>Lets what was changed in an instance of a prefab stay different from the prefab.</summary>
+        /// <summary>Records the changes to an instance of a prefab as overrides.</summary>
         public static void KeepOverrides(Object changed)
         {
             if (PrefabUtility.IsPartOfPrefabInstance(changed))

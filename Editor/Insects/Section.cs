@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>A foldout of an inspector that stays as the user left it until the editor is closed.</summary>
+    /// <summary>Foldout of an inspector that keeps its state until the editor is closed.</summary>
     internal sealed class Section
     {
         private readonly GUIContent m_Title;
@@ -20,10 +20,10 @@ namespace Alate.Editor
             m_OpenAtFirst = openAtFirst;
         }
 
-        /// <summary>Whether its content is to be drawn.</summary>
+        /// <summary>True where the content is to be drawn.</summary>
         public bool IsOpen => SessionState.GetBool(m_Key, m_OpenAtFirst);
 
-        /// <summary>Draws the title; says whether its content is to be drawn.</summary>
+        /// <summary>Draws the title; returns true where the content is to be drawn.</summary>
         public bool Draw()
         {
             bool open = EditorGUILayout.Foldout(IsOpen, m_Title, true, EditorStyles.foldoutHeader);

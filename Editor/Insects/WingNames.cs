@@ -2,17 +2,17 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>What the inspector calls the wings of an insect.</summary>
+    /// <summary>Names the wings of an insect for the inspector.</summary>
     internal static class WingNames
     {
-        /// <summary>"Right" on an insect with one pair, else "Fore Right".</summary>
+        /// <summary>Name of a wing: "Right" on an insect with one pair, else "Fore Right".</summary>
         public static string Of(IReadOnlyList<Wing> wings, int index)
         {
             Wing wing = wings[index];
             return HasHindWings(wings) ? $"{wing.Pair} {wing.Side}" : wing.Side.ToString();
         }
 
-        /// <summary>Whether fore and hind wings have to be told apart.</summary>
+        /// <summary>Returns true where fore and hind wings must be told apart.</summary>
         public static bool HasHindWings(IReadOnlyList<Wing> wings)
         {
             foreach (Wing wing in wings)

@@ -7,7 +7,9 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor
 {
-    /// <summary>The mesh that is drawn over a wing to show what its rig does: every triangle on its own, coloured. Never saved; dispose it.</summary>
+    /// <summary>
+    /// Mesh drawn over a wing to show the effect of its rig: every triangle on its own, coloured. Never saved; dispose it.
+    /// </summary>
     internal sealed class InspectionMesh : IDisposable
     {
         private RigInspection m_Shown;

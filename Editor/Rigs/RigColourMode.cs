@@ -1,15 +1,15 @@
 namespace Alate.Editor
 {
-    /// <summary>What the colours of an inspected wing mean.</summary>
+    /// <summary>Meaning of the colours of an inspected wing.</summary>
     internal enum RigColourMode
     {
-        /// <summary>How strongly the selected joints move each place: dark not at all, light entirely.</summary>
+        /// <summary>Weight of the selected joints at each place: dark not at all, light entirely.</summary>
         JointWeight,
 
-        /// <summary>The masses of the joints around: light where a joint is as heavy as the heaviest.</summary>
+        /// <summary>Masses of the joints around a place: light where a joint is as heavy as the heaviest.</summary>
         JointMass,
 
-        /// <summary>How late the wave arrives: dark at once, light last.</summary>
+        /// <summary>Delay of the wave: dark at once, light last.</summary>
         Delay,
 
         /// <summary>A colour for each surface patch that meets the air.</summary>

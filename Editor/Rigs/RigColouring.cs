@@ -17,7 +17,7 @@ namespace Alate.Editor
             new Color(0.96f, 0.56f, 0.29f), new Color(1.00f, 0.93f, 0.62f),
         };
 
-        /// <summary>[3 · triangle + corner]</summary>
+        /// <summary>[3 · triangle + corner] Colours of all corners.</summary>
         /// <param name="rig">The wing.</param>
         /// <param name="mode">What to show.</param>
         /// <param name="joints">The selected joints, for <see cref="RigColourMode.JointWeight"/>.</param>
@@ -39,7 +39,7 @@ namespace Alate.Editor
             return colours;
         }
 
-        /// <summary>What the two ends of the colours stand for; null where the colours only tell places apart.</summary>
+        /// <summary>Meaning of the two ends of the colours; null where the colours only tell places apart.</summary>
         public static (string low, string high)? Legend(RigInspection rig, RigColourMode mode, in WingParameters parameters)
         {
             switch (mode)

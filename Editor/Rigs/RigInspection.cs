@@ -6,8 +6,9 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// What baking would make of a skeleton and a mesh, laid open: who moves which vertex, where the mass goes, which patches meet the air.
-    /// By the same steps as <see cref="RigBaker"/>, but in managed memory, and also for a skeleton that does not fit well.
+    /// Contents that baking would make of a skeleton and a mesh: the joints that move each vertex, the distribution of the mass, the
+    /// patches that meet the air. Uses the steps of <see cref="RigBaker"/>, but in managed memory, and also takes a skeleton that does not
+    /// fit well.
     /// </summary>
     internal sealed class RigInspection
     {
@@ -23,7 +24,7 @@ namespace Alate.Editor
         /// <summary>The triangles that count, each place once.</summary>
         public readonly SurfaceTriangles triangles;
 
-        /// <summary>[triangle] The patch it belongs to.</summary>
+        /// <summary>[triangle] Patch of the triangle.</summary>
         public readonly int[] patches;
 
         /// <summary>[joint] Share of the wing's mass; sum 1.</summary>
@@ -52,13 +53,13 @@ namespace Alate.Editor
         /// <summary>The inspected surface.</summary>
         public WingSurface Surface { get; }
 
-        /// <summary>Patches in use.</summary>
+        /// <summary>Number of patches in use.</summary>
         public int PatchCount { get; }
 
-        /// <summary>Why no rig can be baked although skeleton and mesh are sound each by itself; null where one can.</summary>
+        /// <summary>Reason why no rig can be baked although skeleton and mesh are each sound; null where one can.</summary>
         public string Misfit { get; }
 
-        /// <summary>Looks at a skeleton and a surface; null where there is nothing to see.</summary>
+        /// <summary>Inspects a skeleton and a surface; null where there is nothing to show.</summary>
         /// <param name="skeleton">The skeleton.</param>
         /// <param name="surface">The wing's triangles, in the skeleton's space.</param>
         /// <param name="patchCount">As in <see cref="WingRigSettings"/>.</param>
@@ -85,7 +86,7 @@ namespace Alate.Editor
             }
         }
 
-        /// <summary>How strongly some joints together move a vertex, 0 to 1.</summary>
+        /// <summary>Weight of some joints together at a vertex, 0 to 1.</summary>
         public float Weight(int vertex, IReadOnlyCollection<JointIndex> joints)
         {
             float sum = 0f;
@@ -135,7 +136,7 @@ namespace Alate.Editor
         /// <summary>Chain and place of a joint index.</summary>
         public JointIndex Joint(int joint) => new JointIndex(joint / rest.jointsPerChain, joint % rest.jointsPerChain);
 
-        /// <summary>How far a vertex is from the fan of joints, in plan and in height, wing lengths.</summary>
+        /// <summary>Distance of a vertex from the fan of joints, in plan and in height, wing lengths.</summary>
         public float Distance(int vertex)
         {
             CellPoint at = located[vertex];

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>One weakness of a rig, where it lies, and which joints to look at.</summary>
+    /// <summary>Weakness of a rig, with its place and the joints to look at.</summary>
     internal readonly struct RigProblem
     {
         public RigProblem(RigProblemKind kind, Vector3 position, IReadOnlyList<JointIndex> joints, string message)
@@ -16,13 +16,13 @@ namespace Alate.Editor
 
         public RigProblemKind Kind { get; }
 
-        /// <summary>Mesh space.</summary>
+        /// <summary>Position of the weakness, mesh space.</summary>
         public Vector3 Position { get; }
 
-        /// <summary>The joints to select.</summary>
+        /// <summary>Joints to select.</summary>
         public IReadOnlyList<JointIndex> Joints { get; }
 
-        /// <summary>One sentence for the user.</summary>
+        /// <summary>Sentence for the user.</summary>
         public string Message { get; }
 
         public override string ToString() => Message;

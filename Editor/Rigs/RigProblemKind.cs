@@ -1,6 +1,6 @@
 namespace Alate.Editor
 {
-    /// <summary>What a rig may suffer from although its skeleton is valid.</summary>
+    /// <summary>Weaknesses of a rig whose skeleton is valid.</summary>
     internal enum RigProblemKind
     {
         /// <summary>Mesh and skeleton do not belong together; no rig can be baked.</summary>

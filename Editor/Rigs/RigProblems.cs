@@ -8,7 +8,7 @@ namespace Alate.Editor
     /// <summary>Finds what weakens a rig. A monarch's wing on its own skeleton, with three to eight chains and joints, has none of these.</summary>
     internal static class RigProblems
     {
-        /// <summary>Distance from the fan of joints above which a vertex is far, wing lengths. A monarch's farthest is at 0.047.</summary>
+        /// <summary>Distance from the fan of joints above which a vertex is far, wing lengths. The largest of a monarch is 0.047.</summary>
         public const float FarDistance = 0.06f;
 
         /// <summary>Share of the wing's area that roots alone may move.</summary>
@@ -17,7 +17,7 @@ namespace Alate.Editor
         /// <summary>Mass of a joint over the mean above which it is concentrated, and in any case the share of the wing's mass. A monarch's is up to 3.3 times.</summary>
         public const float MassOverMean = 5f, MassShare = 0.4f;
 
-        /// <summary>All weaknesses: those that forbid a rig first.</summary>
+        /// <summary>Finds all weaknesses, those that forbid a rig first.</summary>
         public static List<RigProblem> Find(RigInspection rig)
         {
             var problems = new List<RigProblem>();
@@ -30,7 +30,7 @@ namespace Alate.Editor
             return problems;
         }
 
-        /// <summary>The rig in one line: "2096 triangles, 257 patches, heaviest joint 9.7 %".</summary>
+        /// <summary>Summary of the rig in one line: "2096 triangles, 257 patches, heaviest joint 9.7 %".</summary>
         public static string Summary(RigInspection rig)
         {
             float heaviest = 0f;

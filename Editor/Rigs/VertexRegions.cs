@@ -3,10 +3,12 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>Finds the connected parts of a mesh that have something in common.</summary>
+    /// <summary>Finds connected regions of a mesh by a condition.</summary>
     internal static class VertexRegions
     {
-        /// <summary>The vertices of triangles for which something holds, those that hang together by edges in one list; ascending.</summary>
+        /// <summary>
+        /// Finds the vertices of triangles for which a condition holds, one ascending list for each region connected by edges.
+        /// </summary>
         public static List<List<int>> Find(in WingSurface surface, Predicate<int> holds)
         {
             var parent = new Dictionary<int, int>();

@@ -2,10 +2,10 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>What the inspector of skeletons says about those that are selected. Texts only, so that it can be tested without a window.</summary>
+    /// <summary>Content of the inspector of the selected skeletons. Texts only, so that it can be tested without a window.</summary>
     internal sealed class SkeletonReport
     {
-        /// <summary>Most problems that are listed; a skeleton with broken numbers has hundreds.</summary>
+        /// <summary>Largest number of listed problems; a skeleton with broken numbers has hundreds.</summary>
         public const int MaxProblems = 8;
 
         private SkeletonReport(string size, List<string> problems, int hidden)
@@ -21,10 +21,10 @@ namespace Alate.Editor
         /// <summary>One line a problem, at most <see cref="MaxProblems"/>; with the skeleton's name where several are selected.</summary>
         public IReadOnlyList<string> Problems { get; }
 
-        /// <summary>Problems beyond those listed.</summary>
+        /// <summary>Number of problems beyond those listed.</summary>
         public int HiddenProblems { get; }
 
-        /// <summary>Looks at the selected skeletons.</summary>
+        /// <summary>Reports on the selected skeletons.</summary>
         public static SkeletonReport Of(IReadOnlyList<WingSkeleton> skeletons)
         {
             var problems = new List<string>();

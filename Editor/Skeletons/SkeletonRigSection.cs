@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The part of a skeleton's inspector that looks at it together with a mesh: the rig's size and weaknesses.</summary>
+    /// <summary>Part of a skeleton's inspector that checks it together with a mesh: the rig's size and weaknesses.</summary>
     internal sealed class SkeletonRigSection : IDisposable
     {
         private static class Content
@@ -29,7 +29,7 @@ namespace Alate.Editor
         /// <summary>The chosen mesh; may be null.</summary>
         public Mesh Mesh { get; private set; }
 
-        /// <summary>The skeleton with that mesh, at the origin of the scene.</summary>
+        /// <summary>Skeleton with that mesh, at the origin of the scene.</summary>
         public SkeletonTarget Target { get; private set; }
 
         /// <summary>Draws the section.</summary>

@@ -6,12 +6,12 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Reads the picture of a wing from a texture's own file, in full size and whatever its import settings. The texture itself serves where its file is of a
-    /// kind that cannot be read.
+    /// Reads the picture of a wing from a texture's own file, in full size and whatever its import settings. Falls back to the texture
+    /// itself where its file is of a kind that cannot be read.
     /// </summary>
     internal static class WingImageFile
     {
-        /// <summary>A readable copy, for the caller to destroy.</summary>
+        /// <summary>Makes a readable copy, which the caller destroys.</summary>
         /// <exception cref="FormatException">Neither the file nor the texture can be read; the message is for the user.</exception>
         public static Texture2D Read(Texture2D texture)
         {
@@ -20,7 +20,7 @@ namespace Alate.Editor
             return Read(texture, file != null && File.Exists(file) ? File.ReadAllBytes(file) : null);
         }
 
-        /// <summary>A readable copy, for the caller to destroy.</summary>
+        /// <summary>Makes a readable copy, which the caller destroys.</summary>
         /// <param name="texture">The texture.</param>
         /// <param name="content">Of its file; null when there is none.</param>
         /// <exception cref="FormatException">Neither can be read.</exception>

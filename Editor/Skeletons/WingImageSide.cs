@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Where in the picture the leading edge lies.</summary>
+    /// <summary>Side of the picture on which the leading edge lies.</summary>
     internal enum WingImageSide
     {
-        /// <summary>Up; by the shape where the wing itself points up or down.</summary>
+        /// <summary>Upper side; guessed by the shape where the wing itself points up or down.</summary>
         Automatic,
         Up,
         Down,
@@ -13,10 +13,10 @@ namespace Alate.Editor
         Right,
     }
 
-    /// <summary>Sides of a picture as directions.</summary>
+    /// <summary>Converts sides of a picture to directions.</summary>
     internal static class WingImageSides
     {
-        /// <summary>With y down; null for <see cref="WingImageSide.Automatic"/>.</summary>
+        /// <summary>Direction with y down; null for <see cref="WingImageSide.Automatic"/>.</summary>
         public static Vector2? ToDirection(this WingImageSide side)
         {
             switch (side)

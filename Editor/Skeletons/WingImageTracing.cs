@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Traces a picture for the wizard: what came of it, or why nothing did.</summary>
+    /// <summary>Traces a picture for the wizard: holds the result, or the reason why there is none.</summary>
     internal sealed class WingImageTracing
     {
         private WingImageTracing(WingTrace trace, string problem)
@@ -13,10 +13,10 @@ namespace Alate.Editor
             Problem = problem;
         }
 
-        /// <summary>What was found; null when there is a problem.</summary>
+        /// <summary>Result; null when there is a problem.</summary>
         public WingTrace Trace { get; }
 
-        /// <summary>One sentence for the user; null when there is none.</summary>
+        /// <summary>Problem in one sentence for the user; null when there is none.</summary>
         public string Problem { get; }
 
         /// <summary>Traces a readable texture.</summary>

@@ -25,7 +25,7 @@ namespace Alate.Editor
             return trace.Skeleton;
         }
 
-        /// <summary>The picture's own folder; the project's top one where that is not the user's, as a package's is.</summary>
+        /// <summary>Folder of the picture; the project's top one where that is not the user's, as a package's is.</summary>
         public static string FolderFor(string imagePath)
         {
             if (string.IsNullOrEmpty(imagePath))

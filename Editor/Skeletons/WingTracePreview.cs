@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Draws what was traced over the picture in a window.</summary>
+    /// <summary>Draws the trace over the picture in a window.</summary>
     internal static class WingTracePreview
     {
         private const float k_OutlineWidth = 2f, k_ChainWidth = 3f, k_JointRadius = 3f;
@@ -36,7 +36,7 @@ namespace Alate.Editor
             }
         }
 
-        /// <summary>A place of the picture in the window: both have y down.</summary>
+        /// <summary>Converts a place of the picture to the window: both have y down.</summary>
         public static Vector3 InWindow(Vector2 place, Rect frame, Vector2 size) =>
             new Vector3(frame.x + place.x / size.x * frame.width, frame.y + place.y / size.y * frame.height, 0f);
 

@@ -4,13 +4,13 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>The rim of a wing between the centres of pixels: where a field passes through 0 (marching squares).</summary>
+    /// <summary>Traces the rim of a wing between the centres of pixels: where a field passes through 0 (marching squares).</summary>
     internal static class ContourTracer
     {
         // The sides of a square between the centres of four pixels, clockwise; side k runs from corner k to corner k + 1.
         private const int k_Top = 0, k_Right = 1, k_Bottom = 2, k_Left = 3;
 
-        /// <summary>The longest closed rim, clockwise as one sees it, without its first point again; places in pixels, x to the right and y down.</summary>
+        /// <summary>Longest closed rim, clockwise as seen, without its first point again; pixels, x to the right and y down.</summary>
         public static List<PlanPoint> Longest(PixelPlane field)
         {
             var seen = new HashSet<int>();

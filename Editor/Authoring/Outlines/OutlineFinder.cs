@@ -4,16 +4,18 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>The outline of the wing in a picture.</summary>
+    /// <summary>Finds the outline of the wing in a picture.</summary>
     internal static class OutlineFinder
     {
-        /// <summary>Rounds of smoothing, which take steps of single pixels and noise off the rim: a bell of one pixel.</summary>
+        /// <summary>Rounds of smoothing, which remove steps of single pixels and noise from the rim: a bell of one pixel.</summary>
         private const int k_SmoothingRounds = 4;
 
         /// <summary>Furthest that a point of the rim may lie from the outline: a share of the wing's length, but no less than a part of a pixel.</summary>
         private const double k_Tolerance = 5e-4, k_LeastTolerance = 0.25;
 
-        /// <summary>The outline, counterclockwise with x to the right and z up: z is minus the row. Pixels of the whole picture.</summary>
+        /// <summary>
+        /// Finds the outline, counterclockwise with x to the right and z up: z is minus the row. Pixels of the whole picture.
+        /// </summary>
         public static PlanPoint[] Find(WingSeparation wing, int factor)
         {
             List<PlanPoint> rim = ContourTracer.Longest(wing.SignedField());

@@ -5,35 +5,35 @@ using Alate.Geometry;
 namespace Alate.Authoring
 {
     /// <summary>
-    /// Guesses the hinge of a wing from its outline alone: of the two ends of its longest direction, the one that is more pointed and sees more of the wing;
-    /// wings fan out from their hinges, and from the end of a tail little is seen. A triangle, as fore wings of butterflies are, is as pointed at its apex:
-    /// it turns about the end that lies opposite the outer margin, its shortest side.
+    /// Guesses the hinge of a wing from its outline alone: of the two ends of its longest direction, the one that is more pointed and from
+    /// which more of the wing is visible; wings fan out from their hinges, and from the end of a tail little is visible. A triangle, as
+    /// fore wings of butterflies are, is as pointed at its apex: there, the hinge is the end opposite the outer margin, its shortest side.
     /// </summary>
     internal readonly struct PointedEnd
     {
-        /// <summary>Confidence that it is the hinge where both ends are alike, and where one is far more pointed.</summary>
+        /// <summary>Confidence that the end is the hinge: where both ends are alike, and where one is far more pointed.</summary>
         private const double k_EvenConfidence = 0.5, k_PointedConfidence = 0.95;
 
         /// <summary>Difference of the ends, over the larger, from which one counts as far more pointed; below it a triangle's sides decide.</summary>
         private const double k_ClearDifference = 0.33;
 
         /// <summary>
-        /// A wing is a triangle from this share of its area in the triangle of both ends and the place farthest off the line between them; and how far off
-        /// the middle of that line the place must lie, a share of its length.
+        /// Least share of a wing's area in the triangle of both ends and the place farthest off the line between them, from which the wing
+        /// counts as a triangle; and least distance of that place from the middle of the line, as a share of its length.
         /// </summary>
         private const double k_TriangleShare = 0.575, k_OffMiddle = 0.01;
 
         /// <summary>Confidence in the end opposite the shortest side.</summary>
         private const double k_TriangleConfidence = 0.85;
 
-        /// <summary>Rays by which one looks around at an end, and how far the room around it goes, a share of the outline's extent.</summary>
+        /// <summary>Number of rays cast from an end, and radius of the room around it, as a share of the outline's extent.</summary>
         private const int k_Rays = 720;
         private const double k_Reach = 0.25;
 
-        /// <summary>The room around an end counts as divided by this power of the share of the wing that is seen from there.</summary>
+        /// <summary>Power of the visible share of the wing by which the room around an end is divided.</summary>
         private const double k_SeenPower = 3.0;
 
-        /// <summary>Least share that counts as seen: from the point of a needle one sees nothing.</summary>
+        /// <summary>Least visible share: from the point of a needle nothing is visible.</summary>
         private const double k_LeastSeen = 0.05;
 
         private PointedEnd(PlanPoint place, double confidence)
@@ -42,7 +42,7 @@ namespace Alate.Authoring
             Confidence = confidence;
         }
 
-        /// <summary>The end, on the outline.</summary>
+        /// <summary>Place of the end on the outline.</summary>
         public PlanPoint Place { get; }
 
         /// <summary>Confidence that this end is the hinge, 0 to 1.</summary>

@@ -2,16 +2,16 @@ using System;
 
 namespace Alate.Authoring
 {
-    /// <summary>How far the pixels of a picture stand out from its ground, and where that makes the rim of a wing.</summary>
+    /// <summary>Contrast of the pixels of a picture to its ground, and the rim of a wing that follows.</summary>
     internal sealed class EdgeContrast
     {
-        /// <summary>Above 0 where a pixel is one of the wing's, shades.</summary>
+        /// <summary>Contrast above the threshold, shades; positive where a pixel belongs to the wing.</summary>
         public readonly PixelPlane excess;
 
-        /// <summary>The rim lies where the contrast to the ground is this share of the highest one nearby: halfway through a blurred edge.</summary>
+        /// <summary>Contrast at the rim, as a share of the highest one nearby: halfway through a blurred edge.</summary>
         private const float k_EdgeShare = 0.5f;
 
-        /// <summary>An edge is clear where the contrast behind it is this many times what the ground's own noise may reach.</summary>
+        /// <summary>Least contrast behind a clear edge, in multiples of the ground's own noise.</summary>
         private const double k_Clear = 1.5;
 
         private readonly PixelPlane m_Highest;

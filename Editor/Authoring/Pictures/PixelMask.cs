@@ -18,7 +18,7 @@ namespace Alate.Authoring
             m_Pixels = new bool[width * height];
         }
 
-        /// <summary>Pixels in the set.</summary>
+        /// <summary>Number of pixels in the set.</summary>
         public int Count
         {
             get
@@ -36,7 +36,7 @@ namespace Alate.Authoring
             set => m_Pixels[row * width + column] = value;
         }
 
-        /// <summary>Whether a pixel is in the set; those outside the picture are not.</summary>
+        /// <summary>Returns true where a pixel is in the set; pixels outside the picture are not.</summary>
         public bool Contains(int column, int row) => column >= 0 && row >= 0 && column < width && row < height && this[column, row];
 
         public PixelMask Copy()
@@ -46,13 +46,15 @@ namespace Alate.Authoring
             return copy;
         }
 
-        /// <summary>All pixels within a distance of one in the set.</summary>
+        /// <summary>Set grown to all pixels within a distance.</summary>
         public PixelMask Grown(double radius) => Within(radius, true);
 
-        /// <summary>All pixels further than a distance from every one that is not in the set; the picture's rim does not count as such.</summary>
+        /// <summary>
+        /// Set shrunk to all pixels further than a distance from every pixel outside; the picture's rim does not count as outside.
+        /// </summary>
         public PixelMask Shrunk(double radius) => Within(radius, false);
 
-        /// <summary>The set with all that it encloses.</summary>
+        /// <summary>Set with its holes filled.</summary>
         public PixelMask Filled()
         {
             var outside = new PixelMask(width, height);
@@ -84,7 +86,7 @@ namespace Alate.Authoring
             return filled;
         }
 
-        /// <summary>The parts whose pixels touch by a side or a corner, the largest first.</summary>
+        /// <summary>Parts whose pixels touch by a side or a corner, the largest first.</summary>
         public List<PixelPart> Parts()
         {
             var parts = new List<PixelPart>();

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Alate.Authoring
 {
-    /// <summary>Pixels that hang together.</summary>
+    /// <summary>Connected pixels of a set.</summary>
     internal sealed class PixelPart
     {
         private readonly List<int> m_Pixels = new List<int>();
@@ -30,11 +30,11 @@ namespace Alate.Authoring
             m_Bottom = Math.Max(m_Bottom, row);
         }
 
-        /// <summary>How many of the four sides of a picture the part reaches.</summary>
+        /// <summary>Number of the four sides of a picture that the part reaches.</summary>
         public int SidesReached(int height) =>
             (m_Left == 0 ? 1 : 0) + (m_Top == 0 ? 1 : 0) + (m_Right == m_Width - 1 ? 1 : 0) + (m_Bottom == height - 1 ? 1 : 0);
 
-        /// <summary>Whether something holds for any of the pixels, by column and row.</summary>
+        /// <summary>Returns true where a condition on column and row holds for any of the pixels.</summary>
         public bool Any(Func<int, int, bool> holds) => m_Pixels.Exists(at => holds(at % m_Width, at / m_Width));
 
         public void AddTo(PixelMask mask)

@@ -2,13 +2,13 @@ using System;
 
 namespace Alate.Authoring
 {
-    /// <summary>One number a pixel; rows from top to bottom.</summary>
+    /// <summary>Plane of one number a pixel; rows from top to bottom.</summary>
     internal sealed class PixelPlane
     {
         public readonly int width;
         public readonly int height;
 
-        /// <summary>[row * width + column]</summary>
+        /// <summary>[row * width + column] Number of a pixel.</summary>
         public readonly float[] values;
 
         public PixelPlane(int width, int height)
@@ -24,7 +24,7 @@ namespace Alate.Authoring
             set => values[row * width + column] = value;
         }
 
-        /// <summary>The plane convolved with a Gaussian bell; at the rim the last pixels go on.</summary>
+        /// <summary>Convolves the plane with a Gaussian bell; the last pixels continue beyond the rim.</summary>
         /// <param name="sigma">Width of the bell, pixels.</param>
         public PixelPlane Blurred(double sigma)
         {

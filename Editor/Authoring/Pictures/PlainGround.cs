@@ -4,29 +4,29 @@ using System.Collections.Generic;
 namespace Alate.Authoring
 {
     /// <summary>
-    /// The colour of the ground behind a wing, which may change smoothly over the picture: a quadratic surface for each channel, fitted so that pixels
-    /// of the wing among those of the ground do not count.
+    /// Colour of the ground behind a wing, which may change smoothly over the picture: a quadratic surface for each channel, fitted so that
+    /// pixels of the wing among those of the ground do not count.
     /// </summary>
     internal sealed class PlainGround
     {
         /// <summary>Width of the border that is taken for ground at first, as a share of the shorter side.</summary>
         private const double k_BorderShare = 0.02;
 
-        /// <summary>Most pixels that a fit looks at.</summary>
+        /// <summary>Largest number of pixels in a fit.</summary>
         private const int k_MostSamples = 6000;
 
         private const int k_Rounds = 12;
 
-        /// <summary>Pixels further away than this many robust standard deviations do not count (Tukey's biweight).</summary>
+        /// <summary>Distance beyond which a pixel does not count, in robust standard deviations (Tukey's biweight).</summary>
         private const double k_TukeyReach = 4.7;
 
-        /// <summary>Least spread that is assumed, shades: pictures hold whole ones.</summary>
+        /// <summary>Least assumed spread, shades: pictures hold whole ones.</summary>
         private const double k_LeastSpread = 0.7;
 
         /// <summary>The spread of a normal distribution over its median absolute deviation.</summary>
         private const double k_SpreadOverMedian = 1.4826;
 
-        /// <summary>Spreads above the ground's median distance from which on a pixel is surely no ground.</summary>
+        /// <summary>Distance above the ground's median at which a pixel is surely no ground, in spreads.</summary>
         private const double k_SureSpreads = 6.0;
 
         /// <summary>Least distance, shades, at which a pixel is told from the ground.</summary>
@@ -43,13 +43,15 @@ namespace Alate.Authoring
             m_Surfaces = Array.ConvertAll(channels, channel => new SmoothSurface(channel.width, channel.height));
         }
 
-        /// <summary>How far the colour of each pixel is from the ground's: the root of the mean squared difference of the channels, shades.</summary>
+        /// <summary>
+        /// Distance of the colour of each pixel from the ground's: the root of the mean squared difference of the channels, shades.
+        /// </summary>
         public PixelPlane Distance => m_Distance;
 
         /// <summary>Distance below which a pixel may well be ground, shades.</summary>
         public double Noise { get; private set; }
 
-        /// <summary>The ground as the picture's border shows it.</summary>
+        /// <summary>Fits the ground to the picture's border.</summary>
         public static PlainGround FromBorder(params PixelPlane[] channels)
         {
             int width = channels[0].width, height = channels[0].height;
@@ -57,7 +59,7 @@ namespace Alate.Authoring
             return From((column, row) => column < band || row < band || column >= width - band || row >= height - band, channels);
         }
 
-        /// <summary>The ground as all pixels outside a mask show it.</summary>
+        /// <summary>Fits the ground to all pixels outside a mask.</summary>
         public static PlainGround Outside(PixelMask wing, params PixelPlane[] channels) => From((column, row) => !wing[column, row], channels);
 
         private static PlainGround From(Func<int, int, bool> isGround, PixelPlane[] channels)

@@ -7,7 +7,7 @@ namespace Alate.Authoring
     {
         private const int k_Terms = 6;
 
-        /// <summary>Added to the diagonal, for pixels that all lie in a line; far below what a hundredth of a shade needs.</summary>
+        /// <summary>Number added to the diagonal, for pixels that all lie in a line; far below what a hundredth of a shade needs.</summary>
         private const double k_Damping = 1e-9;
 
         private readonly double[,] m_Normal = new double[k_Terms, k_Terms];
@@ -25,10 +25,10 @@ namespace Alate.Authoring
             m_ScaleY = 2.0 / height;
         }
 
-        /// <summary>The polynomial at a pixel.</summary>
+        /// <summary>Value of the polynomial at a pixel.</summary>
         public double At(int column, int row) => RowAt(row).At(column);
 
-        /// <summary>The polynomial along a row.</summary>
+        /// <summary>Polynomial along a row.</summary>
         public Row RowAt(int row)
         {
             double y = row * m_ScaleY - 1.0;
@@ -54,7 +54,7 @@ namespace Alate.Authoring
             }
         }
 
-        /// <summary>Fits to the pixels added since the last fit.</summary>
+        /// <summary>Fits the polynomial to the pixels added since the last fit.</summary>
         public void Fit()
         {
             for (int k = 0; k < k_Terms; k++)

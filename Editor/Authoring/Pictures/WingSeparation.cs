@@ -7,36 +7,39 @@ namespace Alate.Authoring
     /// <summary>Tells the one wing of a picture from the ground behind it.</summary>
     internal sealed class WingSeparation
     {
-        /// <summary>Width of the bell by which noise is smoothed, pixels, and as a share of the longer side where that is more.</summary>
+        /// <summary>Least width of the bell that smooths noise, pixels, and its width as a share of the longer side.</summary>
         private const double k_LeastBlur = 0.8, k_BlurShare = 0.0012;
 
-        /// <summary>Contrast of a half transparent pixel must be above this for it to be looked at, shades.</summary>
+        /// <summary>Least contrast of alpha, shades, at which a half transparent pixel counts.</summary>
         private const double k_AlphaNoise = 32.0;
 
         /// <summary>
-        /// Half widths of gaps in a drawn outline, shares of the longer side, and how many times as large the enclosed area must become for them to be closed.
+        /// Half widths of gaps in a drawn outline, shares of the longer side, with the gain in enclosed area from which on they are closed.
         /// </summary>
         private static readonly (double Share, double Gain)[] s_Gaps = { (0.004, 1.02), (0.012, 1.08), (0.03, 1.3) };
 
-        /// <summary>What covers more than this share of the area that it encloses is no line drawing.</summary>
+        /// <summary>Share of the enclosed area that a line drawing covers at most.</summary>
         private const double k_Solid = 0.6;
 
         /// <summary>Half width of whiskers that are cut off, pixels.</summary>
         private const double k_Whisker = 1.0;
 
-        /// <summary>Parts above this share of the largest one count as wings of their own.</summary>
+        /// <summary>Area of a part over the largest one's, above which the part counts as another wing.</summary>
         private const double k_OtherWing = 0.25;
 
         /// <summary>Shortest wing, pixels.</summary>
         private const int k_ShortestWing = 40;
 
-        /// <summary>A wing is thicker than this share of its length over the second share of its area; lines are so only where some of them meet.</summary>
+        /// <summary>
+        /// Least thickness of a wing, as a share of its length, over a share of its area; lines are that thick only where some of them
+        /// meet.
+        /// </summary>
         private const double k_LeastThickness = 0.02, k_ThickShare = 0.5;
 
-        /// <summary>Largest share of the picture that a wing covers; more is a frame or ground that is not plain.</summary>
+        /// <summary>Largest share of the picture that a wing covers; more means a frame, or ground that is not plain.</summary>
         private const double k_MostCover = 0.92;
 
-        /// <summary>Width of a line around the picture that is passed over, as a share of the longer side.</summary>
+        /// <summary>Width of an ignored line around the picture, as a share of the longer side.</summary>
         private const double k_Frame = 0.01;
 
         private readonly EdgeContrast m_Contrast;
@@ -53,7 +56,9 @@ namespace Alate.Authoring
         /// <summary>Share of the wing's rim where it stands out from the ground clearly, 0 to 1.</summary>
         public double ClearRim => m_Contrast.ClearShareOfRim(Mask);
 
-        /// <summary>The middle of where the wing runs out of the picture, pixels, z minus the row; null where it does not.</summary>
+        /// <summary>
+        /// Middle of the side where the wing runs out of the picture, pixels, z minus the row; null where the wing is complete.
+        /// </summary>
         public PlanPoint? MiddleOfCut
         {
             get
@@ -92,7 +97,9 @@ namespace Alate.Authoring
             return Of(picture, new EdgeContrast(ground.Distance, ground.Noise, blur));
         }
 
-        /// <summary>Above 0 within the wing and below 0 outside, passing through 0 on its rim between the centres of two pixels.</summary>
+        /// <summary>
+        /// Field that is above 0 within the wing and below 0 outside, passing through 0 on its rim between the centres of two pixels.
+        /// </summary>
         public PixelPlane SignedField()
         {
             const float least = 0.5f;

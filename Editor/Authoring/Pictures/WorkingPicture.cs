@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate.Authoring
 {
-    /// <summary>A picture shrunk by a whole factor to a size at which a wing is traced in a moment, as planes from 0 to 255.</summary>
+    /// <summary>Picture shrunk by a whole factor to a size that is traced quickly, as planes from 0 to 255.</summary>
     internal sealed class WorkingPicture
     {
-        /// <summary>Longest side, pixels. A thousandth of a wing is far finer than any wing is meshed.</summary>
+        /// <summary>Longest side, pixels. A thousandth of a wing is far finer than the mesh of any wing.</summary>
         private const int k_LongestSide = 1400;
 
         /// <summary>Alpha below which a pixel counts as transparent.</summary>
@@ -22,7 +22,7 @@ namespace Alate.Authoring
             Alpha = new PixelPlane(width, height);
         }
 
-        /// <summary>Pixels of the picture along a side of one of these.</summary>
+        /// <summary>Number of pixels of the original along a side of one pixel here.</summary>
         public int Factor { get; }
 
         public PixelPlane Red { get; }
@@ -37,7 +37,7 @@ namespace Alate.Authoring
 
         public int Height => Alpha.height;
 
-        /// <summary>Whether the ground is transparent: most of the picture's border is.</summary>
+        /// <summary>True where most of the picture's border is transparent.</summary>
         public bool HasTransparentGround { get; private set; }
 
         public static WorkingPicture Of(WingPicture picture)

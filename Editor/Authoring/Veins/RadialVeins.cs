@@ -7,24 +7,29 @@ namespace Alate.Authoring
     /// <summary>Finds the veins that run from near the hinge to the margin among all that a picture shows.</summary>
     internal sealed class RadialVeins
     {
-        /// <summary>Share of the way from the hinge to the margin that must be seen.</summary>
+        /// <summary>Least share of the way from the hinge to the margin on which a vein is visible.</summary>
         private const double k_LeastCoverage = 0.55;
 
-        /// <summary>Share of the way that two veins may have in common and still be two.</summary>
+        /// <summary>Largest share of the way that two different veins have in common.</summary>
         private const double k_MostShared = 0.7;
 
-        /// <summary>Length over which a vein's direction at its end is taken, a share of the wing's length.</summary>
+        /// <summary>Length over which a vein's direction at its end is measured, as a share of the wing's length.</summary>
         private const double k_EndLength = 0.06;
 
-        /// <summary>Length at the end of a vein that is passed over, and distance from the margin beyond which it also turns outward; shares of the wing's length.</summary>
+        /// <summary>
+        /// Ignored length at the end of a vein, and distance from the margin beyond which that end turns outward; shares of the wing's
+        /// length.
+        /// </summary>
         private const double k_Bent = 0.015, k_FarRim = 0.08;
 
-        /// <summary>Cosine of the most that a vein may turn from the line from the hinge at its end; others run along the margin or across.</summary>
+        /// <summary>
+        /// Cosine of the largest angle between a vein's end and the line from the hinge; other veins run along the margin or across.
+        /// </summary>
         private const double k_LeastCosine = 0.5;
 
         /// <summary>
-        /// A line that keeps this close to the outline, a share of the wing's length and at most of its mean chord, over this share of its way is the
-        /// outline's own.
+        /// Distance from the outline, as a share of the wing's length and at most of its mean chord, and share of its way, within which a
+        /// line is the outline's own.
         /// </summary>
         private const double k_RimLine = 0.03, k_RimChord = 0.2, k_AlongRim = 0.6;
 
@@ -43,7 +48,7 @@ namespace Alate.Authoring
             m_Length = length;
         }
 
-        /// <summary>The veins, the best covered first. All places and lengths are in the pixels of the graph, z up.</summary>
+        /// <summary>Finds the veins, the best covered first. All places and lengths are in the pixels of the graph, z up.</summary>
         public static List<RadialVein> Find(VeinGraph graph, RimLine rim, PlanPoint hinge, double length)
         {
             var search = new RadialVeins(graph, rim, hinge, length);

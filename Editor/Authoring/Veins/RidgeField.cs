@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Alate.Authoring
 {
     /// <summary>
-    /// How much each pixel of a wing looks like the middle of a thin line: the curvature of the shades across it, at several widths, less that along it
-    /// (the eigenvalues of the Hessian matrix; Lindeberg, 1998).
+    /// Likeness of each pixel of a wing to the middle of a thin line: the curvature of the shades across it, at several widths, less that
+    /// along it (the eigenvalues of the Hessian matrix; Lindeberg, 1998).
     /// </summary>
     internal static class RidgeField
     {
@@ -13,7 +13,9 @@ namespace Alate.Authoring
         private static readonly double[] s_Widths = { 1.0, 1.8, 3.2 };
         private const double k_WidthShare = 0.0012;
 
-        /// <summary>Pixels so near to the rim, as a share of the wing's length, are left out: there lies the rim's own line.</summary>
+        /// <summary>
+        /// Distance from the rim, as a share of the wing's length, within which pixels are left out: the rim's own line lies there.
+        /// </summary>
         private const double k_RimShare = 0.012;
 
         /// <summary>Pixels of the rim that are mixed with ground, and width of the bell by which shades go on beyond them, pixels.</summary>
@@ -22,10 +24,10 @@ namespace Alate.Authoring
         /// <summary>Share of the pixels with the strongest response by which dark and bright lines are compared.</summary>
         private const double k_Strongest = 0.03;
 
-        /// <summary>One pixel of so many takes part in that; prime, so that no column is favoured.</summary>
+        /// <summary>Step between the pixels of that comparison; prime, so that no column is favoured.</summary>
         private const int k_SampleStep = 7;
 
-        /// <summary>The field, in shades of contrast, for dark lines or for bright ones, whichever stand out more.</summary>
+        /// <summary>Computes the field, in shades of contrast, for dark lines or for bright ones, whichever stand out more.</summary>
         public static PixelPlane Of(WorkingPicture picture, PixelMask wing, double length)
         {
             PixelPlane shades = Shades(picture, wing);

@@ -3,7 +3,10 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>Places on an outline counted from the tip of the first chain towards that of the last one, round the tip of the wing and not its base.</summary>
+    /// <summary>
+    /// Order of places on an outline from the tip of the first chain towards that of the last one, round the tip of the wing and not its
+    /// base.
+    /// </summary>
     internal sealed class RimOrder
     {
         private readonly RimLine m_Rim;
@@ -24,7 +27,7 @@ namespace Alate.Authoring
             m_Base = Wrapped(m_Sign * (root - m_Start));
         }
 
-        /// <summary>How far behind the first chain's tip a place of the outline lies; negative ahead of it, on the leading edge.</summary>
+        /// <summary>Distance of a place of the outline behind the first chain's tip; negative ahead of it, on the leading edge.</summary>
         public double Of(double rimDistance)
         {
             double behind = Wrapped(m_Sign * (rimDistance - m_Start));

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Alate.Authoring
 {
-    /// <summary>Thins a set of pixels to lines of single ones that hang together as it did (Guo and Hall, 1989).</summary>
+    /// <summary>Thins a set of pixels to connected lines of single pixels (Guo and Hall, 1989).</summary>
     internal static class Thinning
     {
         public static PixelMask Run(PixelMask mask)

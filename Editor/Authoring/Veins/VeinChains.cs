@@ -4,13 +4,15 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>Lays the chains of a skeleton along the veins that were chosen for them, and the others between those.</summary>
+    /// <summary>Lays the chains of a skeleton along the veins that were chosen for them, and the other chains between those.</summary>
     internal sealed class VeinChains
     {
-        /// <summary>A chain follows its vein from where that has come so far from the hinge and from the other veins; shares of the wing's length.</summary>
+        /// <summary>
+        /// Distance of a vein from the hinge and from the other veins from which on its chain follows it; shares of the wing's length.
+        /// </summary>
         private const double k_FromHinge = 0.06, k_FromOthers = 0.025;
 
-        /// <summary>On slender wings the latter is less: a share of the mean distance between chains.</summary>
+        /// <summary>Distance from the other veins on slender wings, as a share of the mean distance between chains.</summary>
         private const double k_FromNeighbours = 0.35;
 
         /// <summary>The tip stays inside the outline by this share of the wing's length.</summary>
@@ -22,7 +24,10 @@ namespace Alate.Authoring
         /// <summary>Share of a chain that surely lies within the wing.</summary>
         private const double k_Begin = 0.3;
 
-        /// <summary>Steps of a vein that tell where it comes from, and how far from the wing's base, in wing lengths, that may be.</summary>
+        /// <summary>
+        /// Number of steps of a vein that give its direction at the hinge, and largest distance of its line from the wing's base, in wing
+        /// lengths.
+        /// </summary>
         private const int k_RootSteps = 8;
         private const double k_OffBase = 0.03;
 

@@ -4,10 +4,10 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>Chooses which chain follows which vein, in order from the leading to the trailing edge (dynamic programming).</summary>
+    /// <summary>Chooses the vein that each chain follows, in order from the leading to the trailing edge (dynamic programming).</summary>
     internal static class VeinChoice
     {
-        /// <summary>Furthest that the tip of a chain moves to meet a vein, in mean distances between tips.</summary>
+        /// <summary>Largest movement of a chain's tip to meet a vein, in mean distances between tips.</summary>
         private const double k_Reach = 1.4;
 
         /// <summary>Least distance between the tips of chains on veins, in mean distances between tips.</summary>

@@ -4,10 +4,12 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>Finds the hinge as the place on the outline from which the lines of the wing run away: veins come together there.</summary>
+    /// <summary>
+    /// Finds the hinge as the place on the outline from which the lines of the wing run away, because veins come together there.
+    /// </summary>
     internal static class VeinFocus
     {
-        /// <summary>Places of the outline that are looked at.</summary>
+        /// <summary>Number of places of the outline that are tried.</summary>
         private const int k_Places = 160;
 
         /// <summary>Pixels over which a line's direction is taken, as a share of the wing's extent.</summary>
@@ -16,16 +18,18 @@ namespace Alate.Authoring
         /// <summary>Sine of the angle within which a line counts as running away from a place.</summary>
         private const double k_Sine = 0.2;
 
-        /// <summary>Least share of all lines that must run away from the hinge, and how much more than from any place far from it.</summary>
+        /// <summary>
+        /// Least share of all lines that run away from the hinge, and factor by which it exceeds that of any place far from it.
+        /// </summary>
         private const double k_LeastShare = 0.45, k_Lead = 1.25;
 
         /// <summary>Least length of all lines, in extents of the wing.</summary>
         private const double k_LeastLength = 1.0;
 
-        /// <summary>Places further away than this share of the extent are far.</summary>
+        /// <summary>Distance, as a share of the extent, above which places are far.</summary>
         private const double k_Far = 0.3;
 
-        /// <summary>The hinge, in the graph's pixels; null when the lines do not tell.</summary>
+        /// <summary>Finds the hinge, in the graph's pixels; null when the lines do not tell.</summary>
         public static PlanPoint? Find(VeinGraph graph, RimLine rim, double extent)
         {
             if (graph.Count < k_LeastLength * extent)

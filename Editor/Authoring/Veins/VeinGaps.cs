@@ -4,7 +4,7 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>Bridges the gaps of veins: each end, and each fork from which no line goes on, is joined to what lies straight ahead.</summary>
+    /// <summary>Bridges the gaps of veins: joins each end, and each fork from which no line goes on, to the line straight ahead.</summary>
     internal sealed class VeinGaps
     {
         /// <summary>Longest gap that is bridged, a share of the wing's length.</summary>
@@ -13,7 +13,10 @@ namespace Alate.Authoring
         /// <summary>Cost of a gap that lies in a vein's way and of one that does not, over that of a vein as long.</summary>
         private const double k_Straight = 1.5, k_Sideways = 2.5;
 
-        /// <summary>Stretch before a gap that tells where a vein goes, as a share of the longest gap, and cosine within which that is.</summary>
+        /// <summary>
+        /// Length of the stretch before a gap that gives a vein's direction, as a share of the longest gap, and cosine within which the gap
+        /// must lie.
+        /// </summary>
         private const double k_Stretch = 0.4, k_Cosine = 0.9;
 
         /// <summary>Stretch at the end of a vein that is bent sideways, as ridges are at a line's end; a share of the longest gap.</summary>
@@ -39,7 +42,7 @@ namespace Alate.Authoring
             }
         }
 
-        /// <summary>Joins what the gaps of a graph part.</summary>
+        /// <summary>Joins the lines that the gaps of a graph part.</summary>
         /// <param name="graph">Without bridges.</param>
         /// <param name="length">Of the wing, pixels of the graph.</param>
         public static void Bridge(VeinGraph graph, double length)

@@ -25,16 +25,16 @@ namespace Alate.Authoring
             VeinGaps.Bridge(this, length);
         }
 
-        /// <summary>Pixels.</summary>
+        /// <summary>Number of pixels.</summary>
         public int Count => m_Places.Count;
 
-        /// <summary>Where a pixel's centre lies, pixels; z is minus the row.</summary>
+        /// <summary>Centre of a pixel, pixels; z is minus the row.</summary>
         public PlanPoint this[int vertex] => m_Places[vertex];
 
         /// <summary>The pixels that a pixel is joined to.</summary>
         public IReadOnlyList<VeinLink> LinksOf(int vertex) => m_Links[vertex];
 
-        /// <summary>Whether veins end or meet at a pixel.</summary>
+        /// <summary>Returns true where veins end or meet at a pixel.</summary>
         public bool IsNode(int vertex) => LinesAt(vertex) != 2;
 
         /// <summary>The pixel that lies some steps along a vein, or before them where it ends or meets others.</summary>
@@ -53,7 +53,7 @@ namespace Alate.Authoring
             return at;
         }
 
-        /// <summary>How many lines run from a pixel; bridges are no lines of the picture.</summary>
+        /// <summary>Number of lines that run from a pixel; bridges are no lines of the picture.</summary>
         public int LinesAt(int vertex)
         {
             int lines = 0;

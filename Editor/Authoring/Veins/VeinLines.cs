@@ -4,7 +4,7 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>The lines within a wing in a picture, which are its veins; places in pixels of the whole picture, z up.</summary>
+    /// <summary>Lines within a wing in a picture, which are its veins; places in pixels of the whole picture, z up.</summary>
     internal sealed class VeinLines
     {
         private readonly VeinGraph m_Graph;
@@ -24,7 +24,7 @@ namespace Alate.Authoring
             m_Graph = new VeinGraph(Thinning.Run(lines), m_Extent);
         }
 
-        /// <summary>Where the veins come together; null when they do not tell.</summary>
+        /// <summary>Place where the veins come together; null when they do not tell.</summary>
         public PlanPoint? Focus => VeinFocus.Find(m_Graph, m_Rim, m_Extent) is PlanPoint focus ? focus * m_Factor : (PlanPoint?)null;
 
         /// <summary>The veins from near the hinge to the margin, the best seen first.</summary>

@@ -6,7 +6,7 @@ namespace Alate.Authoring
         public readonly int to;
         public readonly double length;
 
-        /// <summary>Cost of its length over that of a step along a vein; above 1 for one that leads over a gap.</summary>
+        /// <summary>Cost of the link's length over that of a step along a vein; above 1 for one that leads over a gap.</summary>
         public readonly double dearness;
 
         public VeinLink(int to, double length, double dearness)

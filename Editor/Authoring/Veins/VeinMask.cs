@@ -6,19 +6,19 @@ namespace Alate.Authoring
     /// <summary>The pixels that lie on veins: a response above a threshold, or above a lower one and joined to such.</summary>
     internal static class VeinMask
     {
-        /// <summary>Least response of a vein, shades, and in middle ones of the whole wing.</summary>
+        /// <summary>Least response of a vein, in shades, and in medians of the whole wing.</summary>
         private const float k_LeastContrast = 3f, k_Middles = 5f;
 
         /// <summary>Response of faint stretches over that of sure ones.</summary>
         private const float k_Faint = 0.45f;
 
-        /// <summary>Share of the wing that faint stretches may cover; with more, only the strongest count.</summary>
+        /// <summary>Largest share of the wing that faint stretches may cover; with more, only the strongest count.</summary>
         private const double k_MostCover = 0.28;
 
         /// <summary>Shortest vein, as a share of the wing's length.</summary>
         private const double k_Shortest = 0.06;
 
-        /// <summary>One pixel of so many tells the wing's own response; prime, so that no column is favoured.</summary>
+        /// <summary>Step between the pixels that give the wing's own response; prime, so that no column is favoured.</summary>
         private const int k_SampleStep = 7;
 
         /// <summary>The mask; empty when the wing shows no lines.</summary>

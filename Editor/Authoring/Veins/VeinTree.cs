@@ -4,7 +4,9 @@ using Alate.Geometry;
 
 namespace Alate.Authoring
 {
-    /// <summary>The shortest way from the hinge to every pixel of the veins (Dijkstra, 1959), where ground off the veins is dear.</summary>
+    /// <summary>
+    /// Finds the shortest way from the hinge to every pixel of the veins (Dijkstra, 1959), where ground off the veins is costly.
+    /// </summary>
     internal sealed class VeinTree
     {
         /// <summary>Cost of the way from the hinge to the first vein over that of one as long on veins.</summary>

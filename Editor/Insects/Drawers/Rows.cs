@@ -8,13 +8,13 @@ namespace Alate.Editor
     {
         private Rect m_Rest;
 
-        /// <summary>The lines of a rect.</summary>
+        /// <summary>Starts with the first line of a rect.</summary>
         public Rows(Rect position)
         {
             m_Rest = position;
         }
 
-        /// <summary>Height of so many lines of one field each.</summary>
+        /// <summary>Height of a number of lines of one field each.</summary>
         public static float HeightOf(int lines) =>
             lines * EditorGUIUtility.singleLineHeight + Mathf.Max(lines - 1, 0) * EditorGUIUtility.standardVerticalSpacing;
 

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Draws a struct below a foldout: those of its fields that matter as its other fields are, each with its own tooltip.</summary>
+    /// <summary>
+    /// Draws a struct below a foldout: only the fields that matter for the values of the others, each with its own tooltip.
+    /// </summary>
     internal abstract class RowsDrawer : PropertyDrawer
     {
         private readonly List<SerializedProperty> m_Rows = new List<SerializedProperty>();
@@ -12,7 +14,7 @@ namespace Alate.Editor
         /// <summary>Adds the fields to show now, from top to bottom.</summary>
         protected abstract void ListRows(SerializedProperty property, List<SerializedProperty> rows);
 
-        /// <summary>What the foldout says.</summary>
+        /// <summary>Label of the foldout.</summary>
         protected virtual GUIContent Title(SerializedProperty property, GUIContent label) => label;
 
         /// <summary>Draws a field.</summary>

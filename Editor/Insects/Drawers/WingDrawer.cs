@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Draws a <see cref="Wing"/> of the list: named by what it is, with the one field that says which part of the mesh it is.</summary>
+    /// <summary>Draws a <see cref="Wing"/> of the list: with its name, and the one field that selects the part of the mesh.</summary>
     [CustomPropertyDrawer(typeof(Wing))]
     internal sealed class WingDrawer : RowsDrawer
     {

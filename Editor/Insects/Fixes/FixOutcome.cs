@@ -1,6 +1,6 @@
 namespace Alate.Editor
 {
-    /// <summary>What a fix has done, or why it has not.</summary>
+    /// <summary>Outcome of a fix: success, or the reason for a refusal.</summary>
     internal readonly struct FixOutcome
     {
         private FixOutcome(bool isDone, string message)
@@ -9,16 +9,16 @@ namespace Alate.Editor
             Message = message;
         }
 
-        /// <summary>Whether something was changed.</summary>
+        /// <summary>True where something was changed.</summary>
         public bool IsDone { get; }
 
-        /// <summary>One or two sentences for the user; empty when there is nothing to add to what he sees.</summary>
+        /// <summary>Message of one or two sentences for the user; empty when there is nothing to add.</summary>
         public string Message { get; }
 
         /// <summary>Outcome of a fix that worked.</summary>
         public static FixOutcome Done(string message = "") => new FixOutcome(true, message);
 
-        /// <summary>Nothing was changed.</summary>
+        /// <summary>Outcome of a fix that changed nothing.</summary>
         public static FixOutcome Refused(string reason) => new FixOutcome(false, reason);
     }
 }

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>Which fixes there are for which state.</summary>
+    /// <summary>Table of the fixes for each state.</summary>
     internal static class InsectFixes
     {
         private static readonly InsectFix[] s_None = new InsectFix[0];
@@ -14,7 +14,7 @@ namespace Alate.Editor
         private static readonly InsectFix s_LayOutSkeletons = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
         private static readonly InsectFix s_OpenSkeleton = new OpenSkeletonFix();
 
-        /// <summary>The fixes for a problem, the best one first; none where only the user can know what is right.</summary>
+        /// <summary>Fixes for a problem, the best one first; none where only the user can know the remedy.</summary>
         public static IReadOnlyList<InsectFix> For(InsectWings insect, in InsectProblem problem)
         {
             switch (problem.State)

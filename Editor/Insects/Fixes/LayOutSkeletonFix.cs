@@ -18,7 +18,7 @@ namespace Alate.Editor
             m_Ask = ask;
         }
 
-        /// <summary>As play begins does it.</summary>
+        /// <summary>Fits a skeleton as at the beginning of play.</summary>
         public static SkeletonFit Fit(in WingSurface surface, Transform insect, Transform mesh) => new AutomaticSkeleton(insect, mesh).FitWithNotes(surface);
 
         /// <inheritdoc/>

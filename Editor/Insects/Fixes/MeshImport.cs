@@ -7,7 +7,7 @@ namespace Alate.Editor
     /// <summary>Turns on Read/Write in the import settings of meshes.</summary>
     internal static class MeshImport
     {
-        /// <summary>Why a mesh that cannot be read cannot be made readable from here either; null when it can.</summary>
+        /// <summary>Reason why a mesh that cannot be read cannot be made readable from here either; null when it can.</summary>
         public static string FindObstacle(Mesh mesh)
         {
             string path = AssetDatabase.GetAssetPath(mesh);

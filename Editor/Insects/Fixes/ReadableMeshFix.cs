@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Makes all wing meshes readable that come from models; says what to do about the others.</summary>
+    /// <summary>Makes all wing meshes readable that come from models; names the remedy for the others.</summary>
     internal sealed class ReadableMeshFix : InsectFix
     {
         /// <inheritdoc/>

@@ -6,7 +6,10 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor
 {
-    /// <summary>Makes plain renderers of wings that bones move, saves their meshes as an asset and puts them into the list; the body stays skinned.</summary>
+    /// <summary>
+    /// Converts wings that bones move to plain renderers, saves their meshes as an asset and puts them into the list; the body stays
+    /// skinned.
+    /// </summary>
     internal sealed class SkinnedWingsFix : InsectFix
     {
         private readonly AskForPath m_Ask;

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The joints of a wing in the world, as they are drawn or at rest, and when the wave reaches each.</summary>
+    /// <summary>World positions of the joints of a wing, as drawn or at rest, and the time at which the wave reaches each.</summary>
     internal sealed class ChainSketch
     {
         private readonly Vector3[] m_Joints;
@@ -19,19 +19,21 @@ namespace Alate.Editor
             m_Delays = new float[chains * joints];
         }
 
-        /// <summary>Chains; 0 is the leading edge.</summary>
+        /// <summary>Number of chains; 0 is the leading edge.</summary>
         public int ChainCount { get; }
 
-        /// <summary>Joints of each; 0 is the root.</summary>
+        /// <summary>Number of joints of each chain; 0 is the root.</summary>
         public int JointsPerChain { get; }
 
         /// <summary>World position of a joint.</summary>
         public Vector3 Joint(int chain, int joint) => m_Joints[chain * JointsPerChain + joint];
 
-        /// <summary>When the wave reaches a joint: 0 first, 1 last of the wing.</summary>
+        /// <summary>Delay with which the wave reaches a joint: 0 first, 1 last of the wing.</summary>
         public float Delay(int chain, int joint) => m_Delays[chain * JointsPerChain + joint];
 
-        /// <summary>A wing of an insect: as it lives now, else its skeleton at rest; null where it has none that can be used.</summary>
+        /// <summary>
+        /// Sketches a wing of an insect: its living pose, else its skeleton at rest; null where it has none that can be used.
+        /// </summary>
         public static ChainSketch Of(InsectWings insect, int wing)
         {
             WingPreset own = insect.Wings[wing].Preset;

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The colours of gizmos; told apart also by who does not tell red from green.</summary>
+    /// <summary>Colours of gizmos, which can be told apart without telling red from green.</summary>
     internal static class GizmoColours
     {
         private static readonly Color s_Early = new Color(1f, 0.76f, 0.22f), s_Middle = new Color(0.87f, 0.35f, 0.43f), s_Late = new Color(0.27f, 0.36f, 0.87f);
@@ -11,7 +11,7 @@ namespace Alate.Editor
         public static readonly Color Load = new Color(0.35f, 0.85f, 0.95f, 0.6f), Force = new Color(0.2f, 0.9f, 1f);
         public static readonly Color Velocity = new Color(1f, 1f, 1f, 0.9f), Wind = new Color(0.6f, 0.8f, 1f, 0.9f), Bounds = new Color(0.7f, 0.7f, 0.7f, 0.5f);
 
-        /// <summary>By when the wave arrives: 0 yellow, with the root of the leading edge; 1 blue, last of all.</summary>
+        /// <summary>Colour of a delay: 0 yellow, with the root of the leading edge; 1 blue, last of all.</summary>
         public static Color Delay(float delay)
         {
             float t = Mathf.Clamp01(delay);

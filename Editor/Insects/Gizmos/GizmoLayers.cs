@@ -2,7 +2,7 @@ using System;
 
 namespace Alate.Editor
 {
-    /// <summary>What is drawn over a selected insect in the scene view.</summary>
+    /// <summary>Layers of gizmos over a selected insect in the scene view.</summary>
     [Flags]
     internal enum GizmoLayers
     {

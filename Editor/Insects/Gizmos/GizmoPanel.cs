@@ -19,7 +19,7 @@ namespace Alate.Editor
             };
         }
 
-        /// <summary>Takes the next lines of the inspector.</summary>
+        /// <summary>Draws the next lines of the inspector.</summary>
         public void Draw()
         {
             GizmoLayers layers = GizmoSettings.Layers, chosen = layers;

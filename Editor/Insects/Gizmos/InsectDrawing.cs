@@ -3,13 +3,13 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Draws what is to be seen of an insect: joints, axes, forces, motion, bounds. At rest where it does not live.</summary>
+    /// <summary>Draws the layers of an insect: joints, axes, forces, motion, bounds; at rest where the wings do not live.</summary>
     internal static class InsectDrawing
     {
         /// <summary>Length of an axis over that of the leading edge.</summary>
         private const float k_AxisShare = 0.35f;
 
-        /// <summary>Length of a patch's force: so many wing lengths for the weight of the insect spread evenly over the patches.</summary>
+        /// <summary>Length of the arrow, in wing lengths, for a patch's even share of the insect's weight.</summary>
         private const float k_LoadShare = 0.15f;
 
         /// <summary>Length of an arrow's head over that of the arrow.</summary>

@@ -2,7 +2,7 @@ using UnityEditor;
 
 namespace Alate.Editor
 {
-    /// <summary>Gizmos of selected insects.</summary>
+    /// <summary>Draws the gizmos of selected insects.</summary>
     internal static class InsectGizmos
     {
         private static readonly ScenePen s_Pen = new ScenePen();

@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace Alate.Editor
 {
-    /// <summary>Lets wings keep the loads of their patches while they are drawn, and no longer than the insect is selected.</summary>
+    /// <summary>Records the loads of the patches of wings while they are drawn, and no longer than the insect is selected.</summary>
     internal static class LoadRecording
     {
         private static readonly HashSet<InsectWings> s_Recorded = new HashSet<InsectWings>();
@@ -13,7 +13,7 @@ namespace Alate.Editor
             Selection.selectionChanged += StopUnselected;
         }
 
-        /// <summary>Starts or stops keeping a wing's loads.</summary>
+        /// <summary>Starts or stops recording a wing's loads.</summary>
         public static void Set(InsectWings insect, int wing, bool on)
         {
             WingSystem.Crowd.World.RecordPatches(insect.Live.wings[wing].handle, on);
@@ -21,7 +21,7 @@ namespace Alate.Editor
                 s_Recorded.Add(insect);
         }
 
-        /// <summary>Stops for all insects that are not selected any more.</summary>
+        /// <summary>Stops recording for all insects that are not selected any more.</summary>
         private static void StopUnselected()
         {
             s_Recorded.RemoveWhere(insect =>

@@ -36,7 +36,7 @@ namespace Alate.Editor
             m_Curve = new GraphCurve(capacity);
         }
 
-        /// <summary>Takes the next lines of the inspector.</summary>
+        /// <summary>Draws the next lines of the inspector.</summary>
         /// <param name="trace">The last beats.</param>
         /// <param name="lag">Beats by which the value lay back when it was sampled.</param>
         public void Draw(BeatTrace trace, double lag)

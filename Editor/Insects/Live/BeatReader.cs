@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Reads off a living insect what the graphs show.</summary>
+    /// <summary>Reads the samples that the graphs show from a living insect.</summary>
     internal static class BeatReader
     {
-        /// <summary>A sample of now; false while the wings do not live.</summary>
+        /// <summary>Reads the current sample; false while the wings do not live.</summary>
         public static bool TryRead(InsectWings insect, out BeatSample sample)
         {
             sample = default;
@@ -18,7 +18,7 @@ namespace Alate.Editor
             return true;
         }
 
-        /// <summary>Beats by which the air force lies back: it is the mean over the last step.</summary>
+        /// <summary>Number of beats by which the air force lies back, because it is the mean over the last step.</summary>
         public static double ForceLag(InsectWings insect)
         {
             switch (insect.UpdateMode)
@@ -33,8 +33,8 @@ namespace Alate.Editor
         }
 
         /// <summary>
-        /// Degrees by which the leading edge's tip stands above the plane of the wing at rest, as seen along the body: deformed, so that it lags and overshoots what
-        /// the muscles drive.
+        /// Angle of the leading edge's tip above the plane of the wing at rest, degrees, as seen along the body: deformed, so that it lags
+        /// and overshoots the driven angle.
         /// </summary>
         public static float FlapAngle(in WingReading wing)
         {

@@ -1,9 +1,9 @@
 namespace Alate.Editor
 {
-    /// <summary>What an insect did at one time.</summary>
+    /// <summary>Sample of an insect's beat at one time.</summary>
     internal readonly struct BeatSample
     {
-        /// <summary>Beats of the first wing since it started, with the share of the one under way.</summary>
+        /// <summary>Number of beats of the first wing since its start, with the share of the current one.</summary>
         public readonly double beat;
 
         /// <summary>Flap angle of the first wing's tip, degrees above its wing plane at rest; see <see cref="BeatReader"/>.</summary>
@@ -19,7 +19,7 @@ namespace Alate.Editor
             this.lift = lift;
         }
 
-        /// <summary>How far the beat had come, [0, 1).</summary>
+        /// <summary>Share of the current beat, [0, 1).</summary>
         public float Phase => (float)(beat - System.Math.Floor(beat));
     }
 }

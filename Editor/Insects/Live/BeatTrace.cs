@@ -3,7 +3,8 @@ using System;
 namespace Alate.Editor
 {
     /// <summary>
-    /// The last beats of an insect: a ring of samples. Frames are too far apart to show one quick beat, so the samples of several are folded into one, by phase.
+    /// Last beats of an insect: a ring of samples. Frames are too far apart to show one quick beat, so the samples of several are folded
+    /// into one, by phase.
     /// </summary>
     internal sealed class BeatTrace
     {
@@ -27,7 +28,7 @@ namespace Alate.Editor
             m_Beats = beats;
         }
 
-        /// <summary>Samples that are kept.</summary>
+        /// <summary>Number of samples that are kept.</summary>
         public int Count { get; private set; }
 
         /// <summary>A sample; 0 is the oldest.</summary>
@@ -38,7 +39,10 @@ namespace Alate.Editor
         /// <summary>The newest sample; all zero for none.</summary>
         public BeatSample Last => Count == 0 ? default : this[Count - 1];
 
-        /// <summary>Takes a sample in. One that is not later than the last is the first of a new trace, unless it is the same again; one that is not finite is left out.</summary>
+        /// <summary>
+        /// Adds a sample. A sample that is not later than the last one starts a new trace, unless both are equal; one that is not finite is
+        /// ignored.
+        /// </summary>
         public void Add(in BeatSample sample)
         {
             if (!IsFinite(sample))
@@ -52,14 +56,14 @@ namespace Alate.Editor
             Count = Math.Min(Count + 1, m_Ring.Length);
         }
 
-        /// <summary>Forgets everything.</summary>
+        /// <summary>Removes all samples.</summary>
         public void Clear()
         {
             Count = 0;
             m_Next = 0;
         }
 
-        /// <summary>The samples of the last beats in the order of their phases. Valid until the next call.</summary>
+        /// <summary>Samples of the last beats in the order of their phases. Valid until the next call.</summary>
         /// <param name="lag">Beats by which what was sampled lay back.</param>
         public ReadOnlySpan<BeatSample> Fold(double lag = 0.0)
         {

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>A folded beat as a line in a rect: phase to the right, values up. It runs over both ends, as the beat goes on.</summary>
+    /// <summary>Folded beat as a line in a rect: phase to the right, values up. Continues over both ends.</summary>
     internal sealed class GraphCurve
     {
         private readonly Vector3[] m_Points;
@@ -14,10 +14,10 @@ namespace Alate.Editor
             m_Points = new Vector3[capacity + 2];
         }
 
-        /// <summary>The line's points; the first <see cref="Count"/> count.</summary>
+        /// <summary>Points of the line; the first <see cref="Count"/> are valid.</summary>
         public Vector3[] Points => m_Points;
 
-        /// <summary>Points of the line; 0 for none.</summary>
+        /// <summary>Number of points of the line; 0 for none.</summary>
         public int Count { get; private set; }
 
         /// <summary>Lays the line through a beat.</summary>
@@ -34,7 +34,7 @@ namespace Alate.Editor
             Cut(area);
         }
 
-        /// <summary>Where a place is in a rect.</summary>
+        /// <summary>Converts phase and value to a place in a rect.</summary>
         /// <param name="area">The rect; Y down, as all of the editor.</param>
         /// <param name="phase">0 at the left, 1 at the right.</param>
         /// <param name="height">0 at the bottom, 1 at the top.</param>

@@ -2,21 +2,21 @@ using System;
 
 namespace Alate.Editor
 {
-    /// <summary>The range of values that a graph shows: widens at once, narrows slowly, so that it does not jump about; zero is always in it.</summary>
+    /// <summary>Range of values that a graph shows: widens at once, narrows slowly to stay calm; always contains zero.</summary>
     internal struct GraphScale
     {
-        /// <summary>Share of the way that a bound goes back towards the values in one look.</summary>
+        /// <summary>Share of the way that a bound moves back towards the values in one update.</summary>
         private const float k_Narrowing = 0.02f;
 
         private bool m_Started;
 
-        /// <summary>Shown at the bottom.</summary>
+        /// <summary>Value at the bottom.</summary>
         public float Low { get; private set; }
 
-        /// <summary>Shown at the top.</summary>
+        /// <summary>Value at the top.</summary>
         public float High { get; private set; }
 
-        /// <summary>Takes in the values that are shown now.</summary>
+        /// <summary>Updates the range by the values that are shown now.</summary>
         /// <param name="low">The least.</param>
         /// <param name="high">The largest.</param>
         /// <param name="least">The range is never smaller, above 0.</param>
@@ -32,7 +32,7 @@ namespace Alate.Editor
             m_Started = true;
         }
 
-        /// <summary>Where a value is drawn: 0 at the bottom, 1 at the top.</summary>
+        /// <summary>Height at which a value is drawn: 0 at the bottom, 1 at the top.</summary>
         public float Place(float value) => High > Low ? (value - Low) / (High - Low) : 0.5f;
     }
 }

@@ -2,7 +2,7 @@ using System;
 
 namespace Alate.Editor
 {
-    /// <summary>The numbers of a living insect as the inspector shows them.</summary>
+    /// <summary>Formats the numbers of a living insect for the inspector.</summary>
     internal static class LiveNumbers
     {
         /// <summary>Stretch between two joints above which a wing looks torn.</summary>
@@ -10,16 +10,16 @@ namespace Alate.Editor
 
         private const string k_None = "—";
 
-        /// <summary>"8.8 Hz".</summary>
+        /// <summary>Frequency as text: "8.8 Hz".</summary>
         public static string Frequency(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.Frequency:0.0#} Hz");
 
-        /// <summary>"96°".</summary>
+        /// <summary>Flap range as text: "96°".</summary>
         public static string FlapRange(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.FlapRange:0.#}°");
 
-        /// <summary>The mean over the last beats: "0.67 of the weight".</summary>
+        /// <summary>Mean lift over the last beats as text: "0.67 of the weight".</summary>
         public static string Lift(ReadOnlySpan<BeatSample> folded) => folded.Length == 0 ? k_None : Text($"{MeanLift(folded):0.00} of the weight");
 
-        /// <summary>"Coarse Patches".</summary>
+        /// <summary>Level of detail as text: "Coarse Patches".</summary>
         public static string Detail(InsectWings insect)
         {
             switch (insect.Live == null ? default(WingDetail?) : insect.Detail)
@@ -33,13 +33,15 @@ namespace Alate.Editor
             }
         }
 
-        /// <summary>Substeps of the last step of the first wing.</summary>
+        /// <summary>Substeps of the last step of the first wing, as text.</summary>
         public static string Substeps(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.Read(0).Substeps} in the last step");
 
-        /// <summary>"3 %".</summary>
+        /// <summary>Stretch as text: "3 %".</summary>
         public static string Stretch(float stretch) => Text($"{100f * stretch:0} %");
 
-        /// <summary>One line where a wing is driven outside what it bears, with the largest stretch and what to change; otherwise null.</summary>
+        /// <summary>
+        /// Warning line where a wing is driven outside its limits, with the largest stretch and the remedy; otherwise null.
+        /// </summary>
         public static string Overstretched(float stretch)
         {
             return stretch > k_BearableStretch
@@ -47,7 +49,7 @@ namespace Alate.Editor
                 : null;
         }
 
-        /// <summary>How often any wing of the insect had to be put back into its driven pose.</summary>
+        /// <summary>Number of times any wing of the insect had to be put back into its driven pose.</summary>
         public static int Resets(InsectWings insect)
         {
             int resets = 0;
@@ -56,7 +58,7 @@ namespace Alate.Editor
             return resets;
         }
 
-        /// <summary>Mean of the lift over the whole beat, each sample for as long as it was nearest.</summary>
+        /// <summary>Mean of the lift over the whole beat; each sample weighs by the time for which it is the nearest.</summary>
         public static float MeanLift(ReadOnlySpan<BeatSample> folded)
         {
             if (folded.Length == 1)

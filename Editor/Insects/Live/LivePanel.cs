@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Graphs and numbers of one insect in play mode. Whoever shows it lets it look once a frame.</summary>
+    /// <summary>Graphs and numbers of one insect in play mode. The owner calls <see cref="Refresh"/> once a frame.</summary>
     internal sealed class LivePanel
     {
         private static class Content
@@ -35,10 +35,10 @@ namespace Alate.Editor
         private readonly BeatGraph m_Flap = new BeatGraph(Content.Flap, "0°", sample => sample.flap, new Color(1f, 0.7f, 0.2f), 10f, k_Capacity);
         private readonly BeatGraph m_Lift = new BeatGraph(Content.Lift, "0.0", sample => sample.lift, new Color(0.25f, 0.75f, 0.95f), 0.5f, k_Capacity);
 
-        /// <summary>The beats seen so far.</summary>
+        /// <summary>Recorded beats.</summary>
         public BeatTrace Trace => m_Trace;
 
-        /// <summary>Takes in what the insect does now; says whether there is something new to show.</summary>
+        /// <summary>Samples the insect; returns true where there is something new to show.</summary>
         public bool Refresh(InsectWings insect)
         {
             if (!BeatReader.TryRead(insect, out BeatSample sample))
@@ -56,7 +56,7 @@ namespace Alate.Editor
             return first || m_Trace.Last.beat != before;
         }
 
-        /// <summary>Takes the next lines of the inspector.</summary>
+        /// <summary>Draws the next lines of the inspector.</summary>
         public void Draw(InsectWings insect)
         {
             if (insect.Live == null)

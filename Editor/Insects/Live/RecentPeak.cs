@@ -1,6 +1,6 @@
 namespace Alate.Editor
 {
-    /// <summary>Largest value of the last beat: what is shown does not flicker with every beat.</summary>
+    /// <summary>Largest value of the last beat, so that the shown number does not flicker with every beat.</summary>
     internal struct RecentPeak
     {
         private double m_Beat;
@@ -8,7 +8,7 @@ namespace Alate.Editor
         /// <summary>The largest value; 0 before the first.</summary>
         public float Value { get; private set; }
 
-        /// <summary>Takes the next value; values older than a beat count no more, nor those of a wing that has started over.</summary>
+        /// <summary>Takes the next value; values older than a beat are dropped, and those of a wing that has restarted.</summary>
         /// <param name="beat">Beats completed, with the share of the one under way.</param>
         /// <param name="value">At that time.</param>
         public void Add(double beat, float value)

@@ -4,12 +4,15 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor
 {
-    /// <summary>Folders for new assets: below the user's own Assets, never in a package, which is read-only when it was installed from git.</summary>
+    /// <summary>
+    /// Finds and makes folders for new assets: below the user's own Assets, never in a package, which is read-only when it was installed
+    /// from git.
+    /// </summary>
     internal static class AssetFolder
     {
         private const string k_Home = "Assets";
 
-        /// <summary>Why nothing can be saved there; null when it can.</summary>
+        /// <summary>Reason why nothing can be saved in a folder; null when saving works.</summary>
         public static string FindProblem(string folder)
         {
             return folder == k_Home || folder.StartsWith(k_Home + "/", StringComparison.Ordinal)
@@ -17,7 +20,7 @@ namespace Alate.Editor
                 : $"'{folder}' is not in the project's Assets folder. Packages are read-only; choose a folder below Assets.";
         }
 
-        /// <summary>Makes a folder and all above it that are not there yet.</summary>
+        /// <summary>Makes a folder and all missing folders above it.</summary>
         public static void Ensure(string folder)
         {
             if (AssetDatabase.IsValidFolder(folder))
@@ -28,7 +31,9 @@ namespace Alate.Editor
             AssetDatabase.CreateFolder(parent, folder.Substring(end + 1));
         }
 
-        /// <summary>The folder that is selected in the project window, or that of the asset that is; Assets where that is not the user's.</summary>
+        /// <summary>
+        /// Folder that is selected in the project window, or that of the selected asset; Assets where that is not the user's.
+        /// </summary>
         public static string Of(Object selected)
         {
             string path = selected == null ? "" : AssetDatabase.GetAssetPath(selected);

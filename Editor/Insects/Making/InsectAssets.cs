@@ -7,8 +7,8 @@ using Object = UnityEngine.Object;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Saves an insect of the catalogue into the user's project: a prefab, and beside it the meshes, skeletons, presets of all variants, materials and pictures that it
-    /// is made of. What is there already stays as it is, so that whatever the user changed is kept.
+    /// Saves an insect of the catalogue into the user's project: a prefab, and beside it its meshes, skeletons, presets of all variants,
+    /// materials and pictures. Existing assets stay unchanged, so that the user's changes are kept.
     /// </summary>
     internal sealed class InsectAssets
     {
@@ -24,10 +24,10 @@ namespace Alate.Editor
             m_Folder = folder;
         }
 
-        /// <summary>Where the prefab of a species lies.</summary>
+        /// <summary>Path of the prefab of a species.</summary>
         public string PrefabPath(InsectDefinition species) => $"{m_Folder}/{species.DisplayName}.prefab";
 
-        /// <summary>The prefab: the one that is there, or a new one.</summary>
+        /// <summary>Finds the prefab, or saves a new one.</summary>
         public GameObject FindOrSave(InsectDefinition species)
         {
             var existing = AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species));

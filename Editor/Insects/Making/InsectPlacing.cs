@@ -8,13 +8,13 @@ using Object = UnityEngine.Object;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Puts a ready insect where Unity's own GameObject menu would, undoable in one step, and selects it. What it is made of is saved into the user's project first, once
-    /// for all insects of a species: objects kept in the scene alone would be doubled in every scene and prefab, would be missing from prefabs made of the insect, and no two
-    /// insects would share the work. Undo takes the insect away; the assets stay.
+    /// Puts a ready insect where Unity's own GameObject menu would, undoable in one step, and selects it. Its parts are first saved into
+    /// the user's project, once for all insects of a species: objects kept in the scene alone would be doubled in every scene and prefab,
+    /// would be missing from prefabs made of the insect, and no two insects would share the work. Undo removes the insect; the assets stay.
     /// </summary>
     internal sealed class InsectPlacing
     {
-        /// <summary>The folder above those of the species.</summary>
+        /// <summary>Folder above those of the species.</summary>
         public const string Home = "Assets/Alate";
 
         private readonly string m_Home;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The sliders of the insect's preset, below the field that names it, so that it can be tuned while it is seen to beat.</summary>
+    /// <summary>Sliders of the insect's preset, below the field that names it, for tuning while the insect beats.</summary>
     internal sealed class PresetFields
     {
         private static class Content
@@ -17,7 +17,7 @@ namespace Alate.Editor
         private readonly Section m_Section = new Section(Content.Title, "Preset", false);
         private UnityEditor.Editor m_Editor;
 
-        /// <summary>Takes the next lines of the inspector; none where there is no preset, or not the same for all.</summary>
+        /// <summary>Draws the next lines of the inspector; none where there is no preset, or several different ones.</summary>
         public void Draw(SerializedProperty preset)
         {
             if (preset.hasMultipleDifferentValues || preset.objectReferenceValue == null || !m_Section.Draw())
@@ -31,7 +31,7 @@ namespace Alate.Editor
                 m_Editor.OnInspectorGUI();
         }
 
-        /// <summary>The inspector is closed.</summary>
+        /// <summary>Frees the sliders when the inspector is closed.</summary>
         public void Close()
         {
             if (m_Editor != null)

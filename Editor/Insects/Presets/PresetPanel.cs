@@ -23,7 +23,7 @@ namespace Alate.Editor
             m_Saving = saving;
         }
 
-        /// <summary>Takes the next lines of the inspector; none where several insects are selected.</summary>
+        /// <summary>Draws the next lines of the inspector; none where several insects are selected.</summary>
         /// <returns>Whether a button was pressed.</returns>
         public bool Draw(IReadOnlyList<InsectWings> insects, out FixOutcome outcome)
         {

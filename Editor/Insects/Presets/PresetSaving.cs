@@ -12,7 +12,7 @@ namespace Alate.Editor
             m_Ask = ask;
         }
 
-        /// <summary>Asks, saves and assigns. Undo takes the assignment back; the asset stays.</summary>
+        /// <summary>Asks for a path, saves and assigns the preset. Undo reverts the assignment; the asset stays.</summary>
         public FixOutcome Save(InsectWings insect, TunedPreset preset)
         {
             string path = m_Ask("Save Wing Preset", AssetPath.FileName($"{insect.name} {preset.Name}"), "Choose where the preset is saved.");

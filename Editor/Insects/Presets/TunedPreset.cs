@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// A preset as some wings of an insect beat by it: its own values and what they add to it. Amplitude, phase lead and substeps go into the copy where all these wings have
-    /// the same, so that they beat by it as they did before.
+    /// Preset with the tuning of the wings that use it: its own values and the changes to them. Amplitude, phase lead and substeps go into
+    /// the copy where they are equal on all these wings, so that the wings beat by it as before.
     /// </summary>
     internal sealed class TunedPreset
     {
@@ -22,13 +22,13 @@ namespace Alate.Editor
             Source = source;
         }
 
-        /// <summary>The preset; null stands for the monarch's that wings without one have.</summary>
+        /// <summary>Preset that was tuned; null stands for the monarch's that wings without one have.</summary>
         public WingPreset Source { get; }
 
         /// <summary>Places in the insect's list of the wings that beat by it.</summary>
         public IReadOnlyList<int> Wings => m_Wings;
 
-        /// <summary>What to call it.</summary>
+        /// <summary>Display name.</summary>
         public string Name => Source == null ? "Monarch" : Source.name;
 
         /// <summary>The presets by which an insect's wings beat, its own first; one at least.</summary>
@@ -49,7 +49,7 @@ namespace Alate.Editor
             return presets;
         }
 
-        /// <summary>A copy with the values as they are now; the caller saves or destroys it.</summary>
+        /// <summary>Makes a copy with the current values; the caller saves or destroys it.</summary>
         public WingPreset Copy()
         {
             WingPreset copy = Source == null ? ScriptableObject.CreateInstance<WingPreset>() : Object.Instantiate(Source);
@@ -62,7 +62,10 @@ namespace Alate.Editor
             return copy;
         }
 
-        /// <summary>Lets the wings beat by a copy: what has gone into it is taken off the wings, and off the insect when no other wings need it.</summary>
+        /// <summary>
+        /// Assigns a copy to the wings: removes the changes that it contains from the wings, and from the insect when no other wings need
+        /// them.
+        /// </summary>
         public void Use(WingPreset copy)
         {
             float share = Share, lead = Lead;

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor
 {
-    /// <summary>Skeletons laid out on wings of an insect that are not saved yet; wings with the same part of the same mesh share one.</summary>
+    /// <summary>Skeletons laid out on wings of an insect that are not saved yet; wings with an equal part of one mesh share one.</summary>
     internal sealed class SkeletonLayout : IDisposable
     {
         private readonly List<Entry> m_Entries = new List<Entry>();
@@ -16,10 +16,10 @@ namespace Alate.Editor
         {
         }
 
-        /// <summary>Skeletons that were laid out.</summary>
+        /// <summary>Number of skeletons that were laid out.</summary>
         public int Count => m_Entries.Count;
 
-        /// <summary>One sentence for each wing that got none, and for whatever is unsure about the others.</summary>
+        /// <summary>Sentences for the user: one for each wing that got no skeleton, and one for each doubt about the others.</summary>
         public IReadOnlyList<string> Notes => m_Notes;
 
         /// <summary>Lays out skeletons on some wings.</summary>
@@ -51,7 +51,7 @@ namespace Alate.Editor
             return saved;
         }
 
-        /// <summary>Destroys what was not saved.</summary>
+        /// <summary>Destroys the skeletons that were not saved.</summary>
         public void Dispose()
         {
             foreach (Entry entry in m_Entries)

@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace Alate.Editor
 {
-    /// <summary>What the one help box of the inspector says about the selected insects.</summary>
+    /// <summary>Content of the one help box of the inspector for the selected insects.</summary>
     internal readonly struct InsectStatus
     {
         private InsectStatus(InsectWings insect, in InsectProblem problem, MessageType kind, string message)
@@ -14,22 +14,22 @@ namespace Alate.Editor
             Message = message;
         }
 
-        /// <summary>The insect it is about; null when there is nothing to say.</summary>
+        /// <summary>Insect that the status is about; null when there is nothing to say.</summary>
         public InsectWings Insect { get; }
 
-        /// <summary>Its problem, for which there may be fixes.</summary>
+        /// <summary>Problem of the insect, for which there may be fixes.</summary>
         public InsectProblem Problem { get; }
 
         /// <summary>Error: wings do not live. Warning: they rest for now. Info: nothing is wrong.</summary>
         public MessageType Kind { get; }
 
-        /// <summary>What to show; empty for no box.</summary>
+        /// <summary>Text of the box; empty for no box.</summary>
         public string Message { get; }
 
-        /// <summary>Whether there is a box to show.</summary>
+        /// <summary>True where there is a box to show.</summary>
         public bool IsShown => !string.IsNullOrEmpty(Message);
 
-        /// <summary>Looks at all insects: the first problem counts, others are counted.</summary>
+        /// <summary>Finds the status of all insects: the first problem is shown, others are counted.</summary>
         public static InsectStatus Of(IReadOnlyList<InsectWings> insects)
         {
             var first = default(InsectStatus);
@@ -54,7 +54,7 @@ namespace Alate.Editor
             return others == 0 ? first : first.With($"{first.Message} {Others(others)}");
         }
 
-        /// <summary>Looks at one insect.</summary>
+        /// <summary>Finds the status of one insect.</summary>
         public static InsectStatus Of(InsectWings insect)
         {
             InsectProblem problem = FindProblem(insect);
@@ -64,7 +64,7 @@ namespace Alate.Editor
             return rest == null ? default : new InsectStatus(insect, problem, MessageType.Info, rest);
         }
 
-        /// <summary>The problem an insect has, or would have if it were to live.</summary>
+        /// <summary>Problem of an insect, now or once it would live.</summary>
         public static InsectProblem FindProblem(InsectWings insect)
         {
             if (insect.State != InsectState.Inactive)

@@ -4,10 +4,12 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The one help box of the inspector, with a button for each fix, and what the last fix answered.</summary>
+    /// <summary>Help box of the inspector, with a button for each fix, and the answer of the last fix.</summary>
     internal sealed class StatusBox
     {
-        /// <summary>Seconds after which insects are looked at again even if nothing in them was changed: looking for wings in large meshes takes its time.</summary>
+        /// <summary>
+        /// Time, seconds, after which insects are checked again even if they are unchanged: finding wings in large meshes takes time.
+        /// </summary>
         private const double k_Patience = 0.5;
 
         private readonly List<(InsectFix fix, string obstacle)> m_Fixes = new List<(InsectFix, string)>();
@@ -16,7 +18,7 @@ namespace Alate.Editor
         private string m_Answer = "";
         private double m_Looked = double.NegativeInfinity;
 
-        /// <summary>Looks at the selected insects; a status that has changed takes back the last answer.</summary>
+        /// <summary>Checks the selected insects; a changed status clears the last answer.</summary>
         /// <param name="insects">All that are selected.</param>
         /// <param name="changed">Whether they have been changed since the last look.</param>
         public void Refresh(IReadOnlyList<InsectWings> insects, bool changed)
@@ -40,7 +42,7 @@ namespace Alate.Editor
         /// <summary>Shows what a fix has done.</summary>
         public void Show(FixOutcome outcome) => m_Answer = outcome.Message;
 
-        /// <summary>Takes the next lines of the inspector.</summary>
+        /// <summary>Draws the next lines of the inspector.</summary>
         /// <returns>Whether a fix was tried: what is drawn of this event is then out of date, also where a dialog was closed.</returns>
         public bool Draw()
         {

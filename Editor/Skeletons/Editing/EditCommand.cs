@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>One thing that the tool can do to a skeleton, as menus, buttons and keys offer it.</summary>
+    /// <summary>Command of the tool on a skeleton, as offered by menus, buttons and keys.</summary>
     internal sealed class EditCommand
     {
         private readonly Func<SkeletonEditing, EditOutcome> m_Run;
@@ -30,13 +30,13 @@ namespace Alate.Editor
 
         public string Tooltip { get; }
 
-        /// <summary>"Shift+C"; empty where it has no key.</summary>
+        /// <summary>Key of the command: "Shift+C"; empty where there is none.</summary>
         public string Shortcut => Key == KeyCode.None ? "" : Shift ? "Shift+" + Key : Key.ToString();
 
-        /// <summary>The name with the key behind it, for menus.</summary>
+        /// <summary>Name of the command with its key, for menus.</summary>
         public string Title => Key == KeyCode.None ? Name : $"{Name} ({Shortcut})";
 
-        /// <summary>Does it to one skeleton.</summary>
+        /// <summary>Runs the command on one skeleton.</summary>
         public EditOutcome Run(SkeletonEditing editing) => m_Run(editing);
 
         public override string ToString() => Name;

@@ -1,6 +1,6 @@
 namespace Alate.Editor
 {
-    /// <summary>Whether an act was done, and if not, why not.</summary>
+    /// <summary>Outcome of a command: success, or the reason for a refusal.</summary>
     internal readonly struct EditOutcome
     {
         private EditOutcome(bool done, string message)
@@ -9,12 +9,12 @@ namespace Alate.Editor
             Message = message;
         }
 
-        /// <summary>The act was done.</summary>
+        /// <summary>Outcome of a command that was done.</summary>
         public static EditOutcome Success => new EditOutcome(true, null);
 
         public bool Done { get; }
 
-        /// <summary>One sentence for the user where the act was refused, else null.</summary>
+        /// <summary>Sentence for the user where the command was refused, else null.</summary>
         public string Message { get; }
 
         public static EditOutcome Refused(string why) => new EditOutcome(false, why);

@@ -1,6 +1,6 @@
 namespace Alate.Editor
 {
-    /// <summary>What a skeleton and its twin were when an act or a drag began.</summary>
+    /// <summary>State of a skeleton and its twin at the beginning of a command or a drag.</summary>
     internal readonly struct EditStart
     {
         public EditStart(SkeletonDraft own, SkeletonDraft twin)

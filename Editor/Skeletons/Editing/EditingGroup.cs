@@ -19,14 +19,16 @@ namespace Alate.Editor
 
         public IReadOnlyList<SkeletonEditing> All => m_All;
 
-        /// <summary>The one whose counts and problems are shown, and that acts change when nothing is selected; null where there is none.</summary>
+        /// <summary>
+        /// Skeleton whose counts and problems are shown, and that commands change when nothing is selected; null where there is none.
+        /// </summary>
         public SkeletonEditing Active
         {
             get => m_Active ?? (m_All.Count > 0 ? m_All[0] : null);
             set => m_Active = value;
         }
 
-        /// <summary>Selected joints of all skeletons.</summary>
+        /// <summary>Number of selected joints of all skeletons.</summary>
         public int SelectedCount
         {
             get
@@ -39,8 +41,8 @@ namespace Alate.Editor
         }
 
         /// <summary>
-        /// Those that acts and drags change: all with a selected joint, or the active one where there is none. Of a symmetric pair only
-        /// one, the active one if it can be: the other follows it.
+        /// Skeletons that commands and drags change: all with a selected joint, or the active one where there is none. Of a symmetric pair
+        /// only one, the active one if possible: the other follows.
         /// </summary>
         public List<SkeletonEditing> Acting()
         {
@@ -60,7 +62,7 @@ namespace Alate.Editor
             return acting;
         }
 
-        /// <summary>Does an act to those that are <see cref="Acting"/>, in one step of undo.</summary>
+        /// <summary>Runs a command on the <see cref="Acting"/> skeletons, in one step of undo.</summary>
         /// <returns>Why one of them refused, where one did.</returns>
         public EditOutcome Do(EditCommand act)
         {

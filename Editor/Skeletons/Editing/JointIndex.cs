@@ -2,7 +2,7 @@ using System;
 
 namespace Alate.Editor
 {
-    /// <summary>Which joint of a skeleton: its chain, 0 on the leading edge, and its place in it, 0 at the root.</summary>
+    /// <summary>Index of a joint of a skeleton: its chain, 0 on the leading edge, and its place in the chain, 0 at the root.</summary>
     [Serializable]
     internal struct JointIndex : IEquatable<JointIndex>, IComparable<JointIndex>
     {
@@ -19,7 +19,7 @@ namespace Alate.Editor
 
         public static bool operator !=(JointIndex a, JointIndex b) => !a.Equals(b);
 
-        /// <summary>Whether the skeleton has this joint.</summary>
+        /// <summary>Returns true where the skeleton has this joint.</summary>
         public bool IsIn(WingSkeleton skeleton) =>
             chain >= 0 && chain < skeleton.ChainCount && joint >= 0 && joint < skeleton.Chains[chain].Length;
 
@@ -29,7 +29,7 @@ namespace Alate.Editor
 
         public override int GetHashCode() => chain * 397 ^ joint;
 
-        /// <summary>Chain by chain from root to tip.</summary>
+        /// <summary>Orders joints chain by chain from root to tip.</summary>
         public int CompareTo(JointIndex other) => chain != other.chain ? chain.CompareTo(other.chain) : joint.CompareTo(other.joint);
 
         public override string ToString() => $"joint {joint} of chain {chain}";

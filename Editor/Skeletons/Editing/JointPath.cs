@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>A chain as a line from root to tip that is straight between its joints, measured along its length.</summary>
+    /// <summary>Chain as a line from root to tip that is straight between its joints, measured along its length.</summary>
     internal readonly struct JointPath
     {
         private readonly Vector3[] m_Joints;
@@ -19,13 +19,15 @@ namespace Alate.Editor
 
         public int JointCount => m_Joints.Length;
 
-        /// <summary>From root to tip.</summary>
+        /// <summary>Length from root to tip.</summary>
         public float Length => m_Distances[m_Distances.Length - 1];
 
-        /// <summary>How far along the path a joint lies.</summary>
+        /// <summary>Distance of a joint along the path.</summary>
         public float DistanceOf(int joint) => m_Distances[joint];
 
-        /// <summary>The point so far along; before the root and beyond the tip on the line of the first and last bone.</summary>
+        /// <summary>
+        /// Point at a distance along the path; before the root and beyond the tip on the line of the first and last bone.
+        /// </summary>
         public Vector3 At(float distance)
         {
             int bone = 0;
@@ -49,7 +51,7 @@ namespace Alate.Editor
             return points;
         }
 
-        /// <summary>How far along the path, or the lines of its end bones, its point closest to a ray's line lies.</summary>
+        /// <summary>Distance along the path, or the lines of its end bones, of the point closest to a ray's line.</summary>
         public float ClosestTo(Vector3 origin, Vector3 direction)
         {
             float best = 0f, least = float.PositiveInfinity;

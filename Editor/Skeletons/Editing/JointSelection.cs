@@ -4,23 +4,25 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// The joints of one skeleton that are selected. An object of its own, never saved, so that undo brings selections back together
-    /// with the joints. Changed through <see cref="SkeletonEditing"/> only, which records it first.
+    /// Selected joints of one skeleton. An object of its own, never saved, so that undo brings selections back together with the joints.
+    /// Changed through <see cref="SkeletonEditing"/> only, which records it first.
     /// </summary>
     internal sealed class JointSelection : ScriptableObject
     {
         [SerializeField] private WingSkeleton m_Skeleton;
         [SerializeField] private List<JointIndex> m_Joints = new List<JointIndex>();
 
-        /// <summary>Whose joints.</summary>
+        /// <summary>Skeleton of the joints.</summary>
         public WingSkeleton Skeleton => m_Skeleton;
 
-        /// <summary>Chain by chain from root to tip, none twice. May name joints that undo or other tools have taken away.</summary>
+        /// <summary>
+        /// Selected joints, chain by chain from root to tip, none twice. May name joints that undo or other tools have removed.
+        /// </summary>
         public IReadOnlyList<JointIndex> Joints => m_Joints;
 
         /// <summary>
-        /// The selection of a skeleton: the same one each time, as long as the skeleton lives, so that undo still finds it after the
-        /// tool was left and taken up again, and after scripts were compiled.
+        /// Finds or makes the selection of a skeleton: one object as long as the skeleton lives, so that undo still finds it after the tool
+        /// was left and taken up again, and after scripts were compiled.
         /// </summary>
         public static JointSelection Of(WingSkeleton skeleton)
         {
@@ -46,10 +48,10 @@ namespace Alate.Editor
             return selection;
         }
 
-        /// <summary>Whether the joint is selected.</summary>
+        /// <summary>Returns true where the joint is selected.</summary>
         public bool Contains(JointIndex joint) => m_Joints.BinarySearch(joint) >= 0;
 
-        /// <summary>Those of the selected joints that there are.</summary>
+        /// <summary>Selected joints that exist in the skeleton.</summary>
         public JointIndex[] Living()
         {
             var living = new List<JointIndex>(m_Joints.Count);
@@ -62,7 +64,7 @@ namespace Alate.Editor
             return living.ToArray();
         }
 
-        /// <summary>Whether exactly these are selected, in any order.</summary>
+        /// <summary>Returns true where exactly these joints are selected, in any order.</summary>
         public bool IsSame(IEnumerable<JointIndex> joints) => new SortedSet<JointIndex>(joints).SetEquals(m_Joints);
 
         /// <summary>Selects these joints and no others.</summary>

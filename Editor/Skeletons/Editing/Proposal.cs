@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>What an act would make of a skeleton, or why it cannot. Nothing has been changed yet.</summary>
+    /// <summary>Proposed content of a skeleton, or the reason why a command cannot make one. Nothing has been changed yet.</summary>
     internal readonly struct Proposal
     {
         private Proposal(SkeletonDraft draft, IReadOnlyList<JointIndex> selection, string refusal)
@@ -18,7 +18,7 @@ namespace Alate.Editor
         /// <summary>The joints to select afterwards; null to leave the selection as it is.</summary>
         public IReadOnlyList<JointIndex> Selection { get; }
 
-        /// <summary>One sentence for the user; null where there is a draft.</summary>
+        /// <summary>Sentence for the user; null where there is a draft.</summary>
         public string Refusal { get; }
 
         public static Proposal Make(SkeletonDraft draft, IReadOnlyList<JointIndex> selection = null) =>

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that belong together in menus and panels.</summary>
+    /// <summary>Commands that belong together in menus and panels.</summary>
     internal sealed class SkeletonActGroup
     {
         public SkeletonActGroup(string name, params EditCommand[] acts)

@@ -5,12 +5,12 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Every act of the tool, once: the panel, the context menu, the keys and the manual go by this table. The keys are letters to which the scene view
-    /// gives no meaning of its own.
+    /// Table of every command of the tool, for the panel, the context menu, the keys and the manual. The keys are letters to which the
+    /// scene view gives no meaning of its own.
     /// </summary>
     internal static class SkeletonCommands
     {
-        /// <summary>Acts in menu order.</summary>
+        /// <summary>Commands in menu order, in groups.</summary>
         public static readonly IReadOnlyList<SkeletonActGroup> Groups = new[]
         {
             new SkeletonActGroup(
@@ -62,14 +62,14 @@ namespace Alate.Editor
                     "Makes complete chains of finite joints where counts differ or numbers are broken.", Mend)),
         };
 
-        /// <summary>All acts in menu order.</summary>
+        /// <summary>All commands in menu order.</summary>
         public static readonly IReadOnlyList<EditCommand> All = Flatten();
 
-        /// <summary>What the Delete key means: of each skeleton chains where whole chains are selected, else rows.</summary>
+        /// <summary>Command of the Delete key: removes chains where whole chains are selected, else rows.</summary>
         public static readonly EditCommand Delete = new EditCommand(
             "Delete Joints", KeyCode.None, false, "Removes the selected chains, or rows.", editing => ForDelete(editing).Run(editing));
 
-        /// <summary>The act of a name.</summary>
+        /// <summary>Finds a command by name.</summary>
         /// <exception cref="ArgumentException">There is none.</exception>
         public static EditCommand Find(string name)
         {
@@ -82,7 +82,7 @@ namespace Alate.Editor
             throw new ArgumentException($"There is no act '{name}'.", nameof(name));
         }
 
-        /// <summary>The act of a key; null where it has none.</summary>
+        /// <summary>Finds the command of a key; null where it has none.</summary>
         public static EditCommand Find(KeyCode key, bool shift)
         {
             foreach (EditCommand act in All)
@@ -94,7 +94,7 @@ namespace Alate.Editor
             return null;
         }
 
-        /// <summary>What the Delete key means for one skeleton.</summary>
+        /// <summary>Command of the Delete key for one skeleton.</summary>
         public static EditCommand ForDelete(SkeletonEditing editing)
         {
             JointIndex[] selected = editing.Selection.Living();

@@ -4,12 +4,12 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// The content of a skeleton while an act works on it: a grid of joints, so that all chains have the same number by construction.
-    /// Mesh space and units. A copy: nothing in it is shared with the asset.
+    /// Content of a skeleton while a command works on it: a grid of joints, so that all chains have equal counts by construction. Mesh
+    /// space and units. A copy: nothing in it is shared with the asset.
     /// </summary>
     internal sealed class SkeletonDraft
     {
-        /// <summary>Largest coordinate that acts accept; squares of lengths stay well inside what a float holds.</summary>
+        /// <summary>Largest coordinate that commands accept; squares of lengths stay well inside the range of a float.</summary>
         public const float Farthest = 1e9f;
 
         private readonly Vector3[,] m_Joints;
@@ -41,7 +41,7 @@ namespace Alate.Editor
             set => m_Joints[index.chain, index.joint] = value;
         }
 
-        /// <summary>Reads a skeleton; where its chains are no grid, says so instead.</summary>
+        /// <summary>Reads a skeleton; refuses where its chains are no grid.</summary>
         /// <returns>Null, or one sentence for the user.</returns>
         public static string Read(WingSkeleton skeleton, out SkeletonDraft draft)
         {
@@ -64,7 +64,7 @@ namespace Alate.Editor
             return null;
         }
 
-        /// <summary>A copy.</summary>
+        /// <summary>Makes a copy.</summary>
         public SkeletonDraft Copy()
         {
             SkeletonDraft copy = Resized(ChainCount, JointsPerChain);
@@ -77,7 +77,7 @@ namespace Alate.Editor
             return copy;
         }
 
-        /// <summary>A draft of other counts with the same hinge and axes and all joints at the origin.</summary>
+        /// <summary>Makes a draft of other counts with equal hinge and axes and all joints at the origin.</summary>
         public SkeletonDraft Resized(int chains, int joints) =>
             new SkeletonDraft(chains, joints) { Hinge = Hinge, SpanAxis = SpanAxis, UpAxis = UpAxis };
 
@@ -118,7 +118,9 @@ namespace Alate.Editor
             skeleton.UpAxis = UpAxis;
         }
 
-        /// <summary>Why no skeleton may become like this: a count out of range or a position that is not usable. Null when it may.</summary>
+        /// <summary>
+        /// Reason why no skeleton may become like this: a count out of range or a position that is not usable. Null when it may.
+        /// </summary>
         public string FindFault()
         {
             if (ChainCount < WingSkeleton.MinChains || ChainCount > WingSkeleton.MaxChains)
@@ -141,7 +143,7 @@ namespace Alate.Editor
             return null;
         }
 
-        /// <summary>Whether all numbers are the same, bit for bit but for the sign of zero.</summary>
+        /// <summary>Returns true where all numbers are equal, bit for bit but for the sign of zero.</summary>
         public bool IsSame(SkeletonDraft other)
         {
             bool same = other != null && ChainCount == other.ChainCount && JointsPerChain == other.JointsPerChain
@@ -155,7 +157,7 @@ namespace Alate.Editor
             return same;
         }
 
-        /// <summary>Whether all components are finite and none is beyond <see cref="Farthest"/>.</summary>
+        /// <summary>Returns true where all components are finite and none is beyond <see cref="Farthest"/>.</summary>
         public static bool IsUsable(Vector3 v) => math.all(math.abs((float3)v) <= Farthest);
     }
 }

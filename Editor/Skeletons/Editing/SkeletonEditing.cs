@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// One skeleton under edit, with its selection. Every change passes through here: it is checked, recorded for undo and only then made,
-    /// so that no act can leave a skeleton with invalid counts or unusable positions.
+    /// Skeleton under edit, with its selection. Every change passes through here: it is checked, recorded for undo and only then made, so
+    /// that no command can leave a skeleton with invalid counts or unusable positions.
     /// </summary>
     internal sealed class SkeletonEditing
     {
@@ -23,7 +23,7 @@ namespace Alate.Editor
 
         public JointSelection Selection { get; }
 
-        /// <summary>From the skeleton's mesh space to the world.</summary>
+        /// <summary>Matrix from the skeleton's mesh space to the world.</summary>
         public Matrix4x4 LocalToWorld { get; set; } = Matrix4x4.identity;
 
         /// <summary>The wing's mesh, to snap to; may be null.</summary>
@@ -32,19 +32,19 @@ namespace Alate.Editor
         /// <summary>Settings for laying the skeleton out again.</summary>
         public SkeletonFitSettings Known { get; set; } = SkeletonFitSettings.Default;
 
-        /// <summary>The other wing's skeleton where there is one; null where not.</summary>
+        /// <summary>Skeleton of the other wing; null where there is none.</summary>
         public SkeletonTwin Twin { get; set; }
 
-        /// <summary>Why the skeleton may not be changed, one sentence; null where it may.</summary>
+        /// <summary>Reason why the skeleton may not be changed, one sentence; null where it may.</summary>
         public string Lock { get; set; }
 
-        /// <summary>Whether acts are done to the twin too.</summary>
+        /// <summary>True where commands also change the twin.</summary>
         public bool IsSymmetric { get; set; }
 
-        /// <summary>Whether a skeleton follows this one.</summary>
+        /// <summary>Returns true where a skeleton follows this one.</summary>
         public bool Leads(WingSkeleton other) => IsSymmetric && Twin != null && Twin.Skeleton == other;
 
-        /// <summary>What the skeleton and its twin are now.</summary>
+        /// <summary>Present content of the skeleton and its twin.</summary>
         /// <returns>Null, or why the skeleton cannot be worked on.</returns>
         public string Start(out EditStart start)
         {
@@ -56,7 +56,7 @@ namespace Alate.Editor
             return fault;
         }
 
-        /// <summary>Does an act of a skeleton with complete chains.</summary>
+        /// <summary>Runs a command on a skeleton with complete chains.</summary>
         public EditOutcome Do(string act, Func<SkeletonDraft, JointIndex[], Proposal> make)
         {
             string fault = Start(out EditStart start);

@@ -5,10 +5,10 @@ namespace Alate.Editor
     /// <summary>Makes the skeleton of the wing on the other side.</summary>
     internal static class SkeletonMirror
     {
-        /// <summary>The mirror where nothing else is known: across the plane x = 0 of the mesh's space, as insects are modelled.</summary>
+        /// <summary>Default mirror: across the plane x = 0 of the mesh's space, as insects are modelled.</summary>
         public static Matrix4x4 AcrossX => Matrix4x4.Scale(new Vector3(-1f, 1f, 1f));
 
-        /// <summary>The draft under a mirror image, or any affine map.</summary>
+        /// <summary>Applies a mirror, or any affine map, to a draft.</summary>
         public static SkeletonDraft Reflect(SkeletonDraft draft, Matrix4x4 mirror)
         {
             SkeletonDraft image = draft.Copy();
@@ -24,7 +24,7 @@ namespace Alate.Editor
             return image;
         }
 
-        /// <summary>A new skeleton, the mirror image of another, which stays as it is; null where that is refused.</summary>
+        /// <summary>Makes a new skeleton, the mirror image of another, which stays unchanged; null where that is refused.</summary>
         public static WingSkeleton Create(WingSkeleton skeleton, Matrix4x4 mirror, out string refusal)
         {
             refusal = SkeletonDraft.Read(skeleton, out SkeletonDraft draft);
@@ -38,7 +38,9 @@ namespace Alate.Editor
             return made;
         }
 
-        /// <summary>"Left Wing" for "Right Wing" and so on; the name with "Mirrored" behind it where it names no side.</summary>
+        /// <summary>
+        /// Name for the other side: "Left Wing" for "Right Wing" and so on; the name with "Mirrored" behind it where it names no side.
+        /// </summary>
         public static string OtherSide(string name)
         {
             foreach ((string from, string to) in s_Sides)

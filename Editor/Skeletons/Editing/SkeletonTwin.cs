@@ -17,12 +17,12 @@ namespace Alate.Editor
 
         public Matrix4x4 ToTwin { get; }
 
-        /// <summary>Why the twin may not be changed, one sentence; null where it may.</summary>
+        /// <summary>Reason why the twin may not be changed, one sentence; null where it may.</summary>
         public string Lock { get; set; }
 
         /// <summary>
-        /// What becomes of the twin when an act turns what was at its start into another draft. Joints that the act leaves alone keep
-        /// their own place in the twin; where it changes the counts, the twin's chains become the mirror image.
+        /// Proposes the twin's content when a command turns its start into another draft. Joints that the command does not move keep their
+        /// own place in the twin; where it changes the counts, the twin's chains become the mirror image.
         /// </summary>
         public Proposal Follow(in EditStart start, SkeletonDraft after)
         {

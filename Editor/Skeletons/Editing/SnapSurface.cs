@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The triangles of a wing's mesh, to place joints on. Mesh space.</summary>
+    /// <summary>Triangles of a wing's mesh, on which joints can be placed. Mesh space.</summary>
     internal sealed class SnapSurface
     {
         private readonly Vector3[] m_Positions;
@@ -17,7 +17,7 @@ namespace Alate.Editor
             m_Triangles = surface.triangles;
         }
 
-        /// <summary>The whole wing.</summary>
+        /// <summary>Surface of the whole wing.</summary>
         public WingSurface Wing { get; }
 
         /// <summary>The point of the surface closest to a point; the point itself where there is no finite triangle.</summary>

@@ -8,30 +8,32 @@ using Object = UnityEngine.Object;
 namespace Alate.Editor
 {
     /// <summary>
-    /// What a wing looks like at a phase of its beat, for skeletons under edit: bakes a rig, lets it beat until it has settled, and steps to
-    /// the wanted phase. Owns a world and a mesh that is never saved; dispose it.
+    /// Shape of a wing at a phase of its beat, for skeletons under edit: bakes a rig, lets it beat until it has settled, and steps to the
+    /// wanted phase. Owns a world and a mesh that is never saved; dispose it.
     /// </summary>
     internal sealed class BeatPreview : IDisposable
     {
-        /// <summary>Patches that meet the air: enough for a picture, and quicker than the rig's default.</summary>
+        /// <summary>Number of patches that meet the air: enough for a picture, and quicker than the rig's default.</summary>
         public const int Patches = 96;
 
-        /// <summary>Beats from rest until the picture counts as settled; the tip then is within a few per cent of where it ends up.</summary>
+        /// <summary>
+        /// Number of beats from rest until the picture counts as settled; the tip is then within a few per cent of its final motion.
+        /// </summary>
         public const int SettleBeats = 3;
 
         private const float k_TwoPi = 2f * math.PI;
 
-        /// <summary>How close the phase must come, as a share of the beat.</summary>
+        /// <summary>Tolerance of the phase, as a share of the beat.</summary>
         private const float k_PhaseTolerance = 1e-3f;
 
         private WingWorld m_World;
         private WingHandle m_Wing;
         private Mesh m_Mesh;
 
-        /// <summary>Why there is no picture, one sentence; null while there is one, and before <see cref="Bake"/>.</summary>
+        /// <summary>Reason why there is no picture, one sentence; null while there is one, and before <see cref="Bake"/>.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Whether there is a picture.</summary>
+        /// <summary>True where there is a picture.</summary>
         public bool IsReady => m_World != null;
 
         /// <summary>The deformed wing in the space of its mesh; null where there is no picture. Changed in place by <see cref="Show"/>.</summary>
@@ -40,7 +42,7 @@ namespace Alate.Editor
         /// <summary>The phase that the picture shows, as a share of the beat from 0 to 1.</summary>
         public float Phase => m_World.Read(m_Wing).Phase / k_TwoPi;
 
-        /// <summary>Takes over a skeleton as it is now. A skeleton that cannot be baked leaves no picture and a <see cref="Problem"/>.</summary>
+        /// <summary>Bakes the present skeleton. A skeleton that cannot be baked leaves no picture and a <see cref="Problem"/>.</summary>
         /// <param name="skeleton">The skeleton.</param>
         /// <param name="surface">The wing's triangles, in the skeleton's space.</param>
         /// <param name="flight">How it beats.</param>
@@ -66,7 +68,7 @@ namespace Alate.Editor
             Fill(surface);
         }
 
-        /// <summary>Goes on to a phase, forwards, less than one beat.</summary>
+        /// <summary>Steps forward to a phase, by less than one beat.</summary>
         /// <param name="phase">Share of the beat; only its fraction counts.</param>
         public void Show(float phase)
         {

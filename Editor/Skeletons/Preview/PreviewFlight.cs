@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate.Editor
 {
-    /// <summary>The wing and the level flight that a preview shows.</summary>
+    /// <summary>Wing and level flight that a preview shows.</summary>
     internal readonly struct PreviewFlight
     {
         /// <summary>Speed as a share of the preset's u_max: a monarch's 1.3 m/s.</summary>

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Finds the skeletons of insects, to edit them where the wings are.</summary>
+    /// <summary>Finds the skeletons of insects, for editing in place.</summary>
     internal static class InsectTargets
     {
-        /// <summary>The skeletons of all wings of some insects, each once, wherever several wings share one.</summary>
+        /// <summary>Finds the skeletons of all wings of some insects, each once where several wings share one.</summary>
         public static List<SkeletonTarget> Find(IEnumerable<InsectWings> insects)
         {
             var targets = new List<SkeletonTarget>();
@@ -17,7 +17,7 @@ namespace Alate.Editor
             return targets;
         }
 
-        /// <summary>A number that changes with what <see cref="Find"/> would find, but for the content of skeletons, meshes and presets.</summary>
+        /// <summary>Hash of the result of <see cref="Find"/>, without the content of skeletons, meshes and presets.</summary>
         public static int StampOf(IEnumerable<InsectWings> insects)
         {
             int stamp = 17;
@@ -39,7 +39,7 @@ namespace Alate.Editor
             return stamp;
         }
 
-        /// <summary>The wings of an insect that have no skeleton yet but a mesh to make one for.</summary>
+        /// <summary>Finds the wings of an insect that have a mesh but no skeleton yet.</summary>
         public static List<Wing> WithoutSkeleton(InsectWings insect)
         {
             var bare = new List<Wing>();
@@ -52,7 +52,7 @@ namespace Alate.Editor
             return bare;
         }
 
-        /// <summary>The triangles of a wing, in the space of its mesh; without positions where there are none to be had.</summary>
+        /// <summary>Triangles of a wing, in the space of its mesh; without positions where the mesh has none that can be read.</summary>
         /// <param name="wing">The wing.</param>
         /// <param name="refusal">Why there are none, one sentence; null where there are.</param>
         public static WingSurface SurfaceOf(Wing wing, out string refusal)

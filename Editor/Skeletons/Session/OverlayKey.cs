@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>What a picture over a wing was made of, to tell whether it has to be made again.</summary>
+    /// <summary>Key of a picture over a wing, which tells whether the picture must be rebuilt.</summary>
     internal readonly struct OverlayKey : IEquatable<OverlayKey>
     {
         private readonly SkeletonTarget m_Target;

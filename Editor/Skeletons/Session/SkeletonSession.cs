@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// All that lasts while skeletons are edited: the selections, what the mouse is doing, the settings of the panel, and what is shown over the
-    /// wings. Knows no window. Dispose it.
+    /// State of an editing session: the selections, the mouse's action, the settings of the panel, and the overlays of the wings.
+    /// Independent of windows. Dispose it.
     /// </summary>
     internal sealed class SkeletonSession : IDisposable
     {
@@ -39,25 +39,25 @@ namespace Alate.Editor
 
         public SkeletonPointer Pointer { get; }
 
-        /// <summary>What is shown over the active wing.</summary>
+        /// <summary>Overlay of the active wing.</summary>
         public WingOverlay Overlay { get; }
 
-        /// <summary>Where dragged joints go, unless a key says otherwise.</summary>
+        /// <summary>Drag mode, unless a key chooses another.</summary>
         public DragMode Mode { get; set; } = DragMode.WingPlane;
 
-        /// <summary>Whether acts are done to the wing on the other side too.</summary>
+        /// <summary>True where commands also change the wing on the other side.</summary>
         public bool IsSymmetric { get; set; }
 
-        /// <summary>Whether joints are numbered.</summary>
+        /// <summary>True where joints are numbered.</summary>
         public bool ShowsLabels { get; set; } = true;
 
-        /// <summary>Why the last act was refused; null where it was done.</summary>
+        /// <summary>Reason why the last command was refused; null where it was done.</summary>
         public string LastRefusal { get; private set; }
 
-        /// <summary>The active skeleton's wing; null where there is none.</summary>
+        /// <summary>Wing of the active skeleton; null where there is none.</summary>
         public SkeletonTarget ActiveTarget => Group.Active == null ? null : m_TargetOf[Group.Active];
 
-        /// <summary>Brings everything up to date with where the wings are now. Call once an event.</summary>
+        /// <summary>Updates the skeletons by the present places of the wings. Call once an event.</summary>
         public void Place()
         {
             foreach (SkeletonEditing editing in Group.All)
@@ -77,17 +77,19 @@ namespace Alate.Editor
                 Overlay.Refresh(ActiveTarget, Group.Active.Selection.Living(), Pointer.IsMoving);
         }
 
-        /// <summary>Does an act.</summary>
+        /// <summary>Runs a command.</summary>
         public EditOutcome Do(EditCommand act) => Report(Group.Do(act));
 
-        /// <summary>Notes an outcome, for the panel.</summary>
+        /// <summary>Records an outcome, for the panel.</summary>
         public EditOutcome Report(EditOutcome outcome)
         {
             LastRefusal = outcome.Message;
             return outcome;
         }
 
-        /// <summary>Whether a skeleton was destroyed or a wing's object is gone, so that the session has to be begun again.</summary>
+        /// <summary>
+        /// Returns true where a skeleton was destroyed or a wing's object is gone, so that the session must be restarted.
+        /// </summary>
         public bool IsStale() => m_Targets.Exists(target => target.Skeleton == null || (target.Place is object && target.Place == null));
 
         /// <summary>Selects some joints of a skeleton, and makes it the active one.</summary>
@@ -97,7 +99,7 @@ namespace Alate.Editor
             Group.Select(editing, joints, adds: false);
         }
 
-        /// <summary>What to frame: the selected joints, or all where none is.</summary>
+        /// <summary>Bounds of the selected joints, or of all where none is selected, for framing.</summary>
         public Bounds SelectedBounds()
         {
             bool any = Group.SelectedCount > 0;

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>A skeleton that can be edited, with the wing that it is shown on: a wing of an insect, or a mesh beside an asset.</summary>
+    /// <summary>Skeleton that can be edited, with the wing on which it is shown: a wing of an insect, or a mesh beside an asset.</summary>
     internal sealed class SkeletonTarget
     {
         /// <param name="skeleton">The skeleton.</param>
@@ -24,30 +24,33 @@ namespace Alate.Editor
 
         public bool HasSurface => Surface.positions != null && Surface.positions.Length > 0;
 
-        /// <summary>Why there are no triangles, one sentence; of no meaning where there are.</summary>
+        /// <summary>Reason why there are no triangles, one sentence; meaningless where there are.</summary>
         public string WithoutSurface { get; set; }
 
         public Transform Place { get; }
 
-        /// <summary>From the skeleton's space to the world, now.</summary>
+        /// <summary>Matrix from the skeleton's space to the world.</summary>
         public Matrix4x4 LocalToWorld => Place == null ? Matrix4x4.identity : Place.localToWorldMatrix;
 
-        /// <summary>The root of the insect, across whose x = 0 plane the other side lies; null where there is none.</summary>
+        /// <summary>Root of the insect, across whose x = 0 plane the other side lies; null where there is none.</summary>
         public Transform Insect { get; set; }
 
-        /// <summary>The wing on the other side, where it has a skeleton of its own; else null.</summary>
+        /// <summary>Wing on the other side, where it has a skeleton of its own; else null.</summary>
         public SkeletonTarget OtherSide { get; set; }
 
-        /// <summary>Finds out why a skeleton may not be changed, one sentence or null; null where every one may.</summary>
+        /// <summary>
+        /// Function that returns the reason why a skeleton may not be changed, one sentence, or null where it may; null where every
+        /// skeleton may.
+        /// </summary>
         public Func<WingSkeleton, string> FindLock { get; set; }
 
-        /// <summary>Why the skeleton may not be changed now, one sentence; null where it may.</summary>
+        /// <summary>Reason why the skeleton may not be changed now, one sentence; null where it may.</summary>
         public string Lock => FindLock?.Invoke(Skeleton);
 
-        /// <summary>The preset by which it beats; null for a monarch.</summary>
+        /// <summary>Preset by which the wing beats; null for a monarch.</summary>
         public WingPreset Species { get; set; }
 
-        /// <summary>Settings for laying the skeleton out again: where the insect is and how it lies, in the wing's space.</summary>
+        /// <summary>Settings for laying the skeleton out again: place and orientation of the insect, in the wing's space.</summary>
         public SkeletonFitSettings Known()
         {
             SkeletonFitSettings known = SkeletonFitSettings.Default;
@@ -60,7 +63,7 @@ namespace Alate.Editor
             return known;
         }
 
-        /// <summary>The twin for symmetric editing, as the wings stand now; null where there is none.</summary>
+        /// <summary>Makes the twin for symmetric editing, as the wings stand now; null where there is none.</summary>
         public SkeletonTwin MakeTwin()
         {
             if (OtherSide == null)

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// What is shown over the active wing: its shape at a phase of the beat, and the colours and weaknesses of its rig. Made again only when the
+    /// Overlay of the active wing: its shape at a phase of the beat, and the colours and weaknesses of its rig. Rebuilt only when the
     /// skeleton, the preset, the selection or a setting has changed. Dispose it.
     /// </summary>
     internal sealed class WingOverlay : IDisposable
@@ -20,13 +20,13 @@ namespace Alate.Editor
         private OverlayKey m_Previewed;
         private string m_InspectionRefusal;
 
-        /// <summary>Whether the wing's shape at <see cref="Phase"/> is shown.</summary>
+        /// <summary>True where the wing's shape at <see cref="Phase"/> is shown.</summary>
         public bool ShowsBeat { get; set; }
 
         /// <summary>Share of the beat, 0 to 1, 0 at the top of the stroke.</summary>
         public float Phase { get; set; }
 
-        /// <summary>What the colours over the wing mean; null for no colours.</summary>
+        /// <summary>Meaning of the colours over the wing; null for no colours.</summary>
         public RigColourMode? Colours { get; set; }
 
         /// <summary>The wing at the phase, in the space of its mesh; null where it is not shown.</summary>
@@ -41,13 +41,13 @@ namespace Alate.Editor
         /// <summary>Weaknesses of the rig; empty where it has none or there is no rig.</summary>
         public IReadOnlyList<RigProblem> Problems { get; private set; } = Array.Empty<RigProblem>();
 
-        /// <summary>How the wing beats; a monarch's way before the first <see cref="Refresh"/>.</summary>
+        /// <summary>Parameters of the beat; a monarch's before the first <see cref="Refresh"/>.</summary>
         public WingParameters Parameters { get; private set; } = WingParameters.Default;
 
-        /// <summary>Why nothing is shown, one sentence; null where all is shown.</summary>
+        /// <summary>Reason why nothing is shown, one sentence; null where all is shown.</summary>
         public string Refusal { get; private set; }
 
-        /// <summary>Brings the pictures up to date.</summary>
+        /// <summary>Updates the pictures.</summary>
         /// <param name="target">The wing.</param>
         /// <param name="selected">Its selected joints.</param>
         /// <param name="hurries">While joints are dragged: weaknesses are looked for only where colours need the same work.</param>

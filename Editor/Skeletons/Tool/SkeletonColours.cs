@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>What is drawn in which colour in the scene view.</summary>
+    /// <summary>Colours of skeletons in the scene view.</summary>
     internal static class SkeletonColours
     {
         /// <summary>Bones of the principal chain.</summary>
@@ -20,7 +20,7 @@ namespace Alate.Editor
         /// <summary>Selected joints.</summary>
         public static readonly Color selected = new Color(1f, 0.9f, 0.1f);
 
-        /// <summary>The joint that a click would mean.</summary>
+        /// <summary>Joint that a click would take.</summary>
         public static readonly Color hovered = new Color(1f, 1f, 1f);
 
         /// <summary>Joints with a problem, and places where a rig is weak.</summary>
@@ -32,13 +32,13 @@ namespace Alate.Editor
         /// <summary>The wing at a phase of the beat.</summary>
         public static readonly Color beat = new Color(0.55f, 0.85f, 0.55f, 0.35f);
 
-        /// <summary>Its edges.</summary>
+        /// <summary>Edges of that wing.</summary>
         public static readonly Color beatEdges = new Color(0.1f, 0.3f, 0.1f, 0.25f);
 
         /// <summary>The box of a box selection.</summary>
         public static readonly Color box = new Color(0.4f, 0.7f, 1f, 0.2f);
 
-        /// <summary>Its edge.</summary>
+        /// <summary>Edge of the box of a box selection.</summary>
         public static readonly Color boxEdge = new Color(0.4f, 0.7f, 1f, 0.8f);
     }
 }

@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>What keys and the commands of the Edit menu do to a session.</summary>
+    /// <summary>Maps keys and the commands of the Edit menu to a session.</summary>
     internal static class SkeletonKeys
     {
-        /// <summary>The command that the scene view's own frame key sends.</summary>
+        /// <summary>Command that the scene view's own frame key sends.</summary>
         public const string FrameSelected = "FrameSelected";
 
         /// <summary>Key that shows or hides the wing's shape in its beat.</summary>
@@ -26,10 +26,10 @@ namespace Alate.Editor
             FrameSelected, k_SelectAll, k_DeselectAll, k_InvertSelection, k_Delete, k_SoftDelete,
         };
 
-        /// <summary>Whether a command of the editor means something here.</summary>
+        /// <summary>Returns true where a command of the editor has a meaning here.</summary>
         public static bool Knows(string command) => Array.IndexOf(s_Commands, command) >= 0;
 
-        /// <summary>Does what a command means, but for framing, which is the window's. Nothing while the mouse is down.</summary>
+        /// <summary>Runs a command, except framing, which is the window's. Does nothing while the mouse is down.</summary>
         public static void Execute(SkeletonSession session, string command)
         {
             if (session.Pointer.IsDown)
@@ -52,7 +52,7 @@ namespace Alate.Editor
             }
         }
 
-        /// <summary>Does what a key means.</summary>
+        /// <summary>Runs the command of a key.</summary>
         /// <returns>Whether it means anything.</returns>
         public static bool Press(SkeletonSession session, KeyCode key, EventModifiers modifiers)
         {

@@ -8,7 +8,7 @@ namespace Alate.Editor
     {
         private static readonly InsectFix s_LayOut = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
 
-        /// <summary>Takes the next lines of the panel.</summary>
+        /// <summary>Draws the next lines of the panel.</summary>
         /// <returns>What became of it where the button was pressed, else null.</returns>
         public static EditOutcome? Draw()
         {

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The menu of a right click on a joint.</summary>
+    /// <summary>Menu of a right click on a joint.</summary>
     internal static class SkeletonMenu
     {
         public static void Show(SkeletonSession session)

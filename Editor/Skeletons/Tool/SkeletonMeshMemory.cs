@@ -3,12 +3,14 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Remembers, for this user, on which mesh the inspector shows a skeleton. The skeleton itself knows of no mesh.</summary>
+    /// <summary>
+    /// Remembers, for this user, the mesh on which the inspector shows a skeleton. The skeleton itself refers to no mesh.
+    /// </summary>
     internal static class SkeletonMeshMemory
     {
         private const string k_Prefix = "Alate.SkeletonMesh.";
 
-        /// <summary>The mesh; null where none was chosen or it is gone.</summary>
+        /// <summary>Mesh of a skeleton; null where none was chosen or it is gone.</summary>
         public static Mesh Get(WingSkeleton skeleton)
         {
             string known = EditorPrefs.GetString(KeyOf(skeleton), "");

@@ -3,7 +3,7 @@ using UnityEditor.Overlays;
 
 namespace Alate.Editor
 {
-    /// <summary>The panel in the scene view; there while a skeleton is edited.</summary>
+    /// <summary>Panel in the scene view while a skeleton is edited.</summary>
     [Overlay(typeof(SceneView), "alate-wing-skeleton", "Wing Skeleton", true)]
     internal sealed class SkeletonOverlay : IMGUIOverlay, ITransientOverlay
     {

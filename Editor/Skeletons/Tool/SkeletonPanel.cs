@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>The panel's content: counts, problems, settings and acts of a session.</summary>
+    /// <summary>Content of the panel: counts, problems, settings and commands of a session.</summary>
     internal static class SkeletonPanel
     {
         private const float k_Width = 260f;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Passes the scene view's events to a session and draws it. What happens then, the session's own classes say.</summary>
+    /// <summary>Passes the scene view's events to a session and draws the session.</summary>
     internal sealed class SkeletonSceneGui : IDisposable
     {
         private static readonly int s_Hint = "Alate.WingSkeleton".GetHashCode();

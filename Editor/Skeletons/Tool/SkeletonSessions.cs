@@ -4,7 +4,7 @@ using UnityEditor;
 
 namespace Alate.Editor
 {
-    /// <summary>The session that the scene view shows now: the tool's or an inspector's. There is one at a time.</summary>
+    /// <summary>Session that the scene view shows now: the tool's or an inspector's. There is one at a time.</summary>
     internal static class SkeletonSessions
     {
         /// <summary>The session; null where no skeleton is edited.</summary>
@@ -48,7 +48,10 @@ namespace Alate.Editor
             SceneView.RepaintAll();
         }
 
-        /// <summary>Why a skeleton may not be changed; null where it may. Packages from git are overwritten at will, and edits in them are lost.</summary>
+        /// <summary>
+        /// Reason why a skeleton may not be changed; null where it may. Packages from git are overwritten at will, and edits in them are
+        /// lost.
+        /// </summary>
         public static string LockOf(WingSkeleton skeleton) =>
             AssetDatabase.Contains(skeleton) && !AssetDatabase.IsOpenForEdit(skeleton)
                 ? $"'{skeleton.name}' is read-only: check it out, or where it lies in a package, copy it into your project's Assets first."

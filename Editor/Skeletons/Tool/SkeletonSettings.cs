@@ -2,7 +2,7 @@ using UnityEditor;
 
 namespace Alate.Editor
 {
-    /// <summary>Keeps what the panel is set to from one session to the next, until the editor is closed.</summary>
+    /// <summary>Keeps the panel's settings from one session to the next, until the editor is closed.</summary>
     internal static class SkeletonSettings
     {
         private const string k_Mode = "Alate.WingSkeleton.Mode";

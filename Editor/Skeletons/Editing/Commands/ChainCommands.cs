@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that add, remove and reorder whole chains.</summary>
+    /// <summary>Commands that add, remove and reorder whole chains.</summary>
     internal static class ChainCommands
     {
-        /// <summary>How far beyond the first or last chain a new one lies, in distances to its neighbour.</summary>
+        /// <summary>Distance of a new chain beyond the first or last one, in distances to its neighbour.</summary>
         private const float k_Beyond = 0.5f;
 
         /// <summary>Adds a chain halfway to the next one behind each chain with a selected joint; behind the last chain, beyond it.</summary>
@@ -37,7 +37,7 @@ namespace Alate.Editor
             return Proposal.Make(next, Array.Empty<JointIndex>());
         }
 
-        /// <summary>Turns the order round, so that the last chain becomes the leading edge.</summary>
+        /// <summary>Reverses the order of the chains, so that the last one becomes the leading edge.</summary>
         public static Proposal Reverse(SkeletonDraft draft, JointIndex[] selected)
         {
             SkeletonDraft next = draft.Copy();

@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that set the hinge and the axes of the wing.</summary>
+    /// <summary>Commands that set the hinge and the axes of the wing.</summary>
     internal static class FrameCommands
     {
-        /// <summary>Puts the hinge at the selected joint, or the middle of those selected; on the first root where none is.</summary>
+        /// <summary>Puts the hinge at the middle of the selected joints; at the first root where none is selected.</summary>
         public static Proposal SetHinge(SkeletonDraft draft, JointIndex[] selected)
         {
             SkeletonDraft next = draft.Copy();
@@ -14,7 +14,9 @@ namespace Alate.Editor
             return Proposal.Make(next);
         }
 
-        /// <summary>Turns the span axis from the hinge to the selected joint, or the middle of those selected; to the principal chain's tip where none is.</summary>
+        /// <summary>
+        /// Turns the span axis from the hinge to the middle of the selected joints; to the principal chain's tip where none is selected.
+        /// </summary>
         public static Proposal SetSpan(SkeletonDraft draft, JointIndex[] selected)
         {
             Vector3 target = selected.Length == 0 ? draft[0, draft.JointsPerChain - 1] : Middle(draft, selected);
@@ -22,8 +24,8 @@ namespace Alate.Editor
         }
 
         /// <summary>
-        /// Fits both axes to the joints: span from hinge to the principal chain's tip, up the normal of the plane through the joints, on the
-        /// side where it was.
+        /// Fits both axes to the joints: span from the hinge to the principal chain's tip, up along the normal of the plane through the
+        /// joints, on its present side.
         /// </summary>
         public static Proposal FitAxes(SkeletonDraft draft)
         {

@@ -4,10 +4,10 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor
 {
-    /// <summary>Takes over a skeleton from its text.</summary>
+    /// <summary>Replaces a skeleton by one read from text.</summary>
     internal static class ImportCommand
     {
-        /// <summary>What a text of <see cref="SkeletonJson"/> describes; one line that says where and why where it describes nothing.</summary>
+        /// <summary>Reads a text of <see cref="SkeletonJson"/>; refuses with one line that gives place and reason.</summary>
         public static Proposal Make(string json)
         {
             WingSkeleton read = null;

@@ -4,10 +4,13 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor
 {
-    /// <summary>Makes a skeleton out of nothing but the wing's mesh.</summary>
+    /// <summary>Lays out a skeleton from the wing's mesh alone.</summary>
     internal static class LayOutCommand
     {
-        /// <summary>Hinge, axes and chains by <see cref="SkeletonFitter"/>, with as many chains and joints as there are, else as it likes.</summary>
+        /// <summary>
+        /// Fits hinge, axes and chains by <see cref="SkeletonFitter"/>, with the present numbers of chains and joints where they are valid,
+        /// else with its defaults.
+        /// </summary>
         /// <param name="present">The skeleton as it is.</param>
         /// <param name="surface">The wing; may be null.</param>
         /// <param name="known">What is known of the insect around it.</param>

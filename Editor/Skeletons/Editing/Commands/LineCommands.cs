@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that take kinks out of chains.</summary>
+    /// <summary>Commands that smooth kinks in chains.</summary>
     internal static class LineCommands
     {
         /// <summary>

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Makes complete chains of finite joints out of a skeleton that has not got them.</summary>
+    /// <summary>Makes complete chains of finite joints from a skeleton without them.</summary>
     internal static class MendCommand
     {
         /// <summary>

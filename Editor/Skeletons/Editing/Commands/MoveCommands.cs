@@ -2,12 +2,12 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that move the selected joints.</summary>
+    /// <summary>Commands that move the selected joints.</summary>
     internal static class MoveCommands
     {
         public const string NothingSelected = "Select a joint first.";
 
-        /// <summary>By a vector of mesh space.</summary>
+        /// <summary>Moves joints by a vector of mesh space.</summary>
         public static Proposal By(SkeletonDraft draft, JointIndex[] selected, Vector3 delta)
         {
             if (selected.Length == 0)
@@ -18,7 +18,7 @@ namespace Alate.Editor
             return Proposal.Make(next);
         }
 
-        /// <summary>By a vector of mesh space, and then each to the closest point of the surface.</summary>
+        /// <summary>Moves joints by a vector of mesh space, and then each to the closest point of the surface.</summary>
         public static Proposal OnSurface(SkeletonDraft draft, JointIndex[] selected, Vector3 delta, SnapSurface surface)
         {
             Proposal moved = By(draft, selected, delta);

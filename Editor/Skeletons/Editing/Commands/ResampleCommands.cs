@@ -21,7 +21,7 @@ namespace Alate.Editor
             return Proposal.Make(next);
         }
 
-        /// <summary>Lays out the same fan with other counts: joints evenly along each chain, chains evenly from the first to the last.</summary>
+        /// <summary>Lays out the fan with other counts: joints evenly along each chain, chains evenly from the first to the last.</summary>
         public static Proposal ToCounts(SkeletonDraft draft, int chains, int joints)
         {
             if (chains < WingSkeleton.MinChains || chains > WingSkeleton.MaxChains)

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that add and remove joints in all chains at once, so that the chains keep equal counts. A row is one joint of each chain.</summary>
+    /// <summary>
+    /// Commands that add and remove joints in all chains at once, so that the chains keep equal counts. A row is one joint of each chain.
+    /// </summary>
     internal static class RowCommands
     {
         /// <summary>Adds a joint to every chain, in the middle of the bone beyond each row with a selected joint; at the tips, of the bone before them.</summary>
@@ -38,7 +40,7 @@ namespace Alate.Editor
             return Proposal.Make(next, added);
         }
 
-        /// <summary>Removes the rows with a selected joint. The roots stay: the wing hangs on them.</summary>
+        /// <summary>Removes the rows with a selected joint. The roots stay, because they hold the wing.</summary>
         public static Proposal Remove(SkeletonDraft draft, JointIndex[] selected)
         {
             var rows = new SortedSet<int>();

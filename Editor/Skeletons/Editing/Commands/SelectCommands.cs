@@ -2,22 +2,22 @@ using System.Collections.Generic;
 
 namespace Alate.Editor
 {
-    /// <summary>Selections made from others.</summary>
+    /// <summary>Selections derived from others.</summary>
     internal static class SelectCommands
     {
-        /// <summary>All joints of the chains of some joints.</summary>
+        /// <summary>Selects all joints of the chains of some joints.</summary>
         public static List<JointIndex> Chains(WingSkeleton skeleton, IReadOnlyList<JointIndex> joints) =>
             Where(skeleton, candidate => Any(joints, joint => joint.chain == candidate.chain));
 
-        /// <summary>The joints at the same place in every chain.</summary>
+        /// <summary>Selects the joints at an equal place in every chain.</summary>
         public static List<JointIndex> Rows(WingSkeleton skeleton, IReadOnlyList<JointIndex> joints) =>
             Where(skeleton, candidate => Any(joints, joint => joint.joint == candidate.joint));
 
-        /// <summary>All others.</summary>
+        /// <summary>Selects all other joints.</summary>
         public static List<JointIndex> Others(WingSkeleton skeleton, IReadOnlyList<JointIndex> joints) =>
             Where(skeleton, candidate => !Any(joints, joint => joint == candidate));
 
-        /// <summary>The joints that a problem is about; all where it is about none in particular.</summary>
+        /// <summary>Selects the joints that a problem is about; all where it is about none in particular.</summary>
         public static List<JointIndex> Of(WingSkeleton skeleton, SkeletonProblem problem) =>
             Where(skeleton, candidate =>
                 (problem.Chain == SkeletonProblem.None || problem.Chain == candidate.chain)

@@ -3,15 +3,15 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Acts that move the selected joints along their own chains.</summary>
+    /// <summary>Commands that move the selected joints along their own chains.</summary>
     internal static class SlideCommands
     {
-        /// <summary>Joints stay this share of the bone between them and their neighbours away from the neighbour.</summary>
+        /// <summary>Least distance of a joint from its neighbour, as a share of the bone between both.</summary>
         public const float Gap = 0.02f;
 
         /// <summary>
-        /// By a distance towards the tip, mesh units; negative towards the root. Inner joints follow the bones and stop short of the
-        /// joints beside them. Roots and tips move on the lines of the first and last bone.
+        /// Slides joints by a distance towards the tip, mesh units; negative towards the root. Inner joints follow the bones and stop short
+        /// of the joints beside them. Roots and tips move on the lines of the first and last bone.
         /// </summary>
         public static Proposal By(SkeletonDraft draft, JointIndex[] selected, float distance)
         {

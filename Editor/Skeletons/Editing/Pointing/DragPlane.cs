@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Where a ray meets the plane that a joint is dragged in.</summary>
+    /// <summary>Finds where a ray meets the plane in which a joint is dragged.</summary>
     internal static class DragPlane
     {
-        /// <summary>Sine between ray and plane below which the plane is seen edge-on and cannot be dragged in.</summary>
+        /// <summary>Sine between ray and plane below which the plane is seen edge-on.</summary>
         private const float k_LeastSine = 0.05f;
 
         /// <summary>

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// One drag of the selected joints, of one skeleton or of several at once, from press to release: one step of undo. Always starts
-    /// over from where the joints were, so that going back with the pointer goes back with the joints.
+    /// Drag of the selected joints, of one skeleton or of several at once, from press to release: one step of undo. Always starts from the
+    /// original positions, so that going back with the pointer goes back with the joints.
     /// </summary>
     internal sealed class JointDrag
     {
@@ -55,10 +55,10 @@ namespace Alate.Editor
             return Move(target - m_Anchor, mode);
         }
 
-        /// <summary>Ends the drag; it can be undone.</summary>
+        /// <summary>Ends the drag, which can be undone.</summary>
         public void End() => m_Undo.End();
 
-        /// <summary>Ends the drag and puts everything back.</summary>
+        /// <summary>Ends the drag and restores all joints.</summary>
         public void Cancel() => m_Undo.Cancel();
 
         private bool TryTarget(Ray ray, DragMode mode, Matrix4x4 toMesh, out Vector3 target)

@@ -3,13 +3,13 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Finds joints by where they are seen.</summary>
+    /// <summary>Finds joints by their places on the screen.</summary>
     internal static class JointPicking
     {
-        /// <summary>Joints whose pixels differ by less than this lie one behind the other; the nearer one is meant.</summary>
+        /// <summary>Largest distance, pixels, at which joints count as one behind the other; the nearer one is taken.</summary>
         private const float k_SamePlace = 2f;
 
-        /// <summary>The joint seen closest to a pixel; of those seen at one place the nearest to the eye.</summary>
+        /// <summary>Finds the joint seen closest to a pixel; of those seen at one place the nearest to the eye.</summary>
         /// <param name="editing">Whose joints.</param>
         /// <param name="project">The view.</param>
         /// <param name="pixel">Where.</param>

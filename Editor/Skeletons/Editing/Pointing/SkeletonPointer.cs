@@ -5,15 +5,15 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// What pressing, dragging and releasing the mouse does: clicks select, drags from a joint move the selected joints, drags from
-    /// nothing select by a box. Knows no window; whoever owns one passes its events on.
+    /// Handles pressing, dragging and releasing the mouse: clicks select, drags from a joint move the selected joints, drags from nothing
+    /// select by a box. Independent of windows, whose owner passes the events on.
     /// </summary>
     internal sealed class SkeletonPointer
     {
-        /// <summary>How far from a joint a click still means it, pixels.</summary>
+        /// <summary>Largest distance of a click from the joint that it takes, pixels.</summary>
         public const float PickRadius = 12f;
 
-        /// <summary>How far the pointer moves before a click becomes a drag, pixels.</summary>
+        /// <summary>Distance that the pointer moves before a click becomes a drag, pixels.</summary>
         public const float DragThreshold = 4f;
 
         private readonly EditingGroup m_Group;
@@ -34,13 +34,13 @@ namespace Alate.Editor
             m_Undo = undo;
         }
 
-        /// <summary>Whether the mouse is held down on the skeletons.</summary>
+        /// <summary>True while the mouse is held down on the skeletons.</summary>
         public bool IsDown => m_Down;
 
-        /// <summary>Whether joints are being moved.</summary>
+        /// <summary>True while joints are being moved.</summary>
         public bool IsMoving => m_Drag != null;
 
-        /// <summary>The box that is being drawn, pixels; null where none is.</summary>
+        /// <summary>Selection box, pixels; null where none is drawn.</summary>
         public Rect? Box { get; private set; }
 
         /// <summary>Presses the mouse.</summary>
@@ -106,14 +106,14 @@ namespace Alate.Editor
             Clear();
         }
 
-        /// <summary>Gives up what the mouse was doing; moved joints go back.</summary>
+        /// <summary>Cancels the mouse's action; moved joints go back.</summary>
         public void Cancel()
         {
             m_Drag?.Cancel();
             Clear();
         }
 
-        /// <summary>Lets go of everything as it is now, for undo has changed it under the pointer.</summary>
+        /// <summary>Forgets the mouse's action and leaves everything as it is, because undo has changed it under the pointer.</summary>
         public void LetGo()
         {
             m_Drag?.End();
