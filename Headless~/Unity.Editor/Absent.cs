@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEditor;
 
-/// <summary>What any call into the editor ends in: these are signatures to compile against, not an editor.</summary>
+/// <summary>End of any call into the editor: these are signatures to compile against, not an editor.</summary>
 internal static class Absent
 {
     public static Exception Editor => new NotSupportedException("There is no Unity editor in the headless build.");

@@ -38,13 +38,13 @@ namespace Alate.Samples
             m_Insect.UpdateMode = WingUpdateMode.Manual;
         }
 
-        /// <summary>Which column it is.</summary>
+        /// <summary>Column of the comparison.</summary>
         public ComparisonColumn Column { get; }
 
-        /// <summary>Where it is, world units.</summary>
+        /// <summary>Position of the insect, world units.</summary>
         public Vector3 Place => m_Insect.transform.position;
 
-        /// <summary>Whether it is seen. It beats on out of sight, so that all columns stay in step.</summary>
+        /// <summary>True while the insect is visible. The insect beats on out of sight, so that all columns stay in step.</summary>
         public bool IsShown { get; private set; } = true;
 
         /// <summary>Puts it to a place beside the others, or out of sight.</summary>

@@ -25,10 +25,10 @@ namespace Alate.Samples
             m_Stage = stage;
         }
 
-        /// <summary>Whether a study is under way or its result is shown.</summary>
+        /// <summary>True while a study is under way or its result is shown.</summary>
         public bool IsOn => m_Study != null;
 
-        /// <summary>Whether a study was just left, and the stage is free again.</summary>
+        /// <summary>True where a study was just left, and the stage is free again.</summary>
         public bool IsLeft { get; set; }
 
         /// <summary>Begins a session of somebody new.</summary>

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate.Samples
 {
-    /// <summary>What the sliders say: factors on a species' own values, and a wind.</summary>
+    /// <summary>Values of the sliders: factors on a species' own values, and a wind.</summary>
     internal struct Tuning
     {
         /// <summary>Factors; 1 leaves the species as it is.</summary>

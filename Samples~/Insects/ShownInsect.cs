@@ -23,7 +23,7 @@ namespace Alate.Samples
             m_Place.localPosition = place;
         }
 
-        /// <summary>Where it is, world units.</summary>
+        /// <summary>Position of the insect, world units.</summary>
         public Vector3 Place => m_Place.position;
 
         /// <summary>Name, variant and frequency.</summary>

@@ -31,10 +31,10 @@ namespace Alate.Samples
             m_Insect.ResetState();
         }
 
-        /// <summary>How much of the model it is computed with.</summary>
+        /// <summary>Level of detail with which the insect is computed.</summary>
         public WingDetail Detail => m_Insect.Detail;
 
-        /// <summary>Whether it may be computed with less where it is small.</summary>
+        /// <summary>True where the insect may be computed with less detail where it is small.</summary>
         public bool UsesDetail
         {
             set => m_Insect.Quality.levelOfDetail = value;

@@ -30,7 +30,7 @@ namespace Alate.Samples
         private bool m_ShowsDetail = true, m_UsesDetail = true;
         private float m_FrameTime, m_Time;
 
-        /// <summary>How many insects there shall be, 1 to 800.</summary>
+        /// <summary>Number of insects, 1 to 800.</summary>
         public int Count
         {
             get => m_Count;

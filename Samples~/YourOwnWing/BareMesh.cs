@@ -4,7 +4,8 @@ using UnityEngine;
 namespace Alate.Samples
 {
     /// <summary>
-    /// What a modeller might hand over: one mesh of a body and two wings, without bones, skeleton or any mark of what is what. The wings are plain grids that taper to the tip.
+    /// Mesh as a modeller might hand it over: one mesh of a body and two wings, without bones, skeleton or marks of its parts. The wings
+    /// are plain grids that taper to the tip.
     /// </summary>
     internal static class BareMesh
     {

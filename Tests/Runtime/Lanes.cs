@@ -8,7 +8,7 @@ namespace Alate.Tests
         /// <summary>Relative tolerance of check values.</summary>
         public const double CheckTolerance = 1e-5;
 
-        /// <summary>The same in all four wings.</summary>
+        /// <summary>Vector with equal components in all four wings.</summary>
         public static SoaFloat3 All(float x, float y, float z) => new SoaFloat3(new float3(x, y, z));
 
         /// <summary>A wing of a species' parameters as the kernels see it, in all four lanes.</summary>

@@ -28,7 +28,7 @@ namespace Alate.Tests
             return Surface("Rectangle", positions, columns, rows);
         }
 
-        /// <summary>The same grid under a quarter of an ellipse; it tapers to a short edge at the tip.</summary>
+        /// <summary>Grid under a quarter of an ellipse; tapers to a short edge at the tip.</summary>
         public static WingSurface Ellipse(int columns = 12, int rows = 6, float length = Length, float chord = Chord)
         {
             WingSurface surface = Rectangle(columns, rows, length, chord);

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// What the plain wing knows of its rig. The baselines are what one writes at first in .NET: managed arrays of the vectors, quaternions
-/// and matrices of System.Numerics, wing after wing, vertex after vertex. Wing frame and wing lengths unless said otherwise.
+/// Rig of the plain wing. The baselines are written as first written in .NET: managed arrays of the vectors, quaternions and matrices of
+/// System.Numerics, wing after wing, vertex after vertex. Wing frame and wing lengths unless said otherwise.
 /// </summary>
 internal sealed unsafe class PlainRig
 {

@@ -50,7 +50,7 @@ internal static class PlainSkinning
         }
     }
 
-    /// <summary>The same for positions alone, in the wing frame.</summary>
+    /// <summary>Skins positions alone, in the wing frame.</summary>
     public static void Positions(PlainVertex[] vertices, Matrix4x4[] palette, Vector3[] positions)
     {
         for (var v = 0; v < vertices.Length; v++)

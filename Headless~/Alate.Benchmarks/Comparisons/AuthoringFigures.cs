@@ -9,7 +9,10 @@ using Random = System.Random;
 
 namespace Alate.Benchmarks;
 
-/// <summary>How long an artist waits: for a skeleton of a mesh, for a wing traced from a picture, for its first texture. The best of some rounds each.</summary>
+/// <summary>
+/// Measures the waiting time of an artist: for a skeleton of a mesh, for a wing traced from a picture, for its first texture. The best of
+/// some rounds each.
+/// </summary>
 internal static class AuthoringFigures
 {
     private const int k_Rounds = 5, k_Side = 2000, k_TextureSide = 512;

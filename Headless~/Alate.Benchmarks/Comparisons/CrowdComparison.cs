@@ -5,7 +5,7 @@ using Unity.StandIns;
 
 namespace Alate.Benchmarks;
 
-/// <summary>How the cost of a frame goes with the number of insects and of cores, and what a frame allocates and schedules.</summary>
+/// <summary>Measures the cost of a frame by the number of insects and of cores, and the allocations and jobs of a frame.</summary>
 internal sealed class CrowdComparison
 {
     private const int k_WarmFrames = 100;

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Whole frames of a crowd on one core, substeps and one skinning each: as the wings fly now, as version 0.1 flew them, and the plain wing, which does what
-/// version 0.1 does.
+/// Measures whole frames of a crowd on one core, substeps and one skinning each: the current model, version 0.1's, and the plain wing,
+/// which computes version 0.1's model.
 /// </summary>
 internal sealed class FrameComparison
 {

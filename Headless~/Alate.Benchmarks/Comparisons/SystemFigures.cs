@@ -7,8 +7,8 @@ using UnityEngine;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// What the component costs the main thread of a scene, phase by phase, besides waiting for the jobs. The transforms, meshes and renderers
-/// are stand-ins, so that the figures say how the cost grows with the crowd rather than what Unity's own calls cost.
+/// Measures the component's cost on the main thread of a scene, phase by phase, besides waiting for the jobs. The transforms, meshes and
+/// renderers are stand-ins, so that the figures show how the cost grows with the crowd, not the cost of Unity's own calls.
 /// </summary>
 internal static class SystemFigures
 {

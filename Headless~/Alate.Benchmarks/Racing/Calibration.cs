@@ -2,7 +2,7 @@ using System.Runtime.Intrinsics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>What the machine could do at best: multiply-adds of four lanes in ten independent chains, nothing else.</summary>
+/// <summary>Measures the machine's best rate: multiply-adds of four lanes in ten independent chains, nothing else.</summary>
 internal static class Calibration
 {
     /// <summary>Multiply-adds that the grouped skinning of one vertex amounts to.</summary>
@@ -10,7 +10,7 @@ internal static class Calibration
 
     private const int k_Chains = 10;
 
-    /// <summary>As many multiply-adds as the skinning of so many vertices takes.</summary>
+    /// <summary>Runs as many multiply-adds as the skinning of a number of vertices takes.</summary>
     public static Vector128<float> MultiplyAdd(int vertices)
     {
         var count = (int)(vertices * PerVertex / k_Chains);

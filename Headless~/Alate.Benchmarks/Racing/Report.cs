@@ -14,10 +14,10 @@ internal sealed class Report
 
     public Report(TextWriter output) => m_Output = output;
 
-    /// <summary>What goes into the JSON, in order: numbers, texts, and dictionaries of them.</summary>
+    /// <summary>Content of the JSON, in order: numbers, texts, and dictionaries of them.</summary>
     public Dictionary<string, object> Content { get; } = [];
 
-    /// <summary>Whether every baseline gave the same result as ours.</summary>
+    /// <summary>True where every baseline gave a result equal to ours.</summary>
     public bool IsValid { get; private set; } = true;
 
     public void Heading() => Row("", "ours", "baseline", "ratio", "must", "aim", "");

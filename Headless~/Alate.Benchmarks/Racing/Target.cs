@@ -8,7 +8,7 @@ namespace Alate.Benchmarks;
 /// <param name="Aim">The value to strive for.</param>
 internal sealed record Target(string Key, string Title, string Unit, double Must, double Aim)
 {
-    /// <summary>Whether larger is better: so it is where the baseline is divided by ours.</summary>
+    /// <summary>True where larger is better, as for a baseline divided by ours.</summary>
     public bool LargerIsBetter => Aim > Must;
 
     public string Verdict(double value) => Reaches(value, Aim) ? "aim" : Reaches(value, Must) ? "must" : "MISSED";

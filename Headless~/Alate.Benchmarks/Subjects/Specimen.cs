@@ -66,7 +66,7 @@ internal sealed class Specimen : IDisposable
         new WingSurface { positions = Surface.positions, normals = Surface.normals, triangles = Surface.triangles },
         m_Settings);
 
-    /// <summary>The same flight, a little faster for each wing, so that no two wings move alike.</summary>
+    /// <summary>Flight that is a little faster for each wing, so that no two wings move alike.</summary>
     public WingSurroundings FlightOf(int wing)
     {
         var flight = Flight;

@@ -3,7 +3,7 @@ using Alate.Cli.Flights;
 
 namespace Alate.Cli.Accuracy;
 
-/// <summary>Which insects to measure, and at which numbers of substeps.</summary>
+/// <summary>Insects to measure, with the numbers of substeps.</summary>
 /// <param name="Flights">[species] Level flight at the species' cruise.</param>
 internal sealed record ConvergencePlan(IReadOnlyList<FlightPlan> Flights)
 {

@@ -1,6 +1,6 @@
 namespace Alate.Cli.Accuracy;
 
-/// <summary>What a wing's beat costs at one number of substeps, and how far it is off.</summary>
+/// <summary>Cost and error of a wing's beat at one number of substeps.</summary>
 /// <param name="Scheme">How time advances.</param>
 /// <param name="Substeps">Of a beat.</param>
 /// <param name="ErrorPct">RMS of the joints' distance from the reference of the same scheme, % of the wing's length.</param>

@@ -59,7 +59,7 @@ internal static class ConvergenceTable
         point == wing.AtDefaults || point == wing.Version01 ? "yes" : "no",
     ];
 
-    /// <summary>What a scheme is called in running text.</summary>
+    /// <summary>Name of a scheme in running text.</summary>
     public static string Words(TimeScheme scheme) => scheme == TimeScheme.SecondOrder ? "second order" : "backward Euler";
 
     private static string Key(TimeScheme scheme) => Words(scheme).ToLowerInvariant().Replace(' ', '-');

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Accuracy;
 
-/// <summary>How far the joints of two flights of one wing lie apart at equal phase.</summary>
+/// <summary>Measures the distance between the joints of two flights of one wing at equal phase.</summary>
 internal static class JointError
 {
     /// <summary>Root mean square over all joints and the frames of a beat, per cent of the wing's length.</summary>

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Alate.Cli.Accuracy;
 
-/// <summary>How one kind of wing converges.</summary>
+/// <summary>Convergence of one kind of wing.</summary>
 /// <param name="Name">The kind.</param>
 /// <param name="Points">Both schemes, each in order of substeps; these are what the wing takes, which fast air makes more than it is told to.</param>
 /// <param name="AtDefaults">The wing as it flies by default.</param>

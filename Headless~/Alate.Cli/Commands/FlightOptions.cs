@@ -57,6 +57,6 @@ internal static class FlightOptions
         ? InsectCatalogue.All.Where(species => species.Variants.Contains(variant)).ToList()
         : names.Select(name => Find(name, variant)).Distinct().ToList();
 
-    /// <summary>What a variant is called on the command line.</summary>
+    /// <summary>Name of a variant on the command line.</summary>
     public static string Word(InsectVariant variant) => variant.ToString().ToLowerInvariant();
 }

@@ -31,7 +31,7 @@ internal static class FlyCommand
         return command;
     }
 
-    /// <summary>What meets the air: 0 is every triangle.</summary>
+    /// <summary>Parses the number of patches that meet the air; 0 is every triangle.</summary>
     public static int Patches(string text)
     {
         if (text.ToLowerInvariant() == "triangles")

@@ -91,7 +91,7 @@ internal sealed class FlyOptions
             command.Options.Add(option);
     }
 
-    /// <summary>What the user asked for.</summary>
+    /// <summary>Makes the plan that the user asked for.</summary>
     /// <exception cref="UserException">Options that exclude or need each other.</exception>
     public FlightPlan Plan(ParseResult parsed, string species)
     {

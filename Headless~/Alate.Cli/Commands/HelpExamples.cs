@@ -32,7 +32,7 @@ internal static class HelpExamples
         }
     }
 
-    /// <summary>Whether the user asks for help; then nothing else need be right.</summary>
+    /// <summary>Returns true where the user asks for help; the other arguments are then not checked.</summary>
     public static bool AreAskedFor(ParseResult parsed) => parsed.Action is HelpWithExamples;
 
     private sealed class HelpWithExamples(HelpAction standard) : SynchronousCommandLineAction

@@ -5,7 +5,7 @@ using Alate.Cli.Flights;
 
 namespace Alate.Cli.Comparisons;
 
-/// <summary>What one column of the model measured, and how far its wings are from those of the full model.</summary>
+/// <summary>Measures of one column of the model, with the distance of its wings from those of the full model.</summary>
 /// <param name="Summary">The numbers of the last beat.</param>
 /// <param name="Distances">[kind of wing] How far the surface lies from the full model's at equal phase.</param>
 internal sealed record ComparedFlight(FlightSummary Summary, IReadOnlyList<SurfaceDistance> Distances)

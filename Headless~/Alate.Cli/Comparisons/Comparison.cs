@@ -24,7 +24,7 @@ internal sealed class Comparison
     /// <summary>Rows of the picture, beats.</summary>
     public IReadOnlyList<double> Phases { get; }
 
-    /// <summary>What it is called, with its variant where that is not the standard one.</summary>
+    /// <summary>Name of the compared insect, with its variant where that is not the standard one.</summary>
     public string Name => Flights[0].Summary.Flight.Insect.DisplayName
         + (Plan.Variant == InsectVariant.Standard ? "" : $", {Plan.Variant.ToString().ToLowerInvariant()}");
 

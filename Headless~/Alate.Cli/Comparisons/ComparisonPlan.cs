@@ -5,7 +5,7 @@ using Alate.Cli.Flights;
 
 namespace Alate.Cli.Comparisons;
 
-/// <summary>Which insects to compare, and by which columns of the model.</summary>
+/// <summary>Insects to compare, with the columns of the model.</summary>
 /// <param name="Flights">[species] What each flies by; the columns change it.</param>
 /// <param name="Columns">From the least to the most flexible; <see cref="ComparisonColumn.FullModel"/> is among them.</param>
 /// <param name="Phases">Rows of the pictures.</param>

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Comparisons;
 
-/// <summary>How far two flights of one wing lie apart at equal phase, over all vertices and a beat, per cent of the wing's length.</summary>
+/// <summary>Distance between two flights of one wing at equal phase, over all vertices and a beat, per cent of the wing's length.</summary>
 internal readonly record struct SurfaceDistance(double MeanPct, double MaxPct)
 {
     private const int k_Phases = 24;

@@ -25,7 +25,7 @@ internal sealed record MeasureBound(string Title, double Low, double High, Func<
         new("stretch max %", 0, 6, wing => wing.EdgeStretchMaxPct),
     ];
 
-    /// <summary>What the head of the table says of it.</summary>
+    /// <summary>Text of the bound in the head of the table.</summary>
     public string Range => Low > 0 ? Text($"{Low}–{High}") : Text($"< {High}");
 
     /// <summary>The number, marked where it lies outside.</summary>

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>What to fly, how, with which model, and where the files go.</summary>
+/// <summary>Plan of a flight: the insect, its flight, the model, and the folder of the files.</summary>
 internal sealed record FlightPlan
 {
     public string Species { get; init; }
@@ -39,10 +39,10 @@ internal sealed record FlightPlan
     public CoefficientSet? Coefficients { get; init; }
     public ModelReading Preset { get; init; }
 
-    /// <summary>How time advances; null is the preset's.</summary>
+    /// <summary>Scheme by which time advances; null is the preset's.</summary>
     public TimeScheme? TimeScheme { get; init; }
 
-    /// <summary>Whether the model is version 0.1's; see <see cref="AsVersion01"/>.</summary>
+    /// <summary>True where the model is version 0.1's; see <see cref="AsVersion01"/>.</summary>
     public bool IsVersion01 { get; init; }
     public InsectVariant Variant { get; init; }
 
@@ -52,7 +52,7 @@ internal sealed record FlightPlan
     /// <summary>Joints that do not bend: what is left is the drive with its wave.</summary>
     public bool HoldJoints { get; init; }
 
-    /// <summary>What of the model is left out.</summary>
+    /// <summary>Column of the model: the parts that are left out.</summary>
     public ComparisonColumn Column { get; init; } = ComparisonColumn.FullModel;
 
     /// <summary>The side from which the pictures show the insect.</summary>
@@ -106,7 +106,9 @@ internal sealed record FlightPlan
         Patches = Version01.Patches,
     };
 
-    /// <summary>What a wing of a body in this flight feels, in the frame of its right wing or mirrored into that of its left one.</summary>
+    /// <summary>
+    /// Surroundings of a wing of a body in this flight, in the frame of its right wing or mirrored into that of its left one.
+    /// </summary>
     public WingSurroundings SurroundingsOf(WingPreset species, WingSide side)
     {
         const float k_Gravity = 9.81f;

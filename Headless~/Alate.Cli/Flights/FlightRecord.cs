@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>What a flight left behind: the last beat of every wing.</summary>
+/// <summary>Record of a flight: the last beat of every wing.</summary>
 internal sealed class FlightRecord
 {
     public FlightPlan Plan { get; init; }

@@ -35,7 +35,7 @@ internal sealed class FlightSummary
     /// <summary>Mean moment of the air on all wings about the middle of the thorax in body axes, newton metres: nose down, nose right, right wing up.</summary>
     public float3 MeanMoment { get; }
 
-    /// <summary>Whether some wing is driven outside what it bears: beyond 8 % at the 99th percentile or 25 % anywhere.</summary>
+    /// <summary>True where some wing is driven outside its limits: beyond 8 % at the 99th percentile or 25 % anywhere.</summary>
     public bool IsOverstretched => Overstretched != null;
 
     /// <summary>The wing that is farthest outside what it bears; null where none is.</summary>

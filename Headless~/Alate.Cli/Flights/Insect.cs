@@ -10,7 +10,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>What flies: its wings, each kind once, and its body.</summary>
+/// <summary>Insect to fly: its wings, each kind once, and its body.</summary>
 internal sealed class Insect
 {
     private Insect(string name, string displayName, IReadOnlyList<InsectWing> wings, SurfaceMesh body)

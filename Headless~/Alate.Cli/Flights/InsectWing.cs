@@ -22,14 +22,16 @@ internal sealed class InsectWing
     /// <summary>Mesh units of one wing length of the pattern.</summary>
     public float PatternScale { get; init; }
 
-    /// <summary>Where the mesh's origin sits on the right side of the body, metres; null puts the hinge at <see cref="Hinge"/> and turns
-    /// the wing frame to the body's.</summary>
+    /// <summary>
+    /// Origin of the mesh on the right side of the body, metres; null puts the hinge at <see cref="Hinge"/> and turns the wing frame to the
+    /// body's.
+    /// </summary>
     public float3? Origin { get; init; }
 
-    /// <summary>Where the hinge sits on the right side of the body where <see cref="Origin"/> is null, metres.</summary>
+    /// <summary>Hinge on the right side of the body where <see cref="Origin"/> is null, metres.</summary>
     public float3 Hinge { get; init; }
 
-    /// <summary>How a wing of this kind sits on the body, once its rig has told the wing frame.</summary>
+    /// <summary>Placement on the body of a wing of this kind, whose rig gives the wing frame.</summary>
     public WingPlacement PlacementOf(in WingFrame frame, WingSide side)
     {
         if (Origin == null)

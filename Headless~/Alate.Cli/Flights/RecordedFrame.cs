@@ -28,7 +28,7 @@ internal sealed class RecordedFrame
     /// <summary>Aerodynamic force, wing masses · L/s².</summary>
     public float3 AirForce { get; init; }
 
-    /// <summary>Its moment about the middle of the thorax, wing masses · L²/s².</summary>
+    /// <summary>Moment of the air force about the middle of the thorax, wing masses · L²/s².</summary>
     public float3 AirMoment { get; init; }
 
     public float NewtonIterations { get; init; }

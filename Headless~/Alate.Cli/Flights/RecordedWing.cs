@@ -24,13 +24,13 @@ internal sealed class RecordedWing
     public int ChainCount { get; init; }
     public int JointsPerChain { get; init; }
 
-    /// <summary>Whether the mesh is a left wing's, whose triangles wind the other way in the wing frame.</summary>
+    /// <summary>True for the mesh of a left wing, whose triangles wind the other way in the wing frame.</summary>
     public bool IsMeshMirrored { get; init; }
 
     /// <summary>Hertz.</summary>
     public float Frequency { get; set; }
 
-    /// <summary>How often the wing fell back to its driven pose.</summary>
+    /// <summary>Number of times the wing fell back to its driven pose.</summary>
     public int Resets { get; set; }
 
     /// <summary>Frames in order of time, one beat.</summary>

@@ -7,8 +7,9 @@ using Spectre.Console;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>What a flight shows on the terminal: a bar while it runs, a table in the end. Redirected output gets the table alone, without
-/// colours.</summary>
+/// <summary>
+/// Output of a flight on the terminal: a bar while it runs, a table in the end. Redirected output gets the table alone, without colours.
+/// </summary>
 internal sealed class Terminal
 {
     private const int k_RedirectedWidth = 100;

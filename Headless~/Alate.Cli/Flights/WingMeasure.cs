@@ -9,7 +9,7 @@ namespace Alate.Cli.Flights;
 /// <param name="Of">Reads it.</param>
 internal sealed record WingMeasure(string Key, string Title, Func<WingSummary, double> Of)
 {
-    /// <summary>All of them in the order of files.</summary>
+    /// <summary>All measures in the order of the files.</summary>
     public static IReadOnlyList<WingMeasure> All { get; } =
     [
         new("frequency_hz", "frequency, Hz", wing => wing.FrequencyHz),

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>Where a wing sits on the body: X right, Y up, Z ahead, metres from the middle of the thorax.</summary>
+/// <summary>Placement of a wing on the body: X right, Y up, Z ahead, metres from the middle of the thorax.</summary>
 /// <param name="Hinge">The hinge of the right wing.</param>
 /// <param name="Length">Metres of one wing length.</param>
 /// <param name="Side">A left wing is the mirror image.</param>

@@ -9,8 +9,8 @@ internal sealed class ObjMesh
     public Vector3[] Positions { get; init; }
 
     /// <summary>
-    /// What the positions are counted from, in the file's space: zero, and for a mesh far from the file's origin its middle, so that its shape is not
-    /// lost in single precision.
+    /// Origin from which the positions are counted, in the file's space: zero, and for a mesh far from the file's origin its middle, so
+    /// that its shape is not lost in single precision.
     /// </summary>
     public (double X, double Y, double Z) Origin { get; init; }
 

@@ -3,10 +3,10 @@ using System.IO;
 
 namespace Alate.Cli.Output;
 
-/// <summary>What the system says of files that cannot be written.</summary>
+/// <summary>Describes the system's errors for files that cannot be written.</summary>
 internal static class FileProblem
 {
-    /// <summary>Whether an exception is the system's answer about a file.</summary>
+    /// <summary>Returns true where an exception is the system's answer about a file.</summary>
     public static bool Is(Exception problem) =>
         problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
 

@@ -7,7 +7,7 @@ namespace Alate.Cli.Parameters;
 /// <summary>A number that can be changed before a flight: one of a species' sliders, or one of the flight itself.</summary>
 internal sealed class FlownParameter
 {
-    /// <summary>Where a species keeps the number.</summary>
+    /// <summary>Reference to the number in a preset.</summary>
     public delegate ref float Field(WingPreset species);
 
     private readonly Func<FlightPlan, double, FlightPlan> m_Planned;

@@ -30,7 +30,7 @@ internal sealed record ChartAxis(double From, double To, bool IsLogarithmic, IRe
         return new ChartAxis(ticks[first], ticks[last], true, ticks.GetRange(first, last - first + 1));
     }
 
-    /// <summary>How far along the axis a value lies: 0 its beginning, 1 its end.</summary>
+    /// <summary>Place of a value along the axis: 0 its beginning, 1 its end.</summary>
     public float Share(double value) => (float)((Scaled(value) - Scaled(From)) / (Scaled(To) - Scaled(From)));
 
     private double Scaled(double value) => IsLogarithmic ? Math.Log(value) : value;

@@ -8,7 +8,7 @@ namespace Alate.Cli.Pictures;
 /// <summary>A picture of small charts of one size in rows of three, below a heading and a legend of two lines.</summary>
 internal sealed class ChartSheet
 {
-    /// <summary>Where the text begins.</summary>
+    /// <summary>Left edge of the text.</summary>
     public const float Edge = 26f;
 
     /// <summary>Colour of marks in a legend that stand for all wings.</summary>

@@ -1,6 +1,6 @@
 namespace Alate.Cli.Pictures;
 
-/// <summary>How a curve of a <see cref="PointChart"/> is drawn; looks differ without their colours.</summary>
+/// <summary>Look of a curve of a <see cref="PointChart"/>; looks differ without their colours.</summary>
 internal enum CurveLook
 {
     /// <summary>Drawn through, a disc at each point.</summary>

@@ -29,7 +29,9 @@ internal sealed class DepthMap
         }
     }
 
-    /// <summary>Whether something solid lies before the whole box from one corner to the other, at every point in it and right beside it.</summary>
+    /// <summary>
+    /// Returns true where something solid lies before the whole box from one corner to the other, at every point in it and right beside it.
+    /// </summary>
     public bool Hides(float3 min, float3 max)
     {
         int2 from = math.max((int2)math.floor(min.xy - 0.5f), 0);

@@ -30,7 +30,7 @@ internal sealed class FineTriangles
     /// <summary>The triangles; four in a row are the parts of one parent.</summary>
     public List<int3> Triangles { get; private set; } = [];
 
-    /// <summary>What was parted last.</summary>
+    /// <summary>Triangles that were divided last.</summary>
     public List<int3> Parents { get; private set; }
 
     /// <summary>[fine vertex] Values at the mesh's vertices, and half-way between them at the others.</summary>

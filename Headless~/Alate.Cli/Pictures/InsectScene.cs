@@ -10,7 +10,7 @@ namespace Alate.Cli.Pictures;
 /// <summary>An insect that was flown, ready to be painted at any phase of its last beat: its surfaces, the camera and the light.</summary>
 internal sealed class InsectScene
 {
-    /// <summary>How the margins of wings are drawn.</summary>
+    /// <summary>Look of the margins of wings.</summary>
     public static readonly PaintedShape MarginLine = new(0x2A211C, true, false);
 
     private const float k_DistanceOverSpan = 5f;

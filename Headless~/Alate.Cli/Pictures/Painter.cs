@@ -41,7 +41,7 @@ internal sealed class Painter
 
     private static float Nearer(float depth) => math.asfloat(math.asint(depth) - 1);
 
-    /// <summary>What is to be painted, from back to front.</summary>
+    /// <summary>Sheets to paint, from back to front.</summary>
     public List<PaintedSheet> Sheets()
     {
         List<PaintedPiece> seen = Seen();

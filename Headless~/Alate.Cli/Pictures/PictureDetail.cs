@@ -2,7 +2,9 @@ using System;
 
 namespace Alate.Cli.Pictures;
 
-/// <summary>How finely insects are painted: what is finer looks smoother and makes a larger file. All numbers are chosen by eye.</summary>
+/// <summary>
+/// Fineness with which insects are painted: a finer picture looks smoother and makes a larger file. All numbers are chosen by eye.
+/// </summary>
 /// <param name="LeastParted">Area on the picture below which a triangle of the mesh is painted as a whole.</param>
 /// <param name="LeastTriangles">Triangles that a wing is parted into at least.</param>
 /// <param name="Softness">Width over which a pattern's colours blend, over the edge of a painted triangle.</param>

@@ -10,7 +10,7 @@ internal readonly record struct PictureView(string Words, float Aside, float Abo
 {
     public static readonly PictureView FrontLeft = new("the front left", 36f, 28f);
 
-    /// <summary>What the sides are called on the command line.</summary>
+    /// <summary>Names of the sides on the command line.</summary>
     public static readonly Dictionary<string, PictureView> ByName = new()
     {
         ["front-left"] = FrontLeft,

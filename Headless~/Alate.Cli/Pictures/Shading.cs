@@ -38,7 +38,7 @@ internal sealed class Shading
         return Quantised(ToEncoded(Light(colour, normal, isThin, step, m_Detail.LightStep, m_Detail.RimStep)));
     }
 
-    /// <summary>The same without steps, linear light.</summary>
+    /// <summary>Light without steps, linear.</summary>
     public float3 Light(float3 colour, float3 normal, bool isThin) => Light(colour, normal, isThin, 0f, 0f, 0f);
 
     private float3 Light(float3 colour, float3 normal, bool isThin, float step, float throughStep, float rimStep)

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace Alate.Cli.Pictures;
 
 /// <summary>
-/// Where the panels of the strip lie. All have one scale, and the insect keeps its place within a row; a row is as high as its poses need.
+/// Places of the panels of the strip. All have one scale, and the insect keeps its place within a row; a row is as high as its poses need.
 /// </summary>
 internal sealed class StripLayout
 {

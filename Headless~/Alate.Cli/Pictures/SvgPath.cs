@@ -14,7 +14,7 @@ internal sealed class SvgPath(float fineness, float slack = 0f)
     private readonly List<int2> m_Points = [];
     private int2 m_At;
 
-    /// <summary>Whether nothing is left of what was added: it was smaller than a step.</summary>
+    /// <summary>True where nothing is left of the added points, because they span less than a step.</summary>
     public bool IsEmpty => m_Text.Length == 0;
 
     /// <summary>Adds lines through places of the picture.</summary>

@@ -17,7 +17,7 @@ internal sealed class Sweep
 
     public SweepPlan Plan { get; }
 
-    /// <summary>With the wave in the order of the values, then without it.</summary>
+    /// <summary>Points with the wave in the order of the values, then without it.</summary>
     public IReadOnlyList<SweepPoint> Points { get; }
 
     /// <summary>The flights with or without the wave; none where the plan leaves them out.</summary>
@@ -41,7 +41,7 @@ internal sealed class Sweep
         return new Sweep(plan, points);
     }
 
-    /// <summary>How many points a plan has.</summary>
+    /// <summary>Number of points of a plan.</summary>
     public static int Flights(SweepPlan plan) => plan.Values.Count * Waves(plan).Length;
 
     private static bool[] Waves(SweepPlan plan) => plan.Waves switch

@@ -5,7 +5,7 @@ using Alate.Cli.Parameters;
 
 namespace Alate.Cli.Sweeps;
 
-/// <summary>What to sweep, through which values, and whether with the deformation wave, without it, or both.</summary>
+/// <summary>Parameter to sweep, its values, and the choice of flights with the deformation wave, without it, or both.</summary>
 internal sealed class SweepPlan
 {
     public const int MinSteps = 2, MaxSteps = 25, DefaultSteps = 5;
@@ -41,7 +41,7 @@ internal sealed class SweepPlan
     /// <summary>In the order of the sweep, FROM first.</summary>
     public IReadOnlyList<double> Values { get; }
 
-    /// <summary>Whether the values are spaced by equal ratios.</summary>
+    /// <summary>True where the values are spaced by equal ratios.</summary>
     public bool IsLogarithmic { get; }
 
     public FlightPlan Flight { get; }

@@ -3,7 +3,7 @@ using Alate.Cli.Flights;
 
 namespace Alate.Cli.Sweeps;
 
-/// <summary>What one value of the parameter gave.</summary>
+/// <summary>Measures at one value of the parameter.</summary>
 /// <param name="Value">Of the parameter.</param>
 /// <param name="HasWave">Flown with the deformation wave.</param>
 /// <param name="Summary">The numbers of the last beat.</param>

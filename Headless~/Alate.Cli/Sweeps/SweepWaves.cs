@@ -1,11 +1,11 @@
 namespace Alate.Cli.Sweeps;
 
-/// <summary>Whether a sweep is flown with the deformation wave.</summary>
+/// <summary>Choice of flights with the deformation wave, without it, or both.</summary>
 internal enum SweepWaves
 {
     On,
     Off,
 
-    /// <summary>With and without, as in the paper's Fig. 14.</summary>
+    /// <summary>Flights with and without the wave, as in the paper's Fig. 14.</summary>
     Both,
 }

@@ -19,7 +19,7 @@ internal sealed record WindDirection(int3 From)
     /// <summary>From ahead.</summary>
     public static WindDirection HeadWind { get; } = All.First(direction => math.all(direction.From == new int3(0, 0, 1)));
 
-    /// <summary>Its words: <c>ahead below</c>.</summary>
+    /// <summary>Name of the direction: <c>ahead below</c>.</summary>
     public string Name => string.Join(' ', Enumerable.Range(0, 3).Reverse().Where(axis => From[axis] != 0)
         .Select(axis => From[axis] > 0 ? s_Words[axis].Positive : s_Words[axis].Negative));
 

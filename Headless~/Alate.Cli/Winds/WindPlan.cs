@@ -5,7 +5,7 @@ using Alate.Cli.Flights;
 
 namespace Alate.Cli.Winds;
 
-/// <summary>Which insects meet which winds.</summary>
+/// <summary>Insects and the winds they meet.</summary>
 /// <param name="Flights">[species] Level flight at the species' cruise; the wind is added.</param>
 /// <param name="Speeds">In order, m/s in air.</param>
 /// <param name="InGusts">In gusts instead of a steady wind.</param>

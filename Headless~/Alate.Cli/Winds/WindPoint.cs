@@ -1,6 +1,6 @@
 namespace Alate.Cli.Winds;
 
-/// <summary>What a wind of one speed does to a wing, from whatever side.</summary>
+/// <summary>Effect of a wind of one speed on a wing, from the worst side.</summary>
 /// <param name="Speed">m/s, as this species meets it.</param>
 /// <param name="StretchMaxPct">Largest stretch of an edge from any side, %.</param>
 /// <param name="StretchP99Pct">99th percentile of the stretch over edges and times, from the side where that is largest, %.</param>

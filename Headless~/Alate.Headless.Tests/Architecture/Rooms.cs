@@ -33,7 +33,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Fitting", "Alate.Geometry", "Alate.Model"],
         };
 
-        /// <summary>Where the sources of each assembly stand.</summary>
+        /// <summary>Folders of the sources of each assembly.</summary>
         public static readonly IReadOnlyDictionary<string, string> Folders = new Dictionary<string, string>
         {
             ["Alate.Geometry"] = "Runtime/Geometry",

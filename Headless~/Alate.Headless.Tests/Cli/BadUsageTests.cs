@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>Whatever is wrong: one line, exit code 2, nothing written.</summary>
+    /// <summary>Wrong usage of any kind gives one line, exit code 2, and writes nothing.</summary>
     public sealed class BadUsageTests
     {
         private CommandRun m_Run;

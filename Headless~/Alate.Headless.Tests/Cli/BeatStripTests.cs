@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What the strip of a flight shows, read back from its paths.</summary>
+    /// <summary>Content of the strip of a flight, read back from its paths.</summary>
     public sealed class BeatStripTests
     {
         private const int k_Phases = 12;

@@ -8,7 +8,7 @@ namespace Alate.Tests.Cli
     /// <summary>The command line as a process of its own.</summary>
     internal static class CommandProcess
     {
-        /// <summary>What a shell starts the program with.</summary>
+        /// <summary>Command by which a shell starts the program.</summary>
         public static string Program => $"dotnet '{typeof(UserException).Assembly.Location}'";
 
         /// <summary>Runs the program in a shell with these words behind its name.</summary>

@@ -15,10 +15,10 @@ namespace Alate.Tests.Cli
             Directory.CreateDirectory(Folder);
         }
 
-        /// <summary>Where a test keeps its files.</summary>
+        /// <summary>Folder for the test's files.</summary>
         public string Folder { get; }
 
-        /// <summary>Where the tests let commands write; not there before.</summary>
+        /// <summary>Folder into which the tests let commands write; missing before.</summary>
         public string Out => Path.Combine(Folder, "out");
 
         public string Output => m_Output.ToString();

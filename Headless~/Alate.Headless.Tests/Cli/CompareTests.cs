@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What a comparison leaves behind.</summary>
+    /// <summary>Files that a comparison writes.</summary>
     public sealed class CompareTests
     {
         private CommandRun m_Run;

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What the command <c>convergence</c> leaves behind. The cost depends on the machine and is not looked at.</summary>
+    /// <summary>Files that the command <c>convergence</c> writes. The cost depends on the machine and is not checked.</summary>
     public sealed class ConvergenceTests
     {
         private CommandRun m_Run;

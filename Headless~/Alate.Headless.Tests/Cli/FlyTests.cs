@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What a flight of the monarch leaves behind.</summary>
+    /// <summary>Files that a flight of the monarch writes.</summary>
     public sealed class FlyTests
     {
         private CommandRun m_Run;

@@ -33,7 +33,7 @@ namespace Alate.Tests.Cli
             return text.ToString();
         }
 
-        /// <summary>Its skeleton as JSON.</summary>
+        /// <summary>Skeleton of the wing as JSON.</summary>
         public static string Skeleton(WingSide side = WingSide.Right, int chains = 5, bool unequal = false)
         {
             WingSkeleton skeleton = TestWings.Fan(chains);

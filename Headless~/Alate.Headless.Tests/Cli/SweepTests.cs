@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What a sweep leaves behind.</summary>
+    /// <summary>Files that a sweep writes.</summary>
     public sealed class SweepTests
     {
         private CommandRun m_Run;

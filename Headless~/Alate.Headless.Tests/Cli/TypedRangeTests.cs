@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What a user typed is checked as typed: the message has the option, its value, and the range that holds for the species.</summary>
+    /// <summary>Options are checked as typed: the message has the option, its value, and the range that holds for the species.</summary>
     public sealed class TypedRangeTests
     {
         private CommandRun m_Run;

@@ -10,7 +10,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What the command <c>wind</c> leaves behind, and the winds it blows.</summary>
+    /// <summary>Files that the command <c>wind</c> writes, and the winds it blows.</summary>
     public sealed class WindTests
     {
         private CommandRun m_Run;

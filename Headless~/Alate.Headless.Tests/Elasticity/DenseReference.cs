@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>The same minimisation in double precision with dense matrices, written apart from the solver under test.</summary>
+    /// <summary>Minimisation in double precision with dense matrices, written independently of the solver under test.</summary>
     internal sealed class DenseReference
     {
         private readonly int m_Joints;

@@ -5,7 +5,7 @@ using Alate.Cli.Flights;
 
 namespace Alate.Tests.Insects
 {
-    /// <summary>How late one motion is after another, found by sliding one over the other until they are most alike.</summary>
+    /// <summary>Measures the delay of one motion behind another by sliding one over the other until they are most alike.</summary>
     internal static class PhaseDelay
     {
         /// <summary>The delay of the second motion, degrees of a beat, −180 to 180; finer than the frames by a parabola through the best three.</summary>

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Insects
 {
-    /// <summary>Which triangles pass through each other.</summary>
+    /// <summary>Finds triangles that pass through each other.</summary>
     internal static class TriangleCrossing
     {
         /// <summary>Pairs of triangles of one or two sheets that pass through each other; neighbours, which share a corner, do not count.</summary>

@@ -11,7 +11,9 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Insects
 {
-    /// <summary>What is written into materials of shaders that only a project with their pipeline has, and the text of the package's own shader.</summary>
+    /// <summary>
+    /// Properties written into materials of shaders that only a project with their pipeline has, and the text of the package's own shader.
+    /// </summary>
     public sealed class WingShaderTests
     {
         [TearDown]

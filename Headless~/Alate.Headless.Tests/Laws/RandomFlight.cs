@@ -25,7 +25,7 @@ namespace Alate.Tests
 
         public WingSurroundings Surroundings { get; }
 
-        /// <summary>How far to fly before looking.</summary>
+        /// <summary>Number of substeps before the check.</summary>
         public int Substeps { get; }
 
         public ref Random Random => ref m_Random;

@@ -21,7 +21,7 @@ namespace Alate.Tests
 
         private static readonly float3[] s_None = [float3.zero];
 
-        /// <summary>What was measured; stretches as shares.</summary>
+        /// <summary>Measured stretches, as shares.</summary>
         /// <param name="Largest">Of all edges, moments and directions.</param>
         /// <param name="Share99">What 99 of 100 edges stay below over the time, in the worst direction.</param>
         /// <param name="Where">Direction and place of the largest stretch.</param>

@@ -6,7 +6,10 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play.Headless
 {
-    /// <summary>What no camera sees costs nothing, and is found again as if it had gone on. Here, because without a screen Unity sees nothing at all.</summary>
+    /// <summary>
+    /// Insects outside of all cameras cost nothing, and come back as if they had gone on. Tested here, because without a screen Unity sees
+    /// nothing at all.
+    /// </summary>
     public sealed class CullingTests : FlockFixture
     {
         private Camera m_Camera;

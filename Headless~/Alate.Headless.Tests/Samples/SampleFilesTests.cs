@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Alate.Tests.Samples;
 
-/// <summary>What the Package Manager imports of each sample.</summary>
+/// <summary>Files of each sample that the Package Manager imports.</summary>
 public sealed class SampleFilesTests
 {
     private static string Root => Path.GetFullPath(Path.Combine(AppContext.BaseDirectory, "../../../../.."));

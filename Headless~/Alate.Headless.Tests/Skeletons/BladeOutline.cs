@@ -12,7 +12,7 @@ namespace Alate.Tests
         /// <summary>Twelve times as long as it is wide.</summary>
         public static Vector2[] Narrow => Make(0.0, (0.012, 0.018), (0.014, 0.04));
 
-        /// <summary>As a damselfly's: a fifth of the wing, nearly as narrow as a vein is thick.</summary>
+        /// <summary>Stalk as a damselfly's: a fifth of the wing, nearly as narrow as a vein is thick.</summary>
         public static Vector2[] Stalked => Make(0.18, (0.018, 0.05), (0.018, 0.09));
 
         /// <summary>A third of the wing.</summary>

@@ -11,7 +11,9 @@ using Random = System.Random;
 
 namespace Alate.Tests
 {
-    /// <summary>How often a guess is right that is told with a confidence: over drawn wings of four kinds, turned and mirrored at random, without any hint.</summary>
+    /// <summary>
+    /// Rate at which guesses of a confidence are right: over drawn wings of four kinds, turned and mirrored at random, without any hint.
+    /// </summary>
     public sealed class ConfidenceTests
     {
         private const int k_Wings = 100;

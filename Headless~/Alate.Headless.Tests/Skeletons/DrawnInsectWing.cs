@@ -53,7 +53,7 @@ namespace Alate.Tests
             }
         }
 
-        /// <summary>Whether a skeleton's first chain lies before its last.</summary>
+        /// <summary>Returns true where a skeleton's first chain lies before its last.</summary>
         public bool Leads(WingSkeleton skeleton)
         {
             int joint = skeleton.JointsPerChain / 2;

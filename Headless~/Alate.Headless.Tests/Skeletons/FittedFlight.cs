@@ -39,7 +39,7 @@ namespace Alate.Tests
         public WingDeformation ByHand { get; }
         public WingDeformation Fitted { get; }
 
-        /// <summary>What a user says: the side of the body, and as many chains and joints as the author has.</summary>
+        /// <summary>Hints of a user: the side of the body, and as many chains and joints as the author has.</summary>
         public static SkeletonFitSettings Hints(WingDefinition wing)
         {
             SkeletonFitSettings hints = SkeletonFitSettings.Default;

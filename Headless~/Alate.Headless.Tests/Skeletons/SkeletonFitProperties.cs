@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>What must hold for the fitted skeleton of any wing, here forty random outlines, and two hundred in the long tests.</summary>
+    /// <summary>Properties of the fitted skeleton of any wing: forty random outlines, and two hundred in the long tests.</summary>
     public sealed class SkeletonFitProperties
     {
         private const int k_Wings = 40, k_ManyWings = 200;

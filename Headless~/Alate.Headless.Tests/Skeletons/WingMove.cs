@@ -25,7 +25,7 @@ namespace Alate.Tests
 
         public float Scale { get; }
 
-        /// <summary>Whether front and back of the triangles are swapped too.</summary>
+        /// <summary>True where front and back of the triangles are swapped too.</summary>
         public bool TurnsTriangles { get; }
 
         public Vector3 Direction(Vector3 d) => math.rotate(m_Turn, new float3(m_Side * d.x, d.y, d.z));

@@ -3,7 +3,7 @@ using StandIns;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>When all play-mode tests are over, no native memory is left.</summary>
+    /// <summary>Checks that no native memory is left after all play-mode tests.</summary>
     [SetUpFixture]
     public sealed class NoLeaks
     {

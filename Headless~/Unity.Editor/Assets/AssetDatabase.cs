@@ -49,7 +49,7 @@ public sealed class AssetDatabase
     public static void StopAssetEditing() => throw Absent.Editor;
     public static bool IsOpenForEdit(string assetOrMetaFilePath) => ProjectAssets.CanWrite(assetOrMetaFilePath);
 
-    /// <summary>As its path says.</summary>
+    /// <summary>Returns the answer for the object's path.</summary>
     public static bool IsOpenForEdit(Object assetObject) => IsOpenForEdit(GetAssetPath(assetObject));
 
     public static string MoveAsset(string oldPath, string newPath) => throw Absent.Editor;

@@ -32,7 +32,7 @@ public class EditorWindow : ScriptableObject
     public void Close() => throw Absent.Editor;
     public void Focus() => throw Absent.Editor;
 
-    /// <summary>There is no window to draw again.</summary>
+    /// <summary>Does nothing: there is no window to draw again.</summary>
     public void Repaint()
     {
     }

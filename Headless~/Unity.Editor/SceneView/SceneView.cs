@@ -28,7 +28,7 @@ public class SceneView : SearchableEditorWindow
     public bool drawGizmos { get; set; }
     public static ArrayList sceneViews { get; }
 
-    /// <summary>There is no window to draw again.</summary>
+    /// <summary>Does nothing: there is no window to draw again.</summary>
     public static void RepaintAll()
     {
     }

@@ -5,7 +5,9 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>What of an object comes back with undo: its saved fields, and what of the engine's own state the editor changes.</summary>
+/// <summary>
+/// State of an object that undo restores: its saved fields, and the part of the engine's own state that the editor changes.
+/// </summary>
 internal sealed class ObjectState
 {
     private static readonly ConditionalWeakTable<GameObject, StrongBox<StaticEditorFlags>> s_Flags = [];

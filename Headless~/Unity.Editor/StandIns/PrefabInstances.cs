@@ -15,7 +15,7 @@ public static class PrefabInstances
     /// <summary>From now on the object is part of an instance of a prefab.</summary>
     public static void Declare(Object part) => s_Instances.Add(part);
 
-    /// <summary>Whether overrides of the object were recorded since it was declared.</summary>
+    /// <summary>Returns true where overrides of the object were recorded since it was declared.</summary>
     public static bool HasOverrides(Object part) => s_Recorded.Contains(part);
 
     /// <summary>An instance, all of it declared.</summary>

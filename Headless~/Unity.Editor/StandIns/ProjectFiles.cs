@@ -2,7 +2,7 @@ using System.IO;
 
 namespace StandIns;
 
-/// <summary>Where the files of the project's assets lie on the disk: in a folder of this run.</summary>
+/// <summary>Folder on the disk with the files of the project's assets, one for this run.</summary>
 internal static class ProjectFiles
 {
     private static string s_Folder;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace StandIns;
 
-/// <summary>What takes the place of the scene view's camera while a test draws and points.</summary>
+/// <summary>Stand-in for the scene view's camera while a test draws and points.</summary>
 public sealed class SceneEye : IDisposable
 {
     private static SceneEye s_Current;

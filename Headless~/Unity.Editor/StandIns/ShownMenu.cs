@@ -10,7 +10,7 @@ public static class ShownMenu
 {
     private static List<(string Label, GenericMenu.MenuFunction Act)> s_Items = [];
 
-    /// <summary>Its lines; separators are empty.</summary>
+    /// <summary>Lines of the menu; separators are empty.</summary>
     public static IEnumerable<string> Lines => s_Items.Select(item => item.Label);
 
     /// <summary>Chooses the only line with a text.</summary>

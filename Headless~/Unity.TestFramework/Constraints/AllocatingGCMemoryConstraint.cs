@@ -5,7 +5,7 @@ using Unity.StandIns;
 
 namespace UnityEngine.TestTools.Constraints;
 
-/// <summary>Whether a delegate allocates managed memory on the calling thread.</summary>
+/// <summary>Constraint that a delegate allocates managed memory on the calling thread.</summary>
 public class AllocatingGCMemoryConstraint : Constraint
 {
     public override string Description => "allocates GC memory";

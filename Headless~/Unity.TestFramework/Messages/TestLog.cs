@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Unity.StandIns;
 
-/// <summary>What was logged during a test, against what it expects. Expected messages must come in their order.</summary>
+/// <summary>Messages logged during a test, checked against the expected ones. Expected messages must come in their order.</summary>
 internal sealed class TestLog
 {
     private readonly object _gate = new();

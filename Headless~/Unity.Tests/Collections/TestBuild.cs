@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Unity.Tests;
 
-/// <summary>What the build under test can do.</summary>
+/// <summary>Abilities of the build under test.</summary>
 internal static class TestBuild
 {
     /// <summary>Leaves a test out in builds without safety checks: Release builds, as Unity's players.</summary>

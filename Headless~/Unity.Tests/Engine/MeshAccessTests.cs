@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Unity.Tests.Engine;
 
-/// <summary>What Unity does not throw for but writes into the log.</summary>
+/// <summary>Faults that Unity writes into the log instead of throwing.</summary>
 public sealed class MeshAccessTests
 {
     private Mesh m_Mesh;

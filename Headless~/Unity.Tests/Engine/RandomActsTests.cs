@@ -8,7 +8,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Unity.Tests.Engine;
 
-/// <summary>Whatever a scene does to itself, also from within its messages, each behaviour hears a sensible life.</summary>
+/// <summary>Any sequence of acts in a scene, also from within its messages, gives each behaviour a sensible life.</summary>
 public sealed class RandomActsTests : FreshSceneFixture
 {
     private static Random s_Random;

@@ -1,6 +1,6 @@
 namespace Unity.Collections;
 
-/// <summary>How long an allocation may live.</summary>
+/// <summary>Lifetime of an allocation.</summary>
 public enum Allocator
 {
     Invalid = 0,

@@ -30,7 +30,7 @@ public unsafe partial struct NativeArray<T>
 #endif
     }
 
-    /// <summary>All of the array is about to be read.</summary>
+    /// <summary>Checks that all of the array may be read.</summary>
     [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
     internal readonly void CheckRead()
     {
@@ -40,7 +40,7 @@ public unsafe partial struct NativeArray<T>
 #endif
     }
 
-    /// <summary>All of the array is about to be written, or handed out for writing.</summary>
+    /// <summary>Checks that all of the array may be written, or handed out for writing.</summary>
     [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
     internal readonly void CheckWrite()
     {

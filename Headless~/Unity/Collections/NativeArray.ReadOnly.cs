@@ -9,7 +9,7 @@ namespace Unity.Collections;
 
 public unsafe partial struct NativeArray<T>
 {
-    /// <summary>The same memory, without the means to write it.</summary>
+    /// <summary>View of the memory without the means to write it.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct ReadOnly : IEnumerable<T>
     {

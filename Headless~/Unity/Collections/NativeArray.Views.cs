@@ -41,7 +41,7 @@ public unsafe partial struct NativeArray<T>
         return part;
     }
 
-    /// <summary>The same memory as elements of another type of the same size.</summary>
+    /// <summary>Memory as elements of another type of equal size.</summary>
     public readonly NativeArray<U> Reinterpret<U>() where U : struct
     {
         if (Unsafe.SizeOf<T>() != Unsafe.SizeOf<U>())
@@ -49,7 +49,7 @@ public unsafe partial struct NativeArray<T>
         return View<U>(m_Length);
     }
 
-    /// <summary>The same memory as elements of another type; the bytes must come out even.</summary>
+    /// <summary>Memory as elements of another type; the sizes in bytes must be equal.</summary>
     /// <param name="expectedTypeSize">The size of the present element, in bytes.</param>
     public readonly NativeArray<U> Reinterpret<U>(int expectedTypeSize) where U : struct
     {

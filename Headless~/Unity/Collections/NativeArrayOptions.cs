@@ -1,6 +1,6 @@
 namespace Unity.Collections;
 
-/// <summary>Whether new memory is cleared.</summary>
+/// <summary>Clearing of new memory.</summary>
 public enum NativeArrayOptions
 {
     UninitializedMemory = 0,

@@ -1,6 +1,6 @@
 namespace Unity.Collections;
 
-/// <summary>What the ledger of native memory keeps of each allocation.</summary>
+/// <summary>Detail in which the ledger of native memory records each allocation.</summary>
 public enum NativeLeakDetectionMode
 {
     Disabled = 1,

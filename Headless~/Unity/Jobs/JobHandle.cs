@@ -55,7 +55,7 @@ public struct JobHandle : IEquatable<JobHandle>
     {
     }
 
-    /// <summary>Whether the first job is complete, or the second waits for it.</summary>
+    /// <summary>Returns true where the first job is complete, or the second waits for it.</summary>
     public static bool CheckFenceIsDependencyOrDidSyncFence(JobHandle jobHandle, JobHandle dependsOn) =>
         JobTable.DependsOn(dependsOn, jobHandle);
 

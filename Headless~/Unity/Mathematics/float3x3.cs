@@ -82,7 +82,7 @@ public partial struct float3x3 : IEquatable<float3x3>, IFormattable
         return new float3x3(right, math.cross(forward, right), forward);
     }
 
-    /// <summary>As LookRotation, for any arguments; the identity where they give no rotation.</summary>
+    /// <summary>Rotation as by LookRotation, for any arguments; the identity where they give no rotation.</summary>
     public static float3x3 LookRotationSafe(float3 forward, float3 up)
     {
         float forwardLength = math.dot(forward, forward);

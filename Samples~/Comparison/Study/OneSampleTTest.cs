@@ -37,7 +37,7 @@ namespace Alate.Samples
         /// <summary>The difference from the expected mean over its standard error; ± infinity where all values are alike.</summary>
         public double T { get; }
 
-        /// <summary>How probable a difference as large as this would be by chance, 0 to 1.</summary>
+        /// <summary>Probability of a difference at least this large by chance, 0 to 1.</summary>
         public double P { get; }
     }
 }

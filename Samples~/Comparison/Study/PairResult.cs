@@ -4,7 +4,7 @@ using Alate.Catalogue;
 
 namespace Alate.Samples
 {
-    /// <summary>How the votes between two columns fell: a row of the paper's Fig. 15.</summary>
+    /// <summary>Votes between two columns: a row of the paper's Fig. 15.</summary>
     internal sealed class PairResult
     {
         private const double k_Chance = 0.5, k_SmallestShown = 0.001;
@@ -42,7 +42,7 @@ namespace Alate.Samples
         /// <summary>Votes for both.</summary>
         public int Count { get; }
 
-        /// <summary>Whether the share of votes differs from a half; null with fewer than two votes.</summary>
+        /// <summary>Test of whether the share of votes differs from a half; null with fewer than two votes.</summary>
         public OneSampleTTest? Test { get; }
 
         /// <summary>In one line.</summary>

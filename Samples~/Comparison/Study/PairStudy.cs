@@ -45,7 +45,7 @@ namespace Alate.Samples
         /// <summary>Pairs judged.</summary>
         public int Done => m_Done;
 
-        /// <summary>Whether all are judged.</summary>
+        /// <summary>True once all pairs are judged.</summary>
         public bool IsOver => m_Done == m_Pairs.Count;
 
         /// <summary>The species of the pair that is shown.</summary>

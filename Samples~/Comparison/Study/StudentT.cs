@@ -16,7 +16,7 @@ namespace Alate.Samples
             9.9843695780195716e-6, 1.5056327351493116e-7,
         };
 
-        /// <summary>How probable a value as far from 0 as t, on either side, or farther is.</summary>
+        /// <summary>Probability of a value at least as far from 0 as t, on either side.</summary>
         /// <param name="t">Any number; ± infinity gives 0.</param>
         /// <param name="degreesOfFreedom">Above 0.</param>
         /// <exception cref="ArgumentOutOfRangeException">t is not a number, or there are no degrees of freedom.</exception>

@@ -14,10 +14,10 @@ namespace Alate.Samples
             Chosen = chosen;
         }
 
-        /// <summary>Whose; a name that says nothing of the person.</summary>
+        /// <summary>Name of the participant; tells nothing of the person.</summary>
         public string Participant { get; }
 
-        /// <summary>What was shown.</summary>
+        /// <summary>Name of the species that was shown.</summary>
         public string Species { get; }
 
         /// <summary>The column on the left.</summary>
@@ -29,7 +29,7 @@ namespace Alate.Samples
         /// <summary>One of the two.</summary>
         public string Chosen { get; }
 
-        /// <summary>Whether it is about these two columns.</summary>
+        /// <summary>Returns true where the vote is about these two columns.</summary>
         public bool IsBetween(string one, string other) => (Left == one && Right == other) || (Left == other && Right == one);
     }
 }

@@ -18,7 +18,7 @@ namespace Alate.Samples
             Path = path;
         }
 
-        /// <summary>Where it is.</summary>
+        /// <summary>Path of the file.</summary>
         public string Path { get; }
 
         /// <summary>Adds a vote, given now.</summary>
@@ -31,7 +31,7 @@ namespace Alate.Samples
             File.AppendAllText(Path, $"{now},{vote.Participant},{vote.Species},{vote.Left},{vote.Right},{vote.Chosen}\n");
         }
 
-        /// <summary>All votes there are; none where there is no file.</summary>
+        /// <summary>Reads all votes; none where there is no file.</summary>
         /// <exception cref="FormatException">A line is not one of this sample's; says which.</exception>
         public List<Vote> Read()
         {

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Where the graphs put their lines, and the mean they name.</summary>
+    /// <summary>Lines of the graphs, and the mean they name.</summary>
     public sealed class BeatGraphTests
     {
         private static readonly Rect s_Area = new Rect(10f, 20f, 200f, 50f);

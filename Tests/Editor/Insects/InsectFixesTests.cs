@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Which buttons there are for which state.</summary>
+    /// <summary>Buttons for each state.</summary>
     public sealed class InsectFixesTests : InsectFixture
     {
         [TestCase(InsectState.NoWings, "Find Wings")]

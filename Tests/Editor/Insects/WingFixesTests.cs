@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>What the fixes of the list of wings change, and that undo gives it back.</summary>
+    /// <summary>Changes by the fixes of the list of wings, and their undo.</summary>
     public sealed class WingFixesTests : InsectFixture
     {
         [Test]

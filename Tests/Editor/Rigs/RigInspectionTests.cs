@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>What inspection shows is what baking makes.</summary>
+    /// <summary>Equality of the inspected and the baked rig.</summary>
     public sealed class RigInspectionTests : EditingFixture
     {
         private const int k_Patches = 256;

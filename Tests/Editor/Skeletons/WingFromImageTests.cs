@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>What the wizard does without its window.</summary>
+    /// <summary>Work of the wizard without its window.</summary>
     public sealed class WingFromImageTests
     {
         private Texture2D m_Texture;

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>What the air does to a wing on a body that turns: force and moment, on either side.</summary>
+    /// <summary>Force and moment of the air on a wing of a body that turns, on either side.</summary>
     public sealed class BodyTurningTests
     {
         private const float k_Same = 2e-4f;

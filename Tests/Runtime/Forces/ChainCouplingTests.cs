@@ -4,7 +4,9 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>What a strip of membrane between two chains does to their bends: five parallel chains, an eighth of a wing length apart.</summary>
+    /// <summary>
+    /// Effect of a strip of membrane between two chains on their bends: five parallel chains, an eighth of a wing length apart.
+    /// </summary>
     public sealed unsafe class ChainCouplingTests
     {
         private const int k_Chains = 5, k_Bones = 4;

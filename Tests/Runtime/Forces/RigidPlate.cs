@@ -44,7 +44,7 @@ namespace Alate.Tests
             }
         }
 
-        /// <summary>The same by Eq. 9 and 10 over the triangles.</summary>
+        /// <summary>Sums Eq. 9 and 10 over the triangles.</summary>
         /// <param name="side">1 for a right wing, along +X; −1 for a left one, along −X.</param>
         /// <param name="wind">At the body's reference point, L/s, body axes.</param>
         /// <param name="spin">Of the body, rad/s, body axes.</param>

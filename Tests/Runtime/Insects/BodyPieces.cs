@@ -72,7 +72,7 @@ namespace Alate.Tests
                 mesh.positions[mesh.triangles[corner + 1]] - origin, mesh.positions[mesh.triangles[corner + 2]] - origin);
         }
 
-        /// <summary>How many times the triangles of a piece enclose a point: 1 inside, 0 outside (van Oosterom and Strackee's solid angles).</summary>
+        /// <summary>Winding number of a piece about a point: 1 inside, 0 outside (van Oosterom and Strackee's solid angles).</summary>
         public static double Winding(SurfaceMesh mesh, List<int> piece, Vector3 point)
         {
             var angle = 0.0;

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>When the wave of the drive reaches each chain: by Eq. 2 where the strips between chains are wide enough for it.</summary>
+    /// <summary>Delay of the drive's wave at each chain: by Eq. 2 where the strips between chains are wide enough for it.</summary>
     public sealed unsafe class ChainDelaysTests
     {
         private const float k_LargestSlope = 0.65f;

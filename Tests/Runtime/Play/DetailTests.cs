@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>How much is computed follows what is seen, and nobody sees it happen.</summary>
+    /// <summary>Levels of detail that follow the view, without visible changes.</summary>
     public sealed class DetailTests : FlockFixture
     {
         private Camera m_Camera;

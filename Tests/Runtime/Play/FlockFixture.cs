@@ -11,7 +11,7 @@ namespace Alate.Tests.Play
         /// <summary>The wing that all insects of the test share.</summary>
         protected Mesh WingMesh { get; private set; }
 
-        /// <summary>Its skeleton.</summary>
+        /// <summary>Skeleton of the wing.</summary>
         protected WingSkeleton Skeleton { get; private set; }
 
         [SetUp]

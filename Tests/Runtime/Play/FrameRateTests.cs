@@ -5,7 +5,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What is drawn at a time does not depend on how many frames led there.</summary>
+    /// <summary>Independence of the drawn pose from the number of frames before it.</summary>
     public sealed class FrameRateTests : PlayFixture
     {
         private const float k_Seconds = 2f, k_Span = 0.61f;

@@ -10,7 +10,7 @@ namespace Alate.Tests.Play
     /// <summary>Insects end at any time, by anybody's hand, and nobody else notices.</summary>
     public sealed class LifecycleTests : FlockFixture
     {
-        /// <summary>When something is done.</summary>
+        /// <summary>Point of time of an act.</summary>
         public enum Moment
         {
             FixedUpdate,
@@ -22,7 +22,7 @@ namespace Alate.Tests.Play
             AnothersOnDestroy,
         }
 
-        /// <summary>How an insect ends.</summary>
+        /// <summary>End of an insect.</summary>
         public enum Ending
         {
             Destroy,

@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What is changed while the wings beat is seen at once, and only what must be is rebuilt.</summary>
+    /// <summary>Edits while the wings beat take effect at once, and rebuild only the necessary parts.</summary>
     public sealed class LiveEditTests : FlockFixture
     {
         [UnityTest]

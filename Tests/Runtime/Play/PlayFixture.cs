@@ -64,7 +64,7 @@ namespace Alate.Tests.Play
             return root;
         }
 
-        /// <summary>The same, alive, computed also where no camera sees it.</summary>
+        /// <summary>Living insect, computed also out of the sight of cameras.</summary>
         protected InsectWings Insect(float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
             WingDefinition kind = InsectCatalogue.Find("monarch").Wings[0];
@@ -83,7 +83,7 @@ namespace Alate.Tests.Play
             return insect;
         }
 
-        /// <summary>So many frames.</summary>
+        /// <summary>Waits for a number of frames.</summary>
         protected static IEnumerator Frames(int count)
         {
             for (int frame = 0; frame < count; frame++)

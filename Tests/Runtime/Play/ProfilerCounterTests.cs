@@ -6,7 +6,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What the profiler shows of the system, read as a user's own overlay would.</summary>
+    /// <summary>Counters of the system in the profiler, read as a user's own overlay would.</summary>
     public sealed class ProfilerCounterTests : FlockFixture
     {
         [UnityTest]

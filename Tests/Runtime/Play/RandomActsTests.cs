@@ -5,7 +5,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Whatever is done to insects, in whatever order, nothing breaks and everything comes back.</summary>
+    /// <summary>Random sequences of acts on insects break nothing, and all resources come back.</summary>
     public sealed class RandomActsTests : PlayFixture
     {
         private const int k_Acts = 10000, k_ActsPerFrame = 20;

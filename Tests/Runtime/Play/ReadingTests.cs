@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What an insect tells of itself is what its wings do.</summary>
+    /// <summary>Readings of an insect, compared with the state of its wings.</summary>
     public sealed class ReadingTests : FlockFixture
     {
         [UnityTest]

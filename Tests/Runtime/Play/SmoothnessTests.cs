@@ -6,7 +6,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What is drawn between fixed steps is motion, not a flip-book.</summary>
+    /// <summary>Smooth motion of the drawn pose between fixed steps.</summary>
     public sealed class SmoothnessTests : PlayFixture
     {
         private const float k_FrameRate = 144f;

@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Wherever an insect is, however large and whichever way round, its wings do the same.</summary>
+    /// <summary>Independence of the wings from place, size and orientation of the insect.</summary>
     public sealed class SpaceTests : FlockFixture
     {
         private const int k_Frames = 45;

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>The same wing in other units, places and poses, and as its mirror image, is the same rig.</summary>
+    /// <summary>Equality of the rigs of one wing in other units, places and poses, and as its mirror image.</summary>
     public sealed unsafe class InvarianceTests : RigFixture
     {
         [Test]

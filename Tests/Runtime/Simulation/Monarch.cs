@@ -18,7 +18,7 @@ namespace Alate.Tests
         /// <summary>The wing by <see cref="SpeciesFlight.FirstOrder"/>: what the check values of simulated flight were computed with.</summary>
         public static WingParameters FirstOrder => SpeciesFlight.FirstOrder(Parameters);
 
-        /// <summary>What it feels at a speed and a pitch of the body.</summary>
+        /// <summary>Surroundings at a speed and a pitch of the body.</summary>
         public static WingSurroundings Flying(float speed = 1.3f, float pitch = 0f)
         {
             quaternion toBody = quaternion.RotateX(pitch);
@@ -31,7 +31,7 @@ namespace Alate.Tests
             };
         }
 
-        /// <summary>Its rig on the grid; 0 patches for every triangle.</summary>
+        /// <summary>Rig on the grid; 0 patches for every triangle.</summary>
         public static WingRig GridRig(int patches = 0)
         {
             WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];
@@ -39,7 +39,7 @@ namespace Alate.Tests
             return Bake(wing, grid, patches);
         }
 
-        /// <summary>Its rig on the mesh that users get.</summary>
+        /// <summary>Rig on the mesh that users get.</summary>
         public static WingRig Rig(int patches = 256)
         {
             WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>What a monarch's wing does in flight, against the reference implementation's numbers, their trends, and laws.</summary>
+    /// <summary>Numbers of a monarch's wing in flight, against the reference implementation's, their trends, and laws.</summary>
     public sealed class MonarchNumbersTests
     {
         private const double k_Reference = 0.2;

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>Where the patches are, and what acts on them.</summary>
+    /// <summary>Places of the patches, and their loads.</summary>
     public sealed unsafe class PatchReadingTests
     {
         [Test]

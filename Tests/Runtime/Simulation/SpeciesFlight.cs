@@ -47,7 +47,7 @@ namespace Alate.Tests
             Triangles = surface.triangles;
         }
 
-        /// <summary>How it beats; tests change it.</summary>
+        /// <summary>Parameters of the wing; tests change them.</summary>
         public WingParameters parameters;
 
         public WingRig Rig { get; }
@@ -75,7 +75,7 @@ namespace Alate.Tests
             return parameters;
         }
 
-        /// <summary>What the wing meets in a wind on top of its own speed.</summary>
+        /// <summary>Surroundings of the wing in a wind on top of its own speed.</summary>
         /// <param name="wind">Metres a second.</param>
         /// <param name="speed">Of the body, metres a second.</param>
         public WingSurroundings Air(float3 wind, float speed) => new WingSurroundings
@@ -141,7 +141,7 @@ namespace Alate.Tests
         public void Dispose() => Rig.Release();
     }
 
-    /// <summary>Where the joints of a wing are over a beat.</summary>
+    /// <summary>Positions of the joints of a wing over a beat.</summary>
     internal sealed class BeatPath
     {
         private readonly List<float> m_Phases = new List<float>();

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>How many substeps a step takes: enough for the beat, and for the air that the wing meets.</summary>
+    /// <summary>Number of substeps of a step: enough for the beat, and for the air that the wing meets.</summary>
     public sealed unsafe class SubstepCountTests
     {
         private const float k_Frame = 0.02f;

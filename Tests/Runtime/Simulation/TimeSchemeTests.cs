@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>How far the wings are from their converged motion, by the substeps of a beat and the scheme.</summary>
+    /// <summary>Distance of the wings from their converged motion, by the substeps of a beat and the scheme.</summary>
     public sealed class TimeSchemeTests
     {
         private const int k_Beats = 12, k_Fine = 480;

@@ -43,7 +43,7 @@ internal sealed class SampleGrid
     /// <summary>Pixels.</summary>
     public int Height { get; }
 
-    /// <summary>Whether something at a depth would be seen at a sample, given what is solid there as yet.</summary>
+    /// <summary>Returns true where a surface at a depth would be visible at a sample, given the solid surfaces so far.</summary>
     public bool IsSeen(int x, int y, float depth) =>
         x >= 0 && x < k_Fineness * Width && y >= 0 && y < k_Fineness * Height && depth < m_Depths[Index(x, y)];
 
@@ -114,7 +114,7 @@ internal sealed class SampleGrid
 
     private int Index(int x, int y) => y * k_Fineness * Width + x;
 
-    /// <summary>What is seen through at a sample.</summary>
+    /// <summary>Layer seen through at a sample.</summary>
     /// <param name="Depth">Distance from the viewer.</param>
     /// <param name="Light">Linear light, and the opacity.</param>
     /// <param name="Surface">Whose it is.</param>

@@ -39,7 +39,7 @@ internal sealed class SavedState : UndoStep
 
     public override UndoStep Again() => _target == null ? null : new SavedState(_target);
 
-    /// <summary>Whether the object differs from this copy.</summary>
+    /// <summary>Returns true where the object differs from this copy.</summary>
     public override bool IsStale() => _target != null && (_target.name != _name || !Same(_fields, new SavedState(_target)._fields));
 
     private static bool Same(object a, object b)

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>What can be undone and redone, in groups that go together.</summary>
+/// <summary>Steps that can be undone and redone, in groups that go together.</summary>
 internal sealed class UndoHistory
 {
     private readonly List<Step> _done = [];

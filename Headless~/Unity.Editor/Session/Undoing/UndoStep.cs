@@ -7,10 +7,10 @@ namespace UnityEditor;
 /// <summary>One thing that can be taken back.</summary>
 internal abstract class UndoStep
 {
-    /// <summary>What it is about; null where nothing more can be recorded of it.</summary>
+    /// <summary>Object of the step; null where nothing more can be recorded of it.</summary>
     public virtual Object Target => null;
 
-    /// <summary>Whether there is anything to take back.</summary>
+    /// <summary>Returns true where there is a change to revert.</summary>
     public virtual bool IsStale() => true;
 
     /// <summary>Takes it back.</summary>

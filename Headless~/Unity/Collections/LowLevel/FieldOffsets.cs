@@ -4,7 +4,7 @@ using System.Reflection.Emit;
 
 namespace Unity.Collections;
 
-/// <summary>Where a field lies in its struct: asked of the runtime, as no managed call tells it for every struct.</summary>
+/// <summary>Offset of a field in its struct, asked of the runtime, because no managed call gives it for every struct.</summary>
 internal static class FieldOffsets
 {
     public static int Of(FieldInfo field)

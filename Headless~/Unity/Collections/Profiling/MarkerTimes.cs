@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Unity.StandIns;
 
-/// <summary>How long each profiler marker was open, on the main thread. A marker does not count what markers within it count.</summary>
+/// <summary>Times for which each profiler marker was open, on the main thread, without the time of markers within it.</summary>
 [StandInExtension]
 public static class MarkerTimes
 {
@@ -13,7 +13,7 @@ public static class MarkerTimes
     private static readonly Stack<int> s_Open = new();
     private static long s_Since;
 
-    /// <summary>Whether time is kept.</summary>
+    /// <summary>True while times are recorded.</summary>
     public static bool On { get; set; }
 
     /// <summary>Seconds by name since the last <see cref="Clear"/>.</summary>

@@ -6,7 +6,7 @@ namespace Unity.Collections;
 /// <summary>Finds out and says why an access was refused.</summary>
 internal static class SafetyErrors
 {
-    /// <summary>What to throw where a handle has refused an access.</summary>
+    /// <summary>Exception to throw where a handle has refused an access.</summary>
     public static Exception Of(in SafetyHandle handle, string name, bool writes)
     {
         if (!handle.Exists)

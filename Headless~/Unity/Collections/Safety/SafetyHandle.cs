@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace Unity.Collections;
 
 /// <summary>
-/// What all copies of a container look at: an even version, made odd while pending jobs keep the main thread from reading
-/// or writing. A job's copies look at a cell of their own, which is never odd.
+/// State that all copies of a container check: an even version, made odd while pending jobs keep the main thread from reading or writing. A
+/// job's copies check a cell of their own, which is never odd.
 /// </summary>
 internal struct SafetyCell
 {

@@ -38,7 +38,7 @@ public static class NativeMemoryLedger
         }
     }
 
-    /// <summary>Those among them that Unity's leak detection would not see.</summary>
+    /// <summary>Number of the allocations that Unity's leak detection would not see.</summary>
     public static int UntrackedCount
     {
         get

@@ -21,7 +21,7 @@ public class Application
     public static string persistentDataPath => System.IO.Path.Combine(System.IO.Path.GetTempPath(), $"alate-player-{Environment.ProcessId}");
     public static string unityVersion => "2022.3.0f1";
 
-    /// <summary>Whether an object is part of the playing world.</summary>
+    /// <summary>Returns true where an object is part of the playing world.</summary>
     public static bool IsPlaying(Object obj) => isPlaying && obj != null;
 
     internal static void Report(string text, string stackTrace, LogType type)

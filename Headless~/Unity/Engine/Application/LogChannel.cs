@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Unity.StandIns;
 
-/// <summary>Where all messages pass on their way to who listens; with nobody listening, warnings and worse go to stderr.</summary>
+/// <summary>Channel of all messages to their listeners; without listeners, warnings and worse go to stderr.</summary>
 [StandInExtension]
 public static class LogChannel
 {

@@ -43,7 +43,7 @@ public sealed class Camera : Behaviour, IStateful
             -orthographicSize * aspect, orthographicSize * aspect, -orthographicSize, orthographicSize, nearClipPlane, farClipPlane)
         : Matrix4x4.Perspective(fieldOfView, aspect, nearClipPlane, farClipPlane);
 
-    /// <summary>Without the transform's scale; the camera looks along -z of its own space.</summary>
+    /// <summary>Matrix without the transform's scale; the camera looks along -z of its own space.</summary>
     public Matrix4x4 worldToCameraMatrix =>
         Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one).inverse;
 

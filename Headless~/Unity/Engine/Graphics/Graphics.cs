@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>There is no screen: drawing is checked and forgotten.</summary>
+/// <summary>Checks calls of drawing and draws nothing: there is no screen.</summary>
 public class Graphics
 {
     public static void DrawMeshNow(Mesh mesh, Matrix4x4 matrix)

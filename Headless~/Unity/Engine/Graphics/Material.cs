@@ -43,7 +43,7 @@ public class Material : Object, ICopyable
         set => SetColor(ShaderProperties.MainColour(shader.name), value);
     }
 
-    /// <summary>There is no screen to draw on.</summary>
+    /// <summary>Does nothing: there is no screen to draw on.</summary>
     public bool SetPass(int pass) => false;
 
     public Texture mainTexture

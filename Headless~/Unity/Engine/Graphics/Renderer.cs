@@ -30,7 +30,7 @@ public class Renderer : Component, IStateful, IReferring
 
     public bool isPartOfStaticBatch => StaticallyBatched;
 
-    /// <summary>Whether a build merged this renderer with others.</summary>
+    /// <summary>True where a build merged this renderer with others.</summary>
     [Unity.StandIns.StandInExtension]
     public bool StaticallyBatched { get; set; }
 
@@ -48,7 +48,7 @@ public class Renderer : Component, IStateful, IReferring
     public Transform probeAnchor { get; set; }
     public GameObject lightProbeProxyVolumeOverride { get; set; }
 
-    /// <summary>Whether a camera saw the bounds at the end of the last frame.</summary>
+    /// <summary>True where a camera saw the bounds at the end of the last frame.</summary>
     public bool isVisible => VisibleFlag;
 
     public Material sharedMaterial

@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Which properties Unity's own shaders and the package's have, as far as materials are tested with them; null accepts every name.</summary>
+/// <summary>
+/// Properties of Unity's own shaders and the package's, as far as materials are tested with them; null accepts every name.
+/// </summary>
 internal static class ShaderProperties
 {
     private static readonly Dictionary<string, string[]> s_Known = new()
@@ -25,10 +27,10 @@ internal static class ShaderProperties
 
     public static IReadOnlyCollection<string> Of(string shader) => s_Known.GetValueOrDefault(shader);
 
-    /// <summary>What Material.mainTexture names: the property marked [MainTexture], or the one of that name.</summary>
+    /// <summary>Property of Material.mainTexture: the one marked [MainTexture], or the one of that name.</summary>
     public static string MainTexture(string shader) =>
         shader switch { "Universal Render Pipeline/Lit" => "_BaseMap", "HDRP/Lit" => "_BaseColorMap", _ => "_MainTex" };
 
-    /// <summary>What Material.color names, likewise.</summary>
+    /// <summary>Property of Material.color, likewise.</summary>
     public static string MainColour(string shader) => shader is "Universal Render Pipeline/Lit" or "HDRP/Lit" ? "_BaseColor" : "_Color";
 }

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Which renderers the cameras see, by their bounds.</summary>
+/// <summary>Renderers that the cameras see, by their bounds.</summary>
 internal static class Visibility
 {
     private static readonly List<Renderer> s_Renderers = [];
@@ -14,7 +14,7 @@ internal static class Visibility
 
     public static void Remove(Renderer renderer) => s_Renderers.Remove(renderer);
 
-    /// <summary>At the end of a frame: OnBecameVisible and OnBecameInvisible for what changed.</summary>
+    /// <summary>Sends OnBecameVisible and OnBecameInvisible at the end of a frame.</summary>
     public static void Update()
     {
         s_Round.Clear();

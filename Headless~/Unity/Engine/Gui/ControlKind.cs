@@ -1,6 +1,6 @@
 namespace StandIns;
 
-/// <summary>What a control of a drawn inspector is.</summary>
+/// <summary>Kind of a control of a drawn inspector.</summary>
 [Unity.StandIns.StandInExtension]
 public enum ControlKind
 {

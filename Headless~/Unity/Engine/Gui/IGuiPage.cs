@@ -2,7 +2,7 @@ using StandIns;
 
 namespace UnityEngine;
 
-/// <summary>What takes the place of a window while a test draws an inspector or a game.</summary>
+/// <summary>Stand-in for a window while a test draws an inspector or a game.</summary>
 internal interface IGuiPage
 {
     /// <summary>The next free lines.</summary>

@@ -46,7 +46,7 @@ internal static class BehaviourList
         s_Round.Clear();
     }
 
-    /// <summary>Whether anyone live has a method for a message.</summary>
+    /// <summary>Returns true where any live behaviour has a method for a message.</summary>
     public static bool AnyHears(Func<BehaviourMessages, Action> message)
     {
         foreach (MonoBehaviour behaviour in s_Live)

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>What Time reads and the player loop moves.</summary>
+/// <summary>Times that Time reads and the player loop advances.</summary>
 internal static class Clock
 {
     public static double Now { get; private set; }

@@ -75,7 +75,7 @@ public sealed class Coroutine : YieldInstruction
     };
 }
 
-/// <summary>Where in a frame routines go on.</summary>
+/// <summary>Points of a frame at which routines continue.</summary>
 internal enum FramePoint
 {
     FixedUpdate,

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>What Object.Destroy has named and the end of a frame will end.</summary>
+/// <summary>Objects that Object.Destroy has named and the end of a frame will destroy.</summary>
 internal static class Doomed
 {
     private static readonly List<(Object Target, double When)> s_Waiting = [];

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Unity.StandIns;
 
-/// <summary>What the editor tells components when somebody works in it.</summary>
+/// <summary>Messages of the editor to components while the user works.</summary>
 [StandInExtension]
 public static class EditorMessages
 {

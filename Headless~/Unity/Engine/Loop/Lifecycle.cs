@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>When objects hear that they awake, start, go to sleep and end.</summary>
+/// <summary>Sends objects their messages as they awake, start, are disabled and end.</summary>
 internal static class Lifecycle
 {
     private static readonly List<GameObject> s_Postponed = [];

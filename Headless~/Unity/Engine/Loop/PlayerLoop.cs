@@ -23,7 +23,7 @@ public static class PlayerLoop
     /// <summary>After the frame's last coroutine, before what was destroyed ends.</summary>
     public static event Action FrameEnding;
 
-    /// <summary>What Application.isPlaying says.</summary>
+    /// <summary>Value of Application.isPlaying.</summary>
     public static bool IsPlaying { get; private set; }
 
     /// <summary>Starts the clock at 0, runs RuntimeInitializeOnLoadMethod methods and awakes the loaded scenes.</summary>

@@ -165,7 +165,7 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
 
     public Vector3 GetPosition() => new(m03, m13, m23);
 
-    /// <summary>With the division by w.</summary>
+    /// <summary>Transforms a point, with the division by w.</summary>
     public Vector3 MultiplyPoint(Vector3 point)
     {
         float w = m30 * point.x + m31 * point.y + m32 * point.z + m33;

@@ -113,7 +113,7 @@ public sealed partial class GameObject : Object
 
     internal bool ActiveFlag => _active;
 
-    /// <summary>Its end has begun: a second one is not needed.</summary>
+    /// <summary>True once the object's end has begun: a second one is not needed.</summary>
     internal bool Dying { get; set; }
 
     public bool CompareTag(string tag) => this.tag == tag;

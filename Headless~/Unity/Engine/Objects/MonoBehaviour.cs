@@ -30,13 +30,13 @@ public class MonoBehaviour : Behaviour
     internal bool Awoken { get; set; }
     internal bool Started { get; set; }
 
-    /// <summary>Its end has begun: it hears no more but OnDisable and OnDestroy.</summary>
+    /// <summary>True once the behaviour's end has begun: it gets no message but OnDisable and OnDestroy.</summary>
     internal bool Ended { get; set; }
 
     /// <summary>OnEnable was sent, OnDisable not yet.</summary>
     internal bool Live { get; set; }
 
-    /// <summary>Which of two behaviours of the same execution order goes first.</summary>
+    /// <summary>Rank among behaviours of equal execution order.</summary>
     internal long Turn { get; set; }
 
     internal bool HearsMessages => Application.isPlaying || runInEditMode || Messages.InEditMode;

@@ -9,7 +9,7 @@ public sealed class Resources
 
     public static T[] FindObjectsOfTypeAll<T>() where T : Object => [.. ObjectRegistry.Find<T>(typeof(T))];
 
-    /// <summary>There are no asset folders here: null but for <see cref="ProjectShaders"/>.</summary>
+    /// <summary>Returns null except for <see cref="ProjectShaders"/>: there are no asset folders.</summary>
     public static T Load<T>(string path) where T : Object => ProjectShaders.InResources(path) as T;
 
     public static void UnloadAsset(Object assetToUnload) => Object.DestroyImmediate(assetToUnload, true);

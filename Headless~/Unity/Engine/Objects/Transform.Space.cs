@@ -65,7 +65,7 @@ public partial class Transform
         set => rotation = Quaternion.Euler(value);
     }
 
-    /// <summary>What the matrix stretches along the rotated axes; only an approximation under skewed parents.</summary>
+    /// <summary>Scale of the matrix along the rotated axes; only an approximation under skewed parents.</summary>
     public Vector3 lossyScale
     {
         get

@@ -36,7 +36,7 @@ public class Rigidbody : Component, IStateful
         set => transform.rotation = value;
     }
 
-    /// <summary>What Unity 2022.3 calls velocity and Unity 6000 linearVelocity.</summary>
+    /// <summary>Velocity of the body: velocity in Unity 2022.3, linearVelocity in Unity 6000.</summary>
     [Unity.StandIns.StandInExtension]
     public Vector3 LinearVelocity
     {

@@ -23,7 +23,7 @@ internal sealed class SceneRecord
     /// <summary>The loaded scenes without the one of DontDestroyOnLoad.</summary>
     public static IReadOnlyList<SceneRecord> Loaded => s_Loaded;
 
-    /// <summary>Where new objects go.</summary>
+    /// <summary>Scene for new objects.</summary>
     public static SceneRecord Active
     {
         get => s_Active ??= s_Loaded.Count > 0 ? s_Loaded[0] : Load("");

@@ -5,7 +5,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>What Instantiate makes: copies of what is saved, with references inside the copied hierarchy led to the copies.</summary>
+/// <summary>Copies objects as Instantiate does: saved content, with references inside the copied hierarchy led to the copies.</summary>
 internal static class Copying
 {
     public static T Copy<T>(T original, Transform parent, bool worldPositionStays, (Vector3 Position, Quaternion Rotation)? place)

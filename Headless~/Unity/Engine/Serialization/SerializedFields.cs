@@ -5,7 +5,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>Which fields Unity saves: public or [SerializeField], of types that it can write.</summary>
+/// <summary>Fields that Unity saves: public or [SerializeField], of types that it can write.</summary>
 internal static class SerializedFields
 {
     private static readonly ConcurrentDictionary<Type, FieldInfo[]> s_Known = [];
@@ -13,7 +13,9 @@ internal static class SerializedFields
     /// <summary>The saved fields of a type, those of base classes first.</summary>
     public static FieldInfo[] Of(Type type) => s_Known.GetOrAdd(type, Find);
 
-    /// <summary>Whether a field keeps its value when scripts are compiled again: private ones do too, where their type can be written.</summary>
+    /// <summary>
+    /// Returns true where a field keeps its value when scripts are compiled again: private ones do too, where their type can be written.
+    /// </summary>
     public static bool SurvivesReload(FieldInfo field) =>
         IsSaved(field) || (!field.IsInitOnly && !field.IsDefined(typeof(NonSerializedAttribute)) && IsWritable(field.FieldType, inList: false));
 

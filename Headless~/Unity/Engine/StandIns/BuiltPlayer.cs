@@ -4,6 +4,6 @@ namespace Unity.StandIns;
 [StandInExtension]
 public static class BuiltPlayer
 {
-    /// <summary>Whether Application.isEditor is false.</summary>
+    /// <summary>True where Application.isEditor is false.</summary>
     public static bool IsRunning { get; set; }
 }

@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Unity.StandIns;
 
-/// <summary>What Unity does when scripts are compiled again during play.</summary>
+/// <summary>Reloads scripts as Unity does when they are compiled again during play.</summary>
 [StandInExtension]
 public static class DomainReload
 {

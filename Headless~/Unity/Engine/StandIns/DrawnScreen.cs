@@ -15,13 +15,13 @@ public static class DrawnScreen
     private static readonly Queue<ScreenAct> s_Acts = new();
     private static IReadOnlyList<DrawnControl> s_Controls = [];
 
-    /// <summary>What the last frame showed, in the order in which it was drawn.</summary>
+    /// <summary>Controls of the last frame, in the order in which they were drawn.</summary>
     public static IReadOnlyList<DrawnControl> Controls => s_Controls;
 
     /// <summary>All texts of the last frame, joined.</summary>
     public static string Text => string.Join("\n", s_Controls.Select(control => control.Text));
 
-    /// <summary>Whether a test wants to do something to the screen.</summary>
+    /// <summary>True where a test has acts for the screen.</summary>
     internal static bool IsExpectingActs => s_Acts.Count > 0;
 
     /// <summary>Presses a button or toggle in the next frame.</summary>

@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace Unity.Jobs;
 
-/// <summary>What the present thread executes.</summary>
+/// <summary>Job that the present thread executes.</summary>
 internal static class JobContext
 {
     [ThreadStatic]

@@ -42,7 +42,7 @@ internal sealed class JobFields
     /// <summary>Offsets of the fields with [NativeSetThreadIndex].</summary>
     public int[] ThreadIndices { get; }
 
-    /// <summary>Why no job of this type can be scheduled; null if it can.</summary>
+    /// <summary>Reason why no job of this type can be scheduled; null if it can.</summary>
     public string Problem { get; private set; }
 
     private void Visit(Type type, string path, int offset)

@@ -5,7 +5,7 @@ using Unity.Collections;
 
 namespace Unity.Jobs;
 
-/// <summary>What the safety system has to know of a type of job, and what it does with each job of the type.</summary>
+/// <summary>Knowledge of the safety system about a type of job, and its checks for each job of the type.</summary>
 internal sealed unsafe class JobLayout
 {
     private readonly JobFields m_Fields;

@@ -54,7 +54,7 @@ internal static class JobTable
         return false;
     }
 
-    /// <summary>Whether a handle waits for a job, directly or not, or the job has been completed.</summary>
+    /// <summary>Returns true where a handle waits for a job, directly or not, or the job has been completed.</summary>
     public static bool DependsOn(JobHandle handle, JobHandle job)
     {
         lock (Gate)

@@ -46,7 +46,7 @@ internal static class JobWorkers
     public static BatchOrder NextOrder() =>
         JobExecution.Order == JobOrder.Shuffled ? BatchOrder.Shuffled(NextRandom()) : BatchOrder.Ascending;
 
-    /// <summary>Which of the jobs that can run is taken next.</summary>
+    /// <summary>Chooses the next of the jobs that can run.</summary>
     public static int Pick(int count) => JobExecution.Order == JobOrder.Shuffled ? (int)(NextRandom() % (uint)count) : 0;
 
     private static uint NextRandom()

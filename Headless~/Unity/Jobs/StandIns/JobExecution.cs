@@ -2,7 +2,7 @@ using Unity.Jobs;
 
 namespace Unity.StandIns;
 
-/// <summary>How jobs are executed, for tests. JobsUtility.JobWorkerCount = 0 executes all of them in Complete().</summary>
+/// <summary>Settings for executing jobs, for tests. JobsUtility.JobWorkerCount = 0 executes all of them in Complete().</summary>
 [StandInExtension]
 public static class JobExecution
 {

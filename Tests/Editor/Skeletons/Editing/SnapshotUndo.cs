@@ -19,7 +19,7 @@ namespace Alate.Editor.Tests
 
         public string LastName => m_Done.Peek().Name;
 
-        /// <summary>Whether something was said to be changed that had not been recorded before.</summary>
+        /// <summary>True where an object was marked as changed that had not been recorded before.</summary>
         public bool ChangedUnrecorded { get; private set; }
 
         public void Begin(string act)

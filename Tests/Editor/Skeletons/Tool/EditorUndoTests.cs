@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>The same acts in the editor's own undo history.</summary>
+    /// <summary>Commands in the editor's own undo history.</summary>
     public sealed class EditorUndoTests
     {
         private WingSkeleton m_Skeleton;

@@ -23,7 +23,7 @@ namespace Alate.Tests
         public MeshRenderer Draw(string path, MeshSketch sketch, params string[] materials) =>
             Draw(path, sketch.ToMesh("Mesh"), materials.Length > 0 ? materials : new[] { "Default" });
 
-        /// <summary>The same with what a generator makes.</summary>
+        /// <summary>Draws the output of a generator.</summary>
         public MeshRenderer Draw(string path, SurfaceMesh surface) => Draw(path, surface.ToMesh("Mesh"), new[] { "Default" });
 
         /// <summary>A child without a mesh.</summary>

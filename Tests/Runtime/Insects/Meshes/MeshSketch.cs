@@ -10,7 +10,7 @@ namespace Alate.Tests
         public readonly List<Vector3> positions = new List<Vector3>();
         private readonly List<List<int>> m_Submeshes = new List<List<int>> { new List<int>() };
 
-        /// <summary>What is drawn from now on belongs to the next submesh.</summary>
+        /// <summary>Begins the next submesh.</summary>
         public MeshSketch NextSubmesh()
         {
             m_Submeshes.Add(new List<int>());

@@ -79,7 +79,7 @@ namespace Alate.Tests
             }
         }
 
-        /// <summary>Where linear blend skinning puts the vertices of a mesh, world space.</summary>
+        /// <summary>Vertices of a mesh by linear blend skinning, world space.</summary>
         public Vector3[] Posed(Mesh mesh)
         {
             var positions = mesh.vertices;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>What the hints of a user do, and what is guessed without them.</summary>
+    /// <summary>Effect of the hints of a user, and the guesses without them.</summary>
     public sealed class FitHintTests
     {
         // A straight leading edge over a rounded rear, tip at x = 1, a little away from the origin.

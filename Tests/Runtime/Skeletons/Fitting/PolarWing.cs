@@ -14,7 +14,7 @@ namespace Alate.Tests
         /// <summary>Width over length.</summary>
         public double aspect = 0.45;
 
-        /// <summary>How far the tip end is swept forward, lengths.</summary>
+        /// <summary>Forward sweep of the tip end, lengths.</summary>
         public double sweep;
 
         /// <summary>Amplitude and phase of the waves 0, 1, 2, … round the outline, shares of the radius.</summary>

@@ -9,17 +9,17 @@ namespace Alate.Tests
     {
         private const int k_CornersPerHollow = 12;
 
-        /// <summary>How many.</summary>
+        /// <summary>Number of rays.</summary>
         public int rays = 11;
 
-        /// <summary>How deep the hollows are, ray lengths.</summary>
+        /// <summary>Depth of the hollows, ray lengths.</summary>
         public double depth = 0.06;
 
         /// <summary>Directions of the first and the last ray, radians from the span towards the leading edge.</summary>
         public double first = 1.0;
         public double last = -1.1;
 
-        /// <summary>How long the first ray is; the others are 1 long.</summary>
+        /// <summary>Length of the first ray; the others are 1 long.</summary>
         public double firstLength = 1.0;
 
         /// <summary>The end of a ray.</summary>

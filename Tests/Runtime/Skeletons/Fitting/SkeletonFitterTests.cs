@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>Where the chains of a fitted skeleton lie, on wings of many shapes.</summary>
+    /// <summary>Places of the chains of a fitted skeleton, on wings of many shapes.</summary>
     public sealed class SkeletonFitterTests
     {
         private static readonly PolarWing[] s_Wings =

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>What strong JPEG compression does to a block of eight by eight pixels: its cosine waves keep only whole multiples of a step.</summary>
+    /// <summary>
+    /// Effect of strong JPEG compression on a block of eight by eight pixels: its cosine waves keep only whole multiples of a step.
+    /// </summary>
     internal static class BlockQuantisation
     {
         private const int k_Side = 8;

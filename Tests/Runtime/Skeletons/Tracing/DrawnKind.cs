@@ -16,16 +16,16 @@ namespace Alate.Tests
         /// <summary>On ground that darkens to one corner.</summary>
         Gradient,
 
-        /// <summary>With the blocks and ripples of strong JPEG compression.</summary>
+        /// <summary>Picture with the blocks and ripples of strong JPEG compression.</summary>
         Compressed,
 
-        /// <summary>All of that at once.</summary>
+        /// <summary>Picture with all of those faults at once.</summary>
         Hard,
 
         /// <summary>On transparent ground.</summary>
         Transparent,
 
-        /// <summary>Its outline drawn in thin black on white.</summary>
+        /// <summary>Outline drawn in thin black on white.</summary>
         Drawing,
     }
 

@@ -72,7 +72,7 @@ namespace Alate.Tests
         private static Color32 Grey(byte shade) => new Color32(shade, shade, shade, 255);
     }
 
-    /// <summary>How veins look.</summary>
+    /// <summary>Look of veins.</summary>
     public enum VeinLook
     {
         /// <summary>Dark on a brown wing, with noise and compression.</summary>

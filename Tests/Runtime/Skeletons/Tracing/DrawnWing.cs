@@ -46,7 +46,7 @@ namespace Alate.Tests
             x => 0.06 + 0.10 * Bell(x, 3) + 0.16 * Math.Sin(1.2 * x),
             x => -0.1 - 0.34 * Bell(x, 3) - 0.25 * Math.Exp(-Math.Pow((x - 0.62) / 0.035, 4)));
 
-        /// <summary>With a wavy trailing edge.</summary>
+        /// <summary>Wing with a wavy trailing edge.</summary>
         public static DrawnWing Scalloped() => Of(
             "scalloped", 800, x => 0.04 + 0.12 * Bell(x, 3), x => -0.05 - 0.3 * Bell(x, 2.5) - 0.025 * Math.Sin(40 * x) * Math.Min(1, 4 * (1 - x)));
 
@@ -76,7 +76,7 @@ namespace Alate.Tests
             return new DrawnWing("long-tailed", outline.ToArray());
         }
 
-        /// <summary>With a margin cut in to the middle, like a plume moth's.</summary>
+        /// <summary>Wing with a margin cut in to the middle, like a plume moth's.</summary>
         public static DrawnWing Cleft()
         {
             var outline = new List<Vector2>();

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>Where a drawn wing lies in a square picture.</summary>
+    /// <summary>Place of a drawn wing in a square picture.</summary>
     internal sealed class WingPlace
     {
         private readonly float m_Cosine;

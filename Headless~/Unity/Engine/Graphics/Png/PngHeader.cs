@@ -4,7 +4,7 @@ using System.Collections.Generic;
 
 namespace Unity.StandIns;
 
-/// <summary>What a PNG picture's first part says.</summary>
+/// <summary>Header of a PNG picture.</summary>
 internal readonly record struct PngHeader(int Width, int Height, int Depth, int ColourType, bool IsInterlaced)
 {
     public const int Grey = 0, Rgb = 2, Palette = 3, GreyAlpha = 4, Rgba = 6;
