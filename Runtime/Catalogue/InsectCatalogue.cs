@@ -44,11 +44,11 @@ namespace Alate.Catalogue
         }
 
         /// <summary>The preset of a species' first wing.</summary>
-        /// <returns>Whether there is such a species; otherwise <paramref name="species"/> is null.</returns>
-        public static bool TryCreate(string name, out WingPreset species)
+        /// <returns>Whether there is such a species; otherwise <paramref name="preset"/> is null.</returns>
+        public static bool TryCreate(string name, out WingPreset preset)
         {
-            species = TryFind(name, out var definition) ? definition.Wings[0].CreatePreset() : null;
-            return species != null;
+            preset = TryFind(name, out var definition) ? definition.Wings[0].CreatePreset() : null;
+            return preset != null;
         }
 
         /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>

@@ -73,10 +73,10 @@ namespace Alate.Catalogue
         public IReadOnlyList<InsectVariant> Variants => m_Variants;
 
         /// <summary>A preset of this wing.</summary>
-        /// <param name="preset">How the paper's equations are read; applied last, so that <see cref="ModelReading.Paper"/> sets its delays and phases in every variant.</param>
+        /// <param name="reading">How the paper's equations are read; applied last, so that <see cref="ModelReading.Paper"/> sets its delays and phases in every variant.</param>
         /// <param name="variant">Which numbers of the species are taken.</param>
         /// <exception cref="ArgumentException">The wing has no such variant; the message lists those there are.</exception>
-        public WingPreset CreatePreset(ModelReading preset = ModelReading.Physical, InsectVariant variant = InsectVariant.Standard)
+        public WingPreset CreatePreset(ModelReading reading = ModelReading.Physical, InsectVariant variant = InsectVariant.Standard)
         {
             var change = m_Variants.IndexOf(variant);
             if (change < 0)
@@ -84,19 +84,19 @@ namespace Alate.Catalogue
                 throw new ArgumentException($"The {Name} has no variant '{variant}'. It has: {string.Join(", ", m_Variants)}.", nameof(variant));
             }
 
-            var species = ScriptableObject.CreateInstance<WingPreset>();
-            m_Changes[0](species);
+            var preset = ScriptableObject.CreateInstance<WingPreset>();
+            m_Changes[0](preset);
             if (change > 0)
             {
-                m_Changes[change](species);
+                m_Changes[change](preset);
             }
 
-            if (preset == ModelReading.Paper)
+            if (reading == ModelReading.Paper)
             {
-                species.ApplyReading(preset);
+                preset.ApplyReading(reading);
             }
 
-            return species;
+            return preset;
         }
 
         /// <summary>The base of the wing on the body, in mesh units.</summary>

@@ -37,8 +37,8 @@ namespace Alate.Editor
         public static ChainSketch Of(InsectWings insect, int wing)
         {
             WingPreset own = insect.Wings[wing].Preset;
-            WingPreset species = own == null ? insect.Preset : own;
-            PresetWave wave = species == null ? PresetDefaults.PhysicalWave : species.Wave;
+            WingPreset preset = own == null ? insect.Preset : own;
+            PresetWave wave = preset == null ? PresetDefaults.PhysicalWave : preset.Wave;
             return insect.Live == null ? AtRest(insect.Wings[wing], wave) : Living(insect, wing, wave);
         }
 

@@ -55,7 +55,7 @@ namespace Alate.Editor
             return prefab;
         }
 
-        // Those of the standard variant; the others lie beside them, to be dragged into the field Species.
+        // Those of the standard variant; the others lie beside them, to be dragged into the field Preset.
         private WingPreset[] KeepPresets(InsectParts kit, InsectDefinition species)
         {
             WingPreset[] standard = null;

@@ -113,18 +113,18 @@ namespace Alate.Editor
         }
 
         // Stiffness and the strongest wind are measured against the reference frequency, which knows the range: they are kept as they were.
-        private static void Scale(WingPreset species, float share)
+        private static void Scale(WingPreset preset, float share)
         {
-            float before = species.ReferenceFrequency;
-            species.Beat.flapRange *= share;
-            species.Beat.featherRange *= share;
-            species.Beat.sweepRange *= share;
-            float ratio = before / species.ReferenceFrequency;
-            species.Stiffness.leadingEdge *= ratio;
-            species.Stiffness.trailingEdge *= ratio;
-            species.Stiffness.anchor *= ratio;
-            species.Stiffness.springScale *= ratio * ratio;
-            species.Stiffness.strongestWind *= share > 0f ? ratio / share : 1f;
+            float before = preset.ReferenceFrequency;
+            preset.Beat.flapRange *= share;
+            preset.Beat.featherRange *= share;
+            preset.Beat.sweepRange *= share;
+            float ratio = before / preset.ReferenceFrequency;
+            preset.Stiffness.leadingEdge *= ratio;
+            preset.Stiffness.trailingEdge *= ratio;
+            preset.Stiffness.anchor *= ratio;
+            preset.Stiffness.springScale *= ratio * ratio;
+            preset.Stiffness.strongestWind *= share > 0f ? ratio / share : 1f;
         }
 
         private static float Wrap(float degrees)

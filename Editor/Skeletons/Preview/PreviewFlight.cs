@@ -20,13 +20,13 @@ namespace Alate.Editor
         }
 
         /// <summary>A preset's wing in level flight.</summary>
-        public static PreviewFlight Of(PresetValues species)
+        public static PreviewFlight Of(PresetValues preset)
         {
-            float speed = k_CruiseShare * species.parameters.maxSpeed;
-            return new PreviewFlight(species.parameters, new WingSurroundings
+            float speed = k_CruiseShare * preset.parameters.maxSpeed;
+            return new PreviewFlight(preset.parameters, new WingSurroundings
             {
-                wind = new float3(0f, 0f, -speed / species.wingLength),
-                gravity = new float3(0f, -k_Gravity * species.gravityShare / species.wingLength, 0f),
+                wind = new float3(0f, 0f, -speed / preset.wingLength),
+                gravity = new float3(0f, -k_Gravity * preset.gravityShare / preset.wingLength, 0f),
                 speed = speed,
             });
         }

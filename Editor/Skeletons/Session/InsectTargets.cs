@@ -28,11 +28,11 @@ namespace Alate.Editor
                     Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
                     if (mesh == null)
                         continue;
-                    WingPreset species = wing.Preset != null ? wing.Preset : insect.Preset;
+                    WingPreset preset = wing.Preset != null ? wing.Preset : insect.Preset;
                     int skeleton = wing.Skeleton == null ? 0 : wing.Skeleton.GetHashCode();
                     int part = ((int)wing.Part * 31 + wing.Submesh) * 31 + wing.Point.GetHashCode();
                     stamp = ((stamp * 31 + mesh.GetHashCode()) * 31 + skeleton) * 31 + part + (int)wing.Side * 7 + (int)wing.Pair;
-                    stamp = stamp * 31 + (species == null ? 0 : species.GetHashCode());
+                    stamp = stamp * 31 + (preset == null ? 0 : preset.GetHashCode());
                 }
             }
 
@@ -83,7 +83,7 @@ namespace Alate.Editor
                 {
                     WithoutSurface = without,
                     Insect = insect.transform,
-                    Species = wing.Preset != null ? wing.Preset : insect.Preset,
+                    Preset = wing.Preset != null ? wing.Preset : insect.Preset,
                 };
                 targets.Add(target);
                 own.Add((wing, target));

@@ -48,7 +48,7 @@ namespace Alate.Editor
         public string Lock => FindLock?.Invoke(Skeleton);
 
         /// <summary>Preset by which the wing beats; null for a monarch.</summary>
-        public WingPreset Species { get; set; }
+        public WingPreset Preset { get; set; }
 
         /// <summary>Settings for laying the skeleton out again: place and orientation of the insect, in the wing's space.</summary>
         public SkeletonFitSettings Known()

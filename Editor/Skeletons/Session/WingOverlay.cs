@@ -64,13 +64,13 @@ namespace Alate.Editor
 
             m_Skeletons.Refresh();
             m_Presets.Refresh();
-            PresetValues species = m_Presets.Of(target.Species);
-            Parameters = species.parameters;
+            PresetValues preset = m_Presets.Of(target.Preset);
+            Parameters = preset.parameters;
             var key = new OverlayKey(target, m_Skeletons.Of(target.Skeleton).Hash);
             if (!hurries || Colours != null)
                 Inspect(target, key);
-            Colour(key.With(Colours, selected, species.Stamp), selected);
-            Beat(target, key.With(null, Array.Empty<JointIndex>(), species.Stamp), species);
+            Colour(key.With(Colours, selected, preset.Stamp), selected);
+            Beat(target, key.With(null, Array.Empty<JointIndex>(), preset.Stamp), preset);
         }
 
         public void Dispose()
@@ -99,14 +99,14 @@ namespace Alate.Editor
             m_Inspection.Show(Rig, Colours.Value, selected, Parameters);
         }
 
-        private void Beat(SkeletonTarget target, OverlayKey key, PresetValues species)
+        private void Beat(SkeletonTarget target, OverlayKey key, PresetValues preset)
         {
             if (!ShowsBeat)
                 return;
             if (!key.Equals(m_Previewed))
             {
                 m_Previewed = key;
-                m_Preview.Bake(target.Skeleton, target.Surface, PreviewFlight.Of(species));
+                m_Preview.Bake(target.Skeleton, target.Surface, PreviewFlight.Of(preset));
             }
 
             m_Preview.Show(Phase);

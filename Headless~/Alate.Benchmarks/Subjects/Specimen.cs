@@ -19,7 +19,7 @@ internal sealed class Specimen : IDisposable
     private Specimen(WingDefinition wing, in WingParameters parameters, in WingRigSettings settings)
     {
         Wing = wing;
-        var species = wing.CreatePreset();
+        var preset = wing.CreatePreset();
         Parameters = parameters;
         m_Settings = settings;
         Surface = wing.CreateSurface(WingSide.Right);
@@ -28,8 +28,8 @@ internal sealed class Specimen : IDisposable
         var cruise = k_CruiseShare * parameters.maxSpeed;
         Flight = new WingSurroundings
         {
-            wind = new float3(0f, 0f, -cruise / species.WingLength),
-            gravity = new float3(0f, -k_Gravity / species.WingLength, 0f),
+            wind = new float3(0f, 0f, -cruise / preset.WingLength),
+            gravity = new float3(0f, -k_Gravity / preset.WingLength, 0f),
             speed = cruise,
         };
     }

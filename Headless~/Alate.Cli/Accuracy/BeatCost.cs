@@ -23,7 +23,7 @@ internal sealed class BeatCost : IDisposable
     {
         WingRig rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
         for (int k = 0; k < WingPack.Lanes; k++)
-            m_Wing = m_World.Add(rig, plan.ParametersOf(wing.Species), plan.SurroundingsOf(wing.Species, WingSide.Right));
+            m_Wing = m_World.Add(rig, plan.ParametersOf(wing.Preset), plan.SurroundingsOf(wing.Preset, WingSide.Right));
         rig.Release();
         m_Step = 1f / (k_Steps * m_World.Read(m_Wing).Frequency);
         for (int k = 0; k < k_SettledBeats * k_Steps; k++)

@@ -43,7 +43,7 @@ internal sealed class SpeciesConvergence
     private static SpeciesConvergence Measure(FlightPlan plan)
     {
         Insect insect = Insect.Of(plan);
-        FlightPlan defaults = Taken(plan with { Substeps = plan.ParametersOf(insect.Wings[0].Species).substepsPerBeat }, insect);
+        FlightPlan defaults = Taken(plan with { Substeps = plan.ParametersOf(insect.Wings[0].Preset).substepsPerBeat }, insect);
         FlightPlan old = Taken(plan.AsVersion01(), insect);
         List<FlightPlan> plans = Plans(plan, defaults, insect);
         List<List<double>> errors = Errors(plan, plans, out FlightRecord converged);

@@ -21,9 +21,9 @@ internal sealed record WingNumbers(WingDefinition Wing, IReadOnlyList<IReadOnlyL
 
     private static float[] Read(WingDefinition wing, InsectVariant variant)
     {
-        WingPreset species = wing.CreatePreset(variant: variant);
-        float[] values = Parameters.Select(parameter => parameter.Of(species)).ToArray();
-        UnityEngine.Object.DestroyImmediate(species);
+        WingPreset preset = wing.CreatePreset(variant: variant);
+        float[] values = Parameters.Select(parameter => parameter.Of(preset)).ToArray();
+        UnityEngine.Object.DestroyImmediate(preset);
         return values;
     }
 }

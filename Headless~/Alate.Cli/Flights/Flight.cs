@@ -101,15 +101,15 @@ internal sealed class Flight : IDisposable
 
     private void Add(InsectWing wing)
     {
-        WingParameters parameters = m_Plan.ParametersOf(wing.Species);
+        WingParameters parameters = m_Plan.ParametersOf(wing.Preset);
         WingRig rig = Bake(wing);
         float3[] rest = Array.ConvertAll(wing.Surface.positions, position => rig.Frame.ToWing(position));
         BeatMeasurement measurement = Measurement(rest, wing.Surface);
         foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
         {
             WingPlacement placement = wing.PlacementOf(rig.Frame, side);
-            WingSurroundings surroundings = m_Plan.SurroundingsOf(wing.Species, side);
-            surroundings.hinge = placement.Hinge / wing.Species.WingLength;
+            WingSurroundings surroundings = m_Plan.SurroundingsOf(wing.Preset, side);
+            surroundings.hinge = placement.Hinge / wing.Preset.WingLength;
             m_Handles.Add(m_World.Add(rig, parameters, surroundings));
             m_Frames.Add(rig.Frame);
             m_Wings.Add(new RecordedWing

@@ -68,9 +68,9 @@ internal sealed record FlightPlan
     public static double CruiseOf(InsectDefinition definition)
     {
         const double k_Share = 0.65;
-        WingPreset species = definition.Wings[0].CreatePreset();
-        double cruise = Math.Round(k_Share * species.Beat.maxSpeed, 3);
-        UnityEngine.Object.DestroyImmediate(species);
+        WingPreset preset = definition.Wings[0].CreatePreset();
+        double cruise = Math.Round(k_Share * preset.Beat.maxSpeed, 3);
+        UnityEngine.Object.DestroyImmediate(preset);
         return cruise;
     }
 
@@ -80,9 +80,9 @@ internal sealed record FlightPlan
 
     /// <summary>The species' parameters with this plan's changes.</summary>
     /// <exception cref="UserException">They leave the range that the model takes.</exception>
-    public WingParameters ParametersOf(WingPreset species)
+    public WingParameters ParametersOf(WingPreset preset)
     {
-        WingPreset shown = Column.CreatePreset(species);
+        WingPreset shown = Column.CreatePreset(preset);
         WingParameters parameters = shown.ToParameters();
         UnityEngine.Object.DestroyImmediate(shown);
         parameters.elasticity *= (float)Elasticity;
@@ -109,7 +109,7 @@ internal sealed record FlightPlan
     /// <summary>
     /// Surroundings of a wing of a body in this flight, in the frame of its right wing or mirrored into that of its left one.
     /// </summary>
-    public WingSurroundings SurroundingsOf(WingPreset species, WingSide side)
+    public WingSurroundings SurroundingsOf(WingPreset preset, WingSide side)
     {
         const float k_Gravity = 9.81f;
         float pitch = math.radians((float)PitchDegrees);
@@ -117,8 +117,8 @@ internal sealed record FlightPlan
         air.x = side == WingSide.Right ? air.x : -air.x;
         return new WingSurroundings
         {
-            wind = ToBody(air, pitch) / species.WingLength,
-            gravity = ToBody(new float3(0f, -k_Gravity, 0f), pitch) * (species.Size.gravityShare / species.WingLength),
+            wind = ToBody(air, pitch) / preset.WingLength,
+            gravity = ToBody(new float3(0f, -k_Gravity, 0f), pitch) * (preset.Size.gravityShare / preset.WingLength),
             speed = (float)BodySpeed,
             angleOfAttack = pitch,
         };

@@ -16,7 +16,7 @@ internal sealed class FlightSummary
         Flight = flight;
         Wings = flight.Wings.Where(wing => !wing.Placement.IsLeft).Select(WingSummary.Of).ToList();
         (MeanForce, MeanMoment) = MeanAir(flight);
-        LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Species.Size.insectMass * k_Gravity);
+        LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Preset.Size.insectMass * k_Gravity);
         NewtonIterationsMean = flight.Wings.SelectMany(wing => wing.Frames).Average(frame => frame.NewtonIterations);
         Resets = flight.Wings.Sum(wing => wing.Resets);
         Triangles = flight.Wings.Sum(wing => wing.Triangles.Length / 3);
@@ -61,7 +61,7 @@ internal sealed class FlightSummary
         float3 force = default, moment = default;
         foreach (RecordedWing wing in flight.Wings)
         {
-            PresetSize size = wing.Wing.Species.Size;
+            PresetSize size = wing.Wing.Preset.Size;
             float unit = size.wingMass * size.wingLength / wing.Frames.Count;
             foreach (RecordedFrame frame in wing.Frames)
             {

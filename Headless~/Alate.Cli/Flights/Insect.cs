@@ -37,7 +37,7 @@ internal sealed class Insect
     {
         InsectDefinition definition = FlightOptions.Find(plan.Species, plan.Variant);
         Insect insect = plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
-        plan.Change?.ApplyTo(insect.Wings.Select(wing => wing.Species).ToList());
+        plan.Change?.ApplyTo(insect.Wings.Select(wing => wing.Preset).ToList());
         return insect;
     }
 
@@ -50,7 +50,7 @@ internal sealed class Insect
             wings.Add(new InsectWing
             {
                 Name = wing.Name,
-                Species = wing.CreatePreset(plan.Preset, plan.Variant),
+                Preset = wing.CreatePreset(plan.Preset, plan.Variant),
                 Skeleton = wing.CreateSkeleton(WingSide.Right),
                 Surface = surface.ToWingSurface(wing.Name),
                 Colours = surface.colours,
@@ -75,7 +75,7 @@ internal sealed class Insect
         var wing = new InsectWing
         {
             Name = model.Name,
-            Species = model.CreatePreset(plan.Preset, plan.Variant),
+            Preset = model.CreatePreset(plan.Preset, plan.Variant),
             Skeleton = skeleton,
             Surface = mesh.ToWingSurface(plan.MeshFile),
             Colours = mesh.Colours,

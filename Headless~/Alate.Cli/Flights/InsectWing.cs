@@ -9,7 +9,7 @@ namespace Alate.Cli.Flights;
 internal sealed class InsectWing
 {
     public string Name { get; init; }
-    public WingPreset Species { get; init; }
+    public WingPreset Preset { get; init; }
     public WingSkeleton Skeleton { get; init; }
     public WingSurface Surface { get; init; }
 
@@ -35,7 +35,7 @@ internal sealed class InsectWing
     public WingPlacement PlacementOf(in WingFrame frame, WingSide side)
     {
         if (Origin == null)
-            return new WingPlacement(Hinge, Species.WingLength, side);
+            return new WingPlacement(Hinge, Preset.WingLength, side);
         const float k_Metre = InsectDefinition.UnitsPerMetre;
         return new WingPlacement(Origin.Value + frame.origin / k_Metre, frame.length / k_Metre, side);
     }

@@ -8,7 +8,7 @@ namespace Alate.Cli.Parameters;
 internal sealed class FlownParameter
 {
     /// <summary>Reference to the number in a preset.</summary>
-    public delegate ref float Field(WingPreset species);
+    public delegate ref float Field(WingPreset preset);
 
     private readonly Func<FlightPlan, double, FlightPlan> m_Planned;
 

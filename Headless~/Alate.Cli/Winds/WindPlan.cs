@@ -25,9 +25,9 @@ internal sealed record WindPlan(IReadOnlyList<FlightPlan> Flights, IReadOnlyList
     /// <summary>Factor on the speeds for a species: a tenth in water, else 1.</summary>
     public static double ShareOf(InsectDefinition definition)
     {
-        WingPreset species = definition.Wings[0].CreatePreset();
-        double share = species.Size.fluidDensity > k_Liquid ? k_WaterShare : 1.0;
-        UnityEngine.Object.DestroyImmediate(species);
+        WingPreset preset = definition.Wings[0].CreatePreset();
+        double share = preset.Size.fluidDensity > k_Liquid ? k_WaterShare : 1.0;
+        UnityEngine.Object.DestroyImmediate(preset);
         return share;
     }
 }

@@ -27,7 +27,7 @@ internal sealed class WindTunnel : IDisposable
     {
         m_Plan = plan;
         m_Wing = wing;
-        m_Parameters = plan.ParametersOf(wing.Species);
+        m_Parameters = plan.ParametersOf(wing.Preset);
         m_Rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
         float3[] rest = Array.ConvertAll(wing.Surface.positions, position => m_Rig.Frame.ToWing(position));
         m_Stretch = new EdgeStretch(rest, wing.Surface.triangles);
@@ -64,7 +64,7 @@ internal sealed class WindTunnel : IDisposable
     private static IEnumerable<WindDirection> Sides(double speed) => speed > 0.0 ? WindDirection.All : [WindDirection.HeadWind];
 
     private WingSurroundings Surroundings(WindDirection side, double speed) =>
-        (m_Plan with { Wind = side.Velocity(speed) }).SurroundingsOf(m_Wing.Species, WingSide.Right);
+        (m_Plan with { Wind = side.Velocity(speed) }).SurroundingsOf(m_Wing.Preset, WingSide.Right);
 
     private void Blow(WingWorld world, List<Sample> samples, double speed)
     {

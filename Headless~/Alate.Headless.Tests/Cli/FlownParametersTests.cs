@@ -35,16 +35,16 @@ namespace Alate.Tests.Cli
         [Test]
         public void EverySlider_IsAFieldOfItsOwn()
         {
-            var species = ScriptableObject.CreateInstance<WingPreset>();
+            var preset = ScriptableObject.CreateInstance<WingPreset>();
             foreach (FlownParameter parameter in FlownParameters.OfSpecies)
-                parameter.Of(species) = 0f;
+                parameter.Of(preset) = 0f;
             for (int k = 0; k < FlownParameters.OfSpecies.Count; k++)
             {
-                FlownParameters.OfSpecies[k].Of(species) = 1f;
-                Assert.That(FlownParameters.OfSpecies.Count(parameter => parameter.Of(species) == 1f), Is.EqualTo(k + 1));
+                FlownParameters.OfSpecies[k].Of(preset) = 1f;
+                Assert.That(FlownParameters.OfSpecies.Count(parameter => parameter.Of(preset) == 1f), Is.EqualTo(k + 1));
             }
 
-            Object.DestroyImmediate(species);
+            Object.DestroyImmediate(preset);
         }
 
         [TestCase("Chord Delay")]

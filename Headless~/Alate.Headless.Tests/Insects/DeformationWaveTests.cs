@@ -60,8 +60,8 @@ namespace Alate.Tests.Insects
             Insect insect = Insect.Of(plan);
             foreach (InsectWing wing in insect.Wings)
             {
-                wing.Species.Beat.featherRange = wing.Species.Beat.sweepRange = 0f;
-                wing.Species.Wave.chordDelay = chordDelay;
+                wing.Preset.Beat.featherRange = wing.Preset.Beat.sweepRange = 0f;
+                wing.Preset.Wave.chordDelay = chordDelay;
             }
 
             using var flight = new Flight(plan, insect);

@@ -61,10 +61,10 @@ namespace Alate.Tests.Insects
         {
             get
             {
-                WingPreset species = InsectCatalogue.Find("snailfish").Wings[0].CreatePreset();
-                double drive = 1.0 / (1.0 + Math.Exp(-16.0 * (Cruise / species.Beat.maxSpeed - 0.5)));
-                double frequency = species.Beat.maxFrequency * Math.Max(drive, species.Beat.frequencyFloor);
-                UnityEngine.Object.DestroyImmediate(species);
+                WingPreset preset = InsectCatalogue.Find("snailfish").Wings[0].CreatePreset();
+                double drive = 1.0 / (1.0 + Math.Exp(-16.0 * (Cruise / preset.Beat.maxSpeed - 0.5)));
+                double frequency = preset.Beat.maxFrequency * Math.Max(drive, preset.Beat.frequencyFloor);
+                UnityEngine.Object.DestroyImmediate(preset);
                 return frequency;
             }
         }

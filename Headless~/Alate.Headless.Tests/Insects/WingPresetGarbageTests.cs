@@ -10,8 +10,8 @@ namespace Alate.Tests
         [Test]
         public void TurningASpeciesIntoParameters_AllocatesNothing()
         {
-            var species = InsectCatalogue.Monarch();
-            species.ToParameters();
+            var preset = InsectCatalogue.Monarch();
+            preset.ToParameters();
 
             // The least of some rounds: the runtime itself may allocate once in between.
             long least = long.MaxValue;
@@ -19,12 +19,12 @@ namespace Alate.Tests
             {
                 long before = GC.GetAllocatedBytesForCurrentThread();
                 for (int i = 0; i < 100; i++)
-                    species.ToParameters();
+                    preset.ToParameters();
                 least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
             }
 
             Assert.That(least, Is.Zero);
-            UnityEngine.Object.DestroyImmediate(species);
+            UnityEngine.Object.DestroyImmediate(preset);
         }
     }
 }

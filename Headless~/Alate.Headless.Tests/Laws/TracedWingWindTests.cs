@@ -29,8 +29,8 @@ namespace Alate.Tests
         public void ATracedWing_HoldsInStillAirAndInWind(string name, InsectVariant variant)
         {
             WingTrace trace = s_Traces.GetOrAdd(name, wing => Trace(Outline(wing)));
-            WingPreset species = InsectCatalogue.Find("monarch").Wings[0].CreatePreset(ModelReading.Physical, variant);
-            using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface.ToWingSurface(name), species);
+            WingPreset preset = InsectCatalogue.Find("monarch").Wings[0].CreatePreset(ModelReading.Physical, variant);
+            using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface.ToWingSurface(name), preset);
             WindyFlight.Stretch still = WindyFlight.Steady(flight, 0f), windy = WindyFlight.Steady(flight, k_Wind, WindyFlight.SixDirections);
             TestContext.Progress.WriteLine($"{name} {variant}: still air {still}; 3 m/s {windy}");
 

@@ -15,9 +15,9 @@ namespace Alate.Tests.Play
         {
             Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
             WingSkeleton skeleton = Keep(TestWings.Fan());
-            WingPreset species = Keep(InsectCatalogue.Monarch());
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
             for (int k = 0; k < insects; k++)
-                Hatch(mesh, skeleton, species);
+                Hatch(mesh, skeleton, preset);
             yield return Frames(60);
             Assert.That(WingSystem.InsectCount, Is.EqualTo(insects));
 
@@ -37,13 +37,13 @@ namespace Alate.Tests.Play
             Assert.That(crowd.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
         }
 
-        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset species)
+        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset preset)
         {
             var root = Keep(new GameObject("insect"));
             root.SetActive(false);
             var insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
-            insect.Preset = species;
+            insect.Preset = preset;
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
                 var wing = new GameObject("wing");

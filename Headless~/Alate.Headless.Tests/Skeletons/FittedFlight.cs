@@ -11,7 +11,7 @@ namespace Alate.Tests
         private const float k_CruiseShare = 0.65f;
 
         private readonly WingDefinition m_Wing;
-        private readonly WingPreset m_Species;
+        private readonly WingPreset m_Preset;
         private readonly SurfaceMesh m_Mesh;
         private readonly WingFrame m_Frame;
         private readonly bool m_ByFirstOrder;
@@ -21,7 +21,7 @@ namespace Alate.Tests
         public FittedFlight(WingDefinition wing, bool byFirstOrder = false)
         {
             m_Wing = wing;
-            m_Species = wing.CreatePreset();
+            m_Preset = wing.CreatePreset();
             m_ByFirstOrder = byFirstOrder;
             m_Mesh = wing.CreateSurface(WingSide.Right);
             WingSkeleton hand = wing.CreateSkeleton(WingSide.Right);
@@ -56,14 +56,14 @@ namespace Alate.Tests
         private WingDeformation Measure(WingRig rig)
         {
             const float k_Gravity = 9.81f;
-            float speed = k_CruiseShare * m_Species.Beat.maxSpeed, length = m_Species.WingLength;
+            float speed = k_CruiseShare * m_Preset.Beat.maxSpeed, length = m_Preset.WingLength;
             var surroundings = new WingSurroundings
             {
                 wind = new float3(0f, 0f, -speed / length),
-                gravity = new float3(0f, -k_Gravity * m_Species.Size.gravityShare / length, 0f),
+                gravity = new float3(0f, -k_Gravity * m_Preset.Size.gravityShare / length, 0f),
                 speed = speed,
             };
-            WingParameters parameters = m_Species.ToParameters();
+            WingParameters parameters = m_Preset.ToParameters();
             return FlownBeat.Measure(m_Mesh, rig, m_ByFirstOrder ? SpeciesFlight.FirstOrder(parameters) : parameters, surroundings, m_Frame);
         }
     }

@@ -9,7 +9,7 @@ namespace Alate.Catalogue
     /// share their meshes, skeletons and materials, those of one variant also their presets, which are hidden, are never saved, and go with the last of them.
     /// </summary>
     /// <remarks>
-    /// To tune one insect alone give it a preset of its own: <c>insect.Species = Object.Instantiate(insect.Species)</c>, and likewise each
+    /// To tune one insect alone give it a preset of its own: <c>insect.Preset = Object.Instantiate(insect.Preset)</c>, and likewise each
     /// <see cref="Wing.Preset"/> of hind wings. Clones share as well; of clones that were never active keep the original.
     /// Outside of play nothing is shared: what is made belongs to the scene and is saved in it. The menu <i>GameObject > Alate</i> makes assets instead.
     /// </remarks>
@@ -19,27 +19,27 @@ namespace Alate.Catalogue
         /// <summary>An active insect at the origin, X right, Y up, Z ahead, ten times life size (<see cref="InsectDefinition.UnitsPerMetre"/>).</summary>
         /// <param name="species">Its name in the catalogue, see <see cref="InsectCatalogue.Names"/>; capitals, spaces and hyphens do not matter.</param>
         /// <param name="variant">Which numbers of the species are taken.</param>
-        /// <param name="preset">How the paper's equations are read.</param>
+        /// <param name="reading">How the paper's equations are read.</param>
         /// <exception cref="ArgumentException">There is no such species or variant; the message lists those there are.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
         public static InsectWings Create(
-            string species, InsectVariant variant = InsectVariant.Standard, ModelReading preset = ModelReading.Physical)
+            string species, InsectVariant variant = InsectVariant.Standard, ModelReading reading = ModelReading.Physical)
         {
-            return Create(InsectCatalogue.Find(species), variant, preset);
+            return Create(InsectCatalogue.Find(species), variant, reading);
         }
 
         /// <inheritdoc cref="Create(string, InsectVariant, ModelReading)"/>
         /// <exception cref="ArgumentNullException">The species is null.</exception>
         public static InsectWings Create(
-            InsectDefinition species, InsectVariant variant = InsectVariant.Standard, ModelReading preset = ModelReading.Physical)
+            InsectDefinition species, InsectVariant variant = InsectVariant.Standard, ModelReading reading = ModelReading.Physical)
         {
             if (species == null)
                 throw new ArgumentNullException(nameof(species));
             CheckVariant(species, variant);
             if (Application.isPlaying)
-                return Share(species, variant, preset);
+                return Share(species, variant, reading);
             InsectParts kit = InsectParts.Make(species);
-            return Activated(kit.Assemble(kit.CreatePresets(variant, preset)));
+            return Activated(kit.Assemble(kit.CreatePresets(variant, reading)));
         }
 
         private static void CheckVariant(InsectDefinition species, InsectVariant variant)
@@ -53,10 +53,10 @@ namespace Alate.Catalogue
             throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
         }
 
-        private static InsectWings Share(InsectDefinition species, InsectVariant variant, ModelReading preset)
+        private static InsectWings Share(InsectDefinition species, InsectVariant variant, ModelReading reading)
         {
             SharedAssets kit = GeneratedAssets.Take(species.Name);
-            GameObject made = kit.Assemble(variant, preset);
+            GameObject made = kit.Assemble(variant, reading);
             made.AddComponent<GeneratedInsect>().Species = species.Name;
             InsectWings insect = Activated(made);
             GeneratedAssets.Return(species.Name);

@@ -57,12 +57,12 @@ namespace Alate.Catalogue
         }
 
         /// <summary>[wing] New presets of all kinds of wings.</summary>
-        public WingPreset[] CreatePresets(InsectVariant variant, ModelReading preset)
+        public WingPreset[] CreatePresets(InsectVariant variant, ModelReading reading)
         {
             var made = new WingPreset[Wings.Count];
             for (int k = 0; k < made.Length; k++)
             {
-                made[k] = Wings[k].Wing.CreatePreset(preset, variant);
+                made[k] = Wings[k].Wing.CreatePreset(reading, variant);
                 made[k].name = $"{NameOf(Wings[k])} Preset{(variant == InsectVariant.Standard ? "" : " " + variant)}";
             }
 

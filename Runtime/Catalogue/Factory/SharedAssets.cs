@@ -45,10 +45,10 @@ namespace Alate.Catalogue
         }
 
         /// <summary>Puts an insect together, inactive, with presets that are shared and hidden as the other parts are.</summary>
-        public GameObject Assemble(InsectVariant variant, ModelReading preset)
+        public GameObject Assemble(InsectVariant variant, ModelReading reading)
         {
             InsectParts parts = Parts();
-            return parts.Assemble(PresetsOf(parts, variant, preset));
+            return parts.Assemble(PresetsOf(parts, variant, reading));
         }
 
         /// <summary>Frees all parts and this asset itself.</summary>
@@ -84,18 +84,18 @@ namespace Alate.Catalogue
             return parts;
         }
 
-        private WingPreset[] PresetsOf(InsectParts parts, InsectVariant variant, ModelReading preset)
+        private WingPreset[] PresetsOf(InsectParts parts, InsectVariant variant, ModelReading reading)
         {
             foreach (Presets known in m_Presets)
             {
-                if (known.variant == variant && known.preset == preset)
+                if (known.variant == variant && known.reading == reading)
                     return known.wings;
             }
 
-            WingPreset[] made = parts.CreatePresets(variant, preset);
+            WingPreset[] made = parts.CreatePresets(variant, reading);
             foreach (WingPreset wing in made)
                 wing.hideFlags = HideFlags.HideAndDontSave;
-            m_Presets.Add(new Presets { variant = variant, preset = preset, wings = made });
+            m_Presets.Add(new Presets { variant = variant, reading = reading, wings = made });
             return made;
         }
 
@@ -111,7 +111,7 @@ namespace Alate.Catalogue
         private struct Presets
         {
             public InsectVariant variant;
-            public ModelReading preset;
+            public ModelReading reading;
             public WingPreset[] wings;
         }
     }

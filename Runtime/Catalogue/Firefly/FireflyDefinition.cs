@@ -38,35 +38,35 @@ namespace Alate.Catalogue
             };
         }
 
-        private static void Author(WingPreset species)
+        private static void Author(WingPreset preset)
         {
-            species.Size.wingLength = 0.010f;
-            species.Size.wingMass = 0.139e-6f;
-            species.Size.insectMass = 35e-6f;
-            species.Beat.flapRange = 156f;
-            species.Beat.featherRange = 78f;
-            species.Beat.sweepRange = 0f;
-            species.Wave.chordDelay = 0.095f;
-            species.Stiffness.elasticity = 2f;
-            species.Stiffness.strongestWind = 0.75f;
+            preset.Size.wingLength = 0.010f;
+            preset.Size.wingMass = 0.139e-6f;
+            preset.Size.insectMass = 35e-6f;
+            preset.Beat.flapRange = 156f;
+            preset.Beat.featherRange = 78f;
+            preset.Beat.sweepRange = 0f;
+            preset.Wave.chordDelay = 0.095f;
+            preset.Stiffness.elasticity = 2f;
+            preset.Stiffness.strongestWind = 0.75f;
         }
 
-        private static void Quicken(WingPreset species)
+        private static void Quicken(WingPreset preset)
         {
-            species.Beat.maxFrequency = 62f;
-            species.Wave.chordDelay = 0.09f;
-            species.Beat.frequencyFloor = 1f;
+            preset.Beat.maxFrequency = 62f;
+            preset.Wave.chordDelay = 0.09f;
+            preset.Beat.frequencyFloor = 1f;
         }
 
-        private static void Soften(WingPreset species)
+        private static void Soften(WingPreset preset)
         {
-            species.Wave.chordDelay = 0.18f;
-            species.Wave.spanDelay = 0.35f;
-            species.Wave.rootShare = 0.6f;
-            species.Stiffness.elasticity = 0.7f;
-            species.Stiffness.strongestWind = 0.65f;
-            species.Stiffness.springScale = 40f;
-            species.SubstepsPerBeat = 24;
+            preset.Wave.chordDelay = 0.18f;
+            preset.Wave.spanDelay = 0.35f;
+            preset.Wave.rootShare = 0.6f;
+            preset.Stiffness.elasticity = 0.7f;
+            preset.Stiffness.strongestWind = 0.65f;
+            preset.Stiffness.springScale = 40f;
+            preset.SubstepsPerBeat = 24;
         }
 
         private static InsectSource[] Sources()

@@ -64,48 +64,48 @@ namespace Alate.Catalogue
             };
         }
 
-        private static void Author(WingPreset species)
+        private static void Author(WingPreset preset)
         {
-            species.Size.wingLength = 0.0376f;
-            species.Size.wingMass = 3.62e-6f;
-            species.Size.insectMass = 0.2e-3f;
-            species.Beat.flapRange = 120f;
-            species.Beat.featherRange = 24f;
-            species.Beat.sweepRange = 0f;
-            species.Wave.chordDelay = 0.08f;
-            species.Stiffness.elasticity = 0.5f;
+            preset.Size.wingLength = 0.0376f;
+            preset.Size.wingMass = 3.62e-6f;
+            preset.Size.insectMass = 0.2e-3f;
+            preset.Beat.flapRange = 120f;
+            preset.Beat.featherRange = 24f;
+            preset.Beat.sweepRange = 0f;
+            preset.Wave.chordDelay = 0.08f;
+            preset.Stiffness.elasticity = 0.5f;
         }
 
-        private static void AuthorHind(WingPreset species)
+        private static void AuthorHind(WingPreset preset)
         {
-            Author(species);
-            species.Size.wingLength = 0.034f;
-            species.Size.wingMass = 3.77e-6f;
+            Author(preset);
+            preset.Size.wingLength = 0.034f;
+            preset.Size.wingMass = 3.77e-6f;
         }
 
-        private static void Steady(WingPreset species) => species.Beat.frequencyFloor = 1f;
+        private static void Steady(WingPreset preset) => preset.Beat.frequencyFloor = 1f;
 
-        private static void SteadyAndLate(WingPreset species)
+        private static void SteadyAndLate(WingPreset preset)
         {
-            Steady(species);
-            species.Beat.phaseLead = -40f;
+            Steady(preset);
+            preset.Beat.phaseLead = -40f;
         }
 
-        private static void Soften(WingPreset species)
+        private static void Soften(WingPreset preset)
         {
-            species.Wave.chordDelay = 0.12f;
-            species.Wave.spanDelay = 0.5f;
-            species.Wave.rootShare = 0.55f;
-            species.Stiffness.elasticity = 0.2f;
-            species.Stiffness.springScale = 60f;
+            preset.Wave.chordDelay = 0.12f;
+            preset.Wave.spanDelay = 0.5f;
+            preset.Wave.rootShare = 0.55f;
+            preset.Stiffness.elasticity = 0.2f;
+            preset.Stiffness.springScale = 60f;
             // With 24, one wing in a dozen folds for a moment in 10 m/s.
-            species.SubstepsPerBeat = 36;
+            preset.SubstepsPerBeat = 36;
         }
 
-        private static void SoftenHind(WingPreset species)
+        private static void SoftenHind(WingPreset preset)
         {
-            Soften(species);
-            species.Beat.phaseLead = -30f;
+            Soften(preset);
+            preset.Beat.phaseLead = -30f;
         }
 
         private static InsectSource[] Sources()

@@ -31,15 +31,15 @@ namespace Alate.Catalogue
             return new InsectDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(wing), Sources());
         }
 
-        private static void Soften(WingPreset species)
+        private static void Soften(WingPreset preset)
         {
-            species.Wave.chordDelay = 0.22f;
-            species.Wave.spanDelay = 0.25f;
-            species.Wave.rootShare = 0.65f;
-            species.Stiffness.elasticity = 0.35f;
-            species.Stiffness.decay = 0.5f;
-            species.Stiffness.springScale = 30f;
-            species.SubstepsPerBeat = 24;
+            preset.Wave.chordDelay = 0.22f;
+            preset.Wave.spanDelay = 0.25f;
+            preset.Wave.rootShare = 0.65f;
+            preset.Stiffness.elasticity = 0.35f;
+            preset.Stiffness.decay = 0.5f;
+            preset.Stiffness.springScale = 30f;
+            preset.SubstepsPerBeat = 24;
         }
 
         private static InsectSource[] Sources()

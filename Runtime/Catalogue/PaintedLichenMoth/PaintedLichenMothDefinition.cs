@@ -23,27 +23,27 @@ namespace Alate.Catalogue
                 "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), Sources());
         }
 
-        private static void Author(WingPreset species)
+        private static void Author(WingPreset preset)
         {
-            species.Size.wingLength = 0.014f;
-            species.Size.wingMass = 0.84e-6f;
-            species.Size.insectMass = 25e-6f;
-            species.Beat.flapRange = 126f;
-            species.Beat.featherRange = 37f;
-            species.Beat.sweepRange = 37f;
-            species.Stiffness.elasticity = 1.8f;
+            preset.Size.wingLength = 0.014f;
+            preset.Size.wingMass = 0.84e-6f;
+            preset.Size.insectMass = 25e-6f;
+            preset.Beat.flapRange = 126f;
+            preset.Beat.featherRange = 37f;
+            preset.Beat.sweepRange = 37f;
+            preset.Stiffness.elasticity = 1.8f;
         }
 
-        private static void Soften(WingPreset species)
+        private static void Soften(WingPreset preset)
         {
-            species.Wave.chordDelay = 0.28f;
-            species.Wave.spanDelay = 0.35f;
-            species.Wave.rootShare = 0.55f;
-            species.Stiffness.elasticity = 0.28f;
-            species.Stiffness.decay = 0.35f;
-            species.Stiffness.jointLimit = 40f;
-            species.Stiffness.springScale = 60f;
-            species.SubstepsPerBeat = 24;
+            preset.Wave.chordDelay = 0.28f;
+            preset.Wave.spanDelay = 0.35f;
+            preset.Wave.rootShare = 0.55f;
+            preset.Stiffness.elasticity = 0.28f;
+            preset.Stiffness.decay = 0.35f;
+            preset.Stiffness.jointLimit = 40f;
+            preset.Stiffness.springScale = 60f;
+            preset.SubstepsPerBeat = 24;
         }
 
         private static InsectSource[] Sources()

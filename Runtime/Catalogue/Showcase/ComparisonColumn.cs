@@ -64,7 +64,7 @@ namespace Alate.Catalogue
 
             return new ComparisonColumn(
                 FormattableString.Invariant($"elasticity-{factor}"), FormattableString.Invariant($"Elasticity × {factor}"),
-                factor < 1f ? "the full model, softer" : "the full model, stiffer", species => species.Stiffness.elasticity *= factor);
+                factor < 1f ? "the full model, softer" : "the full model, stiffer", preset => preset.Stiffness.elasticity *= factor);
         }
 
         /// <summary>Makes a copy of a preset with the changes of this column; the caller destroys it.</summary>
@@ -118,17 +118,17 @@ namespace Alate.Catalogue
         /// <inheritdoc/>
         public override string ToString() => Title;
 
-        private static void MakeRigid(WingPreset species)
+        private static void MakeRigid(WingPreset preset)
         {
-            StopWave(species);
-            species.Wave.rootShare = 1f;
-            species.Stiffness.jointLimit = 0f;
+            StopWave(preset);
+            preset.Wave.rootShare = 1f;
+            preset.Stiffness.jointLimit = 0f;
         }
 
-        private static void StopWave(WingPreset species)
+        private static void StopWave(WingPreset preset)
         {
-            species.Wave.chordDelay = 0f;
-            species.Wave.spanDelay = 0f;
+            preset.Wave.chordDelay = 0f;
+            preset.Wave.spanDelay = 0f;
         }
     }
 }

@@ -55,31 +55,31 @@ namespace Alate.Catalogue
             return chains;
         }
 
-        private static void Author(WingPreset species)
+        private static void Author(WingPreset preset)
         {
-            species.Size.wingLength = 0.030f;
-            species.Size.wingMass = 0.2e-3f;
-            species.Size.insectMass = 15e-3f;
-            species.Size.fluidDensity = 998f;
-            species.Size.gravityShare = 0f;
-            species.Beat.maxFrequency = 2.5f;
-            species.Beat.maxSpeed = 0.2f;
-            species.Beat.flapRange = 80f;
-            species.Beat.featherRange = 20f;
-            species.Beat.sweepRange = 20f;
-            species.Beat.meanFlap = 0f;
-            species.Beat.tilt = -20f;
-            species.Stiffness.elasticity = 14f;
-            species.Options.coefficients = CoefficientSet.FlatPlate;
+            preset.Size.wingLength = 0.030f;
+            preset.Size.wingMass = 0.2e-3f;
+            preset.Size.insectMass = 15e-3f;
+            preset.Size.fluidDensity = 998f;
+            preset.Size.gravityShare = 0f;
+            preset.Beat.maxFrequency = 2.5f;
+            preset.Beat.maxSpeed = 0.2f;
+            preset.Beat.flapRange = 80f;
+            preset.Beat.featherRange = 20f;
+            preset.Beat.sweepRange = 20f;
+            preset.Beat.meanFlap = 0f;
+            preset.Beat.tilt = -20f;
+            preset.Stiffness.elasticity = 14f;
+            preset.Options.coefficients = CoefficientSet.FlatPlate;
         }
 
-        private static void Soften(WingPreset species)
+        private static void Soften(WingPreset preset)
         {
-            species.Wave.chordDelay = 0.22f;
-            species.Wave.spanDelay = 0.3f;
-            species.Wave.rootShare = 0.65f;
-            species.Stiffness.elasticity = 7f;
-            species.SubstepsPerBeat = 24;
+            preset.Wave.chordDelay = 0.22f;
+            preset.Wave.spanDelay = 0.3f;
+            preset.Wave.rootShare = 0.65f;
+            preset.Stiffness.elasticity = 7f;
+            preset.SubstepsPerBeat = 24;
         }
 
         private static InsectSource[] Sources()

@@ -60,44 +60,44 @@ namespace Alate.Catalogue
             }.With(InsectVariant.Expressive, SoftenHind);
         }
 
-        private static void AuthorFore(WingPreset species)
+        private static void AuthorFore(WingPreset preset)
         {
-            species.Size.wingLength = 0.045f;
-            species.Size.wingMass = 12.4e-6f;
-            species.Size.insectMass = 0.45e-3f;
-            species.Beat.flapRange = 116f;
-            species.Beat.featherRange = 16f;
-            species.Beat.meanFlap = 12f;
-            species.Wave.chordDelay = 0.1f;
+            preset.Size.wingLength = 0.045f;
+            preset.Size.wingMass = 12.4e-6f;
+            preset.Size.insectMass = 0.45e-3f;
+            preset.Beat.flapRange = 116f;
+            preset.Beat.featherRange = 16f;
+            preset.Beat.meanFlap = 12f;
+            preset.Wave.chordDelay = 0.1f;
         }
 
-        private static void AuthorHind(WingPreset species)
+        private static void AuthorHind(WingPreset preset)
         {
-            AuthorFore(species);
-            species.Size.wingLength = 0.034f;
-            species.Size.wingMass = 18.4e-6f;
-            species.Beat.flapRange = 110f;
-            species.Beat.featherRange = 10f;
-            species.Beat.meanFlap = 7f;
-            species.Beat.phaseLead = -24f;
+            AuthorFore(preset);
+            preset.Size.wingLength = 0.034f;
+            preset.Size.wingMass = 18.4e-6f;
+            preset.Beat.flapRange = 110f;
+            preset.Beat.featherRange = 10f;
+            preset.Beat.meanFlap = 7f;
+            preset.Beat.phaseLead = -24f;
         }
 
-        private static void Soften(WingPreset species)
+        private static void Soften(WingPreset preset)
         {
-            species.Wave.chordDelay = 0.14f;
-            species.Wave.spanDelay = 0.2f;
-            species.Wave.rootShare = 0.7f;
-            species.Stiffness.elasticity = 0.45f;
-            species.Stiffness.decay = 0.6f;
-            species.Stiffness.springScale = 30f;
-            species.SubstepsPerBeat = 24;
+            preset.Wave.chordDelay = 0.14f;
+            preset.Wave.spanDelay = 0.2f;
+            preset.Wave.rootShare = 0.7f;
+            preset.Stiffness.elasticity = 0.45f;
+            preset.Stiffness.decay = 0.6f;
+            preset.Stiffness.springScale = 30f;
+            preset.SubstepsPerBeat = 24;
         }
 
-        private static void SoftenHind(WingPreset species)
+        private static void SoftenHind(WingPreset preset)
         {
-            Soften(species);
-            species.Beat.meanFlap = 6.5f;
-            species.Beat.phaseLead = -27f;
+            Soften(preset);
+            preset.Beat.meanFlap = 6.5f;
+            preset.Beat.phaseLead = -27f;
         }
 
         private static InsectSource[] Sources()

@@ -21,10 +21,10 @@ namespace Alate
         private readonly WingWorld m_World;
         private readonly PresetWatch m_Presets;
 
-        public InsectRegistry(WingWorld world, PresetWatch species)
+        public InsectRegistry(WingWorld world, PresetWatch presets)
         {
             m_World = world;
-            m_Presets = species;
+            m_Presets = presets;
             m_Builder = new InsectBuilder(new TemplateCache(), m_Skeletons);
             m_Broken = new FaultedInsects(m_Skeletons);
         }

@@ -67,9 +67,9 @@ namespace Alate
 
         /// <summary>Adds the wings to the world that are not in it yet.</summary>
         /// <param name="world">Where all wings are.</param>
-        /// <param name="species">The presets in use.</param>
+        /// <param name="presets">The presets in use.</param>
         /// <param name="leader">A wing of the insect whose beat goes on; none starts a new one.</param>
-        public void Enter(WingWorld world, PresetWatch species, WingHandle leader = default)
+        public void Enter(WingWorld world, PresetWatch presets, WingHandle leader = default)
         {
             if (leader.IsNone)
             {
@@ -81,7 +81,7 @@ namespace Alate
             {
                 if (!wing.handle.IsNone)
                     continue;
-                wing.ApplyParameters(species, new InsectTuning(insect, Fade), out WingParameters parameters);
+                wing.ApplyParameters(presets, new InsectTuning(insect, Fade), out WingParameters parameters);
                 wing.Place();
                 WingSurroundings around = wing.Surroundings(flight);
                 wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing);
@@ -103,12 +103,12 @@ namespace Alate
         }
 
         /// <summary>Takes over values of sliders and presets.</summary>
-        public void ApplyParameters(WingWorld world, PresetWatch species)
+        public void ApplyParameters(WingWorld world, PresetWatch presets)
         {
             var tuning = new InsectTuning(insect, Fade);
             foreach (LiveWing wing in wings)
             {
-                if (wing.ApplyParameters(species, tuning, out WingParameters parameters))
+                if (wing.ApplyParameters(presets, tuning, out WingParameters parameters))
                     world.SetParameters(wing.handle, parameters);
             }
         }

@@ -66,16 +66,16 @@ namespace Alate
             placed.isValid ? flight.Around(placed, values.wingLength, values.gravityShare) : default;
 
         /// <summary>Takes over values of preset and sliders.</summary>
-        /// <param name="species">The presets in use.</param>
+        /// <param name="presets">The presets in use.</param>
         /// <param name="tuning">What the insect says of all its wings.</param>
         /// <param name="parameters">What the wing is to be stepped with.</param>
         /// <returns>Whether anything changed since the last call.</returns>
-        public bool ApplyParameters(PresetWatch species, in InsectTuning tuning, out WingParameters parameters)
+        public bool ApplyParameters(PresetWatch presets, in InsectTuning tuning, out WingParameters parameters)
         {
             if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnPreset, m_Wing.Preset) || !ReferenceEquals(m_Tuning.preset, tuning.preset))
             {
                 m_OwnPreset = m_Wing.Preset;
-                values = species.Of(m_OwnPreset == null ? tuning.preset : m_OwnPreset);
+                values = presets.Of(m_OwnPreset == null ? tuning.preset : m_OwnPreset);
                 m_Stamp = -1;
             }
 

@@ -8,10 +8,10 @@ namespace Alate
         private readonly WingPreset m_Preset;
         private int m_Stamp;
 
-        /// <param name="species">Null stands for a monarch.</param>
-        public PresetValues(WingPreset species)
+        /// <param name="preset">Null stands for a monarch.</param>
+        public PresetValues(WingPreset preset)
         {
-            m_Preset = species;
+            m_Preset = preset;
             parameters = WingParameters.Default;
             Take(PresetDefaults.MonarchSize);
             Refresh();

@@ -8,6 +8,6 @@ namespace Alate
         {
         }
 
-        protected override PresetValues Read(WingPreset species) => new PresetValues(species);
+        protected override PresetValues Read(WingPreset preset) => new PresetValues(preset);
     }
 }

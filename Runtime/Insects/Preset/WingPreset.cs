@@ -116,11 +116,11 @@ namespace Alate
         /// Sets everything in which the two readings of the paper differ: phases, delays, floors, the factor of inertia and the options. What belongs to the insect
         /// (sizes, ranges, frequency, stiffness) stays.
         /// </summary>
-        /// <param name="preset">The reading to follow.</param>
+        /// <param name="reading">The reading to follow.</param>
         /// <param name="chordDelay">λ for <see cref="ModelReading.Physical"/>; the printed reading has 1.</param>
-        public void ApplyReading(ModelReading preset, float chordDelay = PresetDefaults.k_MonarchChordDelay)
+        public void ApplyReading(ModelReading reading, float chordDelay = PresetDefaults.k_MonarchChordDelay)
         {
-            if (preset == ModelReading.Paper)
+            if (reading == ModelReading.Paper)
             {
                 PresetDefaults.MakePaper(ref m_Beat, ref m_Wave);
                 m_Options = ModelOptions.Paper;

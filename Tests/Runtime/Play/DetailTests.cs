@@ -202,13 +202,13 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator BoundsHoldEveryVertex([Values(1f, 0.1f)] float elasticity)
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            species.Stiffness.elasticity = elasticity;
-            species.Beat.flapRange = 180f;
-            species.Beat.amplitudeFloor = 1f;
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            preset.Stiffness.elasticity = elasticity;
+            preset.Beat.flapRange = 180f;
+            preset.Beat.amplitudeFloor = 1f;
             InsectWings insect = Hatch(made =>
             {
-                made.Preset = species;
+                made.Preset = preset;
                 made.Air.wind = new Vector3(20f, 30f, -40f);
             });
             yield return Frames(2);

@@ -145,9 +145,9 @@ namespace Alate.Tests.Play
             Assert.That(Count(), Is.EqualTo(before));
         }
 
-        private InsectWings Made(string name, InsectVariant variant = InsectVariant.Standard, ModelReading preset = ModelReading.Physical)
+        private InsectWings Made(string name, InsectVariant variant = InsectVariant.Standard, ModelReading reading = ModelReading.Physical)
         {
-            InsectWings insect = InsectFactory.Create(name, variant, preset);
+            InsectWings insect = InsectFactory.Create(name, variant, reading);
             Keep(insect.gameObject);
             insect.Quality.culling = WingCulling.AlwaysSimulate;
             return insect;

@@ -13,14 +13,14 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeenAtTheNextStep_WithoutRebuilding()
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Preset = species);
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = preset);
             yield return Frames(30);
             Mesh living = Shown(insect, 0);
             float tall = 0f, flat = 0f;
             yield return Height(insect, value => tall = value);
 
-            species.Beat.flapRange = 30f;
+            preset.Beat.flapRange = 30f;
             yield return Frames(30);
             yield return Height(insect, value => flat = value);
 
@@ -32,10 +32,10 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeenByAllThatShareIt_AndByNoOthers()
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            InsectWings first = Hatch(made => made.Preset = species), second = Hatch(made => made.Preset = species), other = Hatch();
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            InsectWings first = Hatch(made => made.Preset = preset), second = Hatch(made => made.Preset = preset), other = Hatch();
             yield return Frames(10);
-            species.Beat.maxFrequency = 40f;
+            preset.Beat.maxFrequency = 40f;
             yield return Frames(30);
 
             Assert.That(first.Frequency, Is.EqualTo(32f).Within(0.01f));
@@ -46,12 +46,12 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnEditedSpecies_IsSeen_ThoughAnotherInsectWasSteppedManyTimes()
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Preset = species), stepped = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = preset), stepped = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
             yield return Frames(5);
             for (int step = 0; step < 200; step++)
                 stepped.Step(0.001f);
-            species.Beat.maxFrequency = 40f;
+            preset.Beat.maxFrequency = 40f;
             yield return Frames(30);
 
             Assert.That(insect.Frequency, Is.EqualTo(32f).Within(0.01f));
@@ -60,20 +60,20 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnotherSpecies_IsFollowedInPhase_WithoutRebuilding([Values] bool ofWing, [Values] bool paper)
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
             if (paper)
-                species.ApplyReading(ModelReading.Paper);
-            species.Beat.maxFrequency = 20f;
-            species.Beat.frequencyFloor = 1f;
+                preset.ApplyReading(ModelReading.Paper);
+            preset.Beat.maxFrequency = 20f;
+            preset.Beat.frequencyFloor = 1f;
             InsectWings insect = Hatch();
             yield return Frames(20);
             Mesh living = Shown(insect, 0);
             float beats = Beats(insect);
 
             if (ofWing)
-                insect.Wings[0].Preset = species;
+                insect.Wings[0].Preset = preset;
             else
-                insect.Preset = species;
+                insect.Preset = preset;
             yield return null;
             Assert.That(Beats(insect), Is.GreaterThanOrEqualTo(beats), "the beat started over");
             yield return Frames(20);
@@ -87,14 +87,14 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ASpeciesOfNonsense_IsClamped()
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Preset = species);
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = preset);
             yield return Frames(10);
-            species.Beat.maxFrequency = float.NaN;
-            species.Beat.flapRange = 1e9f;
-            species.Stiffness.elasticity = -5f;
-            species.Size.wingLength = 0f;
-            species.Size.wingMass = float.NaN;
+            preset.Beat.maxFrequency = float.NaN;
+            preset.Beat.flapRange = 1e9f;
+            preset.Stiffness.elasticity = -5f;
+            preset.Size.wingLength = 0f;
+            preset.Size.wingMass = float.NaN;
             insect.Quality.substepsPerBeat = -7;
             insect.Quality.patches = -1;
             insect.Motion.metresPerUnit = float.NaN;
@@ -110,11 +110,11 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ADestroyedSpecies_LeavesTheBeatAsItWas()
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            species.Beat.maxFrequency = 20f;
-            InsectWings insect = Hatch(made => made.Preset = species);
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            preset.Beat.maxFrequency = 20f;
+            InsectWings insect = Hatch(made => made.Preset = preset);
             yield return Frames(10);
-            Object.DestroyImmediate(species);
+            Object.DestroyImmediate(preset);
             yield return Frames(20);
 
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready));

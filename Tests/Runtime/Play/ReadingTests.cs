@@ -36,9 +36,9 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator OfManyBeatsInAFrame_OneIsTold()
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            species.Beat.maxFrequency = 600f;
-            InsectWings insect = Hatch(made => made.Preset = species);
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            preset.Beat.maxFrequency = 600f;
+            InsectWings insect = Hatch(made => made.Preset = preset);
             yield return Frames(5);
             int calls = 0, frame = 0, most = 0;
             insect.WingBeat += _ =>

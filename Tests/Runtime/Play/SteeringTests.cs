@@ -12,11 +12,11 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator Frequency_AndAmplitude_FollowTheirFactors_WithoutRebuilding()
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            InsectWings insect = Hatch(made => made.Preset = species), other = Hatch(made => made.Preset = species);
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = preset), other = Hatch(made => made.Preset = preset);
             yield return Frames(30);
             Mesh living = Shown(insect, 0);
-            float frequency = insect.Frequency, range = insect.FlapRange, preset = species.Beat.maxFrequency;
+            float frequency = insect.Frequency, range = insect.FlapRange, most = preset.Beat.maxFrequency;
 
             insect.Steering.frequencyScale = 1.5f;
             insect.Steering.amplitudeScale = 0.5f;
@@ -26,7 +26,7 @@ namespace Alate.Tests.Play
             Assert.That(insect.FlapRange, Is.EqualTo(0.5f * range).Within(0.01f * range));
             Assert.That(Shown(insect, 0), Is.SameAs(living));
             Assert.That(other.Frequency, Is.EqualTo(frequency).Within(1e-3f), "the preset's other insects are steered too");
-            Assert.That(species.Beat.maxFrequency, Is.EqualTo(preset));
+            Assert.That(preset.Beat.maxFrequency, Is.EqualTo(most));
         }
 
         [UnityTest]

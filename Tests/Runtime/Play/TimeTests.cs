@@ -185,10 +185,10 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AFastBeat_KeepsItsFrequencyInSlowSteps([Values(62f, 250f, 600f)] float frequency)
         {
-            WingPreset species = Keep(InsectCatalogue.Monarch());
-            species.Beat.maxFrequency = frequency;
-            species.Beat.frequencyFloor = 1f;
-            InsectWings insect = Hatch(made => made.Preset = species);
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            preset.Beat.maxFrequency = frequency;
+            preset.Beat.frequencyFloor = 1f;
+            InsectWings insect = Hatch(made => made.Preset = preset);
             yield return Frames(10);
 
             float start = Beats(insect);

@@ -18,13 +18,13 @@ namespace Alate.Tests
         /// <param name="patches">Of the rig.</param>
         public SpeciesFlight(WingDefinition wing, InsectVariant variant = InsectVariant.Standard, int patches = 64)
         {
-            WingPreset species = wing.CreatePreset(ModelReading.Physical, variant);
-            parameters = species.ToParameters();
-            Length = species.WingLength;
-            TopSpeed = species.Beat.maxSpeed;
+            WingPreset preset = wing.CreatePreset(ModelReading.Physical, variant);
+            parameters = preset.ToParameters();
+            Length = preset.WingLength;
+            TopSpeed = preset.Beat.maxSpeed;
             Speed = k_CruiseShare * TopSpeed;
-            m_GravityShare = species.Size.gravityShare;
-            UnityEngine.Object.DestroyImmediate(species);
+            m_GravityShare = preset.Size.gravityShare;
+            UnityEngine.Object.DestroyImmediate(preset);
             SurfaceMesh mesh = wing.CreateSurface(WingSide.Right);
             Rig = TestWings.Bake(wing.CreateSkeleton(WingSide.Right), mesh.ToWingSurface(wing.Name), patches);
             Rest = Array.ConvertAll(mesh.positions, position => Rig.Frame.ToWing(position));
@@ -34,14 +34,14 @@ namespace Alate.Tests
         /// <summary>Another wing that beats as that of a species does.</summary>
         /// <param name="skeleton">Its skeleton.</param>
         /// <param name="surface">Its mesh.</param>
-        /// <param name="species">How it beats, and how large it is.</param>
-        public SpeciesFlight(WingSkeleton skeleton, in WingSurface surface, WingPreset species)
+        /// <param name="preset">How it beats, and how large it is.</param>
+        public SpeciesFlight(WingSkeleton skeleton, in WingSurface surface, WingPreset preset)
         {
-            parameters = species.ToParameters();
-            Length = species.WingLength;
-            TopSpeed = species.Beat.maxSpeed;
+            parameters = preset.ToParameters();
+            Length = preset.WingLength;
+            TopSpeed = preset.Beat.maxSpeed;
             Speed = k_CruiseShare * TopSpeed;
-            m_GravityShare = species.Size.gravityShare;
+            m_GravityShare = preset.Size.gravityShare;
             Rig = TestWings.Bake(skeleton, surface, 64);
             Rest = Array.ConvertAll(surface.positions, position => Rig.Frame.ToWing(position));
             Triangles = surface.triangles;

@@ -73,8 +73,8 @@ namespace Alate.Editor.Tests
 
             List<SkeletonTarget> targets = Find();
 
-            Assert.That(targets[0].Species, Is.SameAs(Insect.Preset));
-            Assert.That(targets[1].Species, Is.SameAs(Left.Preset));
+            Assert.That(targets[0].Preset, Is.SameAs(Insect.Preset));
+            Assert.That(targets[1].Preset, Is.SameAs(Left.Preset));
         }
 
         [Test]
