@@ -43,6 +43,14 @@ namespace Alate.Tests.Architecture
             Assert.That(s_FirstVersion.Except(found), Is.Empty);
         }
 
+        [Test]
+        public void TypesThatWereWithdrawn_AreInternal([ValueSource(nameof(s_NowInternal))] string name)
+        {
+            Type[] types = Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetTypes()).Where(type => type.Name == name).ToArray();
+            Assert.That(types, Has.Length.EqualTo(1));
+            Assert.That(types[0].IsVisible, Is.False);
+        }
+
         private static List<string> Lines()
         {
             var lines = new List<string>();
@@ -76,19 +84,25 @@ namespace Alate.Tests.Architecture
             _ => member.ToString(),
         };
 
+        // Parts of the measurements and of the catalogue that nobody outside can need.
+        private static readonly string[] s_NowInternal =
+        [
+            "EdgeLag", "EdgeStretch", "GeneratedInsect", "MonarchPattern", "SectionCamber", "SectionTwist", "TipBend", "TipLag", "WingSection",
+        ];
+
         private static readonly string[] s_FirstVersion =
         [
-            "AirTangent", "BeatFrame", "BeatMeasurement", "CoefficientSet", "ComparisonColumn", "CycleChange", "EdgeLag",
-            "EdgeStretch", "GeneratedInsect", "InsectAir", "InsectBody", "InsectFactory", "InsectMotion", "InsectProblem",
+            "AirTangent", "BeatFrame", "BeatMeasurement", "CoefficientSet", "ComparisonColumn", "CycleChange",
+            "InsectAir", "InsectBody", "InsectFactory", "InsectMotion", "InsectProblem",
             "InsectQuality", "InsectState", "InsectSteering", "InsectWings", "JointChain", "ModelOptions", "ModelPreset",
-            "MonarchPattern", "OrbitCamera", "ScreenHeights", "SectionCamber", "SectionTwist", "SkeletonFit", "SkeletonFitSettings",
+            "OrbitCamera", "ScreenHeights", "SkeletonFit", "SkeletonFitSettings",
             "SkeletonFitWarning", "SkeletonFitWarningKind", "SkeletonFitter", "SkeletonGenerator", "SkeletonJson", "SkeletonProblem",
             "SkeletonProblemKind", "SkinnedVertex", "SkinnedWingConversion", "SkinnedWingResult", "Species", "SpeciesBeat",
             "SpeciesDefinition", "SpeciesSize", "SpeciesSource", "SpeciesStiffness", "SpeciesVariant", "SpeciesWave", "SpeciesWing",
-            "Spring", "SpringUnits", "StepClock", "SurfaceMesh", "TeleportResponse", "TipBend", "TipLag", "TorqueArm",
+            "Spring", "SpringUnits", "StepClock", "SurfaceMesh", "TeleportResponse", "TorqueArm",
             "VelocitySource", "Wing", "WingCulling", "WingDeformation", "WingDetail", "WingFinder", "WingFrame", "WingHandle",
             "WingMaterial", "WingMesher", "WingOutline", "WingPair", "WingParameterRange", "WingParameters", "WingPart", "WingPattern",
-            "WingPicture", "WingPlacement", "WingReading", "WingRig", "WingRigSettings", "WingSection", "WingSide", "WingSkeleton",
+            "WingPicture", "WingPlacement", "WingReading", "WingRig", "WingRigSettings", "WingSide", "WingSkeleton",
             "WingSpecies", "WingSurface", "WingSurroundings", "WingSystem", "WingTrace", "WingTracer", "WingTracingSettings",
             "WingUpdateMode", "WingWorld",
         ];

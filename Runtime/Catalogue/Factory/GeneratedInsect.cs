@@ -10,7 +10,7 @@ namespace Alate.Catalogue
     [AddComponentMenu("")]
     [DisallowMultipleComponent]
     [MovedFrom(true, "Alate", "Alate")]
-    public sealed class GeneratedInsect : MonoBehaviour
+    internal sealed class GeneratedInsect : MonoBehaviour
     {
         // Serialised, so that a clone knows it too.
         [SerializeField, HideInInspector]

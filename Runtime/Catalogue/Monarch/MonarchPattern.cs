@@ -1,6 +1,5 @@
 using System;
 using UnityEngine;
-using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
@@ -8,8 +7,7 @@ namespace Alate.Catalogue
     /// A monarch's colours, drawn for this package: orange ground, dark veins that fan out from a closed cell of each wing, a dark margin with a row of pale
     /// spots, and a dark fore wing tip with paler windows. Veins are laid by eye into the outline, in wing lengths.
     /// </summary>
-    [MovedFrom(true, "Alate", "Alate")]
-    public sealed class MonarchPattern : WingPattern
+    internal sealed class MonarchPattern : WingPattern
     {
         private const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.055, k_SpotRadius = 0.0115;
         private const double k_MarginStart = 0.93, k_MarginEnd = 0.4;

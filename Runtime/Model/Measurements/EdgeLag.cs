@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
-using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -10,8 +9,7 @@ namespace Alate
     /// the lag that a wing which only turns with its root has by its feathering. Each edge's height has a phase of its own here and the two
     /// are subtracted; the phase of the difference in height is another number (15° where the monarch's lag is 27°).
     /// </summary>
-    [MovedFrom(true, null, "Alate")]
-    public static class EdgeLag
+    internal static class EdgeLag
     {
         /// <summary>Least swing of a height that has a phase, wing lengths.</summary>
         private const float k_LeastSwing = 1e-5f;

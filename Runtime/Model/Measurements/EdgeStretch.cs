@@ -1,13 +1,11 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
-using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>Measures the stretch of the edges of a mesh against their length at rest.</summary>
-    [MovedFrom(true, null, "Alate")]
-    public sealed class EdgeStretch
+    internal sealed class EdgeStretch
     {
         private readonly Edge[] m_Edges;
 

@@ -1,5 +1,4 @@
 using Unity.Mathematics;
-using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -8,8 +7,7 @@ namespace Alate
     /// outer one nose-down as in feathering. The leading edge is the straight line between the leading places of the two deformed sections,
     /// so a wing that turns as a whole, about whatever axis, has no twist.
     /// </summary>
-    [MovedFrom(true, null, "Alate")]
-    public static class SectionTwist
+    internal static class SectionTwist
     {
         /// <summary>The angle in the given shape, radians, −π to π; a wing whose rest shape is twisted has one at rest.</summary>
         /// <param name="inner">Section near the root.</param>

@@ -1,13 +1,11 @@
 using Unity.Mathematics;
-using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>
     /// Bend of a wing: the height of its tip over the wing's plane, as an angle at the hinge; the plane turns with the root.
     /// </summary>
-    [MovedFrom(true, null, "Alate")]
-    public static class TipBend
+    internal static class TipBend
     {
         /// <summary>The vertex farthest out on the span, of several the most forward.</summary>
         /// <param name="rest">[vertex] Rest positions, wing frame.</param>

@@ -1,12 +1,10 @@
 using System.Collections.Generic;
 using Unity.Mathematics;
-using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
     /// <summary>Lag of the tip: the phase of its height behind that of a tip that only turns with the root, both in the fundamental of the beat.</summary>
-    [MovedFrom(true, null, "Alate")]
-    public static class TipLag
+    internal static class TipLag
     {
         /// <summary>The lag, radians, −π to π, positive with the tip later than the root that drives it.</summary>
         /// <param name="tip">The vertex of the tip, <see cref="TipBend.FindTip"/>.</param>

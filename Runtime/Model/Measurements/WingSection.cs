@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
-using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
@@ -9,8 +8,7 @@ namespace Alate
     /// Cut through a wing at one rest span, as places on the edges of its mesh from the leading to the trailing edge. Baked once on the
     /// rest mesh; follows the deformed mesh.
     /// </summary>
-    [MovedFrom(true, null, "Alate")]
-    public sealed class WingSection
+    internal sealed class WingSection
     {
         /// <summary>Distance below which two places are one, wing lengths: edges that meet in a vertex on the cut.</summary>
         private const float k_SamePlace = 1e-6f;
