@@ -26,7 +26,7 @@ namespace Alate.Tests.Insects
         [Test]
         public void ThePackagesShader_IsFoundInItsResourcesFolder_BeforeAnyOther()
         {
-            Shader own = ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+            Shader own = Added(WingMaterial.ShaderName, "Alate/Wing");
 
             Assert.That(WingMaterial.FindShader(), Is.SameAs(own));
             Assert.That(WingMaterial.ShowsVertexColours(own), Is.True);
@@ -50,7 +50,7 @@ namespace Alate.Tests.Insects
         public void TranslucentWings_AreBlended_AndHideNothing(string shader, string textureName, BlendMode source)
         {
             var texture = new Texture2D(4, 4);
-            Material wing = WingMaterial.Create(ProjectShaders.Add(shader), "wing", new SurfaceLook(texture, true, true));
+            Material wing = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(texture, true, true));
 
             Assert.That(wing.GetTexture(textureName), Is.SameAs(texture));
             Assert.That((BlendMode)wing.GetFloat("_SrcBlend"), Is.EqualTo(source));
@@ -68,7 +68,7 @@ namespace Alate.Tests.Insects
         [TestCase("Standard")]
         public void SolidBodies_AreDrawnAsSolid(string shader)
         {
-            Material body = WingMaterial.Create(ProjectShaders.Add(shader), "body", new SurfaceLook(null, false, false));
+            Material body = WingMaterial.Create(Added(shader), "body", new SurfaceLook(null, false, false));
 
             Assert.That((BlendMode)body.GetFloat("_SrcBlend"), Is.EqualTo(BlendMode.One));
             Assert.That((BlendMode)body.GetFloat("_DstBlend"), Is.EqualTo(BlendMode.Zero));
@@ -83,8 +83,8 @@ namespace Alate.Tests.Insects
         [TestCase("HDRP/Lit", "_CullMode")]
         public void Wings_AreSeenFromBothSides_BodiesFromOutside(string shader, string cull)
         {
-            Material wing = WingMaterial.Create(ProjectShaders.Add(shader), "wing", new SurfaceLook(null, true, false));
-            Material body = WingMaterial.Create(ProjectShaders.Add(shader), "body", new SurfaceLook(null, false, false));
+            Material wing = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(null, true, false));
+            Material body = WingMaterial.Create(Added(shader), "body", new SurfaceLook(null, false, false));
 
             Assert.That((CullMode)wing.GetFloat(cull), Is.EqualTo(CullMode.Off));
             Assert.That((CullMode)body.GetFloat(cull), Is.EqualTo(CullMode.Back));
@@ -95,7 +95,7 @@ namespace Alate.Tests.Insects
         [Test]
         public void AFishWithClearFins_IsDrawnBeforeItsPectoralFins_AndStillHidesItsFarSide()
         {
-            ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+            Added(WingMaterial.ShaderName, "Alate/Wing");
             Material fish = WingMaterial.ForBody(InsectCatalogue.Find("snailfish"));
             Material monarch = WingMaterial.ForBody(InsectCatalogue.Find("monarch"));
 
@@ -113,7 +113,7 @@ namespace Alate.Tests.Insects
         public void InAPlayer_AMaterialWhoseFeaturesMayBeMissing_SaysSoOnce(string shader, bool isThin, string features)
         {
             BuiltPlayer.IsRunning = true;
-            Shader added = ProjectShaders.Add(shader);
+            Shader added = Added(shader);
             LogAssert.Expect(LogType.Warning, new Regex($"'fore wing'.*{features} of {shader}.*GameObject > Alate"));
             Material first = WingMaterial.Create(added, "fore wing", new SurfaceLook(null, isThin, true));
             Material second = WingMaterial.Create(added, "hind wing", new SurfaceLook(null, isThin, true));
@@ -128,7 +128,7 @@ namespace Alate.Tests.Insects
         {
             Material editor = WingMaterial.Create(ProjectShaders.Add("HDRP/Lit"), "wing", new SurfaceLook(null, true, true));
             BuiltPlayer.IsRunning = true;
-            Material own = WingMaterial.Create(ProjectShaders.Add(WingMaterial.ShaderName), "wing", new SurfaceLook(null, true, true));
+            Material own = WingMaterial.Create(Added(WingMaterial.ShaderName), "wing", new SurfaceLook(null, true, true));
 
             LogAssert.NoUnexpectedReceived();
             Assert.That(own.shaderKeywords, Is.Empty);
@@ -158,24 +158,21 @@ namespace Alate.Tests.Insects
         public void TheShadersText_HasTheNameAndEveryProperty_ThatTheCodeUses()
         {
             string materials = Path.Combine(PackageRoot(), "Runtime", "Catalogue", "Materials");
-            string shader = File.ReadAllText(Path.Combine(materials, "Resources", "Alate", "Wing.shader"));
             string code = File.ReadAllText(Path.Combine(materials, "LookProperties.cs"));
             string own = "\"_MainTex\"" + Regex.Match(code, @"void WriteOwn\(.*?\n        }", RegexOptions.Singleline).Value
                 + Regex.Match(code, @"void WriteBlend\(.*?\n        }", RegexOptions.Singleline).Value;
             string[] written = Regex.Matches(own, "\"(_\\w+)\"").Select(match => match.Groups[1].Value).ToArray();
-            string properties = Regex.Match(shader, @"\n    Properties\b.*?\n    }", RegexOptions.Singleline).Value;
 
-            Assert.That(shader, Does.Contain($"Shader \"{WingMaterial.ShaderName}\""));
+            Assert.That(Text(), Does.Contain($"Shader \"{WingMaterial.ShaderName}\""));
             Assert.That(written, Has.Length.GreaterThan(8));
             foreach (string name in written)
-                Assert.That(properties, Does.Match($@"\b{name} \("), name);
+                Assert.That(OwnProperties(), Does.Contain(name));
         }
 
         [Test]
         public void TheShader_TellsUrpAndTheBuiltInPipelineApart()
         {
-            string text = File.ReadAllText(Path.Combine(PackageRoot(), "Runtime", "Catalogue", "Materials", "Resources", "Alate", "Wing.shader"));
-            string[] subshaders = Regex.Split(text, @"\n    SubShader\b").Skip(1).ToArray();
+            string[] subshaders = Regex.Split(Text(), @"\n    SubShader\b").Skip(1).ToArray();
 
             Assert.That(subshaders, Has.Length.EqualTo(3));
             foreach (string universal in subshaders.Take(2))
@@ -184,6 +181,18 @@ namespace Alate.Tests.Insects
             foreach (string subshader in subshaders)
                 Assert.That(subshader, Does.Contain("\"LightMode\" = \"ShadowCaster\"").And.Contain("Cull [_Cull]"));
         }
+
+        // The package's own shader has the properties of its text.
+        private static Shader Added(string name, string resource = null) =>
+            ProjectShaders.Add(name, resource, name == WingMaterial.ShaderName ? OwnProperties() : null);
+
+        private static string[] OwnProperties()
+        {
+            string block = Regex.Match(Text(), @"\n    Properties\b.*?\n    }", RegexOptions.Singleline).Value;
+            return Regex.Matches(block, @"\b(_\w+) \(").Select(match => match.Groups[1].Value).ToArray();
+        }
+
+        private static string Text() => File.ReadAllText(Path.Combine(PackageRoot(), "Runtime", "Catalogue", "Materials", "Resources", "Alate", "Wing.shader"));
 
         private static string PackageRoot([CallerFilePath] string here = null) =>
             Path.GetFullPath(Path.Combine(Path.GetDirectoryName(here), "..", "..", ".."));
