@@ -1,9 +1,8 @@
 using System;
-using FsCheck;
-using FsCheck.Fluent;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
+using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests
 {
@@ -16,9 +15,9 @@ namespace Alate.Tests
         public void Delays_RiseFromTheLeadingToTheTrailingEdge_AndStripsBearThem()
         {
             int limited = 0, kept = 0;
-            Prop.ForAll(RandomFlight.Seeds, seed =>
+            foreach (uint seed in Seeds.Usual)
             {
-                var random = new Unity.Mathematics.Random((uint)seed);
+                var random = new Random(seed);
                 WingParameters p = Monarch.Parameters;
                 p.amplitude.x = random.NextFloat(0.05f, 1.5f);
                 p.chordDelay = random.NextFloat(0f, 1f) * random.NextFloat(0f, 1f);
@@ -39,18 +38,18 @@ namespace Alate.Tests
                     double step = delays[i + 1].x - delays[i].x;
                     isNarrow |= most < wanted;
                     if (step < -1e-6)
-                        return false.Label($"seed {seed}: chain {i + 1} is before chain {i} by {-step}");
+                        Assert.Fail($"seed {seed}: chain {i + 1} is before chain {i} by {-step}");
                     if (step > most * beyond + 1e-5)
-                        return false.Label($"seed {seed}: strip {i} bears {most}, not {step}");
+                        Assert.Fail($"seed {seed}: strip {i} bears {most}, not {step}");
                     if (step < Math.Min(wanted, most) - 1e-5)
-                        return false.Label($"seed {seed}: strip {i} bears {most}, is wanted to have {wanted}, has {step}");
+                        Assert.Fail($"seed {seed}: strip {i} bears {most}, is wanted to have {wanted}, has {step}");
                 }
 
                 limited += isNarrow ? 1 : 0;
                 kept += isNarrow && room > whole ? 1 : 0;
                 double expected = Math.Min(whole, room) * beyond;
-                return (Math.Abs(delays[strips].x - expected) < 1e-4 * (1.0 + whole)).Label($"seed {seed}: {delays[strips].x} in all, not {expected}");
-            }).QuickCheckThrowOnFailure();
+                Assert.That(delays[strips].x, Is.EqualTo(expected).Within(1e-4 * (1.0 + whole)), $"delay in all, seed {seed}");
+            }
             Assert.That(limited, Is.GreaterThan(10), "wings with a strip that is too narrow");
             Assert.That(kept, Is.GreaterThan(3), "of these, wings with room elsewhere");
         }
@@ -58,20 +57,18 @@ namespace Alate.Tests
         [Test]
         public void WidthOfAStrip_IsItsNarrowestByTheDistanceFromTheRoot()
         {
-            Prop.ForAll(RandomFlight.Seeds, seed =>
+            foreach (uint seed in Seeds.Usual)
             {
-                var random = new Unity.Mathematics.Random((uint)seed);
+                var random = new Random(seed);
                 using var fixture = new PackFixture(Rig(ref random), Monarch.Parameters);
                 for (int i = 0; i + 1 < fixture.rig.ChainCount; i++)
                 {
                     float stored = fixture.rig.View.fanWidths[i];
                     double narrowest = Math.Min(Narrowest(fixture.rig, i, i + 1), Narrowest(fixture.rig, i + 1, i));
                     if (Math.Abs(stored - narrowest) > 1e-3 * narrowest && !(double.IsInfinity(narrowest) && float.IsInfinity(stored)))
-                        return false.Label($"seed {seed}, strip {i}: {stored}, not {narrowest}");
+                        Assert.Fail($"seed {seed}, strip {i}: {stored}, not {narrowest}");
                 }
-
-                return true.Label("agree");
-            }).QuickCheckThrowOnFailure();
+            }
         }
 
         // Over the joints of a straight chain that stand square to the other one.
@@ -102,7 +99,7 @@ namespace Alate.Tests
             return (wanted, float.IsInfinity(width) ? wanted : k_LargestSlope * spread * width / p.amplitude.x);
         }
 
-        private static WingRig Rig(ref Unity.Mathematics.Random random)
+        private static WingRig Rig(ref Random random)
         {
             int chains = random.NextInt(3, 9), joints = random.NextInt(3, 9);
             float chord = random.NextFloat(0.2f, 1f), last = random.NextFloat(0.3f, 1.4f), rootShare = random.NextFloat(0.1f, 0.6f);

@@ -1,5 +1,3 @@
-using FsCheck;
-using FsCheck.Fluent;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;
 
@@ -10,16 +8,13 @@ namespace Alate.Tests
     {
         private Random m_Random;
 
-        public RandomFlight(int seed)
+        public RandomFlight(uint seed)
         {
-            m_Random = new Random((uint)seed);
+            m_Random = new Random(seed);
             Parameters = RandomParameters();
             Surroundings = RandomSurroundings();
             Substeps = m_Random.NextInt(1, 60);
         }
-
-        /// <summary>Seeds for properties.</summary>
-        public static Arbitrary<int> Seeds => Arb.From(Gen.Choose(1, int.MaxValue));
 
         public WingParameters Parameters { get; }
 
