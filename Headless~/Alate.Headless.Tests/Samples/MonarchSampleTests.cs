@@ -17,7 +17,7 @@ public sealed class MonarchSampleTests : SampleFixture<MonarchSample>
         yield return Begin();
         yield return Frames(60);
 
-        // Eq. 6: at 1.3 of 2 m/s a monarch beats 10.1 times a second.
+        // 11 / (1 + exp(-16 (1.3 / 2 - 0.5))), Eq. 6 at 1.3 of 2 m/s.
         Assert.That(Insects.Single().Frequency, Is.EqualTo(10.085f).Within(0.05f));
     }
 

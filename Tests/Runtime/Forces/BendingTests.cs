@@ -1,3 +1,4 @@
+using System;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -6,11 +7,14 @@ namespace Alate.Tests
     public sealed class BendingTests
     {
         [Test]
-        public void Hinge_TakesTheCheckedImplicitStep()
+        public void Hinge_TakesAStepOfBackwardEuler()
         {
             float4 rate = -1f;
             Bending.Hinge(0.01f, 0.2f, 0.05f, 5f, 0.3f, math.radians(30f), 0.004f, rate, 0.02f, ref rate);
-            Assert.That(rate.x, Is.EqualTo(-0.848375).Within(0.848375 * Lanes.CheckTolerance));
+
+            // ((I + c_a dt) ω + dt (τ - k θ)) / (I + (c + c_a) dt + k dt²)
+            const double dt = 0.004, expected = ((0.01 + 0.05 * dt) * -1.0 + dt * (0.3 - 5.0 * 0.02)) / (0.01 + (0.2 + 0.05) * dt + 5.0 * dt * dt);
+            Assert.That(rate.x, Is.EqualTo(expected).Within(-expected * Lanes.CheckTolerance));
         }
 
         [Test]
@@ -18,7 +22,7 @@ namespace Alate.Tests
         {
             float4 rate = 10f;
             float4 angle = Bending.Hinge(0.01f, 0.2f, 0f, 5f, 30f, math.radians(30f), 0.02f, rate, 0.5f, ref rate);
-            Assert.That(angle.x, Is.EqualTo(0.523599).Within(0.523599 * Lanes.CheckTolerance));
+            Assert.That(angle.x, Is.EqualTo(Math.PI / 6.0).Within(Math.PI / 6.0 * Lanes.CheckTolerance));
             Assert.That(rate.x, Is.Zero);
         }
 

@@ -23,14 +23,15 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void MonarchSkeleton_HasTheCheckJoint()
+        public void MonarchSkeleton_HasItsMiddleJointWhereTheOutlinePutsIt()
         {
             m_Skeleton = SkeletonGenerator.Generate(Outline, 5, 5, k_LastTipSpan);
 
             var joint = m_Skeleton.GetJoint(2, 2);
-            Assert.That(joint.x, Is.EqualTo(0.360386).Within(1e-3).Percent);
+            (double x, double z) = MonarchLandmarks.MiddleJoint();
+            Assert.That(joint.x, Is.EqualTo(x).Within(1e-3).Percent);
             Assert.That(joint.y, Is.EqualTo(0f));
-            Assert.That(joint.z, Is.EqualTo(-0.0830394).Within(1e-3).Percent);
+            Assert.That(joint.z, Is.EqualTo(z).Within(1e-3).Percent);
         }
 
         [Test]

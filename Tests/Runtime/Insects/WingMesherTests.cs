@@ -25,9 +25,9 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void Grid_OfAMonarch_HasTheCheckArea()
+        public void Grid_OfAMonarch_HasTheAreaOfItsColumns()
         {
-            Assert.That(Area(WingMesher.Grid(Monarch.Outline, 48, 22)), Is.EqualTo(0.340619).Within(1e-3).Percent);
+            Assert.That(Area(WingMesher.Grid(Monarch.Outline, 48, 22)), Is.EqualTo(MonarchLandmarks.GridArea(48)).Within(1e-3).Percent);
         }
 
         [TestCase(50)]

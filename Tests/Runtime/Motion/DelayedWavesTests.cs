@@ -1,3 +1,4 @@
+using System;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -25,23 +26,31 @@ namespace Alate.Tests
         {
             Set(20f, 55f, 55f, phase: 2.5f, delay: 0f);
             Evaluate();
-            Assert.That(math.degrees(m_Fixture.scratch.amplitude[0].x.x), Is.EqualTo(23.7831).Within(23.7831 * Lanes.CheckTolerance));
+            double expected = 55.0 + (20.0 - 55.0) * Smooth(2.5 / Math.PI);
+            Assert.That(math.degrees(m_Fixture.scratch.amplitude[0].x.x), Is.EqualTo(expected).Within(expected * Lanes.CheckTolerance));
         }
 
         [Test]
-        public void Flap_WithADelayWithinTheCycle_HasTheCheckedSlope()
+        public void Flap_WithADelayWithinTheCycle_HasTheSlopeOfItsWave()
         {
             Set(60f, 30f, 45f, phase: 1f, delay: 0.3f);
             Evaluate();
-            Assert.That(m_Fixture.scratch.angleRate[0].x.x, Is.EqualTo(-0.247641).Within(0.247641 * Lanes.CheckTolerance));
+
+            // d/dp of A(p) cos p at p = 1 - 0.3.
+            double p = 0.7, x = p / Math.PI, amplitude = 30.0 + (60.0 - 30.0) * Smooth(x), glide = (60.0 - 30.0) * 6.0 * x * (1.0 - x) / Math.PI;
+            double expected = (glide * Math.Cos(p) - amplitude * Math.Sin(p)) * Math.PI / 180.0;
+            Assert.That(m_Fixture.scratch.angleRate[0].x.x, Is.EqualTo(expected).Within(-expected * Lanes.CheckTolerance));
         }
 
         [Test]
-        public void Flap_WithADelayIntoTheLastCycle_HasTheCheckedAngle()
+        public void Flap_WithADelayIntoTheLastCycle_HasTheAngleOfThatCycle()
         {
             Set(60f, 30f, 45f, phase: 1f, delay: 1.5f);
             Evaluate();
-            Assert.That(m_Fixture.scratch.angle[0].x.x, Is.EqualTo(0.459501).Within(0.459501 * Lanes.CheckTolerance));
+
+            // Late in the last cycle, whose amplitude of 30° has been reached.
+            double expected = Math.PI / 6.0 * Math.Cos(1.0 - 1.5 + 2.0 * Math.PI);
+            Assert.That(m_Fixture.scratch.angle[0].x.x, Is.EqualTo(expected).Within(expected * Lanes.CheckTolerance));
         }
 
         [Test]
@@ -53,7 +62,7 @@ namespace Alate.Tests
             Set(60f, 60f, 60f, phase: 3f, delay: 0f, keepDelay: true);
             Evaluate();
             int bone = 3 * (m_Fixture.rig.JointsPerChain - 1);
-            Assert.That(3f - m_Fixture.scratch.localPhase[bone].x, Is.EqualTo(2.35619).Within(2.35619 * Lanes.CheckTolerance));
+            Assert.That(3f - m_Fixture.scratch.localPhase[bone].x, Is.EqualTo(0.75 * Math.PI).Within(0.75 * Math.PI * Lanes.CheckTolerance));
         }
 
         [Test]
@@ -95,6 +104,8 @@ namespace Alate.Tests
                 Assert.That(math.length(m_Fixture.scratch.angleCurvature[0][0] - curvature), Is.LessThan(2e-3f), $"curvature at {phase}");
             }
         }
+
+        private static double Smooth(double x) => x * x * (3.0 - 2.0 * x);
 
         private void Set(float now, float before, float earlier, float phase, float delay, bool keepDelay = false)
         {

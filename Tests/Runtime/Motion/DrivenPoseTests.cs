@@ -6,7 +6,7 @@ namespace Alate.Tests
     public sealed unsafe class DrivenPoseTests
     {
         [Test]
-        public void DrivenRotation_IsTheCheckedOne()
+        public void DrivenRotation_IsFlapAfterSweepAfterFeather()
         {
             using (var fixture = new PackFixture(Monarch.Rig(), WingParameters.Default))
             {
@@ -15,10 +15,11 @@ namespace Alate.Tests
                     fixture.scratch.angle[bone] = Lanes.All(math.radians(30f), math.radians(5f), math.radians(10f));
                 DrivenPose.Evaluate(fixture.Pack, fixture.scratch);
                 float4 q = fixture.scratch.drivenRotations[0][0].value;
-                Assert.That(q.w, Is.EqualTo(0.96035).Within(Lanes.CheckTolerance));
-                Assert.That(q.x, Is.EqualTo(0.0953524).Within(Lanes.CheckTolerance));
-                Assert.That(q.y, Is.EqualTo(-0.0194367).Within(Lanes.CheckTolerance));
-                Assert.That(q.z, Is.EqualTo(0.261261).Within(Lanes.CheckTolerance));
+                Rotation expected = Rotation.About(0, 0, 1, 30) * Rotation.About(0, -1, 0, 5) * Rotation.About(1, 0, 0, 10);
+                Assert.That(q.w, Is.EqualTo(expected.w).Within(Lanes.CheckTolerance));
+                Assert.That(q.x, Is.EqualTo(expected.x).Within(Lanes.CheckTolerance));
+                Assert.That(q.y, Is.EqualTo(expected.y).Within(Lanes.CheckTolerance));
+                Assert.That(q.z, Is.EqualTo(expected.z).Within(Lanes.CheckTolerance));
             }
         }
 

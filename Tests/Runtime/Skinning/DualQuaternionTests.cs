@@ -1,3 +1,4 @@
+using System;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -20,14 +21,18 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void Swing_IsTheCheckedOne()
+        public void Swing_IsTheShortestTurn()
         {
             SoaQuaternion swing = SoaQuaternion.Swing(Lanes.All(1f, 0f, 0f), new SoaFloat3(math.normalize(new float3(1f, 0.4f, -0.2f))));
             float4 q = swing[0].value;
-            Assert.That(q.w, Is.EqualTo(0.977975).Within(Lanes.CheckTolerance));
+
+            // About the normal of both directions, by half of the angle between them.
+            double across = Math.Sqrt(0.4 * 0.4 + 0.2 * 0.2), degrees = Math.Atan2(across, 1.0) * 180.0 / Math.PI;
+            Rotation expected = Rotation.About(0.0, 0.2 / across, 0.4 / across, degrees);
+            Assert.That(q.w, Is.EqualTo(expected.w).Within(Lanes.CheckTolerance));
             Assert.That(q.x, Is.Zero.Within(Lanes.CheckTolerance));
-            Assert.That(q.y, Is.EqualTo(0.093343).Within(Lanes.CheckTolerance));
-            Assert.That(q.z, Is.EqualTo(0.186686).Within(Lanes.CheckTolerance));
+            Assert.That(q.y, Is.EqualTo(expected.y).Within(Lanes.CheckTolerance));
+            Assert.That(q.z, Is.EqualTo(expected.z).Within(Lanes.CheckTolerance));
         }
 
         private static unsafe void AssertPoint(CellBlend blend, float v)
@@ -38,13 +43,25 @@ namespace Alate.Tests
             target.rig.skinQuads = &quad;
             SoaBounds bounds = SoaBounds.Empty;
             DualQuaternionSkinning.Cell(&blend, target, 0, 1, &bounds);
+            Rotation expected = Blended(v);
             for (int lane = 0; lane < 4; lane++)
             {
-                Assert.That(vertices[lane].position.x, Is.EqualTo(0.457896).Within(Lanes.CheckTolerance));
-                Assert.That(vertices[lane].position.y, Is.EqualTo(0.83585).Within(Lanes.CheckTolerance));
-                Assert.That(vertices[lane].position.z, Is.EqualTo(0.551374).Within(Lanes.CheckTolerance));
+                Assert.That(vertices[lane].position.x, Is.EqualTo(expected.x).Within(Lanes.CheckTolerance));
+                Assert.That(vertices[lane].position.y, Is.EqualTo(expected.y).Within(Lanes.CheckTolerance));
+                Assert.That(vertices[lane].position.z, Is.EqualTo(expected.z).Within(Lanes.CheckTolerance));
                 Assert.That(bounds.max.x[lane], Is.EqualTo(vertices[lane].position.x));
             }
+        }
+
+        // Kavan and others (2007): real and dual parts are blended and divided by the length of the real one; a dual part is half of translation times rotation.
+        private static Rotation Blended(double v)
+        {
+            Rotation first = Rotation.About(0, 0, 1, 40), second = Rotation.About(1, 0, 0, -20);
+            Rotation real = (1.0 - v) * first + v * second;
+            Rotation dual = (0.5 * (1.0 - v)) * (Rotation.Vector(1, 0, 0) * first) + (0.5 * v) * (Rotation.Vector(0, 0.5, 0.2) * second);
+            real = 1.0 / real.Length * real;
+            dual = 1.0 / ((1.0 - v) * first + v * second).Length * dual;
+            return real * Rotation.Vector(0.3, 0.4, 0.5) * real.Back + 2.0 * (dual * real.Back);
         }
     }
 }
