@@ -16,11 +16,19 @@ internal static class Custom
         .Distinct()
         .SelectMany(assembly => assembly.GetTypes())]);
 
+    // The first type of each declares it.
+    private static readonly Lazy<ILookup<Type, Type>> s_Editors = new(() => s_Types.Value
+        .Where(type => type.IsDefined(typeof(CustomEditor)))
+        .ToLookup(type => type.GetCustomAttribute<CustomEditor>().Inspected));
+
+    private static readonly Lazy<ILookup<Type, Type>> s_Drawers = new(() => s_Types.Value
+        .SelectMany(type => type.GetCustomAttributes<CustomPropertyDrawer>(), (type, drawer) => (drawer.Drawn, type))
+        .ToLookup(pair => pair.Drawn, pair => pair.type));
+
     /// <summary>The editor of some objects of one type; the plain one where none is declared.</summary>
     public static Type EditorOf(Object[] targets)
     {
-        Type inspected = targets[0].GetType();
-        Type editor = s_Types.Value.FirstOrDefault(type => type.GetCustomAttribute<CustomEditor>()?.Inspected == inspected);
+        Type editor = s_Editors.Value[targets[0].GetType()].FirstOrDefault();
         if (editor == null)
             return typeof(Editor);
         if (targets.Length > 1 && !editor.IsDefined(typeof(CanEditMultipleObjects)))
@@ -33,7 +41,7 @@ internal static class Custom
     /// <summary>A new drawer of a field's type; null for none.</summary>
     public static PropertyDrawer DrawerOf(Type drawn)
     {
-        Type drawer = s_Types.Value.FirstOrDefault(type => type.GetCustomAttributes<CustomPropertyDrawer>().Any(a => a.Drawn == drawn));
+        Type drawer = s_Drawers.Value[drawn].FirstOrDefault();
         return drawer == null ? null : (PropertyDrawer)Activator.CreateInstance(drawer, nonPublic: true);
     }
 }
