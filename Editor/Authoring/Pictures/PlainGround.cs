@@ -92,13 +92,12 @@ namespace Alate.Authoring
         private void Fit(List<(int Column, int Row)> samples)
         {
             var residuals = new double[samples.Count];
-            double reach = double.MaxValue;
             StartFromMedians(samples);
             for (int round = 0; round < k_Rounds; round++)
             {
                 for (int k = 0; k < residuals.Length; k++)
                     residuals[k] = DistanceAt(samples[k].Column, samples[k].Row);
-                reach = k_TukeyReach * Math.Max(k_LeastSpread, k_SpreadOverMedian * Median(residuals));
+                double reach = k_TukeyReach * Math.Max(k_LeastSpread, k_SpreadOverMedian * Median(residuals));
                 for (int k = 0; k < residuals.Length; k++)
                     AddSample(samples[k], Biweight(residuals[k] / reach));
                 foreach (SmoothSurface surface in m_Surfaces)

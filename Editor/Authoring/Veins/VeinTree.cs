@@ -12,7 +12,6 @@ namespace Alate.Authoring
         /// <summary>Cost of the way from the hinge to the first vein over that of one as long on veins.</summary>
         private const double k_OffVein = 2.0;
 
-        private readonly VeinGraph m_Graph;
         private readonly double[] m_Costs;
         private readonly int[] m_Parents;
         private readonly double[] m_Covered;
@@ -21,7 +20,6 @@ namespace Alate.Authoring
         /// <param name="hinge">In the graph's pixels.</param>
         public VeinTree(VeinGraph graph, PlanPoint hinge)
         {
-            m_Graph = graph;
             m_Costs = new double[graph.Count];
             m_Parents = new int[graph.Count];
             m_Covered = new double[graph.Count];

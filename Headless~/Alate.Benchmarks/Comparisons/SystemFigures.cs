@@ -57,8 +57,8 @@ internal static class SystemFigures
     private sealed class Brood(WingDefinition kind)
     {
         private static readonly WingSide[] s_Sides = [WingSide.Right, WingSide.Left];
-        private readonly Mesh[] _meshes = [.. s_Sides.Select(side => kind.CreateSurface(side).ToMesh($"monarch {side}"))];
-        private readonly WingSkeleton[] _skeletons = [.. s_Sides.Select(side => kind.CreateSkeleton(side))];
+        private readonly Mesh[] m_Meshes = [.. s_Sides.Select(side => kind.CreateSurface(side).ToMesh($"monarch {side}"))];
+        private readonly WingSkeleton[] m_Skeletons = [.. s_Sides.Select(side => kind.CreateSkeleton(side))];
 
         public void Hatch(int k)
         {
@@ -70,8 +70,8 @@ internal static class SystemFigures
             {
                 var wing = new GameObject($"wing {side}", typeof(MeshFilter), typeof(MeshRenderer));
                 wing.transform.SetParent(root.transform, false);
-                wing.GetComponent<MeshFilter>().sharedMesh = _meshes[(int)side];
-                insect.Wings.Add(new Wing { Renderer = wing.GetComponent<MeshRenderer>(), Side = side, Skeleton = _skeletons[(int)side] });
+                wing.GetComponent<MeshFilter>().sharedMesh = m_Meshes[(int)side];
+                insect.Wings.Add(new Wing { Renderer = wing.GetComponent<MeshRenderer>(), Side = side, Skeleton = m_Skeletons[(int)side] });
             }
 
             insect.Quality.culling = WingCulling.AlwaysSimulate;

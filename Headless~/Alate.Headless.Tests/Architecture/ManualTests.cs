@@ -74,6 +74,16 @@ namespace Alate.Tests.Architecture
         }
 
         [Test]
+        public void ProfilerMarkers_AreNamedOnThePageOfTheComponent()
+        {
+            string page = ManualPages.Text("Documentation~/insect-wings.md");
+            string[] markers = Regex.Matches(ManualPages.Text("Runtime/Insects/Live/SystemMarkers.cs"), @"""Alate\.(\w+)""").Select(match => match.Groups[1].Value).ToArray();
+
+            Assert.That(markers, Is.Not.Empty);
+            Assert.That(markers.Where(marker => !page.Contains($"`{marker}`") && !page.Contains($"`Alate.{marker}`")), Is.Empty);
+        }
+
+        [Test]
         public void HelpLinks_LeadToPages()
         {
             foreach (Type type in Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetTypes()))

@@ -246,10 +246,10 @@ namespace Alate.Tests.Play
         // Means over some beats, weighted by time: forces are means over a fixed step each.
         private static IEnumerator Mean(InsectWings insect, float beats, Action<float, float, float> tell)
         {
-            float lift = 0f, drag = 0f, newtons = 0f, end = 0f;
+            float lift = 0f, drag = 0f, newtons = 0f;
             int count = 0;
             WingReading start = insect.Read(0);
-            end = start.Beats + start.Phase / (2f * math.PI) + beats;
+            float end = start.Beats + start.Phase / (2f * math.PI) + beats;
             while (insect.Read(0).Beats + insect.Read(0).Phase / (2f * math.PI) < end)
             {
                 yield return new WaitForFixedUpdate();
