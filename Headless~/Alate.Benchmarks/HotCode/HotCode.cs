@@ -7,8 +7,8 @@ using System.Runtime.CompilerServices;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Whether the hot methods are compiled without calls to members of float4, math or the four-lane types. RyuJIT inlines no more once a
-/// method has 512 locals, silently, and what is left becomes 10 to 47 times slower; this tells it, whatever the machine. To see
+/// Checks that the hot methods are compiled without calls to members of float4, math or the four-lane types. RyuJIT inlines no more once a
+/// method has 512 locals, silently, and the remaining calls make the code 10 to 47 times slower; this check works on any machine. To see
 /// the code itself: <c>DOTNET_JitDisasm="Alate.DualQuaternionSkinning:*" DOTNET_JitStdOutFile=FILE</c> before the benchmark.
 /// </summary>
 internal static class HotCode
