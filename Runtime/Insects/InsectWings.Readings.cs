@@ -156,7 +156,7 @@ namespace Alate
         }
 
         /// <summary>Time within the last step at which the wings were last drawn, 0 its start, 1 its end.</summary>
-        internal float DrawnAlpha => WingSystem.Crowd.DrawnAlpha[(int)Live.Clock];
+        internal float DrawnAlpha => WingSystem.Crowd.DrawnAlpha(Live.Clock);
 
         internal void TellBeat()
         {

@@ -1,9 +1,10 @@
+using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The clocks that run by themselves: how many steps are due, and what time a picture shows.</summary>
+    /// <summary>Clocks of all insects: steps that are due, and the time that a picture shows.</summary>
     internal sealed class Clocks
     {
         /// <summary>Length of a step on the clocks of the frame, seconds.</summary>
@@ -12,41 +13,75 @@ namespace Alate
         /// <summary>Most steps of one frame: a quarter of a second. The rest of a longer hitch is dropped.</summary>
         public const int MostSteps = 15;
 
+        /// <summary>What the jobs are told.</summary>
+        public ClockTimes times = ClockTimes.All(new ClockTime { alpha = 1f });
+
         private StepAccumulator m_Frame = new StepAccumulator(FrameStep, MostSteps);
         private StepAccumulator m_Unscaled = new StepAccumulator(FrameStep, MostSteps);
-        private readonly double[] m_Time = new double[4];
 
-        /// <summary>Seconds that a clock has stepped.</summary>
-        public double TimeOf(ClockId clock) => m_Time[(int)clock];
+        /// <summary>Whether the fixed steps of the physics, or else the frames, advance a clock.</summary>
+        public static bool Advances(bool physics, WingUpdateMode clock) =>
+            clock != WingUpdateMode.Manual && (clock == WingUpdateMode.FixedUpdate) == physics;
 
-        /// <summary>One fixed step of the physics.</summary>
-        public StepPlan FixedStep(float dt)
+        /// <summary>Makes one fixed step of the physics due.</summary>
+        public void FixedStep(float dt, List<LiveInsect> insects)
         {
-            m_Time[(int)ClockId.Fixed] += dt;
-            return StepPlan.For(ClockId.Fixed, dt, 1);
+            Begin(insects);
+            Step(WingUpdateMode.FixedUpdate, dt, 1);
         }
 
-        /// <summary>The steps of this frame on its two clocks.</summary>
-        public StepPlan Frame(float dt, float unscaledDt)
+        /// <summary>Makes the steps of a frame due, and sets the time within the last step of each clock that the frame shows.</summary>
+        public void Frame(float dt, float unscaledDt, List<LiveInsect> insects)
         {
-            StepPlan plan = default;
-            Set(ref plan, ClockId.Frame, m_Frame.Advance(dt));
-            Set(ref plan, ClockId.Unscaled, m_Unscaled.Advance(unscaledDt));
-            return plan;
-        }
-
-        /// <summary>What time within the last step of each clock the picture of this frame shows.</summary>
-        public float4 Alpha()
-        {
+            Begin(insects);
+            Step(WingUpdateMode.Update, FrameStep, m_Frame.Advance(dt));
+            Step(WingUpdateMode.UnscaledTime, FrameStep, m_Unscaled.Advance(unscaledDt));
             float length = Time.fixedDeltaTime;
-            float fixedAlpha = length > 0f ? (float)math.saturate((Time.timeAsDouble - Time.fixedTimeAsDouble) / length) : 1f;
-            return new float4(fixedAlpha, m_Frame.Alpha, m_Unscaled.Alpha, 1f);
+            Show(WingUpdateMode.FixedUpdate, length > 0f ? (float)math.saturate((Time.timeAsDouble - Time.fixedTimeAsDouble) / length) : 1f);
+            Show(WingUpdateMode.Update, m_Frame.Alpha);
+            Show(WingUpdateMode.UnscaledTime, m_Unscaled.Alpha);
         }
 
-        private void Set(ref StepPlan plan, ClockId clock, int steps)
+        /// <summary>Lets the wings of all clocks be drawn in the next frame.</summary>
+        public void MoveAll()
         {
-            plan.Set(clock, FrameStep, steps);
-            m_Time[(int)clock] += steps * (double)FrameStep;
+            for (int clock = 0; clock < ClockTimes.Count; clock++)
+                times[clock].moved = true;
+        }
+
+        /// <summary>Notes that wings have been drawn.</summary>
+        public void EndDrawing()
+        {
+            for (int clock = 0; clock < ClockTimes.Count; clock++)
+                times[clock].moved &= !times[clock].inUse;
+        }
+
+        private void Begin(List<LiveInsect> insects)
+        {
+            for (int clock = 0; clock < ClockTimes.Count; clock++)
+            {
+                times[clock].count = 0;
+                times[clock].inUse = false;
+            }
+
+            foreach (LiveInsect live in insects)
+                times[live.Clock].inUse |= live.Detail != WingDetail.Frozen;
+        }
+
+        private void Step(WingUpdateMode mode, float length, int count)
+        {
+            ref ClockTime clock = ref times[mode];
+            clock.length = length;
+            clock.count = count;
+            clock.time += count * (double)length;
+            clock.moved |= clock.IsDue;
+        }
+
+        private void Show(WingUpdateMode mode, float alpha)
+        {
+            ref ClockTime clock = ref times[mode];
+            clock.moved |= alpha != clock.alpha;
+            clock.alpha = alpha;
         }
     }
 }

@@ -14,9 +14,7 @@ namespace Alate
         private readonly PresetWatch m_Presets = new PresetWatch();
         private readonly WindZones m_WindZones = new WindZones();
         private readonly Viewers m_Viewers = new Viewers();
-        private readonly Clocks m_Pacer = new Clocks();
-        private bool4 m_Moved;
-        private float4 m_DrawnAlpha;
+        private readonly Clocks m_Clocks = new Clocks();
         private long m_StepsTold;
 
         public FrameLoop()
@@ -36,8 +34,8 @@ namespace Alate
         /// <summary>True where no insect lives, waits or is broken.</summary>
         public bool IsEmpty => m_Registry.IsEmpty;
 
-        /// <summary>[clock] Time within its last step that was last drawn, 0 its start, 1 its end.</summary>
-        public float4 DrawnAlpha => m_DrawnAlpha;
+        /// <summary>Time within the last step of a clock that was drawn last, 0 its start, 1 its end.</summary>
+        public float DrawnAlpha(WingUpdateMode clock) => m_Clocks.times[clock].alpha;
 
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
@@ -60,9 +58,10 @@ namespace Alate
             using (SystemMarkers.fixedStep.Auto())
             {
                 Wait();
-                ApplyParameters(ClockId.Fixed, ClockId.Fixed);
-                UpdateSurroundings(ClockId.Fixed, ClockId.Fixed);
-                Schedule(m_Pacer.FixedStep(dt));
+                ApplyParameters(physics: true);
+                UpdateSurroundings(physics: true);
+                m_Clocks.FixedStep(dt, Insects);
+                Schedule();
                 JobHandle.ScheduleBatchedJobs();
             }
         }
@@ -76,15 +75,16 @@ namespace Alate
                 m_Presets.EndRound();
                 if (m_Registry.UpdateRegistry())
                 {
-                    m_Moved = true;
+                    m_Clocks.MoveAll();
                     m_WindZones.Invalidate();
                 }
 
-                ApplyParameters(ClockId.Frame, ClockId.Unscaled);
+                ApplyParameters(physics: false);
                 SampleMotion(dt, unscaledDt);
                 ChooseDetail();
-                UpdateSurroundings(ClockId.Frame, ClockId.Unscaled);
-                Schedule(m_Pacer.Frame(dt, unscaledDt));
+                UpdateSurroundings(physics: false);
+                m_Clocks.Frame(dt, unscaledDt, Insects);
+                Schedule();
                 Draw();
                 m_Calls.RaiseBeatEvents(Insects, World);
             }
@@ -102,7 +102,7 @@ namespace Alate
                 return;
             m_Presets.Refresh();
             live.ApplyParameters(World, m_Presets);
-            live.Pace(World, WingDetail.Full, false, m_Pacer);
+            live.Pace(World, WingDetail.Full, false, m_Clocks);
             SampleMotion(live, dt);
             m_WindZones.Read(Time.time);
             UpdateSurroundings(live, Physics.gravity);
@@ -110,7 +110,7 @@ namespace Alate
             float length = math.min(dt / steps, Clocks.FrameStep);
             for (int step = 0; step < steps; step++)
                 World.StepNow(live.owner, length);
-            m_Moved[(int)ClockId.Own] = true;
+            m_Clocks.times[WingUpdateMode.Manual].moved = true;
         }
 
         /// <summary>Restarts an insect's wings.</summary>
@@ -118,7 +118,7 @@ namespace Alate
         {
             World.Complete();
             live.Restart(World);
-            m_Moved[(int)live.Clock] = true;
+            m_Clocks.times[live.Clock].moved = true;
         }
 
         public void Dispose()
@@ -131,15 +131,14 @@ namespace Alate
             SystemCounter.resets.Set(0);
         }
 
-        private void ApplyParameters(ClockId first, ClockId second)
+        private void ApplyParameters(bool physics)
         {
             using (SystemMarkers.parameters.Auto())
             {
                 m_Presets.Refresh();
                 foreach (LiveInsect live in Insects)
                 {
-                    ClockId clock = live.Clock;
-                    if (clock == first || clock == second)
+                    if (Clocks.Advances(physics, live.Clock))
                         live.ApplyParameters(World, m_Presets);
                 }
             }
@@ -151,8 +150,8 @@ namespace Alate
             {
                 foreach (LiveInsect live in Insects)
                 {
-                    if (live.Clock != ClockId.Own)
-                        SampleMotion(live, live.Clock == ClockId.Unscaled ? unscaledDt : dt);
+                    if (live.Clock != WingUpdateMode.Manual)
+                        SampleMotion(live, live.Clock == WingUpdateMode.UnscaledTime ? unscaledDt : dt);
                 }
             }
         }
@@ -170,13 +169,13 @@ namespace Alate
                 m_Viewers.UpdateCameras();
                 foreach (LiveInsect live in Insects)
                 {
-                    if (live.ChooseDetail(World, m_Viewers, m_Pacer))
-                        m_Moved[(int)live.Clock] = true;
+                    if (live.ChooseDetail(World, m_Viewers, m_Clocks))
+                        m_Clocks.times[live.Clock].moved = true;
                 }
             }
         }
 
-        private void UpdateSurroundings(ClockId first, ClockId second)
+        private void UpdateSurroundings(bool physics)
         {
             using (SystemMarkers.surroundings.Auto())
             {
@@ -184,8 +183,7 @@ namespace Alate
                 float3 gravity = Physics.gravity;
                 foreach (LiveInsect live in Insects)
                 {
-                    ClockId clock = live.Clock;
-                    if ((clock == first || clock == second) && live.Detail != WingDetail.Frozen)
+                    if (Clocks.Advances(physics, live.Clock) && live.Detail != WingDetail.Frozen)
                         UpdateSurroundings(live, gravity);
                 }
             }
@@ -202,15 +200,13 @@ namespace Alate
                 live.insect.Report(InsectProblem.NoSize);
         }
 
-        private void Schedule(StepPlan plan)
+        private void Schedule()
         {
-            plan.count = math.select(0, plan.count, ClocksInUse());
-            if (plan.IsEmpty)
+            if (!m_Clocks.times.AnyDue())
                 return;
             using (SystemMarkers.schedule.Auto())
-                World.ScheduleStep(plan);
+                World.ScheduleStep(m_Clocks.times);
             StepCount++;
-            m_Moved |= plan.count > 0;
         }
 
         private void Wait()
@@ -219,37 +215,23 @@ namespace Alate
                 World.Complete();
         }
 
-        private bool4 ClocksInUse()
-        {
-            bool4 used = default;
-            foreach (LiveInsect live in Insects)
-            {
-                if (live.Detail != WingDetail.Frozen)
-                    used[(int)live.Clock] = true;
-            }
-
-            return used;
-        }
-
         private void Draw()
         {
-            float4 alpha = m_Pacer.Alpha();
-            bool4 clocks = (m_Moved | (alpha != m_DrawnAlpha)) & ClocksInUse();
-            m_Moved &= !clocks;
-            m_DrawnAlpha = alpha;
-            if (!math.any(clocks))
+            if (!m_Clocks.times.AnyDrawn())
                 return;
             using (SystemMarkers.schedule.Auto())
-                World.ScheduleSkin(alpha, clocks);
+                World.ScheduleSkin(m_Clocks.times);
             Wait();
             using (SystemMarkers.upload.Auto())
             {
                 foreach (LiveInsect live in Insects)
                 {
-                    if (clocks[(int)live.Clock])
+                    if (m_Clocks.times[live.Clock].IsDrawn)
                         live.Upload(World);
                 }
             }
+
+            m_Clocks.EndDrawing();
         }
 
         private void TellProfiler()

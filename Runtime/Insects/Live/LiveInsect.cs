@@ -48,7 +48,7 @@ namespace Alate
         public float Pitch => flight.Pitch;
 
         /// <summary>Clock of the wings.</summary>
-        public ClockId Clock => ClockOf(insect.UpdateMode);
+        public WingUpdateMode Clock => insect.UpdateMode;
 
         /// <summary>Factor on the amplitudes: 0 while the wings come to rest.</summary>
         private float Fade => m_Resting ? 0f : 1f;
@@ -169,7 +169,7 @@ namespace Alate
 
         /// <summary>Chooses the level of detail by the insect's size in the cameras, and whether its meshes are deformed.</summary>
         /// <returns>Whether its meshes have to be drawn again though nothing may have moved.</returns>
-        public bool ChooseDetail(WingWorld world, Viewers viewers, Clocks pacer)
+        public bool ChooseDetail(WingWorld world, Viewers viewers, Clocks clocks)
         {
             // No camera has had a look at a new one.
             visible = !m_Seen;
@@ -177,10 +177,10 @@ namespace Alate
             foreach (LiveMesh mesh in meshes)
                 visible |= mesh.renderer != null && mesh.renderer.isVisible;
             bool outOfSight = !visible && insect.Quality.culling == WingCulling.CullCompletely && !insect.Quality.keepForces;
-            if (Clock == ClockId.Own)
-                Pace(world, WingDetail.Full, false, pacer);
+            if (Clock == WingUpdateMode.Manual)
+                Pace(world, WingDetail.Full, false, clocks);
             else
-                Pace(world, Wanted(viewers), outOfSight, pacer);
+                Pace(world, Wanted(viewers), outOfSight, clocks);
             return SetSkinned(world);
         }
 
@@ -206,10 +206,10 @@ namespace Alate
         }
 
         /// <summary>Changes clock and level of detail without a jump.</summary>
-        public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Clocks pacer)
+        public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Clocks clocks)
         {
-            ClockId clock = Clock;
-            double now = pacer.TimeOf(clock), shift = now - pacer.TimeOf(m_Pacing.clock);
+            WingUpdateMode clock = Clock;
+            double now = clocks.times[clock].time, shift = now - clocks.times[m_Pacing.clock].time;
             m_RestingSince += shift;
             m_AsleepSince += shift;
             bool resting = wanted == WingDetail.Frozen && !outOfSight;
@@ -254,9 +254,6 @@ namespace Alate
             m_Skinned = skinned;
             return again;
         }
-
-        /// <summary>The clock of an update mode.</summary>
-        public static ClockId ClockOf(WingUpdateMode mode) => (ClockId)(int)mode;
 
         private void Start(WingWorld world)
         {

@@ -11,8 +11,7 @@ namespace Alate
     internal unsafe struct SkinWingsJob : IJobFor
     {
         // Input
-        public float4 alpha;
-        public bool4 clocks;
+        public ClockTimes clocks;
         [ReadOnly] public NativeArray<SkinChunk> chunks;
         [ReadOnly] public NativeArray<SkinTarget> targets;
         [ReadOnly] public NativeArray<WingPack> packs;
@@ -27,10 +26,11 @@ namespace Alate
             if (!target.skinned)
                 return;
             WingPack pack = packs[target.pack];
-            if (!clocks[(int)pack.clock])
+            ClockTime clock = clocks[pack.clock];
+            if (!clock.IsDrawn)
                 return;
             DualQuaternion* palette = stackalloc DualQuaternion[target.rig.jointCount];
-            SkinPalette.Evaluate(pack, target, alpha[(int)pack.clock], palette);
+            SkinPalette.Evaluate(pack, target, clock.alpha, palette);
             bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad);
         }
 

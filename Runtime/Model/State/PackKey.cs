@@ -6,18 +6,18 @@ namespace Alate
     internal readonly struct PackKey : IEquatable<PackKey>
     {
         /// <summary>Clock of the wing.</summary>
-        public readonly ClockId clock;
+        public readonly WingUpdateMode clock;
 
-        /// <summary>Owner of a clock of its own, so that wings of one insect stay together; 0 for the other clocks.</summary>
+        /// <summary>Stepped by hand: whose, so that wings of one insect stay together. Otherwise 0.</summary>
         public readonly int owner;
 
         /// <summary>The level of detail.</summary>
         public readonly WingDetail detail;
 
-        public PackKey(ClockId clock, int owner, WingDetail detail)
+        public PackKey(WingUpdateMode clock, int owner, WingDetail detail)
         {
             this.clock = clock;
-            this.owner = clock == ClockId.Own ? owner : 0;
+            this.owner = clock == WingUpdateMode.Manual ? owner : 0;
             this.detail = detail;
         }
 

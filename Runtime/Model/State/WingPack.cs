@@ -16,7 +16,7 @@ namespace Alate
 
         public RigView rig;
         public ModelOptions options;
-        public ClockId clock;
+        public WingUpdateMode clock;
         public WingDetail detail;
 
         public LaneParameters* parameters;
@@ -41,7 +41,6 @@ namespace Alate
 
         /// <summary>Rates of the bend angles one substep earlier, rad/s.</summary>
         public SoaFloat3* earlierRates;
-
 
         /// <summary>Length of the last substep, seconds; 0 for a wing without a past, which then takes a step of backward Euler.</summary>
         public float4* lastSubstep;

@@ -94,13 +94,13 @@ namespace Alate
             }
         }
 
-        public JobHandle ScheduleStep(in StepPlan plan, JobHandle after)
+        public JobHandle ScheduleStep(in ClockTimes clocks, JobHandle after)
         {
             Version++;
             JobCount++;
             return new StepWingsJob
             {
-                plan = plan,
+                clocks = clocks,
                 scratchSize = m_ScratchSize,
                 scratchStride = m_ScratchStride,
                 scratch = m_Scratch,
@@ -108,12 +108,11 @@ namespace Alate
             }.ScheduleParallel(m_PackCount, 1, after);
         }
 
-        public JobHandle ScheduleSkin(float4 alpha, bool4 clocks, JobHandle after)
+        public JobHandle ScheduleSkin(in ClockTimes clocks, JobHandle after)
         {
             JobCount++;
             return new SkinWingsJob
             {
-                alpha = alpha,
                 clocks = clocks,
                 chunks = m_Chunks,
                 targets = m_Targets,
@@ -153,7 +152,7 @@ namespace Alate
             Version++;
             for (int k = 0; k < m_PackCount; k++)
             {
-                if (packs[k].pacing.clock != ClockId.Own || packs[k].pacing.owner != owner)
+                if (packs[k].pacing.clock != WingUpdateMode.Manual || packs[k].pacing.owner != owner)
                     continue;
                 WingPack pack = m_Packs[k];
                 PackStep.Run(ref pack, Scratch(packs[k]), dt);

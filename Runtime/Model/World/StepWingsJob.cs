@@ -10,7 +10,7 @@ namespace Alate
     internal unsafe struct StepWingsJob : IJobFor
     {
         // Input
-        public StepPlan plan;
+        public ClockTimes clocks;
         public RigSize scratchSize;
         public long scratchStride;
 
@@ -25,9 +25,9 @@ namespace Alate
         {
             StepScratch.Layout(scratchSize, scratch + threadIndex * scratchStride, out StepScratch block);
             WingPack pack = packs[index];
-            int clock = (int)pack.clock;
-            for (int step = plan.count[clock]; step > 0; step--)
-                PackStep.Run(ref pack, block, plan.length[clock]);
+            ClockTime clock = clocks[pack.clock];
+            for (int step = clock.count; step > 0; step--)
+                PackStep.Run(ref pack, block, clock.length);
             packs[index] = pack;
         }
     }

@@ -175,17 +175,17 @@ namespace Alate
             CheckNotDisposed();
             if (!math.isfinite(dt))
                 throw new ArgumentException($"The time step must be finite, not {dt}.", nameof(dt));
-            return ScheduleStep(StepPlan.All(dt), after);
+            return ScheduleStep(ClockTimes.All(new ClockTime { length = dt, count = 1, inUse = true }), after);
         }
 
         /// <summary>Schedules the steps that are due on each clock, in one job.</summary>
-        internal JobHandle ScheduleStep(in StepPlan plan, JobHandle after = default)
+        internal JobHandle ScheduleStep(ClockTimes clocks, JobHandle after = default)
         {
             m_Pending = Behind(after);
-            if (plan.IsEmpty || Count == 0)
+            if (!clocks.AnyDue() || Count == 0)
                 return m_Pending;
             Upload();
-            m_Pending = m_Arrays.ScheduleStep(plan, m_Pending);
+            m_Pending = m_Arrays.ScheduleStep(clocks, m_Pending);
             return m_Pending;
         }
 
@@ -206,17 +206,17 @@ namespace Alate
 
         /// <summary>Schedules the skinning behind what is pending and <paramref name="after"/>.</summary>
         public JobHandle ScheduleSkin(float alpha, JobHandle after = default) =>
-            ScheduleSkin(new float4(math.isfinite(alpha) ? alpha : 1f), true, after);
+            ScheduleSkin(ClockTimes.All(new ClockTime { alpha = math.isfinite(alpha) ? alpha : 1f, moved = true, inUse = true }), after);
 
-        /// <summary>Schedules the skinning of the wings of some clocks, at a time within the last step of each.</summary>
-        internal JobHandle ScheduleSkin(float4 alpha, bool4 clocks, JobHandle after = default)
+        /// <summary>Schedules the skinning of the wings of the clocks that moved.</summary>
+        internal JobHandle ScheduleSkin(in ClockTimes clocks, JobHandle after = default)
         {
             CheckNotDisposed();
             m_Pending = Behind(after);
             if (Count == 0)
                 return m_Pending;
             Upload();
-            m_Pending = m_Arrays.ScheduleSkin(alpha, clocks, m_Pending);
+            m_Pending = m_Arrays.ScheduleSkin(clocks, m_Pending);
             return m_Pending;
         }
 

@@ -1,6 +1,9 @@
+using UnityEngine.Scripting.APIUpdating;
+
 namespace Alate
 {
     /// <summary>Time at which an insect's wings are stepped.</summary>
+    [MovedFrom(true, null, "Alate")]
     public enum WingUpdateMode
     {
         /// <summary>Steps with the physics, in its fixed steps; drawn smoothly between them.</summary>
@@ -12,7 +15,7 @@ namespace Alate
         /// <summary>Steps each frame, in time that does not stop or slow down with the game's.</summary>
         UnscaledTime,
 
-        /// <summary>Steps only when a script calls <see cref="InsectWings.Step"/>.</summary>
+        /// <summary>Only when a script calls <c>InsectWings.Step</c>.</summary>
         Manual,
     }
 }

@@ -1,0 +1,72 @@
+namespace Alate
+{
+    /// <summary>Steps that are due on one clock, and the time that its wings are drawn at.</summary>
+    internal struct ClockTime
+    {
+        /// <summary>Seconds stepped so far.</summary>
+        public double time;
+
+        /// <summary>Seconds of one step.</summary>
+        public float length;
+
+        /// <summary>Steps that are due; 0 lets the wings of the clock stand.</summary>
+        public int count;
+
+        /// <summary>Time within the last step that is drawn, 0 its start, 1 its end.</summary>
+        public float alpha;
+
+        /// <summary>Whether wings moved, or alpha did, since they were drawn.</summary>
+        public bool moved;
+
+        /// <summary>Whether a wing that is not frozen keeps the clock.</summary>
+        public bool inUse;
+
+        /// <summary>Whether wings have to be stepped.</summary>
+        public readonly bool IsDue => inUse && count > 0 && length > 0f;
+
+        /// <summary>Whether wings have to be deformed.</summary>
+        public readonly bool IsDrawn => inUse && moved;
+    }
+
+    /// <summary>[<see cref="WingUpdateMode"/>] All clocks, by value, as the jobs take them.</summary>
+    internal unsafe struct ClockTimes
+    {
+        private ClockTime m_FixedUpdate, m_Update, m_UnscaledTime, m_Manual;
+
+        /// <summary>Number of clocks.</summary>
+        public static int Count => sizeof(ClockTimes) / sizeof(ClockTime);
+
+        public ref ClockTime this[int clock]
+        {
+            get
+            {
+                fixed (ClockTimes* all = &this)
+                    return ref ((ClockTime*)all)[clock];
+            }
+        }
+
+        public ref ClockTime this[WingUpdateMode clock] => ref this[(int)clock];
+
+        /// <summary>One time for all clocks.</summary>
+        public static ClockTimes All(in ClockTime time) =>
+            new ClockTimes { m_FixedUpdate = time, m_Update = time, m_UnscaledTime = time, m_Manual = time };
+
+        /// <summary>Whether any wing has to be stepped.</summary>
+        public bool AnyDue()
+        {
+            bool due = false;
+            for (int clock = 0; clock < Count; clock++)
+                due |= this[clock].IsDue;
+            return due;
+        }
+
+        /// <summary>Whether any wing has to be deformed.</summary>
+        public bool AnyDrawn()
+        {
+            bool drawn = false;
+            for (int clock = 0; clock < Count; clock++)
+                drawn |= this[clock].IsDrawn;
+            return drawn;
+        }
+    }
+}
