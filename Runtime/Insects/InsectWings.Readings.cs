@@ -79,7 +79,7 @@ namespace Alate
         {
             get
             {
-                float weight = Live == null ? 0f : Live.wings[0].values.insectMass * Physics.gravity.magnitude;
+                float weight = Live == null ? 0f : Live.wings[0].values.size.insectMass * Physics.gravity.magnitude;
                 return weight > 0f ? Lift / weight : 0f;
             }
         }
@@ -92,7 +92,7 @@ namespace Alate
             if (Live == null)
                 return default;
             LiveWing live = Live.wings[wing];
-            return live.placed.ToWorld(Read(wing).AirForce) * (live.values.wingMass * live.values.wingLength);
+            return live.placed.ToWorld(Read(wing).AirForce) * (live.values.size.wingMass * live.values.size.wingLength);
         }
 
         /// <summary>Moment of the air on one wing of the real insect about the insect's origin, newton metres, world axes; mean over the last step.</summary>
@@ -103,7 +103,7 @@ namespace Alate
             if (Live == null)
                 return default;
             LiveWing live = Live.wings[wing];
-            return live.placed.AxisToWorld(Read(wing).AirMoment) * (live.values.wingMass * live.values.wingLength * live.values.wingLength);
+            return live.placed.AxisToWorld(Read(wing).AirMoment) * (live.values.size.wingMass * live.values.size.wingLength * live.values.size.wingLength);
         }
 
         /// <summary>

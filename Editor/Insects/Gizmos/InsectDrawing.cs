@@ -103,7 +103,7 @@ namespace Alate.Editor
             bool loads = (layers & GizmoLayers.Loads) != 0;
             if (insect.Read(wing).HasPatchLoads != loads)
                 LoadRecording.Set(insect, wing, loads);
-            float weight = live.values.insectMass * Physics.gravity.magnitude;
+            float weight = live.values.size.insectMass * Physics.gravity.magnitude;
             if (weight <= 0f || !live.placed.isValid)
                 return;
             if ((layers & GizmoLayers.Force) != 0)
@@ -123,7 +123,7 @@ namespace Alate.Editor
         {
             LiveWing live = insect.Live.wings[wing];
             WingReading reading = insect.Read(wing);
-            float newtons = live.values.wingMass * live.values.wingLength;
+            float newtons = live.values.size.wingMass * live.values.size.wingLength;
             float scale = k_LoadShare * live.placed.length * reading.PatchCount * newtons / weight;
             float alpha = insect.DrawnAlpha;
             for (int patch = 0; patch < reading.PatchCount; patch++)

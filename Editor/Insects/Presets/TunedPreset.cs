@@ -90,7 +90,7 @@ namespace Alate.Editor
             get
             {
                 float scale = Common(wing => wing.AmplitudeScale, 1f);
-                PresetBeat beat = Source == null ? PresetDefaults.MonarchBeat : Source.Beat;
+                PresetBeat beat = Source == null ? PresetBeat.Default : Source.Beat;
                 float widest = math.max(beat.flapRange, math.max(beat.featherRange, beat.sweepRange));
                 return widest > 0f ? math.min(scale, k_LargestRange / widest) : 1f;
             }

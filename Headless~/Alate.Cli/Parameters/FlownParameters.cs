@@ -1,49 +1,22 @@
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
+using System.Runtime.CompilerServices;
 
 namespace Alate.Cli.Parameters;
 
 /// <summary>Every number that <c>sweep</c> knows, by the names of the inspector's sliders, and those of the flight.</summary>
 internal static class FlownParameters
 {
-    /// <summary>The sliders of a species, in the inspector's order.</summary>
+    private delegate ref T Group<T>(WingPreset preset);
+
+    /// <summary>The numbers of a preset, in the inspector's order, as its fields have them.</summary>
     public static IReadOnlyList<FlownParameter> OfSpecies { get; } =
     [
-        new("wing-length", "m", 5e-4f, 1f, s => ref s.Size.wingLength),
-        new("wing-mass", "kg", 1e-9f, 1f, s => ref s.Size.wingMass),
-        new("insect-mass", "kg", 1e-8f, 10f, s => ref s.Size.insectMass),
-        new("fluid-density", "kg/m³", 0f, 2000f, s => ref s.Size.fluidDensity),
-        new("gravity-share", "", 0f, 1f, s => ref s.Size.gravityShare),
-        new("max-frequency", "Hz", 0.1f, 1000f, s => ref s.Beat.maxFrequency),
-        new("max-speed", "m/s", 0.01f, 100f, s => ref s.Beat.maxSpeed),
-        new("frequency-floor", "", 0f, 1f, s => ref s.Beat.frequencyFloor),
-        new("amplitude-floor", "", 0f, 1f, s => ref s.Beat.amplitudeFloor),
-        new("flap-range", "°", 0f, 180f, s => ref s.Beat.flapRange),
-        new("feather-range", "°", 0f, 180f, s => ref s.Beat.featherRange),
-        new("sweep-range", "°", 0f, 180f, s => ref s.Beat.sweepRange),
-        new("flap-phase", "°", -180f, 180f, s => ref s.Beat.flapPhase),
-        new("feather-phase", "°", -180f, 180f, s => ref s.Beat.featherPhase),
-        new("sweep-phase", "°", -180f, 180f, s => ref s.Beat.sweepPhase),
-        new("mean-flap", "°", -90f, 90f, s => ref s.Beat.meanFlap),
-        new("tilt", "°", -90f, 90f, s => ref s.Beat.tilt),
-        new("phase-lead", "°", -180f, 180f, s => ref s.Beat.phaseLead),
-        new("chord-delay", "half beats", 0f, 2f, s => ref s.Wave.chordDelay),
-        new("span-delay", "half beats", 0f, 2f, s => ref s.Wave.spanDelay),
-        new("root-share", "", 0f, 1f, s => ref s.Wave.rootShare),
-        new("inertia", "", 0f, 10f, s => ref s.Wave.inertia),
-        new("elasticity", "", 1e-3f, 1e6f, s => ref s.Stiffness.elasticity),
-        new("leading-edge", "beats", 0.01f, 100f, s => ref s.Stiffness.leadingEdge),
-        new("trailing-edge", "beats", 0.01f, 100f, s => ref s.Stiffness.trailingEdge),
-        new("decay", "chain lengths", 0.05f, 100f, s => ref s.Stiffness.decay),
-        new("damping", "", 0f, 10f, s => ref s.Stiffness.damping),
-        new("dorsal-asymmetry", "", 0.1f, 10f, s => ref s.Stiffness.dorsalAsymmetry),
-        new("in-plane-factor", "", 0f, 1000f, s => ref s.Stiffness.inPlaneFactor),
-        new("torsion-factor", "", 0f, 1000f, s => ref s.Stiffness.torsionFactor),
-        new("joint-limit", "°", 0f, 90f, s => ref s.Stiffness.jointLimit),
-        new("spring-scale", "", 0f, 1000f, s => ref s.Stiffness.springScale),
-        new("anchor", "", 0f, 100f, s => ref s.Stiffness.anchor),
-        new("spring-damping", "", 0f, 10f, s => ref s.Stiffness.springDamping),
-        new("strongest-wind", "", 0.1f, 1000f, s => ref s.Stiffness.strongestWind),
+        .. Fields<PresetSize>(preset => ref preset.Size),
+        .. Fields<PresetBeat>(preset => ref preset.Beat),
+        .. Fields<PresetWave>(preset => ref preset.Wave),
+        .. Fields<PresetStiffness>(preset => ref preset.Stiffness),
     ];
 
     /// <summary>Everything: first elasticity as a factor on the species', as <c>fly</c> takes it, then the species' sliders, then the flight's numbers.</summary>
@@ -63,6 +36,20 @@ internal static class FlownParameters
     public static FlownParameter Find(string name) =>
         All.FirstOrDefault(parameter => Plain(parameter.Name) == Plain(name))
         ?? throw new UserException($"There is no parameter '{name}'. Known: {string.Join(", ", All.Select(parameter => parameter.Name))}.");
+
+    // Every field of a group is a float.
+    private static IEnumerable<FlownParameter> Fields<T>(Group<T> group) where T : struct =>
+        typeof(T).GetFields(BindingFlags.Public | BindingFlags.Instance).OrderBy(field => field.MetadataToken).Select((field, k) =>
+        {
+            var range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
+            var unit = field.GetCustomAttribute<UnitAttribute>();
+            return new FlownParameter(
+                Hyphenated(field.Name), unit.Unit, range?.min ?? unit.Min, range?.max ?? unit.Max,
+                preset => ref Unsafe.Add(ref Unsafe.As<T, float>(ref group(preset)), k));
+        });
+
+    private static string Hyphenated(string name) =>
+        string.Concat(name.Select(letter => char.IsUpper(letter) ? "-" + char.ToLowerInvariant(letter) : letter.ToString()));
 
     private static string Plain(string name) => string.Concat(name.Where(char.IsLetterOrDigit)).ToLowerInvariant();
 }

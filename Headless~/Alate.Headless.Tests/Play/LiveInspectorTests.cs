@@ -134,7 +134,7 @@ namespace Alate.Tests.Play
             InsectWings insect = Insect();
             yield return Frames(30);
             LiveWing live = insect.Live.wings[0];
-            float weight = live.values.insectMass * Physics.gravity.magnitude;
+            float weight = live.values.size.insectMass * Physics.gravity.magnitude;
 
             RecordingPen pen = Draw(insect, GizmoLayers.Force);
 

@@ -63,7 +63,7 @@ namespace Alate
 
         /// <summary>Surroundings of the wing in the body's flight, at its last frame in the world.</summary>
         public WingSurroundings Surroundings(in BodyFlight flight) =>
-            placed.isValid ? flight.Around(placed, values.wingLength, values.gravityShare) : default;
+            placed.isValid ? flight.Around(placed, values.size.wingLength, values.size.gravityShare) : default;
 
         /// <summary>Takes over values of preset and sliders.</summary>
         /// <param name="presets">The presets in use.</param>

@@ -17,16 +17,16 @@ namespace Alate
         private const float k_LeastTipSpeed = 0.1f;
 
         [SerializeField]
-        private PresetSize m_Size = PresetDefaults.MonarchSize;
+        private PresetSize m_Size = PresetSize.Default;
 
         [SerializeField]
-        private PresetBeat m_Beat = PresetDefaults.MonarchBeat;
+        private PresetBeat m_Beat = PresetBeat.Default;
 
         [SerializeField]
-        private PresetWave m_Wave = PresetDefaults.PhysicalWave;
+        private PresetWave m_Wave = PresetWave.Default;
 
         [SerializeField]
-        private PresetStiffness m_Stiffness = PresetDefaults.Stiffness;
+        private PresetStiffness m_Stiffness = PresetStiffness.Default;
 
         [SerializeField]
         [Range(WingParameters.MinSubsteps, WingParameters.MaxSubsteps)]
@@ -76,39 +76,15 @@ namespace Alate
         {
             var parameters = new WingParameters
             {
-                maxFrequency = m_Beat.maxFrequency,
-                maxSpeed = m_Beat.maxSpeed,
-                frequencyFloor = m_Beat.frequencyFloor,
-                amplitudeFloor = m_Beat.amplitudeFloor,
-                amplitude = math.radians(0.5f * new float3(m_Beat.flapRange, m_Beat.sweepRange, m_Beat.featherRange)),
-                phase = math.radians(new float3(m_Beat.flapPhase, m_Beat.sweepPhase, m_Beat.featherPhase)),
-                meanFlap = math.radians(m_Beat.meanFlap),
-                tilt = math.radians(m_Beat.tilt),
-                chordDelay = m_Wave.chordDelay,
-                spanDelay = m_Wave.spanDelay,
-                rootShare = m_Wave.rootShare,
-                inertia = m_Wave.inertia,
                 airDensity = m_Size.RelativeDensity,
-                strongestWind = m_Stiffness.strongestWind > 0f ? m_Stiffness.strongestWind : PresetDefaults.k_StrongestWind,
-                elasticity = m_Stiffness.elasticity,
                 referenceFrequency = ReferenceFrequency,
-                stiffnessRoot = m_Stiffness.leadingEdge,
-                stiffnessTip = m_Stiffness.trailingEdge,
-                stiffnessDecay = m_Stiffness.decay,
-                bendDamping = m_Stiffness.damping,
-                dorsalAsymmetry = m_Stiffness.dorsalAsymmetry,
-                inPlaneFactor = m_Stiffness.inPlaneFactor,
-                torsionFactor = m_Stiffness.torsionFactor,
-                jointLimit = math.radians(m_Stiffness.jointLimit),
-                springScale = m_Stiffness.springScale,
-                anchor = m_Stiffness.anchor,
-                springDamping = m_Stiffness.springDamping,
                 substepsPerBeat = m_SubstepsPerBeat,
                 amplitudeScale = 1f,
-                phaseLead = math.radians(m_Beat.phaseLead),
                 options = m_Options,
             };
-
+            m_Beat.WriteTo(ref parameters);
+            m_Wave.WriteTo(ref parameters);
+            m_Stiffness.WriteTo(ref parameters);
             return parameters.Clamped();
         }
 
@@ -118,28 +94,17 @@ namespace Alate
         /// </summary>
         /// <param name="reading">The reading to follow.</param>
         /// <param name="chordDelay">λ for <see cref="ModelReading.Physical"/>; the printed reading has 1.</param>
-        public void ApplyReading(ModelReading reading, float chordDelay = PresetDefaults.k_MonarchChordDelay)
+        public void ApplyReading(ModelReading preset, float chordDelay = WingBounds.ChordDelay.Default)
         {
-            if (reading == ModelReading.Paper)
-            {
-                PresetDefaults.MakePaper(ref m_Beat, ref m_Wave);
-                m_Options = ModelOptions.Paper;
-            }
-            else
-            {
-                PresetDefaults.MakePhysical(ref m_Beat, ref m_Wave, chordDelay);
-                m_Options = ModelOptions.Physical;
-            }
+            m_Beat.Apply(preset);
+            m_Wave.Apply(preset, chordDelay);
+            m_Options = preset == ModelReading.Paper ? ModelOptions.Paper : ModelOptions.Physical;
         }
 
         private void OnValidate()
         {
-            m_Size.wingLength = math.clamp(m_Size.wingLength, 5e-4f, 1f);
-            m_Size.wingMass = math.clamp(m_Size.wingMass, 1e-9f, 1f);
-            m_Size.insectMass = math.clamp(m_Size.insectMass, 1e-8f, 10f);
-            m_Stiffness.elasticity = math.clamp(m_Stiffness.elasticity, 1e-3f, 1e6f);
-            if (m_Stiffness.strongestWind <= 0f) // saved by version 0.1, which had no such number
-                m_Stiffness.strongestWind = PresetDefaults.k_StrongestWind;
+            m_Size = m_Size.Clamped();
+            m_Stiffness = m_Stiffness.Clamped();
         }
     }
 }

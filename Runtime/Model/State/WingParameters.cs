@@ -135,7 +135,7 @@ namespace Alate
             get
             {
                 var parameters = new WingParameters { substepsPerBeat = DefaultSubsteps, options = ModelOptions.Physical };
-                foreach (var range in WingParameterRange.s_All)
+                foreach (var range in s_Ranges)
                 {
                     range.Of(ref parameters) = range.Default;
                 }
@@ -151,7 +151,7 @@ namespace Alate
         public WingParameters Clamped()
         {
             var clamped = this;
-            foreach (var range in WingParameterRange.s_All)
+            foreach (var range in s_Ranges)
             {
                 ref var value = ref range.Of(ref clamped);
                 value = range.Clamp(value);
@@ -165,7 +165,7 @@ namespace Alate
         internal bool SameAs(WingParameters other)
         {
             var copy = this;
-            foreach (var range in WingParameterRange.s_All)
+            foreach (var range in s_Ranges)
             {
                 if (range.Of(ref copy) != range.Of(ref other))
                 {
@@ -183,7 +183,7 @@ namespace Alate
         public string FindProblem()
         {
             var copy = this;
-            foreach (var range in WingParameterRange.s_All)
+            foreach (var range in s_Ranges)
             {
                 var value = range.Of(ref copy);
                 if (!range.Contains(value))
@@ -200,5 +200,85 @@ namespace Alate
 
             return null;
         }
+
+        /// <summary>Every number, in the order of the fields.</summary>
+        internal static readonly WingParameterRange[] s_Ranges =
+        {
+            new WingParameterRange("maxFrequency", "hertz", WingBounds.MaxFrequency.Min, WingBounds.MaxFrequency.Default, WingBounds.MaxFrequency.Max, (ref WingParameters p) => ref p.maxFrequency),
+            new WingParameterRange("maxSpeed", "metres per second", WingBounds.MaxSpeed.Min, WingBounds.MaxSpeed.Default, WingBounds.MaxSpeed.Max, (ref WingParameters p) => ref p.maxSpeed),
+            new WingParameterRange("frequencyFloor", "", WingBounds.FrequencyFloor.Min, WingBounds.FrequencyFloor.Default, WingBounds.FrequencyFloor.Max, (ref WingParameters p) => ref p.frequencyFloor),
+            new WingParameterRange("amplitudeFloor", "", WingBounds.AmplitudeFloor.Min, WingBounds.AmplitudeFloor.Default, WingBounds.AmplitudeFloor.Max, (ref WingParameters p) => ref p.amplitudeFloor),
+            WingParameterRange.Angle("amplitude.x", 0.5f * WingBounds.FlapRange.Min, 0.5f * WingBounds.FlapRange.Default, 0.5f * WingBounds.FlapRange.Max, (ref WingParameters p) => ref p.amplitude.x),
+            WingParameterRange.Angle("amplitude.y", 0.5f * WingBounds.SweepRange.Min, 0.5f * WingBounds.SweepRange.Default, 0.5f * WingBounds.SweepRange.Max, (ref WingParameters p) => ref p.amplitude.y),
+            WingParameterRange.Angle("amplitude.z", 0.5f * WingBounds.FeatherRange.Min, 0.5f * WingBounds.FeatherRange.Default, 0.5f * WingBounds.FeatherRange.Max, (ref WingParameters p) => ref p.amplitude.z),
+            WingParameterRange.Angle("phase.x", -360f, WingBounds.FlapPhase.Default, 360f, (ref WingParameters p) => ref p.phase.x),
+            WingParameterRange.Angle("phase.y", -360f, WingBounds.SweepPhase.Default, 360f, (ref WingParameters p) => ref p.phase.y),
+            WingParameterRange.Angle("phase.z", -360f, WingBounds.FeatherPhase.Default, 360f, (ref WingParameters p) => ref p.phase.z),
+            WingParameterRange.Angle("meanFlap", WingBounds.MeanFlap.Min, WingBounds.MeanFlap.Default, WingBounds.MeanFlap.Max, (ref WingParameters p) => ref p.meanFlap),
+            WingParameterRange.Angle("tilt", WingBounds.Tilt.Min, WingBounds.Tilt.Default, WingBounds.Tilt.Max, (ref WingParameters p) => ref p.tilt),
+            new WingParameterRange("chordDelay", "half beats", WingBounds.ChordDelay.Min, WingBounds.ChordDelay.Default, WingBounds.ChordDelay.Max, (ref WingParameters p) => ref p.chordDelay),
+            new WingParameterRange("spanDelay", "half beats", WingBounds.SpanDelay.Min, WingBounds.SpanDelay.Default, WingBounds.SpanDelay.Max, (ref WingParameters p) => ref p.spanDelay),
+            new WingParameterRange("rootShare", "", WingBounds.RootShare.Min, WingBounds.RootShare.Default, WingBounds.RootShare.Max, (ref WingParameters p) => ref p.rootShare),
+            new WingParameterRange("inertia", "", WingBounds.Inertia.Min, WingBounds.Inertia.Default, WingBounds.Inertia.Max, (ref WingParameters p) => ref p.inertia),
+            new WingParameterRange("airDensity", "wing masses per cubed wing length", 0f, 11.1f, 1e5f, (ref WingParameters p) => ref p.airDensity),
+            new WingParameterRange("strongestWind", "", WingBounds.StrongestWind.Min, WingBounds.StrongestWind.Default, WingBounds.StrongestWind.Max, (ref WingParameters p) => ref p.strongestWind),
+            new WingParameterRange("elasticity", "", WingBounds.Elasticity.Min, WingBounds.Elasticity.Default, WingBounds.Elasticity.Max, (ref WingParameters p) => ref p.elasticity),
+            new WingParameterRange("referenceFrequency", "hertz", 0.01f, 12.08f, 1e5f, (ref WingParameters p) => ref p.referenceFrequency),
+            new WingParameterRange("stiffnessRoot", "", WingBounds.LeadingEdge.Min, WingBounds.LeadingEdge.Default, WingBounds.LeadingEdge.Max, (ref WingParameters p) => ref p.stiffnessRoot),
+            new WingParameterRange("stiffnessTip", "", WingBounds.TrailingEdge.Min, WingBounds.TrailingEdge.Default, WingBounds.TrailingEdge.Max, (ref WingParameters p) => ref p.stiffnessTip),
+            new WingParameterRange("stiffnessDecay", "chain lengths", WingBounds.Decay.Min, WingBounds.Decay.Default, WingBounds.Decay.Max, (ref WingParameters p) => ref p.stiffnessDecay),
+            new WingParameterRange("bendDamping", "", WingBounds.Damping.Min, WingBounds.Damping.Default, WingBounds.Damping.Max, (ref WingParameters p) => ref p.bendDamping),
+            new WingParameterRange("dorsalAsymmetry", "", WingBounds.DorsalAsymmetry.Min, WingBounds.DorsalAsymmetry.Default, WingBounds.DorsalAsymmetry.Max, (ref WingParameters p) => ref p.dorsalAsymmetry),
+            new WingParameterRange("inPlaneFactor", "", WingBounds.InPlaneFactor.Min, WingBounds.InPlaneFactor.Default, WingBounds.InPlaneFactor.Max, (ref WingParameters p) => ref p.inPlaneFactor),
+            new WingParameterRange("torsionFactor", "", WingBounds.TorsionFactor.Min, WingBounds.TorsionFactor.Default, WingBounds.TorsionFactor.Max, (ref WingParameters p) => ref p.torsionFactor),
+            WingParameterRange.Angle("jointLimit", WingBounds.JointLimit.Min, WingBounds.JointLimit.Default, WingBounds.JointLimit.Max, (ref WingParameters p) => ref p.jointLimit),
+            new WingParameterRange("springScale", "", WingBounds.SpringScale.Min, WingBounds.SpringScale.Default, WingBounds.SpringScale.Max, (ref WingParameters p) => ref p.springScale),
+            new WingParameterRange("anchor", "", WingBounds.Anchor.Min, WingBounds.Anchor.Default, WingBounds.Anchor.Max, (ref WingParameters p) => ref p.anchor),
+            new WingParameterRange("springDamping", "", WingBounds.SpringDamping.Min, WingBounds.SpringDamping.Default, WingBounds.SpringDamping.Max, (ref WingParameters p) => ref p.springDamping),
+            new WingParameterRange("amplitudeScale", "", 0f, 1f, 2f, (ref WingParameters p) => ref p.amplitudeScale),
+            WingParameterRange.Angle("phaseLead", -360f, WingBounds.PhaseLead.Default, 360f, (ref WingParameters p) => ref p.phaseLead),
+        };
+    }
+
+    /// <summary>Bounds of each number that a preset has, and a monarch's value, in the preset's units: degrees, hertz, metres, kilograms.</summary>
+    internal static class WingBounds
+    {
+        public static class WingLength { public const float Min = 5e-4f, Default = 0.061f, Max = 1f; }
+        public static class WingMass { public const float Min = 1e-9f, Default = 25.1e-6f, Max = 1f; }
+        public static class InsectMass { public const float Min = 1e-8f, Default = 0.428e-3f, Max = 10f; }
+        public static class FluidDensity { public const float Min = 0f, Default = 1.225f, Max = 2000f; }
+        public static class GravityShare { public const float Min = 0f, Default = 1f, Max = 1f; }
+        public static class MaxFrequency { public const float Min = 0.1f, Default = 11f, Max = 1000f; }
+        public static class MaxSpeed { public const float Min = 0.01f, Default = 2f, Max = 100f; }
+        public static class FrequencyFloor { public const float Min = 0f, Default = 0.8f, Max = 1f; }
+        public static class AmplitudeFloor { public const float Min = 0f, Default = 0.5f, Max = 1f; }
+        public static class FlapRange { public const float Min = 0f, Default = 120f, Max = 180f; }
+        public static class FeatherRange { public const float Min = 0f, Default = 24f, Max = 180f; }
+        public static class SweepRange { public const float Min = 0f, Default = 36f, Max = 180f; }
+        public static class FlapPhase { public const float Min = -180f, Default = 0f, Max = 180f; }
+        public static class FeatherPhase { public const float Min = -180f, Default = -90f, Max = 180f; }
+        public static class SweepPhase { public const float Min = -180f, Default = -90f, Max = 180f; }
+        public static class MeanFlap { public const float Min = -90f, Default = 10f, Max = 90f; }
+        public static class Tilt { public const float Min = -90f, Default = 0f, Max = 90f; }
+        public static class PhaseLead { public const float Min = -180f, Default = 0f, Max = 180f; }
+        // The trailing edge of a measured butterfly lags by 10 to 40°, not by Eq. 2's half beat.
+        public static class ChordDelay { public const float Min = 0f, Default = 0.15f, Max = 2f; }
+        public static class SpanDelay { public const float Min = 0f, Default = 0.1f, Max = 2f; }
+        public static class RootShare { public const float Min = 0f, Default = 0.8f, Max = 1f; }
+        public static class Inertia { public const float Min = 0f, Default = 1f, Max = 10f; }
+        public static class Elasticity { public const float Min = 1e-3f, Default = 1f, Max = 1e6f; }
+        public static class LeadingEdge { public const float Min = 0.01f, Default = 5f, Max = 100f; }
+        public static class TrailingEdge { public const float Min = 0.01f, Default = 3.5f, Max = 100f; }
+        public static class Decay { public const float Min = 0.05f, Default = 1f, Max = 100f; }
+        public static class Damping { public const float Min = 0f, Default = 0.7f, Max = 10f; }
+        public static class DorsalAsymmetry { public const float Min = 0.1f, Default = 1.4f, Max = 10f; }
+        public static class InPlaneFactor { public const float Min = 0f, Default = 25f, Max = 1000f; }
+        public static class TorsionFactor { public const float Min = 0f, Default = 1f, Max = 1000f; }
+        public static class JointLimit { public const float Min = 0f, Default = 30f, Max = 90f; }
+        public static class SpringScale { public const float Min = 0f, Default = 10f, Max = 1000f; }
+        public static class Anchor { public const float Min = 0f, Default = 2f, Max = 100f; }
+        public static class SpringDamping { public const float Min = 0f, Default = 0.3f, Max = 10f; }
+        // Up to it wings bend freely; chosen so that no edge tears in ten times that wind.
+        public static class StrongestWind { public const float Min = 0.1f, Default = 0.65f, Max = 1000f; }
     }
 }

@@ -177,7 +177,7 @@ namespace Alate.Editor.Tests
 
             Save(insect, PathFor("Monarch"));
 
-            Assert.That(insect.Preset.Beat.maxFrequency, Is.EqualTo(PresetDefaults.MonarchBeat.maxFrequency));
+            Assert.That(insect.Preset.Beat.maxFrequency, Is.EqualTo(PresetBeat.Default.maxFrequency));
         }
 
         private static void AssertSame(float actual, float expected, string what) =>

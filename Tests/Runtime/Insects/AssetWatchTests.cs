@@ -71,7 +71,7 @@ namespace Alate.Tests
             Object.DestroyImmediate(gone);
 
             Assert.That(m_Watch.Of(gone), Is.SameAs(none));
-            Assert.That(none.wingLength, Is.EqualTo(PresetDefaults.MonarchSize.wingLength));
+            Assert.That(none.size.wingLength, Is.EqualTo(PresetSize.Default.wingLength));
             Assert.That(m_Watch.Count, Is.Zero);
         }
 
