@@ -18,8 +18,8 @@ namespace Alate
         /// <summary>Bend at which a joint has become twice as stiff, radians (7°); it rises with the fourth power, so that ordinary bends do not feel it.</summary>
         private const float k_StiffeningAngle = 0.12f;
 
-        /// <summary>Derives the bending stiffness of every bone, k_e I (2π f_ref N)² e^(−σ/decay), from parameters and rig.</summary>
-        public static void DeriveStiffness(in WingPack pack)
+        /// <summary>Bending stiffness of every bone, k_e I (2π f_ref N)² e^(−σ/decay), and its damping, from parameters and rig.</summary>
+        public static void Derive(in WingPack pack)
         {
             ref readonly LaneParameters p = ref *pack.parameters;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
@@ -28,7 +28,11 @@ namespace Alate
                 float4 factor = p.stiffnessRoot * math.pow(p.stiffnessTip / p.stiffnessRoot, pack.rig.chainRatio[i]);
                 float4 atRoot = p.bendScale * factor * factor * pack.rig.jointInertias[bone];
                 for (int j = 0; j < bonesPerChain; j++, bone++)
-                    pack.bendStiffness[bone] = atRoot * math.exp(-pack.rig.jointRatio[j] / p.stiffnessDecay);
+                {
+                    float4 stiffness = atRoot * math.exp(-pack.rig.jointRatio[j] / p.stiffnessDecay);
+                    pack.bendStiffness[bone] = stiffness;
+                    pack.bendDamping[bone] = 2f * p.bendDamping * math.sqrt(stiffness * pack.rig.jointInertias[bone]);
+                }
             }
         }
 
@@ -88,34 +92,35 @@ namespace Alate
             float3 axis = pack.rig.bendAxes[bone], along = pack.rig.boneDirections[bone];
             float4 inertia = pack.rig.jointInertias[bone];
             float4 stiffness = pack.bendStiffness[bone];
-            float4 damping = 2f * p.bendDamping * math.sqrt(stiffness * inertia);
+            float4 damping = pack.bendDamping[bone];
             float4 airDamping = AirDamping(pack, scratch, bone) * (euler ? 1f : k_AirShare);
             SoaFloat3 seen = euler ? pack.bendRates[bone]
                 : (pack.bendAngles[bone] - pack.earlierAngles[bone]) * SoaMath.SafeReciprocal(*pack.lastSubstep);
             SoaFloat3 angles = step.Past(pack.bendAngles[bone], pack.earlierAngles[bone]);
             SoaFloat3 rates = step.Past(pack.bendRates[bone], pack.earlierRates[bone]);
-            float4 dorsal = math.select(1f, p.dorsalAsymmetry, pack.bendAngles[bone].x > 0f);
-            float4 bendStiffness = stiffness * dorsal * Stiffening(pack.options, pack.bendAngles[bone].x);
+            bool4 up = pack.bendAngles[bone].x > 0f;
+            float4 bendDamping = damping * math.select(1f, p.dorsalDamping, up), inPlaneDamping = damping * p.inPlaneDamping;
+            float4 bendStiffness = stiffness * math.select(1f, p.dorsalAsymmetry, up) * Stiffening(pack.options, pack.bendAngles[bone].x);
             float4 twistStiffness = stiffness * p.torsionFactor * Stiffening(pack.options, pack.bendAngles[bone].z);
             pack.earlierAngles[bone] = pack.bendAngles[bone];
             pack.earlierRates[bone] = pack.bendRates[bone];
 
             float4 bend = torque.x * axis.x + torque.y * axis.y + torque.z * axis.z;
-            angles.x = Hinge(inertia, damping * math.sqrt(dorsal), airDamping, bendStiffness, bend, p.jointLimit, step.length,
+            angles.x = Hinge(inertia, bendDamping, airDamping, bendStiffness, bend, p.jointLimit, step.length,
                 seen.x, angles.x, ref rates.x);
 
             float4 inPlane = stiffness * p.inPlaneFactor;
-            angles.y = Hinge(inertia, damping * math.sqrt(p.inPlaneFactor), airDamping, inPlane, torque.y, p.jointLimit, step.length,
+            angles.y = Hinge(inertia, inPlaneDamping, airDamping, inPlane, torque.y, p.jointLimit, step.length,
                 seen.y, angles.y, ref rates.y);
 
             float4 twist = torque.x * along.x + torque.y * along.y + torque.z * along.z;
-            angles.z = Hinge(inertia, damping * math.sqrt(p.torsionFactor), 0f, twistStiffness, twist, p.jointLimit, step.length,
+            angles.z = Hinge(inertia, damping * p.torsionDamping, 0f, twistStiffness, twist, p.jointLimit, step.length,
                 seen.z, angles.z, ref rates.z);
 
             pack.bendAngles[bone] = angles;
             pack.bendRates[bone] = rates;
-            scratch.compliances[bone].x = Compliance(inertia, damping * math.sqrt(dorsal) + airDamping, bendStiffness, step.length);
-            scratch.compliances[bone].y = Compliance(inertia, damping * math.sqrt(p.inPlaneFactor) + airDamping, inPlane, step.length);
+            scratch.compliances[bone].x = Compliance(inertia, bendDamping + airDamping, bendStiffness, step.length);
+            scratch.compliances[bone].y = Compliance(inertia, inPlaneDamping + airDamping, inPlane, step.length);
         }
 
         // A joint bends less and less easily on its way to the limit.

@@ -43,7 +43,7 @@ namespace Alate
         private static void Couple(
             in WingPack pack, in StepScratch scratch, in ImplicitStep step, float4* angles, float4* rates, float4* compliances, float free, float4 factor)
         {
-            if (!Begin(pack, scratch, angles, compliances, free))
+            if (!Begin(pack, scratch, angles, compliances, free, factor))
                 return;
             bool4 running = true;
             for (int pass = 0; pass < k_Passes; pass++)
@@ -52,7 +52,7 @@ namespace Alate
                 for (int k = 0; k < pack.rig.stripCount; k++)
                 {
                     int strip = (pass & 1) == 0 ? k : pack.rig.stripCount - 1 - k;
-                    largest = math.max(largest, Relax(pack, scratch, strip, compliances, free, factor, running));
+                    largest = math.max(largest, Relax(pack, scratch, strip, compliances, free, running));
                 }
 
                 running &= largest >= k_Tolerance * free;
@@ -70,7 +70,7 @@ namespace Alate
         }
 
         // Angles, no forces, and the strips' compliances; false, at once, where no strip of any wing is beyond its free slope.
-        private static bool Begin(in WingPack pack, in StepScratch scratch, float4* angles, float4* compliances, float free)
+        private static bool Begin(in WingPack pack, in StepScratch scratch, float4* angles, float4* compliances, float free, float4 factor)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
                 scratch.coupledAngles[bone] = angles[3 * bone];
@@ -89,7 +89,9 @@ namespace Alate
                 lever += strip->bones;
                 for (int b = 0; b < strip->others; b++)
                     compliance += compliances[3 * (strip->other + b)] * (lever[b] * lever[b]);
+                float4 stiffness = k_Stiffness * factor * (pack.bendStiffness[strip->bone] + pack.bendStiffness[strip->other]);
                 scratch.stripCompliances[k] = compliance;
+                scratch.stripYields[k] = compliance + 2f / (stiffness + 1e-20f);
                 scratch.stripForces[k] = 0f;
             }
 
@@ -111,17 +113,16 @@ namespace Alate
         }
 
         // Of the wings that have not settled yet: brings the force of one strip to where it balances its slope, and turns the hinges by the change. It pulls back, never on.
-        private static float4 Relax(in WingPack pack, in StepScratch scratch, int index, float4* compliances, float free, float4 factor, bool4 running)
+        private static float4 Relax(in WingPack pack, in StepScratch scratch, int index, float4* compliances, float free, bool4 running)
         {
             Strip* strip = pack.rig.strips + index;
             float4 slope = Slope(pack, scratch, strip), force = scratch.stripForces[index];
             float4 own = scratch.stripCompliances[index];
-            float4 soft = 2f / (k_Stiffness * factor * (pack.bendStiffness[strip->bone] + pack.bendStiffness[strip->other]) + 1e-20f);
 
             // Without this strip the slope would be slope − own · force; its force is what is then beyond the free slope, shared with K.
             float4 unloaded = slope - own * force;
             float4 over = unloaded - math.min(math.max(unloaded, -free), free);
-            float4 change = math.select(0f, -over / (own + soft) - force, running);
+            float4 change = math.select(0f, -over / scratch.stripYields[index] - force, running);
             scratch.stripForces[index] = force + change;
             float* lever = pack.rig.stripLevers + strip->lever;
             for (int b = 0; b < strip->bones; b++)

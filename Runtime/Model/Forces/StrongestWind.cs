@@ -12,15 +12,15 @@ namespace Alate
         /// <summary>Largest speed of the air along each axis, L/s: the square of a larger one would overflow.</summary>
         private const float k_Most = 1e15f;
 
-        /// <summary>Bounded velocity of the air relative to the body, L/s.</summary>
-        public static SoaFloat3 Bound(in WingPack pack)
+        /// <summary>Bounds the wind of a step: air relative to the body, L/s.</summary>
+        public static void Derive(in WingPack pack)
         {
             SoaFloat3 wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);
-            return pack.options.coupling == MembraneCoupling.OneWay ? wind : wind * Share(pack, wind);
+            pack.surroundings->boundWind = pack.options.coupling == MembraneCoupling.OneWay ? wind : wind * Share(pack, wind);
         }
 
         /// <summary>Speed of the bounded wind, L/s.</summary>
-        public static float4 Speed(in WingPack pack) => math.sqrt(SoaFloat3.LengthSquared(Bound(pack)));
+        public static float4 Speed(in WingPack pack) => math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->boundWind));
 
         // (1 + x¹⁶)^(−0.75/16), which is 1 below 0.8 to a thousandth; as t^−0.75 (t^−16 + (x/t)¹⁶)^(−0.75/16) with t = max(x, 1), so that no speed overflows.
         private static float4 Share(in WingPack pack, in SoaFloat3 wind)
@@ -30,7 +30,7 @@ namespace Alate
             return 1f / (ThreeQuarters(t) * ThreeQuarters(Root16(Power16(inverse) + Power16(x * inverse))));
         }
 
-        // x^0.75: without a power function it costs no call in every substep.
+        // x^0.75.
         private static float4 ThreeQuarters(float4 x)
         {
             float4 root = math.sqrt(x);

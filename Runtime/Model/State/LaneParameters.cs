@@ -42,10 +42,10 @@ namespace Alate
         public float4 tiltHalfSin;
         public float4 tiltHalfCos;
 
-        /// <summary>Delay λπ of the last chain, radians.</summary>
         /// <summary>Amplitude of the flap as in the preset, whatever the steering makes of it, radians.</summary>
         public float4 wholeFlap;
 
+        /// <summary>λπ: delay of the last chain, radians.</summary>
         public float4 chordDelay;
 
         /// <summary>Delay μπ of the last joint, radians.</summary>
@@ -71,6 +71,11 @@ namespace Alate
         public float4 dorsalAsymmetry;
         public float4 inPlaneFactor;
         public float4 torsionFactor;
+
+        /// <summary>Roots of the three factors: what each multiplies a joint's damping by.</summary>
+        public float4 dorsalDamping;
+        public float4 inPlaneDamping;
+        public float4 torsionDamping;
         public float4 jointLimit;
 
         /// <summary>k of Eq. 12, in wing masses per second squared.</summary>
@@ -108,7 +113,6 @@ namespace Alate
             rootShare[lane] = p.rootShare;
             inertia[lane] = p.inertia;
             airDensity[lane] = p.airDensity;
-
             strongestWind[lane] = p.strongestWind * 2f * math.PI * p.referenceFrequency * math.max(p.amplitude.x, k_LeastAmplitude);
 
             float beatRate = 2f * math.PI * p.referenceFrequency;
@@ -120,6 +124,9 @@ namespace Alate
             dorsalAsymmetry[lane] = p.dorsalAsymmetry;
             inPlaneFactor[lane] = p.inPlaneFactor;
             torsionFactor[lane] = p.torsionFactor;
+            dorsalDamping[lane] = math.sqrt(p.dorsalAsymmetry);
+            inPlaneDamping[lane] = math.sqrt(p.inPlaneFactor);
+            torsionDamping[lane] = math.sqrt(p.torsionFactor);
             jointLimit[lane] = p.jointLimit;
             bool twoWay = p.options.coupling == MembraneCoupling.TwoWay;
             float springUnit = p.options.springUnits == SpringUnits.Printed ? 1f : p.springScale * beatRate * beatRate;

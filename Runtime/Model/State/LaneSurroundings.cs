@@ -8,6 +8,9 @@ namespace Alate
         /// <summary>Air velocity relative to the body, wing lengths per second.</summary>
         public SoaFloat3 wind;
 
+        /// <summary>The wind as the wing feels it, derived once a step from <see cref="wind"/> and parameters.</summary>
+        public SoaFloat3 boundWind;
+
         /// <summary>Gravity, wing lengths per second squared.</summary>
         public SoaFloat3 gravity;
 

@@ -147,6 +147,7 @@ namespace Alate
             view.readings = (PackReadings*)carver.Take<PackReadings>(1);
             view.beat = (BeatState*)carver.Take<BeatState>(1);
             view.bendStiffness = (float4*)carver.Take<float4>(bones);
+            view.bendDamping = (float4*)carver.Take<float4>(bones);
             view.chainDelays = (float4*)carver.Take<float4>(rig.chainCount);
             view.bendAngles = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             view.bendRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);

@@ -56,8 +56,9 @@ namespace Alate
         /// <summary>[bone] Bend angle while chains are coupled.</summary>
         public float4* coupledAngles;
 
-        /// <summary>[strip] Change of the strip's slope by a unit of its force, and the force.</summary>
+        /// <summary>[strip] What a unit of the strip's force changes its slope by, the sum of that and 1/K, and the force.</summary>
         public float4* stripCompliances;
+        public float4* stripYields;
         public float4* stripForces;
 
         // Elasticity, per joint and per spring.
@@ -120,6 +121,7 @@ namespace Alate
             scratch.compliances = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.coupledAngles = (float4*)carver.Take<float4>(bones);
             scratch.stripCompliances = (float4*)carver.Take<float4>(size.strips);
+            scratch.stripYields = (float4*)carver.Take<float4>(size.strips);
             scratch.stripForces = (float4*)carver.Take<float4>(size.strips);
             scratch.torques = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.targets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);

@@ -27,6 +27,9 @@ namespace Alate
         /// <summary>Bending stiffness per bone, from the parameters and the rig.</summary>
         public float4* bendStiffness;
 
+        /// <summary>Damping of the bend per bone, 2ζ √(stiffness · inertia).</summary>
+        public float4* bendDamping;
+
         /// <summary>Delay of each chain, radians.</summary>
         public float4* chainDelays;
 

@@ -29,10 +29,10 @@ namespace Alate
         /// </summary>
         private const float k_Fading = 4f;
 
-        /// <summary>Derives the values that depend on parameters and rig alone: stiffnesses and delays.</summary>
+        /// <summary>Derives what depends on parameters and rig alone: stiffnesses, dampings and delays.</summary>
         public static void Derive(in WingPack pack)
         {
-            Bending.DeriveStiffness(pack);
+            Bending.Derive(pack);
             ChainDelays.Derive(pack);
         }
 
@@ -44,6 +44,7 @@ namespace Alate
             if (!(dt > 0f) || pack.detail == WingDetail.Frozen)
                 return;
 
+            StrongestWind.Derive(pack);
             int count = SubstepCount(pack, ref dt);
             float h = dt / count;
             BeginStep(ref pack, count);

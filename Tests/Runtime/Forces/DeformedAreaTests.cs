@@ -36,6 +36,7 @@ namespace Alate.Tests
             using (var fixture = new PackFixture(TestWings.Bake(TestWings.Lattice(), TestWings.Rectangle(), 64), RigidPlate.Parameters))
             {
                 fixture.Pack.surroundings->wind = Lanes.All(0f, -3f, -20f);
+                StrongestWind.Derive(fixture.Pack);
                 float3 rest = Force(fixture);
                 for (int joint = 0; joint < fixture.rig.JointCount; joint++)
                     fixture.Pack.pose[joint].position = new SoaFloat3(fixture.rig.RestJoints[joint] * new float3(1.1f, 1f, 1.2f));

@@ -123,7 +123,8 @@ namespace Alate.Tests
         private float3 Felt(float3 wind)
         {
             m_Fixture.Pack.surroundings->wind = new SoaFloat3(wind);
-            return StrongestWind.Bound(m_Fixture.Pack)[0];
+            StrongestWind.Derive(m_Fixture.Pack);
+            return m_Fixture.Pack.surroundings->boundWind[0];
         }
     }
 }
