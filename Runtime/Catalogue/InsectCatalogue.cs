@@ -36,12 +36,10 @@ namespace Alate.Catalogue
 
         /// <summary>Finds a species by its name; capitals, spaces, hyphens and underscores do not matter.</summary>
         /// <exception cref="ArgumentException">There is none; the message lists those there are.</exception>
-        public static InsectDefinition Find(string name)
-        {
-            return TryFind(name, out var definition)
+        public static InsectDefinition Find(string name) =>
+            TryFind(name, out var definition)
                 ? definition
                 : throw new ArgumentException($"There is no species '{name}'. Known: {string.Join(", ", Names)}.");
-        }
 
         /// <summary>The preset of a species' first wing.</summary>
         /// <returns>Whether there is such a species; otherwise <paramref name="preset"/> is null.</returns>
@@ -60,9 +58,7 @@ namespace Alate.Catalogue
             foreach (var letter in name ?? "")
             {
                 if (char.IsLetterOrDigit(letter))
-                {
                     plain.Append(char.ToLowerInvariant(letter));
-                }
             }
 
             return plain.ToString();

@@ -48,10 +48,7 @@ namespace Alate.Catalogue
             {
                 var count = 0;
                 foreach (var wing in Wings)
-                {
                     count += 2 * wing.TriangleCount;
-                }
-
                 return count;
             }
         }

@@ -80,30 +80,19 @@ namespace Alate.Catalogue
         {
             var change = m_Variants.IndexOf(variant);
             if (change < 0)
-            {
                 throw new ArgumentException($"The {Name} has no variant '{variant}'. It has: {string.Join(", ", m_Variants)}.", nameof(variant));
-            }
-
             var preset = ScriptableObject.CreateInstance<WingPreset>();
             m_Changes[0](preset);
             if (change > 0)
-            {
                 m_Changes[change](preset);
-            }
-
             if (reading == ModelReading.Paper)
-            {
                 preset.ApplyReading(reading);
-            }
-
             return preset;
         }
 
         /// <summary>The base of the wing on the body, in mesh units.</summary>
-        public Vector3 HingeOn(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre)
-        {
-            return new Vector3(side == WingSide.Right ? Hinge.x : -Hinge.x, Hinge.y, Hinge.z) * unitsPerMetre;
-        }
+        public Vector3 HingeOn(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre) =>
+            new Vector3(side == WingSide.Right ? Hinge.x : -Hinge.x, Hinge.y, Hinge.z) * unitsPerMetre;
 
         /// <summary>The wing's surface at rest around its base, <see cref="TriangleCount"/> triangles.</summary>
         public SurfaceMesh CreateSurface(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre)

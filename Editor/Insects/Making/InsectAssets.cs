@@ -42,9 +42,9 @@ namespace Alate.Editor
             kit.BodyMaterial = Keep(kit.BodyMaterial);
             foreach (GeneratedWing wing in kit.Wings)
             {
-                wing.Mesh = Keep(wing.Mesh);
-                wing.Skeleton = Keep(wing.Skeleton);
-                wing.Material = Keep(wing.Material);
+                wing.mesh = Keep(wing.mesh);
+                wing.skeleton = Keep(wing.skeleton);
+                wing.material = Keep(wing.material);
             }
 
             GameObject root = kit.Assemble(KeepPresets(kit, species));

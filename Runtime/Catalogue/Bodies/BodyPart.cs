@@ -49,16 +49,11 @@ namespace Alate.Catalogue
         }
 
         /// <summary>Piece with its points moved; normals follow.</summary>
-        public BodyPart Moved(Func<Vector3, Vector3> move)
-        {
-            return Of(Array.ConvertAll(Positions, place => move(place)), Uvs, Triangles, Extent);
-        }
+        public BodyPart Moved(Func<Vector3, Vector3> move) => Of(Array.ConvertAll(Positions, place => move(place)), Uvs, Triangles, Extent);
 
         /// <summary>Piece with other normals.</summary>
-        public BodyPart WithNormals(Vector3[] normals)
-        {
-            return new BodyPart { Positions = Positions, Normals = normals, Uvs = Uvs, Triangles = Triangles, Extent = Extent };
-        }
+        public BodyPart WithNormals(Vector3[] normals) =>
+            new BodyPart { Positions = Positions, Normals = normals, Uvs = Uvs, Triangles = Triangles, Extent = Extent };
 
         private static double Volume(Vector3[] positions, int[] triangles)
         {
@@ -82,9 +77,7 @@ namespace Alate.Catalogue
                 var origin = positions[triangles[corner]];
                 var doubledArea = Vector3.Cross(positions[triangles[corner + 1]] - origin, positions[triangles[corner + 2]] - origin);
                 for (var c = corner; c < corner + 3; c++)
-                {
                     normals[triangles[c]] += doubledArea;
-                }
             }
 
             // Not Vector3.normalized, which gives up on vectors as short as those of the smallest triangles.

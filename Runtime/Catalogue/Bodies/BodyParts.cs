@@ -1,9 +1,17 @@
-using System;
 using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate.Catalogue
 {
+    /// <summary>A part in its place on a body: in the middle, or on the right with a twin on the left; how it is painted, and its patch of the texture.</summary>
+    internal sealed class BodyPatch
+    {
+        public BodyPart part;
+        public BodyPaint paint;
+        public bool isPair;
+        public int shelf;
+    }
+
     /// <summary>Gathers the parts of a body and joins them to one mesh that is symmetric left and right.</summary>
     internal sealed class BodyParts
     {
@@ -17,10 +25,8 @@ namespace Alate.Catalogue
         public BodyPatch AddPair(BodyPart right, BodyPaint paint) => Add(right, paint, true);
 
         /// <summary>Adds hair that grew on the right side of a patch; it takes the texture of the skin it grows on.</summary>
-        public void AddFur(BodyPatch skin, BodyPart hair, BodyPaint paint)
-        {
-            m_Patches.Add(new BodyPatch(hair, paint, true, skin.Shelf));
-        }
+        public void AddFur(BodyPatch skin, BodyPart hair, BodyPaint paint) =>
+            m_Patches.Add(new BodyPatch { part = hair, paint = paint, isPair = true, shelf = skin.shelf });
 
         /// <summary>Joins all parts to one mesh, millimetres.</summary>
         public SurfaceMesh Join()
@@ -30,11 +36,9 @@ namespace Alate.Catalogue
             foreach (var patch in m_Patches)
             {
                 var colours = Colours(patch);
-                mesh.Append(patch.Part, colours, shelves[patch.Shelf]);
-                if (patch.IsPair)
-                {
-                    mesh.Append(patch.Part.Mirrored(), colours, shelves[patch.Shelf]);
-                }
+                mesh.Append(patch.part, colours, shelves[patch.shelf]);
+                if (patch.isPair)
+                    mesh.Append(patch.part.Mirrored(), colours, shelves[patch.shelf]);
             }
 
             return mesh.ToSurface();
@@ -42,7 +46,7 @@ namespace Alate.Catalogue
 
         private BodyPatch Add(BodyPart part, BodyPaint paint, bool isPair)
         {
-            m_Patches.Add(new BodyPatch(part, paint, isPair, m_Extents.Count));
+            m_Patches.Add(new BodyPatch { part = part, paint = paint, isPair = isPair, shelf = m_Extents.Count });
             m_Extents.Add(part.Extent);
             return m_Patches[m_Patches.Count - 1];
         }
@@ -50,19 +54,19 @@ namespace Alate.Catalogue
         // A part of the middle is painted as its right half everywhere.
         private static Color32[] Colours(BodyPatch patch)
         {
-            var part = patch.Part;
+            var part = patch.part;
             var colours = new Color32[part.Positions.Length];
             for (var vertex = 0; vertex < colours.Length; vertex++)
             {
                 var place = part.Positions[vertex];
                 var normal = part.Normals[vertex];
-                if (place.x < 0f && !patch.IsPair)
+                if (place.x < 0f && !patch.isPair)
                 {
                     place.x = -place.x;
                     normal.x = -normal.x;
                 }
 
-                colours[vertex] = patch.Paint(new BodyPoint(place, normal, part.Uvs[vertex]));
+                colours[vertex] = patch.paint(new BodyPoint(place, normal, part.Uvs[vertex]));
             }
 
             return colours;
@@ -83,14 +87,9 @@ namespace Alate.Catalogue
                 m_Normals.AddRange(part.Normals);
                 m_Colours.AddRange(colours);
                 foreach (var uv in part.Uvs)
-                {
                     m_Uvs.Add(new Vector2(shelf.x + uv.x * shelf.width, shelf.y + uv.y * shelf.height));
-                }
-
                 foreach (var vertex in part.Triangles)
-                {
                     m_Triangles.Add(first + vertex);
-                }
             }
 
             public SurfaceMesh ToSurface()

@@ -2,6 +2,9 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
+    /// <summary>The colour of a place on a body, alpha being how little light passes: 255 is solid.</summary>
+    internal delegate Color32 BodyPaint(in BodyPoint point);
+
     /// <summary>Point on the right side of a body, as passed to its colouring.</summary>
     internal readonly struct BodyPoint
     {

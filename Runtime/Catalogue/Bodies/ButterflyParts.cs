@@ -54,9 +54,7 @@ namespace Alate.Catalogue
         public static void AddLegs(BodyParts parts, IEnumerable<Vector3[]> pairs, float girth, BodyPaint paint)
         {
             foreach (var joints in pairs)
-            {
                 parts.AddPair(Stalk.Leg(joints, new[] { 1.2f * girth, girth, 0.8f * girth, 0.5f * girth, 0.3f * girth }, 6), paint);
-            }
         }
 
         /// <summary>Factor on an abdomen's girth that shows its rings: each swells a little and is drawn in where the next begins.</summary>

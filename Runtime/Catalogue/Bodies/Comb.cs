@@ -26,9 +26,7 @@ namespace Alate.Catalogue
                 outward /= outward.magnitude;
                 comb.Add(root, length(t) * (0.8f * outward + 0.6f * ahead), s_Up, radius, new Vector2(0.5f, t));
                 if (isDouble)
-                {
                     comb.Add(root, length(t) * (-0.8f * outward + 0.6f * ahead), s_Up, radius, new Vector2(0.5f, t));
-                }
             }
 
             return comb.ToPart(new Vector2(2f * radius, (curve[3] - curve[0]).magnitude));

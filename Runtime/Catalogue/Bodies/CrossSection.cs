@@ -49,18 +49,14 @@ namespace Alate.Catalogue
         public static CrossSection Round(Vector3 centre, float radius) => new CrossSection(centre, radius, radius, radius);
 
         /// <summary>A slice as high above as below its centre.</summary>
-        public static CrossSection Oval(Vector3 centre, float halfWidth, float halfHeight)
-        {
-            return new CrossSection(centre, halfWidth, halfHeight, halfHeight);
-        }
+        public static CrossSection Oval(Vector3 centre, float halfWidth, float halfHeight) =>
+            new CrossSection(centre, halfWidth, halfHeight, halfHeight);
 
         /// <summary>Offset of a point of the rim from the centre, to the right and up, millimetres.</summary>
         /// <param name="sine">Of the angle from straight up, clockwise as seen from behind.</param>
         /// <param name="cosine">Of the same angle.</param>
-        public Vector2 Rim(float sine, float cosine)
-        {
-            return new Vector2(HalfWidth * sine, (cosine > 0f ? Above : Below) * cosine + Arch * (1f - sine * sine));
-        }
+        public Vector2 Rim(float sine, float cosine) =>
+            new Vector2(HalfWidth * sine, (cosine > 0f ? Above : Below) * cosine + Arch * (1f - sine * sine));
 
         /// <summary>Slice that is wider and higher by a factor.</summary>
         public CrossSection Swollen(float factor) => new CrossSection(Centre, factor * HalfWidth, factor * Above, factor * Below, Arch);

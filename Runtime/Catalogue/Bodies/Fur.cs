@@ -68,10 +68,7 @@ namespace Alate.Catalogue
                 var c = skin.Positions[skin.Triangles[3 * k + 2]];
                 var middle = (a + b + c) / 3f;
                 if (middle.x > 0f && (Where == null || Where(middle)))
-                {
                     sum += Vector3.Cross(b - a, c - a).magnitude;
-                }
-
                 sums[k] = sum;
             }
 

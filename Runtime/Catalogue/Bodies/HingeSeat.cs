@@ -52,10 +52,7 @@ namespace Alate.Catalogue
 
             // What lies deep inside, such as the middle line of the back, is no skin of the side.
             if (away >= 1 || Math.Abs(place.x) < 0.5f * target)
-            {
                 return place;
-            }
-
             var share = (float)(1 - away * away * (3 - 2 * away));
             place.x += share * (Math.Sign(place.x) * target - place.x);
             return place;

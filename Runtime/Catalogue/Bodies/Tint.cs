@@ -13,10 +13,8 @@ namespace Alate.Catalogue
         private static readonly float3 s_GrainWaves = new float3(37.1f, 71.3f, 53.9f);
 
         /// <summary>Mixes two colours; share 0 gives the first, 1 the second.</summary>
-        public static Color32 Mix(Color32 from, Color32 to, float share)
-        {
-            return new Color32(Mix(from.r, to.r, share), Mix(from.g, to.g, share), Mix(from.b, to.b, share), Mix(from.a, to.a, share));
-        }
+        public static Color32 Mix(Color32 from, Color32 to, float share) =>
+            new Color32(Mix(from.r, to.r, share), Mix(from.g, to.g, share), Mix(from.b, to.b, share), Mix(from.a, to.a, share));
 
         /// <summary>Soft step down: 1 where the value is below the limit, 0 above it, over the given width.</summary>
         public static float Below(float value, float limit, float softness) => math.saturate(0.5f + (limit - value) / softness);

@@ -18,10 +18,8 @@ namespace Alate.Catalogue
         /// <param name="rings">Pieces along the part.</param>
         /// <param name="sides">Vertices of a section, even.</param>
         /// <param name="relief">Factor on the girth at a place along the part from 0 to 1; null is 1 throughout.</param>
-        public static BodyPart Through(IReadOnlyList<CrossSection> keys, int rings, int sides, Func<float, float> relief = null)
-        {
-            return Tube.Along(Sections(keys, rings, relief), sides);
-        }
+        public static BodyPart Through(IReadOnlyList<CrossSection> keys, int rings, int sides, Func<float, float> relief = null) =>
+            Tube.Along(Sections(keys, rings, relief), sides);
 
         /// <summary>Interpolates the sections of a trunk.</summary>
         public static CrossSection[] Sections(IReadOnlyList<CrossSection> keys, int rings, Func<float, float> relief = null)
@@ -56,10 +54,7 @@ namespace Alate.Catalogue
         {
             var places = new double[keys.Count];
             for (var k = 1; k < places.Length; k++)
-            {
                 places[k] = places[k - 1] + (keys[k].Centre - keys[k - 1].Centre).magnitude;
-            }
-
             return Array.ConvertAll(places, place => place / places[places.Length - 1]);
         }
 
@@ -67,10 +62,7 @@ namespace Alate.Catalogue
         {
             var values = new double[keys.Count];
             for (var k = 0; k < values.Length; k++)
-            {
                 values[k] = value(keys[k]);
-            }
-
             return EdgeCurve.Straight(places, values).Smoothed();
         }
     }

@@ -12,10 +12,7 @@ namespace Alate.Catalogue
         /// <summary>A tube whose sections stand upright at its beginning and turn as little as they can on their way.</summary>
         /// <param name="sections">Two or more.</param>
         /// <param name="sides">Vertices of a section, even, so that the upper and the lower line have vertices.</param>
-        public static BodyPart Along(IReadOnlyList<CrossSection> sections, int sides)
-        {
-            return Along(sections, sides, s_Up);
-        }
+        public static BodyPart Along(IReadOnlyList<CrossSection> sections, int sides) => Along(sections, sides, s_Up);
 
         /// <param name="sections">Two or more.</param>
         /// <param name="sides">Vertices of a section, even.</param>
@@ -40,10 +37,7 @@ namespace Alate.Catalogue
                 }
 
                 if (k > 0)
-                {
                     Bridge(previous, ring, triangles);
-                }
-
                 previous = ring;
                 girth = Math.Max(girth, sections[k].HalfGirth);
             }
@@ -55,10 +49,7 @@ namespace Alate.Catalogue
         {
             var lengths = new float[sections.Count];
             for (var k = 1; k < lengths.Length; k++)
-            {
                 lengths[k] = lengths[k - 1] + (sections[k].Centre - sections[k - 1].Centre).magnitude;
-            }
-
             return lengths;
         }
 
@@ -101,13 +92,9 @@ namespace Alate.Catalogue
             {
                 var next = (side + 1) % sides;
                 if (from.Count == 1)
-                {
                     Append(triangles, from.Start, to.Start + next, to.Start + side);
-                }
                 else if (to.Count == 1)
-                {
                     Append(triangles, from.Start + side, from.Start + next, to.Start);
-                }
                 else if (2 * side < sides)
                 {
                     Append(triangles, from.Start + side, from.Start + next, to.Start + side);

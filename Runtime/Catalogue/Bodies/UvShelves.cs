@@ -29,13 +29,9 @@ namespace Alate.Catalogue
             {
                 var scale = 0.5f * (fits + fails);
                 if (TryLay(extents, order, scale, rectangles))
-                {
                     fits = scale;
-                }
                 else
-                {
                     fails = scale;
-                }
             }
 
             TryLay(extents, order, fits, rectangles);
@@ -59,9 +55,7 @@ namespace Alate.Catalogue
                 x += size.x + k_Gap;
                 shelf = Math.Max(shelf, size.y);
                 if (x > 1f || y + shelf + k_Gap > 1f)
-                {
                     return false;
-                }
             }
 
             return true;

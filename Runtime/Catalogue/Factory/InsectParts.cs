@@ -5,20 +5,40 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Catalogue
 {
+    /// <summary>What the wings of one kind are made of, left and right alike: the left wing is the right one with its X axis turned round.</summary>
+    [Serializable]
+    internal sealed class GeneratedWing
+    {
+        [NonSerialized] public WingDefinition kind;
+
+        /// <summary>The right wing, its origin at the base.</summary>
+        public Mesh mesh;
+
+        /// <summary>In the space of the mesh.</summary>
+        public WingSkeleton skeleton;
+
+        /// <summary>Colours and light.</summary>
+        public Material material;
+    }
+
     /// <summary>Meshes, skeletons and materials that the insects of one species share; assembles insects of them.</summary>
     internal sealed class InsectParts
     {
         private const string k_Body = "Body";
         private static readonly WingSide[] s_Sides = { WingSide.Right, WingSide.Left };
 
-        /// <summary>An empty kit, to be filled with parts.</summary>
-        public InsectParts(InsectDefinition species)
+        /// <param name="species">Of what insect.</param>
+        /// <param name="wings">The kinds of wings, filled already or from now on.</param>
+        public InsectParts(InsectDefinition species, List<GeneratedWing> wings)
         {
             Name = species.DisplayName;
-            var wings = new List<GeneratedWing>();
-            foreach (WingDefinition wing in species.Wings)
-                wings.Add(new GeneratedWing(wing));
             Wings = wings;
+            for (int k = 0; k < species.Wings.Count; k++)
+            {
+                if (k == wings.Count)
+                    wings.Add(new GeneratedWing());
+                wings[k].kind = species.Wings[k];
+            }
         }
 
         /// <summary>Display name of the insect.</summary>
@@ -39,7 +59,7 @@ namespace Alate.Catalogue
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
         public static InsectParts Make(InsectDefinition species, bool keepPixels = false)
         {
-            var kit = new InsectParts(species);
+            var kit = new InsectParts(species, new List<GeneratedWing>());
             try
             {
                 kit.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);
@@ -62,7 +82,7 @@ namespace Alate.Catalogue
             var made = new WingPreset[Wings.Count];
             for (int k = 0; k < made.Length; k++)
             {
-                made[k] = Wings[k].Wing.CreatePreset(reading, variant);
+                made[k] = Wings[k].kind.CreatePreset(preset, variant);
                 made[k].name = $"{NameOf(Wings[k])} Preset{(variant == InsectVariant.Standard ? "" : " " + variant)}";
             }
 
@@ -122,29 +142,29 @@ namespace Alate.Catalogue
             yield return BodyMaterial;
             foreach (GeneratedWing wing in Wings)
             {
-                yield return wing.Mesh;
-                yield return wing.Skeleton;
-                yield return wing.Material;
+                yield return wing.mesh;
+                yield return wing.skeleton;
+                yield return wing.material;
             }
         }
 
-        private string NameOf(GeneratedWing wing) => $"{Name} {Title(wing.Wing.Name)}";
+        private string NameOf(GeneratedWing wing) => $"{Name} {Title(wing.kind.Name)}";
 
         private static void Fill(GeneratedWing kit, string name, bool keepPixels)
         {
-            kit.Material = WingMaterial.ForWing(kit.Wing, WingMaterial.DefaultTextureSize, keepPixels);
-            kit.Material.name = name;
-            kit.Skeleton = kit.Wing.CreateSkeleton(WingSide.Right);
-            kit.Skeleton.name = name + " Skeleton";
-            kit.Mesh = kit.Wing.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");
+            kit.material = WingMaterial.ForWing(kit.kind, WingMaterial.DefaultTextureSize, keepPixels);
+            kit.material.name = name;
+            kit.skeleton = kit.kind.CreateSkeleton(WingSide.Right);
+            kit.skeleton.name = name + " Skeleton";
+            kit.mesh = kit.kind.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");
         }
 
         private static Wing Attach(Transform body, GeneratedWing kit, WingSide side)
         {
-            MeshRenderer renderer = Draw(body, $"{Title(kit.Wing.Name)} {side}", kit.Mesh, kit.Material);
-            renderer.transform.localPosition = kit.Wing.HingeOn(side);
+            MeshRenderer renderer = Draw(body, $"{Title(kit.kind.Name)} {side}", kit.mesh, kit.material);
+            renderer.transform.localPosition = kit.kind.HingeOn(side);
             renderer.transform.localScale = new Vector3(side == WingSide.Right ? 1f : -1f, 1f, 1f);
-            return new Wing { Renderer = renderer, Skeleton = kit.Skeleton, Side = side };
+            return new Wing { Renderer = renderer, Skeleton = kit.skeleton, Side = side };
         }
 
         private static MeshRenderer Draw(Transform parent, string name, Mesh mesh, Material material)

@@ -14,7 +14,7 @@ namespace Alate.Catalogue
         [SerializeField] private int m_Users;
         [SerializeField] private Mesh m_BodyMesh;
         [SerializeField] private Material m_BodyMaterial;
-        [SerializeField] private List<WingParts> m_Wings = new List<WingParts>();
+        [SerializeField] private List<GeneratedWing> m_Wings = new List<GeneratedWing>();
         [SerializeField] private List<Presets> m_Presets = new List<Presets>();
 
         /// <summary>Name of the species in the catalogue.</summary>
@@ -39,8 +39,7 @@ namespace Alate.Catalogue
             kit.m_Species = species.Name;
             kit.m_BodyMesh = parts.BodyMesh;
             kit.m_BodyMaterial = parts.BodyMaterial;
-            foreach (GeneratedWing wing in parts.Wings)
-                kit.m_Wings.Add(new WingParts { mesh = wing.Mesh, skeleton = wing.Skeleton, material = wing.Material });
+            kit.m_Wings.AddRange(parts.Wings);
             return kit;
         }
 
@@ -71,18 +70,8 @@ namespace Alate.Catalogue
                 GeneratedAssets.Remember(this);
         }
 
-        private InsectParts Parts()
-        {
-            var parts = new InsectParts(InsectCatalogue.Find(m_Species)) { BodyMesh = m_BodyMesh, BodyMaterial = m_BodyMaterial };
-            for (int k = 0; k < m_Wings.Count; k++)
-            {
-                parts.Wings[k].Mesh = m_Wings[k].mesh;
-                parts.Wings[k].Skeleton = m_Wings[k].skeleton;
-                parts.Wings[k].Material = m_Wings[k].material;
-            }
-
-            return parts;
-        }
+        private InsectParts Parts() =>
+            new InsectParts(InsectCatalogue.Find(m_Species), m_Wings) { BodyMesh = m_BodyMesh, BodyMaterial = m_BodyMaterial };
 
         private WingPreset[] PresetsOf(InsectParts parts, InsectVariant variant, ModelReading reading)
         {
@@ -97,14 +86,6 @@ namespace Alate.Catalogue
                 wing.hideFlags = HideFlags.HideAndDontSave;
             m_Presets.Add(new Presets { variant = variant, reading = reading, wings = made });
             return made;
-        }
-
-        [Serializable]
-        private struct WingParts
-        {
-            public Mesh mesh;
-            public WingSkeleton skeleton;
-            public Material material;
         }
 
         [Serializable]

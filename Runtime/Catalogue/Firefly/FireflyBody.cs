@@ -85,20 +85,16 @@ namespace Alate.Catalogue
         }
 
         // A half disc: straight behind, round in front.
-        private static BodyPart Shield()
-        {
-            return Shell.Along(
+        private static BodyPart Shield() =>
+            Shell.Along(
                 new Vector3(0f, 0.55f, 1.85f), new Vector3(0f, -0.35f, 3.3f), new Vector3(0f, 1f, 0f),
                 t => 1.95f * (float)Math.Pow(1 - Math.Pow(t, 2.2), 0.5) * Math.Min(1f, 6f * (float)Math.Sqrt(t)), 0.28f, 0.16f, 0.2f, 14, 20);
-        }
 
         // Nearly as wide as long sides can be, rounded at the end.
-        private static BodyPart Case()
-        {
-            return Shell.Along(
+        private static BodyPart Case() =>
+            Shell.Along(
                 s_CaseBase, s_CaseAlong, s_CaseUp,
                 t => 1.12f * (float)Math.Pow(Math.Max(1 - Math.Pow(t, 4), 0), 0.5) * (float)Math.Pow(Math.Min(1, 0.12 + 4 * t), 0.4), 0.34f, 0.14f, 0.45f, 20, 16);
-        }
 
         // Eleven short pieces, thickest at their ends.
         private static float Beaded(float t)

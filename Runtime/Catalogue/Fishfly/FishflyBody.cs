@@ -83,10 +83,8 @@ namespace Alate.Catalogue
             },
         };
 
-        public static InsectBody Create(WingDefinition fore, WingDefinition hind)
-        {
-            return new InsectBody(parts => Build(parts, HingeSeat.Of(fore), HingeSeat.Of(hind)));
-        }
+        public static InsectBody Create(WingDefinition fore, WingDefinition hind) =>
+            new InsectBody(parts => Build(parts, HingeSeat.Of(fore), HingeSeat.Of(hind)));
 
         private static void Build(BodyParts parts, HingeSeat fore, HingeSeat hind)
         {

@@ -17,27 +17,15 @@ namespace Alate.Catalogue
         public static Color32[] Paint(SurfaceMesh surface, int size)
         {
             if (surface.uvs == null || surface.colours == null)
-            {
                 throw new ArgumentException("Only a surface with vertex colours and texture coordinates can be painted into a texture.", nameof(surface));
-            }
-
             if (size < 1)
-            {
                 throw new ArgumentOutOfRangeException(nameof(size), size, "A texture has one pixel or more.");
-            }
-
             var pixels = new Color32[size * size];
             var isPainted = new bool[pixels.Length];
             for (var corner = 0; corner < surface.triangles.Length; corner += 3)
-            {
                 PaintTriangle(surface, corner, size, pixels, isPainted);
-            }
-
             for (var ring = 0; ring < k_Bleed; ring++)
-            {
                 Spread(size, pixels, isPainted);
-            }
-
             return pixels;
         }
 
@@ -47,10 +35,7 @@ namespace Alate.Catalogue
             float2 a = size * (float2)surface.uvs[i], b = size * (float2)surface.uvs[j], c = size * (float2)surface.uvs[k];
             var area = Cross(b - a, c - a);
             if (area == 0f)
-            {
                 return;
-            }
-
             var from = math.max((int2)math.floor(math.min(a, math.min(b, c)) - 0.5f), 0);
             var to = math.min((int2)math.floor(math.max(a, math.max(b, c)) + 0.5f), size - 1);
             for (var y = from.y; y <= to.y; y++)
@@ -75,10 +60,7 @@ namespace Alate.Catalogue
             for (var pixel = 0; pixel < pixels.Length; pixel++)
             {
                 if (before[pixel])
-                {
                     continue;
-                }
-
                 int x = pixel % size, y = pixel / size;
                 var from = x > 0 && before[pixel - 1] ? pixel - 1
                     : x + 1 < size && before[pixel + 1] ? pixel + 1

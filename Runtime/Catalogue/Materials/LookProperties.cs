@@ -103,9 +103,7 @@ namespace Alate.Catalogue
         private static void EnableIf(bool isOn, Material material, string keyword)
         {
             if (isOn)
-            {
                 material.EnableKeyword(keyword);
-            }
         }
     }
 }

@@ -49,10 +49,7 @@ namespace Alate.Catalogue
         internal static Material ForWing(WingDefinition wing, int textureSize, bool keepPixels)
         {
             if (wing == null)
-            {
                 throw new ArgumentNullException(nameof(wing));
-            }
-
             CheckSize(textureSize);
             var shader = RequireShader();
             if (wing.Pattern == null)
@@ -83,10 +80,7 @@ namespace Alate.Catalogue
         internal static Material ForBody(InsectDefinition species, int textureSize, bool keepPixels)
         {
             if (species == null)
-            {
                 throw new ArgumentNullException(nameof(species));
-            }
-
             CheckSize(textureSize);
             var shader = RequireShader();
             var body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
@@ -103,25 +97,17 @@ namespace Alate.Catalogue
         /// <param name="isWing">Seen from both sides, with light shining through; else a closed body.</param>
         /// <param name="isTranslucent">Whether what lies behind is seen through where alpha is below 1.</param>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
-        public static Material ForVertexColours(bool isWing, bool isTranslucent)
-        {
-            return Create(RequireShader(), isWing ? "Wing" : "Body", new SurfaceLook(null, isWing, isTranslucent));
-        }
+        public static Material ForVertexColours(bool isWing, bool isTranslucent) =>
+            Create(RequireShader(), isWing ? "Wing" : "Body", new SurfaceLook(null, isWing, isTranslucent));
 
         /// <summary>Frees a material that was made here, and its texture. Null is no error.</summary>
         public static void Destroy(Material material)
         {
             if (material == null)
-            {
                 return;
-            }
-
             var texture = material.SurfaceTexture();
-            Free(material);
-            if (texture != null)
-            {
-                Free(texture);
-            }
+            ObjectEnd.Destroy(material);
+            ObjectEnd.Destroy(texture);
         }
 
         internal static Material Create(Shader shader, string name, in SurfaceLook look)
@@ -155,21 +141,7 @@ namespace Alate.Catalogue
         private static void CheckSize(int size)
         {
             if (size < k_LeastSize || size > k_MostSize)
-            {
                 throw new ArgumentOutOfRangeException(nameof(size), size, $"A texture has {k_LeastSize} to {k_MostSize} pixels along its longer side.");
-            }
-        }
-
-        private static void Free(UnityEngine.Object made)
-        {
-            if (Application.isPlaying)
-            {
-                UnityEngine.Object.Destroy(made);
-            }
-            else
-            {
-                UnityEngine.Object.DestroyImmediate(made);
-            }
         }
     }
 }

@@ -62,9 +62,7 @@ namespace Alate.Catalogue
             {
                 var shader = find(name);
                 if (shader != null)
-                {
                     return shader;
-                }
             }
 
             return null;

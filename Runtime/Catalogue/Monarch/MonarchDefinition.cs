@@ -2,9 +2,7 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>
-    /// The monarch, Danaus plexippus. Its fore and hind wing move as one (Dudley 2002) and are one wing here, as in the paper.
-    /// </summary>
+    /// <summary>The monarch, Danaus plexippus. Its fore and hind wing move as one (Dudley 2002) and are one wing here, as in the paper.</summary>
     internal static class MonarchDefinition
     {
         private const double k_LastTipSpan = 26.9;

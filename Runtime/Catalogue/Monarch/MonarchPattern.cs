@@ -57,10 +57,7 @@ namespace Alate.Catalogue
         public MonarchPattern(WingOutline outline)
         {
             foreach (var vein in s_Veins)
-            {
                 m_Veins.Add(vein);
-            }
-
             m_ThinRim.Add(Ink.Edge(outline.LeadingAt, 0, k_MarginStart));
             m_ThinRim.Add(Ink.Edge(outline.TrailingAt, k_MarginEnd, 0));
             var margin = Ink.Edge(outline.LeadingAt, k_MarginStart, 1);
@@ -87,10 +84,8 @@ namespace Alate.Catalogue
             return Color.Lerp(colour, s_Spot, Ink.Within(spot, k_SpotRadius, 0.5 * softness));
         }
 
-        private static float Apex(double span, double forward, double softness)
-        {
-            return Ink.Within(0.63 + 0.8 * (0.13 - forward) - span, 0, 2 * softness);
-        }
+        private static float Apex(double span, double forward, double softness) =>
+            Ink.Within(0.63 + 0.8 * (0.13 - forward) - span, 0, 2 * softness);
 
         private static float Windows(double span, double forward, double softness)
         {

@@ -76,10 +76,10 @@ namespace Alate.Catalogue
                 Lay = new Vector3(0f, 0f, -1.7f),
                 Where = place => !seat.Covers(place),
             };
-            parts.AddFur(thorax, coat.GrowOn(thorax.Part), Shaggy);
+            parts.AddFur(thorax, coat.GrowOn(thorax.part), Shaggy);
             var abdomen = parts.Add(Trunk.Through(s_Abdomen, 28, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Ringed);
             var down = new Fur { Count = 50, Length = 0.4f, Radius = 0.05f, Seed = 47, Lay = new Vector3(0f, 0f, -2f) };
-            parts.AddFur(abdomen, down.GrowOn(abdomen.Part), Ringed);
+            parts.AddFur(abdomen, down.GrowOn(abdomen.part), Ringed);
             AddHead(parts);
             parts.AddPair(Stalk.Along(s_Antenna, t => 0.085f - 0.05f * t, 14, 6), (in BodyPoint point) => s_Slate);
             parts.AddPair(Comb.Along(s_Antenna, k_Bristles, t => 0.45f - 0.2f * t, 0.03f, true), (in BodyPoint point) => s_Slate);
@@ -90,7 +90,7 @@ namespace Alate.Catalogue
         {
             var head = parts.Add(Ellipsoid.Around(new Vector3(0f, 0.1f, 2.75f), new Vector3(0.72f, 0.66f, 0.7f), 8, 14), Striped);
             var tuft = new Fur { Count = 36, Length = 0.42f, Radius = 0.07f, Seed = 59, Lay = new Vector3(0f, 0.6f, 0.2f), Where = place => place.y > 0.2f };
-            parts.AddFur(head, tuft.GrowOn(head.Part), Shaggy);
+            parts.AddFur(head, tuft.GrowOn(head.part), Shaggy);
             parts.AddPair(
                 Ellipsoid.Around(new Vector3(0.5f, 0.12f, 2.95f), new Vector3(0.36f, 0.42f, 0.42f), 8, 10), (in BodyPoint point) => s_Eye);
             var palp = new[]

@@ -72,10 +72,7 @@ namespace Alate.Catalogue
         public WingPreset CreatePreset(WingPreset full)
         {
             if (full == null)
-            {
                 throw new ArgumentNullException(nameof(full));
-            }
-
             var copy = UnityEngine.Object.Instantiate(full);
             copy.name = $"{full.name} ({Name})";
             m_Change(copy);
@@ -92,20 +89,11 @@ namespace Alate.Catalogue
         public void Refresh(WingPreset full, WingPreset copy)
         {
             if (full == null)
-            {
                 throw new ArgumentNullException(nameof(full));
-            }
-
             if (copy == null)
-            {
                 throw new ArgumentNullException(nameof(copy));
-            }
-
             if (copy == full)
-            {
                 throw new ArgumentException($"'{full.name}' cannot be its own copy.", nameof(copy));
-            }
-
             copy.Size = full.Size;
             copy.Beat = full.Beat;
             copy.Wave = full.Wave;

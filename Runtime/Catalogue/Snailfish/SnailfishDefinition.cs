@@ -35,10 +35,7 @@ namespace Alate.Catalogue
         {
             var tips = new double[s_Hollows.Length + 1];
             for (var ray = 0; ray < tips.Length; ray++)
-            {
                 tips[ray] = k_FirstTip + (k_LastTip - k_FirstTip) * ray / s_Hollows.Length;
-            }
-
             return tips;
         }
 
@@ -48,10 +45,7 @@ namespace Alate.Catalogue
             var tips = RayTips();
             var chains = new ChainPath[tips.Length / 2 + 1];
             for (var chain = 0; chain < chains.Length; chain++)
-            {
                 chains[chain] = new ChainPath(tips[2 * chain]);
-            }
-
             return chains;
         }
 

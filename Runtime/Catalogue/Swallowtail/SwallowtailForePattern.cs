@@ -31,9 +31,7 @@ namespace Alate.Catalogue
             m_Costa.Add(Ink.Margin(outline, 0.70, 1));
             m_Veins = new VeinFan(outline, 0.45).Add(0.43, 0.475, 0.515, 0.555, 0.595, 0.635, 0.675, 0.77).Cross(1, 0.62).Cross(2, 0.6).Cross(3, 0.57).Cross(4, 0.52);
             foreach (var bar in s_Bars)
-            {
                 m_Bars.Add(bar);
-            }
         }
 
         /// <inheritdoc/>
