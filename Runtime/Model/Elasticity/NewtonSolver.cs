@@ -14,10 +14,7 @@ namespace Alate
             /// <summary>Largest number of Newton iterations.</summary>
             public int newton;
 
-            /// <summary>
-            /// Largest movement of a joint in an iteration that ends the solve, wing lengths. The remaining error is at most some hundred
-            /// times its square.
-            /// </summary>
+            /// <summary>Done when no joint moves further in an iteration, wing lengths. What remains is at most some hundred times its square.</summary>
             public float tolerance;
 
             /// <summary>Limits of a substep: four iterations, the minimum to 1e-4 L.</summary>

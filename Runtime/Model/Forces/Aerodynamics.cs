@@ -52,9 +52,7 @@ namespace Alate
             float4 halfDensity = 0.5f * pack.parameters->airDensity;
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
-            {
                 scratch.normals[patch] = CellSheet.NormalAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);
-            }
 
             for (int patch = cell->firstPatch; patch < end; patch++)
             {

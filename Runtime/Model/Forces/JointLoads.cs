@@ -53,7 +53,7 @@ namespace Alate
         // Eq. 4 on the carried positions; the printed scheme takes those of the last substep.
         private static SoaFloat3* Arms(in WingPack pack, in StepScratch scratch)
         {
-            if (pack.options.timeScheme == TimeScheme.SecondOrder)
+            if (pack.options.timeScheme != TimeScheme.BackwardEuler)
                 return scratch.carriedPositions;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
                 scratch.arms[joint] = pack.pose[joint].position;

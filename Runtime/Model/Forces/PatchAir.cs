@@ -15,25 +15,6 @@ namespace Alate
         /// <summary>Least sine of the angle of attack by which the damping estimate divides.</summary>
         private const float k_LeastSine = 0.05f;
 
-        /// <summary>Eq. 9 and 10 for one element of four wings, at once; a wing's many elements take the three steps one after the other.</summary>
-        /// <param name="options">Coefficients and tangent.</param>
-        /// <param name="wind">V, air minus surface velocity.</param>
-        /// <param name="normal">Unit normal of the element.</param>
-        /// <param name="alongSpan">|V·e_s| for the printed tangent (base to tip); not read else.</param>
-        /// <param name="halfDensityArea">½ρ*A.</param>
-        public static unsafe PatchLoad Load(
-            in ModelOptions options, in SoaFloat3 wind, in SoaFloat3 normal, float4 alongSpan, float4 halfDensityArea)
-        {
-            PatchStream stream = Meet(wind, normal);
-            if (options.tangent == AirTangent.BaseToTip)
-                stream.tangential = alongSpan;
-            Coefficients.Evaluate(options, &stream, 1);
-            PatchLoad load;
-            load.force = Force(stream, wind, normal, halfDensityArea);
-            load.damping = Damping(stream, halfDensityArea, out load.sinAttack);
-            return load;
-        }
-
         /// <summary>First step: finds the stream in the frame of the element.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static PatchStream Meet(in SoaFloat3 wind, in SoaFloat3 normal)

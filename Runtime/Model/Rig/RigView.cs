@@ -23,10 +23,7 @@ namespace Alate
         /// <summary>e_LE: unit vector from root to tip of the principal chain, the axis of feathering.</summary>
         public float3 leadingEdge;
 
-        /// <summary>
-        /// [n] ρ_i of Eq. 2: distance of the chain's root from the first chain's, over that of the last chain's; i/(n−1) when all
-        /// roots are one.
-        /// </summary>
+        /// <summary>[n] ρ_i of Eq. 2: distance of the chain's root from the first chain's, over that of the last chain's; i/(n−1) when all roots are one.</summary>
         public float* chainRatio;
 
         /// <summary>[m] σ_j = j/(m−1).</summary>
@@ -44,9 +41,7 @@ namespace Alate
         /// <summary>[bone] b_ij = unit(t × Y): positive bend lifts the tip.</summary>
         public float3* bendAxes;
 
-        /// <summary>
-        /// [bone] Vector from the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.
-        /// </summary>
+        /// <summary>[bone] From the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.</summary>
         public float3* crossDirections;
 
         /// <summary>[joint] Mass; the sum is 1, each is above 0.</summary>

@@ -55,10 +55,8 @@ namespace Alate
         }
 
         /// <summary>Surface over these arrays, not copied, from which a rig is baked.</summary>
-        public WingSurface ToWingSurface(string name)
-        {
-            return new WingSurface { name = name, positions = positions, normals = normals, triangles = triangles };
-        }
+        public WingSurface ToWingSurface(string name) =>
+            new WingSurface { name = name, positions = positions, normals = normals, triangles = triangles };
 
         /// <summary>A readable mesh of the same content, with its bounds set.</summary>
         public Mesh ToMesh(string name)
@@ -72,14 +70,10 @@ namespace Alate
             };
 
             if (uvs != null)
-            {
                 mesh.uv = uvs;
-            }
 
             if (colours != null)
-            {
                 mesh.colors32 = colours;
-            }
 
             mesh.triangles = triangles;
             mesh.RecalculateBounds();

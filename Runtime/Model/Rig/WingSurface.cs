@@ -32,25 +32,37 @@ namespace Alate
         /// <exception cref="System.ArgumentException">The mesh is not readable.</exception>
         public static WingSurface FromMesh(Mesh mesh)
         {
-            if (mesh == null)
-                throw new System.ArgumentNullException(nameof(mesh));
-            if (!mesh.isReadable)
-                throw new System.ArgumentException($"Mesh '{mesh.name}' is not readable: turn on Read/Write in its import settings.");
-            var triangles = new List<int>();
-            for (int s = 0; s < mesh.subMeshCount; s++)
-            {
-                if (mesh.GetTopology(s) == MeshTopology.Triangles)
-                    triangles.AddRange(mesh.GetTriangles(s));
-            }
-
+            CheckReadable(mesh);
             return new WingSurface
             {
                 name = mesh.name,
                 positions = mesh.vertices,
                 normals = mesh.normals,
                 tangents = mesh.tangents,
-                triangles = triangles.ToArray(),
+                triangles = Triangles(mesh),
             };
+        }
+
+        /// <summary>Corners of the triangles of all submeshes.</summary>
+        internal static int[] Triangles(Mesh mesh)
+        {
+            var corners = new List<int>();
+            for (int s = 0; s < mesh.subMeshCount; s++)
+            {
+                if (mesh.GetTopology(s) == MeshTopology.Triangles)
+                    corners.AddRange(mesh.GetTriangles(s));
+            }
+
+            return corners.ToArray();
+        }
+
+        /// <summary>Refuses a mesh whose triangles cannot be read.</summary>
+        internal static void CheckReadable(Mesh mesh)
+        {
+            if (mesh == null)
+                throw new System.ArgumentNullException(nameof(mesh));
+            if (!mesh.isReadable)
+                throw new System.ArgumentException($"Mesh '{mesh.name}' is not readable: turn on Read/Write in its import settings.");
         }
     }
 }

@@ -94,9 +94,7 @@ namespace Alate
 
         private static void Add(
             List<SkeletonProblem> problems, SkeletonProblemKind kind, string message,
-            int chain = SkeletonProblem.None, int joint = SkeletonProblem.None)
-        {
+            int chain = SkeletonProblem.None, int joint = SkeletonProblem.None) =>
             problems.Add(new SkeletonProblem(kind, chain, joint, message));
-        }
     }
 }

@@ -1,4 +1,3 @@
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace Alate

@@ -20,13 +20,6 @@ namespace Alate
             this.w = w;
         }
 
-        /// <summary>No rotation.</summary>
-        public static SoaQuaternion Identity => new SoaQuaternion(default, 1f);
-
-        /// <summary>Rotation about the x axis, given sine and cosine of half the angle.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaQuaternion AboutX(float4 sinHalf, float4 cosHalf) => new SoaQuaternion(new SoaFloat3(sinHalf, 0f, 0f), cosHalf);
-
         /// <summary>The opposite rotation of a unit quaternion.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaQuaternion Conjugate(SoaQuaternion q) => new SoaQuaternion(-q.v, q.w);
@@ -92,9 +85,7 @@ namespace Alate
             return Normalize(new SoaQuaternion(SoaFloat3.Cross(from, to), w));
         }
 
-        /// <summary>
-        /// The rotation by a small vector of angles (radians, below about 1.2): the exponential map, by its series.
-        /// </summary>
+        /// <summary>The rotation by a small vector of angles (radians, below about 1.2): the exponential map, by its series.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaQuaternion Exp(SoaFloat3 angles)
         {

@@ -64,20 +64,16 @@ namespace Alate
         };
 
         /// <summary>Returns true where every option is equal.</summary>
-        public bool Equals(ModelOptions other)
-        {
-            return coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift
+        public bool Equals(ModelOptions other) =>
+            coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift
                 && cycleChange == other.cycleChange && torqueArm == other.torqueArm && springUnits == other.springUnits
                 && coupling == other.coupling && timeScheme == other.timeScheme;
-        }
 
         /// <inheritdoc/>
         public override bool Equals(object obj) => obj is ModelOptions other && Equals(other);
 
         /// <inheritdoc/>
-        public override int GetHashCode()
-        {
-            return HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, timeScheme);
-        }
+        public override int GetHashCode() =>
+            HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, timeScheme);
     }
 }

@@ -39,9 +39,6 @@ namespace Alate
             this.pacing = pacing;
         }
 
-        /// <summary>True until disposal.</summary>
-        public bool IsCreated => m_Block != null;
-
         /// <summary>Puts a new wing into the next lane; the first one also fills the lanes that are empty.</summary>
         /// <returns>Its lane.</returns>
         public int Add(int wing, in WingParameters parameters, in WingSurroundings surroundings)

@@ -129,9 +129,7 @@ namespace Alate
         /// <summary>Aerodynamic force, mean over the substeps of the last step, wing mass · L/s².</summary>
         public SoaFloat3 airForce;
 
-        /// <summary>
-        /// Moment of that force about <see cref="LaneSurroundings.hinge"/>'s origin, mean over the substeps of the last step, wing mass · L²/s².
-        /// </summary>
+        /// <summary>Moment of that force about <see cref="LaneSurroundings.hinge"/>'s origin, mean over the substeps of the last step, wing mass · L²/s².</summary>
         public SoaFloat3 airMoment;
 
         /// <summary>Spring energy (Eq. 12) at the end, wing mass · L²/s².</summary>

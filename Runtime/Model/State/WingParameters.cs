@@ -136,9 +136,7 @@ namespace Alate
             {
                 var parameters = new WingParameters { substepsPerBeat = DefaultSubsteps, options = ModelOptions.Physical };
                 foreach (var range in s_Ranges)
-                {
                     range.Of(ref parameters) = range.Default;
-                }
 
                 return parameters;
             }
@@ -168,9 +166,7 @@ namespace Alate
             foreach (var range in s_Ranges)
             {
                 if (range.Of(ref copy) != range.Of(ref other))
-                {
                     return false;
-                }
             }
 
             return substepsPerBeat == other.substepsPerBeat && options.Equals(other.options);
@@ -187,9 +183,7 @@ namespace Alate
             {
                 var value = range.Of(ref copy);
                 if (!range.Contains(value))
-                {
                     return range.Describe(value);
-                }
             }
 
             if (substepsPerBeat < MinSubsteps || substepsPerBeat > MaxSubsteps)

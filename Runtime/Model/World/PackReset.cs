@@ -43,8 +43,8 @@ namespace Alate
         {
             ToDrivenPose(pack, scratch, lanes);
             pack.readings->resets += math.select(0f, 1f, lanes);
-            pack.readings->airForce = SoaFloat3.Select(pack.readings->airForce, default, lanes);
-            pack.readings->airMoment = SoaFloat3.Select(pack.readings->airMoment, default, lanes);
+            Clear(&pack.readings->airForce, lanes);
+            Clear(&pack.readings->airMoment, lanes);
         }
 
         /// <summary>Finds the wings with a joint, deviation or bend rate that is not a number or infinite.</summary>
@@ -72,10 +72,10 @@ namespace Alate
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 SoaQuaternion driven = scratch.drivenRotations[bone];
-                pack.bendAngles[bone] = SoaFloat3.Select(pack.bendAngles[bone], default, lanes);
-                pack.bendRates[bone] = SoaFloat3.Select(pack.bendRates[bone], default, lanes);
-                pack.earlierAngles[bone] = SoaFloat3.Select(pack.earlierAngles[bone], default, lanes);
-                pack.earlierRates[bone] = SoaFloat3.Select(pack.earlierRates[bone], default, lanes);
+                Clear(pack.bendAngles + bone, lanes);
+                Clear(pack.bendRates + bone, lanes);
+                Clear(pack.earlierAngles + bone, lanes);
+                Clear(pack.earlierRates + bone, lanes);
                 pack.bentRotations[bone] = SoaQuaternion.Select(pack.bentRotations[bone], driven, lanes);
                 pack.drivenRotations[bone] = SoaQuaternion.Select(pack.drivenRotations[bone], driven, lanes);
             }
@@ -87,12 +87,12 @@ namespace Alate
                     SoaFloat3.Select(pack.drivenPositions[joint], scratch.drivenPositions[joint], lanes);
                 SoaFloat3 lag = pack.options.timeScheme == TimeScheme.BackwardEuler ? scratch.drivenVelocities[joint] : default;
                 pack.drivenLags[joint] = SoaFloat3.Select(pack.drivenLags[joint], lag, lanes);
-                pack.offsets[joint] = SoaFloat3.Select(pack.offsets[joint], default, lanes);
-                pack.offsetRates[joint] = SoaFloat3.Select(pack.offsetRates[joint], default, lanes);
-                pack.earlierOffsets[joint] = SoaFloat3.Select(pack.earlierOffsets[joint], default, lanes);
-                pack.earlierOffsetRates[joint] = SoaFloat3.Select(pack.earlierOffsetRates[joint], default, lanes);
+                Clear(pack.offsets + joint, lanes);
+                Clear(pack.offsetRates + joint, lanes);
+                Clear(pack.earlierOffsets + joint, lanes);
+                Clear(pack.earlierOffsetRates + joint, lanes);
                 JointMotion* motion = pack.motions + joint;
-                motion->velocity = SoaFloat3.Select(motion->velocity, default, lanes);
+                Clear(&motion->velocity, lanes);
                 motion->turning = SoaQuaternion.Select(motion->turning, default, lanes);
             }
 
@@ -108,6 +108,8 @@ namespace Alate
                     pack.slots[slot] = Select(pack.slots[slot], pose, lanes);
             }
         }
+
+        private static void Clear(SoaFloat3* vector, bool4 lanes) => *vector = SoaFloat3.Select(*vector, default, lanes);
 
         private static JointPose Select(JointPose a, JointPose b, bool4 lanes) => new JointPose
         {

@@ -29,11 +29,12 @@ namespace Alate
         /// </summary>
         private const float k_Fading = 4f;
 
-        /// <summary>Derives what depends on parameters and rig alone: stiffnesses, dampings and delays.</summary>
+        /// <summary>Derives what depends on parameters and rig, stiffnesses, dampings and delays, and bounds the wind.</summary>
         public static void Derive(in WingPack pack)
         {
             Bending.Derive(pack);
             ChainDelays.Derive(pack);
+            StrongestWind.Derive(pack);
         }
 
         /// <summary>

@@ -9,7 +9,8 @@ namespace Alate
     /// </summary>
     internal sealed class PackTable : IDisposable
     {
-        private readonly Dictionary<Key, List<PackMemory>> m_Groups = new Dictionary<Key, List<PackMemory>>();
+        private readonly Dictionary<(WingRig, ModelOptions, PackKey), List<PackMemory>> m_Groups =
+            new Dictionary<(WingRig, ModelOptions, PackKey), List<PackMemory>>();
         private readonly List<PackMemory> m_Packs = new List<PackMemory>();
 
         /// <summary>All packs, in no particular order.</summary>
@@ -18,7 +19,7 @@ namespace Alate
         /// <summary>Finds a lane for a wing.</summary>
         public PackMemory Add(WingEntry entry, int wing)
         {
-            var key = new Key(entry.rig, entry.parameters.options, entry.pacing);
+            (WingRig, ModelOptions, PackKey) key = (entry.rig, entry.parameters.options, entry.pacing);
             if (!m_Groups.TryGetValue(key, out List<PackMemory> group))
                 m_Groups.Add(key, group = new List<PackMemory>());
             PackMemory pack = group.Count > 0 ? group[group.Count - 1] : null;
@@ -38,7 +39,7 @@ namespace Alate
         /// <returns>The wing that moved, or −1.</returns>
         public int Remove(WingEntry entry)
         {
-            var key = new Key(entry.rig, entry.pack.view.options, entry.pack.pacing);
+            (WingRig, ModelOptions, PackKey) key = (entry.rig, entry.pack.view.options, entry.pack.pacing);
             List<PackMemory> group = m_Groups[key];
             PackMemory last = group[group.Count - 1];
             int lastLane = last.Count - 1;
@@ -68,27 +69,6 @@ namespace Alate
                 pack.Dispose();
             m_Packs.Clear();
             m_Groups.Clear();
-        }
-
-        private readonly struct Key : IEquatable<Key>
-        {
-            private readonly WingRig m_Rig;
-            private readonly ModelOptions m_Options;
-            private readonly PackKey m_Pacing;
-
-            public Key(WingRig rig, in ModelOptions options, in PackKey pacing)
-            {
-                m_Rig = rig;
-                m_Options = options;
-                m_Pacing = pacing;
-            }
-
-            public bool Equals(Key other) =>
-                ReferenceEquals(m_Rig, other.m_Rig) && m_Pacing.Equals(other.m_Pacing) && m_Options.Equals(other.m_Options);
-
-            public override bool Equals(object other) => other is Key key && Equals(key);
-
-            public override int GetHashCode() => (m_Rig.GetHashCode() * 397 ^ m_Options.GetHashCode()) * 397 ^ m_Pacing.GetHashCode();
         }
     }
 }

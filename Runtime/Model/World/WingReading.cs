@@ -123,22 +123,14 @@ namespace Alate
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         public float PatchAngleOfAttack(int patch) => math.asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
 
-        private BeatState* Beat
-        {
-            get
-            {
-                CheckCurrent();
-                return m_Pack.beat;
-            }
-        }
+        private BeatState* Beat => Current().beat;
 
-        private PackReadings* Readings
+        private PackReadings* Readings => Current().readings;
+
+        private WingPack Current()
         {
-            get
-            {
-                CheckCurrent();
-                return m_Pack.readings;
-            }
+            CheckCurrent();
+            return m_Pack;
         }
 
         private int Joint(int chain, int joint)

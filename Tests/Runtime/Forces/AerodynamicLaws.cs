@@ -37,7 +37,7 @@ namespace Alate.Tests
                 ModelOptions options = ModelOptions.Physical;
                 options.coefficients = (CoefficientSet)random.NextInt(0, 3);
                 float3 velocity = random.NextFloat3Direction() * math.pow(10f, random.NextFloat(-3f, 3f));
-                PatchLoad load = PatchAir.Load(
+                PatchLoad load = PatchLoads.Of(
                     options, new SoaFloat3(-velocity), new SoaFloat3(random.NextFloat3Direction()), 0f, random.NextFloat(1e-5f, 1f));
                 Assert.That(math.dot(load.force[0], velocity), Is.LessThanOrEqualTo(0f), $"power, seed {seed}");
                 Assert.That(load.damping.x, Is.GreaterThanOrEqualTo(0f), $"damping, seed {seed}");
@@ -71,7 +71,7 @@ namespace Alate.Tests
         }
 
         private static float3 Force(float3 wind, float3 normal) =>
-            PatchAir.Load(ModelOptions.Physical, new SoaFloat3(wind), new SoaFloat3(normal), 0f, 0.1f).force[0];
+            PatchLoads.Of(ModelOptions.Physical, new SoaFloat3(wind), new SoaFloat3(normal), 0f, 0.1f).force[0];
 
         /// <summary>A sum in double precision, with the sum of the lengths.</summary>
         private struct Sum

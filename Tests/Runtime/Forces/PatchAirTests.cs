@@ -85,7 +85,7 @@ namespace Alate.Tests
         [Test]
         public void StillAir_MakesNoForce()
         {
-            PatchLoad load = PatchAir.Load(ModelOptions.Physical, default, Lanes.All(0f, 1f, 0f), 0f, 1f);
+            PatchLoad load = PatchLoads.Of(ModelOptions.Physical, default, Lanes.All(0f, 1f, 0f), 0f, 1f);
             Assert.That(load.force[0], Is.EqualTo(float3.zero));
             Assert.That(load.damping.x, Is.Zero);
         }
@@ -94,7 +94,7 @@ namespace Alate.Tests
         [TestCase(0f, 0f, -3f)]
         public void FlowAlongNormalOrSurface_MakesDragOnly(float x, float y, float z)
         {
-            float3 force = PatchAir.Load(ModelOptions.Physical, Lanes.All(x, y, z), Lanes.All(0f, 1f, 0f), 0f, 1f).force[0];
+            float3 force = PatchLoads.Of(ModelOptions.Physical, Lanes.All(x, y, z), Lanes.All(0f, 1f, 0f), 0f, 1f).force[0];
             var wind = new float3(x, y, z);
             Assert.That(math.dot(force, wind), Is.Positive);
             if (z == 0f)
@@ -108,7 +108,7 @@ namespace Alate.Tests
             float3 span = new float3(1f, -0.1f, 0f);
             span = math.normalize(span - s_Normal * math.dot(span, s_Normal));
             float3 wind = s_Wind - span * math.dot(s_Wind, span);
-            return PatchAir.Load(options, new SoaFloat3(wind), new SoaFloat3(s_Normal), 0f, 0.5f * 11.1f * 0.02f);
+            return PatchLoads.Of(options, new SoaFloat3(wind), new SoaFloat3(s_Normal), 0f, 0.5f * 11.1f * 0.02f);
         }
 
         // The polynomials of Fig. 6, the angle in degrees.
