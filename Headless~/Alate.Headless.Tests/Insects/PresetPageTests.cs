@@ -25,7 +25,7 @@ namespace Alate.Tests
                 Assert.That(row, Is.Not.Null, parameter.Name);
                 string[] range = row[3].Split('–');
                 Assert.That(row[2] == "–" || row[2].StartsWith('×') ? "" : row[2], Is.EqualTo(parameter.Unit), parameter.Name);
-                Assert.That(range.Select(Number), Is.EqualTo(new[] { parameter.Min, parameter.Max }).Within(1e-6).Percent, parameter.Name);
+                Assert.That(range.Select(Number), Is.EqualTo(new[] { parameter.Min, parameter.Max }).Within(1e-4).Percent, parameter.Name);
                 Assert.That(Number(row[4]), Is.EqualTo(parameter.Of(monarch)).Within(1e-4).Percent, parameter.Name);
             }
 

@@ -1,21 +1,21 @@
+using System;
 using System.Collections.Generic;
 
 namespace Alate
 {
-    /// <summary>
-    /// Assets of one kind that are in use, each read once however many users it has. Assets that are no longer asked for are released, so
-    /// that they can be unloaded.
-    /// </summary>
-    internal abstract class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
+    /// <summary>The assets of one kind that are in use, each read once however many use it. Those that nobody asks for any more are let go, so that they can be unloaded.</summary>
+    internal class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
     {
         private readonly Dictionary<TAsset, TValue> m_Values = new Dictionary<TAsset, TValue>();
         private readonly List<(TAsset asset, TValue value)> m_All = new List<(TAsset, TValue)>();
+        private readonly Func<TAsset, TValue> m_Read;
         private readonly TValue m_None;
 
-        /// <param name="none">What stands for no asset.</param>
-        protected AssetWatch(TValue none)
+        /// <param name="read">Reads an asset for the first time; null stands for none.</param>
+        protected AssetWatch(Func<TAsset, TValue> read)
         {
-            m_None = none;
+            m_Read = read;
+            m_None = read(null);
         }
 
         /// <summary>Assets that are watched now.</summary>
@@ -28,7 +28,7 @@ namespace Alate
                 return m_None;
             if (!m_Values.TryGetValue(asset, out TValue value))
             {
-                m_Values.Add(asset, value = Read(asset));
+                m_Values.Add(asset, value = m_Read(asset));
                 m_All.Add((asset, value));
             }
 
@@ -54,8 +54,34 @@ namespace Alate
                 m_All.RemoveAt(k);
             }
         }
+    }
 
-        /// <summary>Reads an asset for the first time.</summary>
-        protected abstract TValue Read(TAsset asset);
+    /// <summary>What is read of an asset, kept while somebody looks at it.</summary>
+    internal abstract class WatchedValue
+    {
+        /// <summary>Frames without a look after which a value is let go: in slow motion steps are many frames apart, and insects may be disabled for a moment.</summary>
+        private const int k_Patience = 600;
+
+        private int m_FramesUnused;
+
+        /// <summary>Whether it was let go: then it is not read again, and has to be asked for again.</summary>
+        public bool IsForgotten => m_FramesUnused > k_Patience;
+
+        /// <summary>Reads the asset again. One that was destroyed keeps its last value.</summary>
+        public abstract void Refresh();
+
+        /// <returns>Whether somebody has looked lately.</returns>
+        public bool EndRound()
+        {
+            m_FramesUnused++;
+            return !IsForgotten;
+        }
+
+        /// <summary>Notes that the value is in use.</summary>
+        protected void Use()
+        {
+            if (!IsForgotten)
+                m_FramesUnused = 0;
+        }
     }
 }

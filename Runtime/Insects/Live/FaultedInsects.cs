@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -57,14 +58,10 @@ namespace Alate
         {
             MeshFilter filter = InsectCheck.FilterOf(wing);
             Mesh mesh = InsectCheck.MeshOf(wing, filter);
-            int print = wing.Renderer == null ? 0 : wing.Renderer.GetHashCode() * 2 + (wing.Renderer.isPartOfStaticBatch ? 1 : 0);
-            print = print * 31 + (filter == null || filter.sharedMesh == null ? 0 : filter.sharedMesh.GetHashCode());
-            print = print * 31 + (mesh == null ? 0 : mesh.GetHashCode() * 2 + (mesh.isReadable ? 1 : 0));
-            print = print * 31 + (int)wing.Part;
-            print = print * 31 + wing.Submesh;
-            print = print * 31 + (int)wing.Side;
-            print = print * 31 + wing.Point.GetHashCode();
-            return print * 31 + (int)m_Skeletons.Of(wing.Skeleton).Hash;
+            int renderer = wing.Renderer == null ? 0 : wing.Renderer.GetHashCode() * 2 + (wing.Renderer.isPartOfStaticBatch ? 1 : 0);
+            int shown = filter == null || filter.sharedMesh == null ? 0 : filter.sharedMesh.GetHashCode();
+            int authored = mesh == null ? 0 : mesh.GetHashCode() * 2 + (mesh.isReadable ? 1 : 0);
+            return HashCode.Combine(renderer, shown, authored, wing.Part, wing.Submesh, wing.Side, wing.Point, m_Skeletons.Of(wing.Skeleton).Hash);
         }
 
         private struct Entry

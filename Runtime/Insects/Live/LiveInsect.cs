@@ -201,7 +201,7 @@ namespace Alate
             if (!insect.Quality.levelOfDetail || !viewers.Any || !wings[0].placed.isValid)
                 return WingDetail.Full;
             float height = viewers.ScreenHeight(wings[0].placed.hinge, wings[0].placed.length);
-            WingDetail wanted = DetailChoice.Choose(height, insect.Quality.screenHeights, m_Resting ? WingDetail.Frozen : Detail);
+            WingDetail wanted = insect.Quality.screenHeights.Choose(height, m_Resting ? WingDetail.Frozen : Detail);
             return insect.Quality.keepForces && wanted > WingDetail.CoarsePatches ? WingDetail.CoarsePatches : wanted;
         }
 

@@ -11,9 +11,6 @@ namespace Alate
     {
         private readonly List<Entry> m_Entries = new List<Entry>();
 
-        /// <summary>Templates in use or kept.</summary>
-        public int Count => m_Entries.Count;
-
         /// <summary>Finds or builds the template for some wings of one mesh, and adds one user.</summary>
         /// <param name="key">What it is made of.</param>
         /// <param name="parts">How to make what is not there.</param>

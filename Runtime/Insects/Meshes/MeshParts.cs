@@ -14,12 +14,10 @@ namespace Alate
         /// <param name="submesh">From 0; only for <see cref="WingPart.Submesh"/>.</param>
         /// <param name="point">Mesh space; only for <see cref="WingPart.ConnectedPart"/>.</param>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
-        /// <exception cref="ArgumentException">
-        /// It is not readable, has no such submesh, or the part has no triangles; or the point is not finite.
-        /// </exception>
+        /// <exception cref="ArgumentException">It is not readable, has no such submesh, or the part has no triangles; or the point is not finite.</exception>
         public static MeshSelection Select(Mesh mesh, WingPart part, int submesh, Vector3 point)
         {
-            CheckReadable(mesh);
+            WingSurface.CheckReadable(mesh);
             switch (part)
             {
                 case WingPart.WholeMesh:
@@ -37,7 +35,7 @@ namespace Alate
         /// <exception cref="ArgumentException">The mesh is not readable.</exception>
         public static WingSurface Surface(Mesh mesh, MeshSelection selection)
         {
-            CheckReadable(mesh);
+            WingSurface.CheckReadable(mesh);
             return new WingSurface
             {
                 name = mesh.name,
@@ -48,11 +46,11 @@ namespace Alate
             };
         }
 
-        /// <summary>Connected pieces of a mesh, in the order of their first vertices.</summary>
+        /// <summary>All pieces of a mesh that hang together, in the order of their first vertices, each with a point that tells it from the others, mesh space.</summary>
         /// <exception cref="ArgumentException">The mesh is not readable or has no triangles.</exception>
-        public static List<MeshPiece> Parts(Mesh mesh)
+        public static List<(MeshSelection selection, Vector3 point)> Parts(Mesh mesh)
         {
-            CheckReadable(mesh);
+            WingSurface.CheckReadable(mesh);
             var corners = AllCorners(mesh);
             var positions = mesh.vertices;
             var sets = Connect(corners, positions);
@@ -65,10 +63,28 @@ namespace Alate
                 own.Add(corners[corner]);
             }
 
-            var pieces = new List<MeshPiece>(ofSet.Count);
+            var pieces = new List<(MeshSelection selection, Vector3 point)>(ofSet.Count);
             foreach (var own in ofSet.Values)
-                pieces.Add(new MeshPiece(MeshSelection.Of(own.ToArray()), positions));
+                pieces.Add((MeshSelection.Of(own.ToArray()), MiddleOfLargest(own, positions)));
             return pieces;
+        }
+
+        private static Vector3 MiddleOfLargest(List<int> corners, Vector3[] positions)
+        {
+            Vector3 middle = default;
+            var largest = -1f;
+            for (var corner = 0; corner < corners.Count; corner += 3)
+            {
+                Vector3 a = positions[corners[corner]], b = positions[corners[corner + 1]], c = positions[corners[corner + 2]];
+                var size = Vector3.Cross(b - a, c - a).magnitude;
+                if (size > largest)
+                {
+                    largest = size;
+                    middle = (a + b + c) / 3f;
+                }
+            }
+
+            return middle;
         }
 
         private static MeshSelection Connected(Mesh mesh, Vector3 point)
@@ -117,16 +133,10 @@ namespace Alate
 
         private static int[] AllCorners(Mesh mesh)
         {
-            var corners = new List<int>();
-            for (var submesh = 0; submesh < mesh.subMeshCount; submesh++)
-            {
-                if (mesh.GetTopology(submesh) == MeshTopology.Triangles)
-                    corners.AddRange(mesh.GetTriangles(submesh));
-            }
-
-            if (corners.Count == 0)
+            var corners = WingSurface.Triangles(mesh);
+            if (corners.Length == 0)
                 throw new ArgumentException($"Mesh '{mesh.name}' has no triangles.");
-            return corners.ToArray();
+            return corners;
         }
 
         private static int[] Corners(Mesh mesh, int submesh)
@@ -143,15 +153,6 @@ namespace Alate
             if (corners.Length == 0)
                 throw new ArgumentException($"Submesh {submesh} of mesh '{mesh.name}' has no triangles.");
             return corners;
-        }
-
-        /// <summary>Refuses a mesh whose triangles cannot be read.</summary>
-        public static void CheckReadable(Mesh mesh)
-        {
-            if (mesh == null)
-                throw new ArgumentNullException(nameof(mesh));
-            if (!mesh.isReadable)
-                throw new ArgumentException($"Mesh '{mesh.name}' is not readable: turn on Read/Write in its import settings.");
         }
 
         private static T[] Pick<T>(T[] all, int[] places) => all.Length == 0 ? Array.Empty<T>() : Array.ConvertAll(places, place => all[place]);

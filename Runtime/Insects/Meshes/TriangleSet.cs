@@ -30,9 +30,6 @@ namespace Alate
         /// <summary>True where the set has all triangles of the mesh.</summary>
         public bool IsAll => Array.TrueForAll(m_Has, has => Array.IndexOf(has, false) < 0);
 
-        /// <summary>Number of submeshes.</summary>
-        public int SubmeshCount => m_Corners.Length;
-
         /// <summary>Corners of the set's triangles, three each.</summary>
         public int[] Corners()
         {

@@ -57,10 +57,7 @@ namespace Alate
         /// <summary>Wing length L: metres from hinge to tip of the real wing.</summary>
         public float WingLength => m_Size.wingLength;
 
-        /// <summary>
-        /// Reference frequency f_ref = MAX_f √(1 + (u_max / v_tip)²), hertz, with v_tip = 2π MAX_f (MAX_a,flap / 2) L: the beat, corrected
-        /// for the speed of flight.
-        /// </summary>
+        /// <summary>f_ref = MAX_f √(1 + (u_max / v_tip)²) with v_tip = 2π MAX_f (MAX_a,flap / 2) L: the beat, corrected for the speed of flight, hertz.</summary>
         public float ReferenceFrequency
         {
             get

@@ -10,6 +10,9 @@ namespace Alate
     [Serializable]
     public struct ScreenHeights
     {
+        /// <summary>A level is left only when the size has grown by this share beyond its threshold, so that it does not flicker.</summary>
+        private const float k_Hysteresis = 0.15f;
+
         /// <summary>Height below which the detail is <see cref="WingDetail.FewerSubsteps"/>, share of the screen; default 0.2.</summary>
         [Range(0f, 1f)]
         [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps, but not fewer than 12 a beat. 0 never is. Multiplied by the quality settings' LOD bias.")]
@@ -41,6 +44,18 @@ namespace Alate
                 case WingDetail.Frozen: return restBelow;
                 default: return 1f;
             }
+        }
+
+        /// <summary>The level of detail for a share of the screen's height.</summary>
+        internal WingDetail Choose(float screenHeight, WingDetail current)
+        {
+            for (WingDetail level = WingDetail.Frozen; level > WingDetail.Full; level--)
+            {
+                if (screenHeight < Of(level) * (level <= current ? 1f + k_Hysteresis : 1f))
+                    return level;
+            }
+
+            return WingDetail.Full;
         }
 
         internal ScreenHeights Clamped() => new ScreenHeights

@@ -42,17 +42,17 @@ namespace Alate
         public WingShape Submesh(int submesh) =>
             IsReadable ? Shape(WingPart.Submesh, submesh) : WingShape.Of(m_Mesh.GetSubMesh(submesh).bounds, m_ToInsect);
 
-        /// <summary>Larger connected parts of a readable mesh that are sheets on one side.</summary>
-        public List<MeasuredPiece> Sheets()
+        /// <summary>The larger connected parts of a readable mesh that are sheets on one side: shape, a point in mesh space, and submesh, −1 where it reaches over several.</summary>
+        public List<(WingShape shape, Vector3 point, int submesh)> Sheets()
         {
-            var sheets = new List<MeasuredPiece>();
+            var sheets = new List<(WingShape shape, Vector3 point, int submesh)>();
             var largest = 0f;
             foreach (var piece in MeshParts.Parts(m_Mesh))
             {
                 var shape = WingShape.Of(m_Positions, piece.selection, m_ToInsect);
                 if (!shape.isSheet || shape.Side == null)
                     continue;
-                sheets.Add(new MeasuredPiece(shape, piece.point, SubmeshOf(piece.selection)));
+                sheets.Add((shape, piece.point, SubmeshOf(piece.selection)));
                 largest = Mathf.Max(largest, shape.area);
             }
 
@@ -62,7 +62,7 @@ namespace Alate
 
         /// <summary>Halves of a box towards its right and left face, for meshes that cannot be read.</summary>
         /// <param name="submesh">−1 for the box around all.</param>
-        public List<MeasuredPiece> Halves(int submesh)
+        public List<(WingShape shape, Vector3 point, int submesh)> Halves(int submesh)
         {
             var box = submesh == k_Several ? m_Mesh.bounds : m_Mesh.GetSubMesh(submesh).bounds;
             var across = (Vector3)m_ToInsect.GetRow(0);
@@ -73,10 +73,10 @@ namespace Alate
             var step = Vector3.zero;
             step[axis] = box.extents[axis];
             var size = box.size - step;
-            return new List<MeasuredPiece>
+            return new List<(WingShape shape, Vector3 point, int submesh)>
             {
-                new MeasuredPiece(WingShape.Of(new Bounds(box.center + 0.5f * step, size), m_ToInsect), box.center + step, submesh),
-                new MeasuredPiece(WingShape.Of(new Bounds(box.center - 0.5f * step, size), m_ToInsect), box.center - step, submesh),
+                (WingShape.Of(new Bounds(box.center + 0.5f * step, size), m_ToInsect), box.center + step, submesh),
+                (WingShape.Of(new Bounds(box.center - 0.5f * step, size), m_ToInsect), box.center - step, submesh),
             };
         }
 

@@ -77,10 +77,10 @@ namespace Alate
             }
         }
 
-        private List<MeasuredPiece> Pieces(int submesh, bool guess)
+        private List<(WingShape shape, Vector3 point, int submesh)> Pieces(int submesh, bool guess)
         {
             if (!m_Mesh.IsReadable)
-                return guess ? m_Mesh.Halves(submesh) : new List<MeasuredPiece>();
+                return guess ? m_Mesh.Halves(submesh) : new List<(WingShape shape, Vector3 point, int submesh)>();
             return submesh < 0 ? m_Mesh.Sheets() : m_Mesh.Sheets().FindAll(piece => piece.submesh == submesh);
         }
 
@@ -93,7 +93,7 @@ namespace Alate
                 && shapes.Exists(shape => shape.Side == WingSide.Right);
         }
 
-        private void AddPieces(List<MeasuredPiece> pieces, bool isNamed) =>
+        private void AddPieces(List<(WingShape shape, Vector3 point, int submesh)> pieces, bool isNamed) =>
             pieces.ForEach(piece => Add(WingPart.ConnectedPart, piece.submesh, piece.point, piece.shape, isNamed));
 
         private void Add(WingPart part, int submesh, Vector3 point, WingShape shape, bool isNamed)

@@ -13,7 +13,7 @@ namespace Alate
         private const float k_Apart = 0.2f;
 
         /// <summary>Number of wings on the side that has more.</summary>
-        public static int Count(List<MeasuredPiece> pieces)
+        public static int Count(List<(WingShape shape, Vector3 point, int submesh)> pieces)
         {
             var right = pieces.FindAll(piece => piece.shape.Side == WingSide.Right).ConvertAll(piece => piece.shape);
             var left = pieces.FindAll(piece => piece.shape.Side == WingSide.Left).ConvertAll(piece => piece.shape);

@@ -18,10 +18,7 @@ namespace Alate
             m_Names = new RendererNames(source, m_Mesh, insect);
         }
 
-        /// <summary>
-        /// Finds the triangles of wings: all if the renderer is named a wing, else those of such materials, then bones, else thin mirrored
-        /// parts.
-        /// </summary>
+        /// <summary>The triangles of wings: all if the renderer is called so, else those of such materials, then bones, else thin mirrored parts.</summary>
         /// <param name="source">A renderer with a readable mesh.</param>
         /// <param name="insect">Its root: X right, Y up, Z ahead.</param>
         public static TriangleSet Find(SkinnedMeshRenderer source, Transform insect)
@@ -55,10 +52,7 @@ namespace Alate
             return System.Array.Exists(source.bones, bone => bone != null && WingName.Read(bone.name).NamesWing);
         }
 
-        private void AddNamed(TriangleSet found)
-        {
-            found.Add((submesh, a, b, c) => m_Names.IsWing || m_Names.Material(submesh).IsWing);
-        }
+        private void AddNamed(TriangleSet found) => found.Add((submesh, a, b, c) => m_Names.IsWing || m_Names.Material(submesh).IsWing);
 
         private void AddMovedByWingBones(TriangleSet found)
         {

@@ -201,11 +201,12 @@ namespace Alate.Tests
             var parts = MeshParts.Parts(mesh);
 
             Assert.That(parts, Has.Count.EqualTo(2));
-            Assert.That(parts[0].area, Is.EqualTo(22f).Within(1e-4f));
-            Assert.That(parts[0].bounds.size, Is.EqualTo(new Vector3(1f, 2f, 3f)));
-            Assert.That((parts[0].centroid - Vector3.up).magnitude, Is.LessThan(1e-5f));
-            Assert.That(parts[1].area, Is.EqualTo(2f).Within(1e-5f));
-            Assert.That((parts[1].centroid - new Vector3(3f, 0f, 0.5f)).magnitude, Is.LessThan(1e-5f));
+            var shapes = parts.ConvertAll(part => WingShape.Of(mesh.vertices, part.selection, Matrix4x4.identity));
+            Assert.That(shapes[0].area, Is.EqualTo(22f).Within(1e-4f));
+            Assert.That(shapes[0].bounds.size, Is.EqualTo(new Vector3(1f, 2f, 3f)));
+            Assert.That((shapes[0].centroid - Vector3.up).magnitude, Is.LessThan(1e-5f));
+            Assert.That(shapes[1].area, Is.EqualTo(2f).Within(1e-5f));
+            Assert.That((shapes[1].centroid - new Vector3(3f, 0f, 0.5f)).magnitude, Is.LessThan(1e-5f));
             foreach (var part in parts)
             {
                 var again = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, part.point);
