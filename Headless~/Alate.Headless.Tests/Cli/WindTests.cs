@@ -83,7 +83,7 @@ namespace Alate.Tests.Cli
         {
             using var run = new CommandRun();
 
-            Assert.That(run.Run("wind", "monarch", "--speeds", "3", "--gusts", "--variant", "expressive", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("wind", "fishfly", "--speeds", "3", "--gusts", "--variant", "expressive", "--out", run.Out), Is.Zero, run.Errors);
             Assert.That(Rows(run).Skip(1).Select(row => $"{row[1]} {row[4]}"), Is.All.EqualTo("expressive gusts"));
         }
 

@@ -13,7 +13,7 @@ namespace Alate.Tests.Insects
     public sealed class ElasticitySweepTests
     {
         private static readonly Lazy<Sweep> s_Sweep = new Lazy<Sweep>(() => Sweep.Fly(
-            new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, 5, new FlightPlan { Species = "fishfly", Substeps = 480 }, SweepWaves.Both), _ => { }));
+            new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, 5, new FlightPlan { Species = "fishfly", Substeps = 240 }, SweepWaves.Both), _ => { }));
 
         [Test]
         public void Values_AreAQuarterToFourTimes()

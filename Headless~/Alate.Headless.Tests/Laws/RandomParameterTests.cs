@@ -11,12 +11,12 @@ namespace Alate.Tests
         private const uint k_Seed = 20261122;
 
         [Test]
-        public void OfAHundredWings_NoneIsReset() => AssertNoneIsReset(0, 100);
+        public void OfThirtyWings_NoneIsReset() => AssertNoneIsReset(0, 30);
 
         [Test]
         [Explicit]
         [Category("Long")]
-        public void OfNineHundredMoreWings_NoneIsReset() => AssertNoneIsReset(100, 1000);
+        public void OfNearlyAThousandMoreWings_NoneIsReset() => AssertNoneIsReset(30, 1000);
 
         private static void AssertNoneIsReset(int first, int end)
         {

@@ -6,6 +6,8 @@ namespace Alate.Tests
     /// <summary>Wings whose chains along the edges would cross get straight rays, with a warning, instead of an error.</summary>
     public sealed class CrossingChainsTests
     {
+        private const int k_Wings = 6, k_ManyWings = 20;
+
         [TestCaseSource(typeof(WildWings), nameof(WildWings.Crossing))]
         public void WingWhoseChainsCross_GetsStraightRaysThatDoNot(int seed)
         {
@@ -21,9 +23,16 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void WingsWhoseChainsDoNotCross_KeepThem()
+        public void WingsWhoseChainsDoNotCross_KeepThem() => AssertKept(0, k_Wings);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void MoreWingsWhoseChainsDoNotCross_KeepThem() => AssertKept(k_Wings, k_ManyWings);
+
+        private static void AssertKept(int first, int end)
         {
-            for (int seed = 0; seed < 20; seed++)
+            for (int seed = first; seed < end; seed++)
             {
                 SkeletonFit fit = SkeletonFitter.Fit(WildWings.Make(seed, out SkeletonFitSettings hints), hints);
 

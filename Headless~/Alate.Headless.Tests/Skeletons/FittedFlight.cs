@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Fitting;
 using Unity.Mathematics;
@@ -10,15 +11,15 @@ namespace Alate.Tests
     {
         private const float k_CruiseShare = 0.65f;
 
+        private static readonly Dictionary<(WingDefinition, bool), FittedFlight> s_Flown = new Dictionary<(WingDefinition, bool), FittedFlight>();
+
         private readonly WingDefinition m_Wing;
         private readonly WingPreset m_Preset;
         private readonly SurfaceMesh m_Mesh;
         private readonly WingFrame m_Frame;
         private readonly bool m_ByFirstOrder;
 
-        /// <param name="wing">Whose.</param>
-        /// <param name="byFirstOrder">By <see cref="SpeciesFlight.FirstOrder"/>, whose delays do not depend on how close chains are.</param>
-        public FittedFlight(WingDefinition wing, bool byFirstOrder = false)
+        private FittedFlight(WingDefinition wing, bool byFirstOrder)
         {
             m_Wing = wing;
             m_Preset = wing.CreatePreset();
@@ -30,6 +31,16 @@ namespace Alate.Tests
             ByHand = Measure(rig);
             Fit = SkeletonFitter.Fit(Surface, Hints(wing));
             Fitted = Measure(Bake(Fit.Skeleton));
+        }
+
+        /// <summary>Flight of a wing, flown once for all tests.</summary>
+        /// <param name="wing">Whose.</param>
+        /// <param name="byFirstOrder">By <see cref="SpeciesFlight.FirstOrder"/>, whose delays do not depend on how close chains are.</param>
+        public static FittedFlight Of(WingDefinition wing, bool byFirstOrder = false)
+        {
+            if (!s_Flown.TryGetValue((wing, byFirstOrder), out FittedFlight flight))
+                s_Flown.Add((wing, byFirstOrder), flight = new FittedFlight(wing, byFirstOrder));
+            return flight;
         }
 
         /// <summary>The automatic skeleton.</summary>

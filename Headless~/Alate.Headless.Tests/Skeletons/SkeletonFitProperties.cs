@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Alate.Fitting;
 using FsCheck;
@@ -10,8 +11,9 @@ namespace Alate.Tests
     /// <summary>Properties of the fitted skeleton of any wing: forty random outlines, and two hundred in the long tests.</summary>
     public sealed class SkeletonFitProperties
     {
-        private const int k_Wings = 40, k_ManyWings = 200;
+        private const int k_Wings = 40, k_MovedWings = 12, k_ManyWings = 200, k_Fins = 6, k_ManyFins = 40;
 
+        private static readonly Dictionary<int, SkeletonFit> s_Fits = new Dictionary<int, SkeletonFit>();
         private static readonly Vector3 s_BodySide = Vector3.left, s_Forward = Vector3.forward, s_Up = Vector3.up;
 
         [Test]
@@ -27,7 +29,7 @@ namespace Alate.Tests
             for (int seed = first; seed < end; seed++)
             {
                 PolarWing wing = RandomWings.Make(seed);
-                SkeletonFit fit = SkeletonFitter.Fit(wing.Mesh(seed), Hints());
+                SkeletonFit fit = Fit(seed);
                 var measure = new FitMeasure(fit.Skeleton, wing.Outline());
 
                 Assert.That(fit.Skeleton.Validate(), Is.Empty, $"wing {seed}");
@@ -40,7 +42,7 @@ namespace Alate.Tests
         [Test]
         public void RotationMirroringUnitAndTriangulation_MoveTheSkeletonAlong()
         {
-            for (int seed = 0; seed < k_Wings; seed++)
+            for (int seed = 0; seed < k_MovedWings; seed++)
                 CheckMoves(seed);
         }
 
@@ -49,12 +51,19 @@ namespace Alate.Tests
         [Category("Long")]
         public void RotationMirroringUnitAndTriangulation_MoveEveryOtherSkeletonAlong()
         {
-            for (int seed = k_Wings; seed < k_ManyWings; seed++)
+            for (int seed = k_MovedWings; seed < k_ManyWings; seed++)
                 CheckMoves(seed);
         }
 
         [Test]
-        public void AnyCountOfChainsAndJoints_IsValidAndBakes()
+        public void AnyCountOfChainsAndJoints_IsValidAndBakes() => CheckCounts(15, 1);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void MoreCountsOfChainsAndJoints_AreValidAndBake() => CheckCounts(100, 3);
+
+        private static void CheckCounts(int wings, ulong replay)
         {
             Arbitrary<(int Seed, int Chains, int Joints)> any = Gen.Choose(0, 100000)
                 .SelectMany(seed => Gen.Choose(3, 16).SelectMany(chains => Gen.Choose(3, 16).Select(joints => (seed, chains, joints))))
@@ -71,16 +80,16 @@ namespace Alate.Tests
                 Assert.That(skeleton.Validate(), Is.Empty);
                 Assert.That(skeleton.Chains.Select(chain => chain.Length), Is.All.EqualTo(given.Joints));
                 TestWings.Bake(skeleton, mesh).Release();
-            }).Check(Config.QuickThrowOnFailure.WithMaxTest(60).WithReplay(1, 1));
+            }).Check(Config.QuickThrowOnFailure.WithMaxTest(wings).WithReplay(replay, 1));
         }
 
         [Test]
-        public void RandomFins_AreFittedAlongTheirRays_WhereverTheyAre() => CheckFins(0, 15);
+        public void RandomFins_AreFittedAlongTheirRays_WhereverTheyAre() => CheckFins(0, k_Fins);
 
         [Test]
         [Explicit]
         [Category("Long")]
-        public void MoreRandomFins_AreFittedAlongTheirRays_WhereverTheyAre() => CheckFins(15, k_Wings);
+        public void MoreRandomFins_AreFittedAlongTheirRays_WhereverTheyAre() => CheckFins(k_Fins, k_ManyFins);
 
         private static void CheckFins(int first, int end)
         {
@@ -105,8 +114,15 @@ namespace Alate.Tests
         private static void CheckMoves(int seed)
         {
             PolarWing wing = RandomWings.Make(seed);
-            WingSkeleton skeleton = SkeletonFitter.Fit(wing.Mesh(seed), Hints()).Skeleton;
-            CheckMoves(seed, new FitMeasure(skeleton, wing.Outline()), wing.Mesh);
+            CheckMoves(seed, new FitMeasure(Fit(seed).Skeleton, wing.Outline()), wing.Mesh);
+        }
+
+        // Wings that are not moved are fitted once for all tests.
+        private static SkeletonFit Fit(int seed)
+        {
+            if (!s_Fits.TryGetValue(seed, out SkeletonFit fit))
+                s_Fits.Add(seed, fit = SkeletonFitter.Fit(RandomWings.Make(seed).Mesh(seed), Hints()));
+            return fit;
         }
 
         private static void CheckMoves(int seed, FitMeasure measure, System.Func<int, WingSurface> mesh)

@@ -11,21 +11,21 @@ namespace Alate.Tests
         [Test]
         public void ItsLeadingEdge_IsFoundByItsShape_AndCalledAGuess(
             [Values(OutlineKind.Butterfly, OutlineKind.Slender, OutlineKind.Oval)] OutlineKind kind, [Values(-90f, 90f)] float degrees) =>
-            AssertGuessed(kind, degrees, k_Wings);
+            AssertGuessed(kind, degrees, k_Wings, areBothSides: false);
 
         [Test]
         [Explicit]
         [Category("Long")]
         public void OfMoreWings_TheLeadingEdge_IsFoundByItsShape_AndCalledAGuess(
             [Values(OutlineKind.Butterfly, OutlineKind.Slender, OutlineKind.Oval)] OutlineKind kind, [Values(-90f, 90f)] float degrees) =>
-            AssertGuessed(kind, degrees, k_ManyWings);
+            AssertGuessed(kind, degrees, k_ManyWings, areBothSides: true);
 
-        private static void AssertGuessed(OutlineKind kind, float degrees, int wings)
+        private static void AssertGuessed(OutlineKind kind, float degrees, int wings, bool areBothSides)
         {
-            int right = 0;
+            int right = 0, all = areBothSides ? 2 * wings : wings;
             for (int seed = 0; seed < wings; seed++)
             {
-                foreach (bool isMirrored in new[] { false, true })
+                foreach (bool isMirrored in areBothSides ? new[] { false, true } : new[] { seed % 2 == 1 })
                 {
                     var wing = new DrawnInsectWing(InsectOutlines.Make(kind, seed), degrees, isMirrored);
                     SkeletonFit fit = SkeletonFitter.Fit(wing.Surface, SkeletonFitSettings.Default);
@@ -34,7 +34,7 @@ namespace Alate.Tests
                 }
             }
 
-            Assert.That(right, Is.GreaterThanOrEqualTo(2 * wings * 9 / 10), $"of {2 * wings}");
+            Assert.That(right, Is.GreaterThanOrEqualTo(all * 9 / 10), $"of {all}");
         }
 
         [Test]

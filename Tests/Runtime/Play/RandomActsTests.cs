@@ -17,6 +17,8 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        [Explicit]
+        [Category("Long")]
         public IEnumerator ManyRandomActsOfAnySeed_LeaveNothingBroken()
         {
             int seed = System.Environment.TickCount;

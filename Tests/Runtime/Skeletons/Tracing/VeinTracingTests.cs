@@ -14,7 +14,7 @@ namespace Alate.Tests
             {
                 foreach (VeinLook look in Enum.GetValues(typeof(VeinLook)))
                     yield return new TestCaseData(wing, look, 400).SetName($"{{m}}({wing.Name}, {look}, 400)");
-                yield return new TestCaseData(wing, VeinLook.Photo, 900).SetName($"{{m}}({wing.Name}, Photo, 900)");
+                yield return new TestCaseData(wing, VeinLook.Photo, 640).SetName($"{{m}}({wing.Name}, Photo, 640)");
             }
         }
 
@@ -48,7 +48,7 @@ namespace Alate.Tests
         [Test]
         public void EachChainOnAVein_HasAVeinOfItsOwn()
         {
-            var drawn = new DrawnVeinPicture(DrawnWing.Scalloped(), 600, 7, VeinLook.Photo);
+            var drawn = new DrawnVeinPicture(DrawnWing.Scalloped(), 480, 7, VeinLook.Photo);
             WingTracingSettings settings = WingTracingSettings.Default;
             settings.chains = 6;
 
@@ -67,7 +67,7 @@ namespace Alate.Tests
         [Test]
         public void FewVeins_LeaveTheOtherChainsToTheOutline()
         {
-            var drawn = new DrawnVeinPicture(DrawnWing.Monarch(), 600, 2, VeinLook.Photo);
+            var drawn = new DrawnVeinPicture(DrawnWing.Monarch(), 400, 2, VeinLook.Photo);
 
             WingTrace trace = WingTracer.Trace(drawn.Picture.ToPicture(), WingTracingSettings.Default);
 
