@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Alate.Cli.Projects;
 using NUnit.Framework;
@@ -63,6 +64,25 @@ namespace Alate.Tests.Architecture
             Assert.That(built, Is.EquivalentTo(Rooms.Assemblies[assembly]));
             Assert.That(project.Descendants("AllowUnsafeBlocks").Single().Value == "true", Is.EqualTo(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean()));
             Assert.That(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean(), Is.EqualTo(assembly == "Alate.Model"));
+        }
+
+        // One project builds the tests of both folders; Unity builds two assemblies, and the first is for players too.
+        [TestCase("Alate.Tests", "Tests/Runtime")]
+        [TestCase("Alate.Editor.Tests", "Tests/Editor")]
+        public void Tests_UseOnlyWhatTheirAssemblyDefinitionNames(string assembly, string folder)
+        {
+            string root = Path.Combine(PackageRoot.Find(), folder);
+            using JsonDocument definition = JsonDocument.Parse(File.ReadAllText(Path.Combine(root, assembly + ".asmdef")));
+            var known = definition.RootElement.GetProperty("references").EnumerateArray().Select(reference => reference.GetString()).Append(assembly).ToHashSet();
+            if (definition.RootElement.GetProperty("includePlatforms").GetArrayLength() > 0)
+                known.Add("UnityEditor");
+            foreach (string file in Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories))
+            {
+                IEnumerable<string> used = Regex.Matches(File.ReadAllText(file), @"^using (?:static |\w+ = )?((?:Alate|UnityEditor)\b[\w.]*);", RegexOptions.Multiline)
+                    .Select(match => match.Groups[1].Value);
+                foreach (string name in used)
+                    Assert.That(known.Contains(name.StartsWith("UnityEditor") ? "UnityEditor" : name), $"{file} uses {name}, which {assembly}.asmdef does not name");
+            }
         }
 
         [TestCaseSource(nameof(Assemblies))]

@@ -1,3 +1,4 @@
+using Alate.Editor.Tests;
 using UnityEngine;
 
 namespace Alate.Tests.Cli

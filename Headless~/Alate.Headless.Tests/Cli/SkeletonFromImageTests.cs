@@ -4,6 +4,7 @@ using System.Linq;
 using System.Xml.Linq;
 using Alate.Authoring;
 using Alate.Cli.Input;
+using Alate.Editor.Tests;
 using NUnit.Framework;
 using UnityEngine;
 

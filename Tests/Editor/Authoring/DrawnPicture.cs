@@ -4,7 +4,7 @@ using Alate.Authoring;
 using Alate.Catalogue;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>A picture that tests paint: places in pixels from the top left corner, y down, edges smoothed over a pixel.</summary>
     internal sealed class DrawnPicture

@@ -3,7 +3,7 @@ using Alate.Authoring;
 using NUnit.Framework;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     public sealed class WingTracerTests
     {

@@ -1,7 +1,7 @@
 using System;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>
     /// Effect of strong JPEG compression on a block of eight by eight pixels: its cosine waves keep only whole multiples of a step.

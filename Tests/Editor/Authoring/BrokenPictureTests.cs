@@ -4,7 +4,7 @@ using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>Pictures that show no single wing: one clear line each.</summary>
     public sealed class BrokenPictureTests

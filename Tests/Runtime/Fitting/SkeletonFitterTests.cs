@@ -1,5 +1,5 @@
 using System;
-using Alate.Authoring;
+using System.Text;
 using Alate.Fitting;
 using NUnit.Framework;
 using UnityEngine;
@@ -129,9 +129,9 @@ namespace Alate.Tests
         public void TheSameMesh_GivesTheSameSkeletonToTheBit_AndTheMeshOverloadToo()
         {
             WingSurface wing = new PolarWing { scallop = 0.02 }.Mesh();
-            string first = SkeletonJson.Write(SkeletonFitter.Fit(wing, Hints()).Skeleton);
-            string again = SkeletonJson.Write(SkeletonFitter.Fit(wing, Hints()).Skeleton);
-            string mesh = SkeletonJson.Write(SkeletonFitter.Fit(TestWings.ToMesh(wing), Hints()).Skeleton);
+            string first = Text(SkeletonFitter.Fit(wing, Hints()).Skeleton);
+            string again = Text(SkeletonFitter.Fit(wing, Hints()).Skeleton);
+            string mesh = Text(SkeletonFitter.Fit(TestWings.ToMesh(wing), Hints()).Skeleton);
 
             Assert.That(again, Is.EqualTo(first));
             Assert.That(mesh, Is.EqualTo(first));
@@ -142,6 +142,22 @@ namespace Alate.Tests
             SkeletonFitSettings hints = SkeletonFitSettings.Default;
             hints.bodySide = Vector3.left;
             return hints;
+        }
+
+        private static string Text(WingSkeleton skeleton)
+        {
+            var text = new StringBuilder();
+            void Add(Vector3 v) => text.Append(FormattableString.Invariant($"{v.x:R} {v.y:R} {v.z:R}\n"));
+            Add(skeleton.Hinge);
+            Add(skeleton.SpanAxis);
+            Add(skeleton.UpAxis);
+            foreach (JointChain chain in skeleton.Chains)
+            {
+                foreach (Vector3 joint in chain.joints)
+                    Add(joint);
+            }
+
+            return text.ToString();
         }
 
         private static float Angle(Vector3 a, Vector3 b) => Vector3.Angle(a, b);

@@ -2,11 +2,12 @@ using System;
 using System.Globalization;
 using System.Threading;
 using Alate.Authoring;
+using Alate.Tests;
 using NUnit.Framework;
 using UnityEngine;
 using Random = System.Random;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     public sealed class SkeletonJsonTests
     {

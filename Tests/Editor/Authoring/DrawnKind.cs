@@ -2,7 +2,7 @@ using System;
 using Alate.Catalogue;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>Ways in which tests draw a wing.</summary>
     public enum DrawnKind

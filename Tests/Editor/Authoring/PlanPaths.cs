@@ -4,7 +4,7 @@ using Alate.Authoring;
 using Alate.Geometry;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>Distances between lines in a picture.</summary>
     internal static class PlanPaths

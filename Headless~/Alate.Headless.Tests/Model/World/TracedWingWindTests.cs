@@ -4,6 +4,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Alate.Authoring;
 using Alate.Catalogue;
+using Alate.Editor.Tests;
 using NUnit.Framework;
 using UnityEngine;
 

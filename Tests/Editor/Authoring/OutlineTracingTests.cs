@@ -5,7 +5,7 @@ using Alate.Catalogue;
 using Alate.Geometry;
 using NUnit.Framework;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>The outline found in a picture against the one that was drawn.</summary>
     public sealed class OutlineTracingTests

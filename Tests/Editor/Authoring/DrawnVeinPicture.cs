@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Alate.Catalogue;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>A wing with veins, as a photo or a drawing.</summary>
     internal sealed class DrawnVeinPicture

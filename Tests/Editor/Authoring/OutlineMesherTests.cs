@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Alate.Geometry;
 using NUnit.Framework;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     public sealed class OutlineMesherTests
     {

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Alate.Catalogue;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>Wings that tests draw: x from the hinge towards the tip, y towards the leading edge, wing lengths.</summary>
     internal sealed class DrawnWing

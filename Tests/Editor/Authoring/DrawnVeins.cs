@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEngine;
 
-namespace Alate.Tests
+namespace Alate.Editor.Tests
 {
     /// <summary>Veins that tests draw into a <see cref="DrawnWing"/>: gently bent lines from near the hinge to the margin.</summary>
     internal sealed class DrawnVeins
