@@ -38,7 +38,7 @@ namespace Alate.Editor
         {
             WingPreset own = insect.Wings[wing].Preset;
             WingPreset preset = own == null ? insect.Preset : own;
-            PresetWave wave = species == null ? PresetWave.Default : species.Wave;
+            PresetWave wave = preset == null ? PresetWave.Default : preset.Wave;
             return insect.Live == null ? AtRest(insect.Wings[wing], wave) : Living(insect, wing, wave);
         }
 

@@ -25,8 +25,8 @@ namespace Alate.Editor
             float speed = k_CruiseShare * preset.parameters.maxSpeed;
             return new PreviewFlight(preset.parameters, new WingSurroundings
             {
-                wind = new float3(0f, 0f, -speed / species.size.wingLength),
-                gravity = new float3(0f, -k_Gravity * species.size.gravityShare / species.size.wingLength, 0f),
+                wind = new float3(0f, 0f, -speed / preset.size.wingLength),
+                gravity = new float3(0f, -k_Gravity * preset.size.gravityShare / preset.size.wingLength, 0f),
                 speed = speed,
             });
         }

@@ -23,8 +23,8 @@ namespace Alate.Catalogue
         /// <exception cref="ArgumentException">There is no such species or variant; the message lists those there are.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
         public static InsectWings Create(
-            string species, InsectVariant variant = InsectVariant.Standard, ModelReading preset = ModelReading.Physical) =>
-            Create(InsectCatalogue.Find(species), variant, preset);
+            string species, InsectVariant variant = InsectVariant.Standard, ModelReading reading = ModelReading.Physical) =>
+            Create(InsectCatalogue.Find(species), variant, reading);
 
         /// <inheritdoc cref="Create(string, InsectVariant, ModelReading)"/>
         /// <exception cref="ArgumentNullException">The species is null.</exception>

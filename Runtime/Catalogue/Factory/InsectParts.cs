@@ -82,7 +82,7 @@ namespace Alate.Catalogue
             var made = new WingPreset[Wings.Count];
             for (int k = 0; k < made.Length; k++)
             {
-                made[k] = Wings[k].kind.CreatePreset(preset, variant);
+                made[k] = Wings[k].kind.CreatePreset(reading, variant);
                 made[k].name = $"{NameOf(Wings[k])} Preset{(variant == InsectVariant.Standard ? "" : " " + variant)}";
             }
 

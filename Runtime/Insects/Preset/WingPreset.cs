@@ -91,11 +91,11 @@ namespace Alate
         /// </summary>
         /// <param name="reading">The reading to follow.</param>
         /// <param name="chordDelay">λ for <see cref="ModelReading.Physical"/>; the printed reading has 1.</param>
-        public void ApplyReading(ModelReading preset, float chordDelay = WingBounds.ChordDelay.Default)
+        public void ApplyReading(ModelReading reading, float chordDelay = WingBounds.ChordDelay.Default)
         {
-            m_Beat.Apply(preset);
-            m_Wave.Apply(preset, chordDelay);
-            m_Options = preset == ModelReading.Paper ? ModelOptions.Paper : ModelOptions.Physical;
+            m_Beat.Apply(reading);
+            m_Wave.Apply(reading, chordDelay);
+            m_Options = reading == ModelReading.Paper ? ModelOptions.Paper : ModelOptions.Physical;
         }
 
         private void OnValidate()

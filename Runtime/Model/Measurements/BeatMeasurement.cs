@@ -5,12 +5,16 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>Measures how a wing deforms over a beat: twist, camber, bend, lag and stretch of its mesh. Bakes the cuts once for a mesh.</summary>
-    /// <remarks>Nothing here depends on how the wing was moved: any mesh that deforms over a cycle can be measured, also a filmed one.</remarks>
+    /// <summary>Measures how a wing deforms over a beat: twist, camber, bend, lag and stretch of its mesh. Bakes the cuts once for a
+    /// mesh.</summary>
+    /// <remarks>Nothing here depends on how the wing was moved: any mesh that deforms over a cycle can be measured, also a filmed
+    /// one.</remarks>
     [MovedFrom(true, null, "Alate")]
     public sealed class BeatMeasurement
     {
-        /// <summary>Span of the inner section of the twist, wing lengths. A mesh that begins farther out is cut a little past its beginning instead.</summary>
+        /// <summary>
+        /// Span of the inner section of the twist, wing lengths. A mesh that begins farther out is cut a little past its beginning.
+        /// </summary>
         public const float k_InnerSpan = 0.1f;
 
         /// <summary>Span of the section of camber and lag, wing lengths.</summary>
@@ -22,7 +26,9 @@ namespace Alate
         /// <summary>The percentile of the stretch that is reported beside the largest.</summary>
         private const float k_StretchShare = 0.99f;
 
-        /// <summary>How far past its beginning such a mesh is cut, wing lengths: a base may be pointed, and has no chord there.</summary>
+        /// <summary>
+        /// Distance past the beginning of such a mesh at which it is cut, wing lengths: a base may be pointed, and has no chord there.
+        /// </summary>
         private const float k_BaseMargin = 0.02f;
 
         private static readonly float2 s_Nothing = new float2(float.PositiveInfinity, float.NegativeInfinity);
@@ -60,7 +66,8 @@ namespace Alate
         public float Bend(in BeatFrame frame) => TipBend.Angle(frame.AtRoot(frame.Positions[m_Tip])) - TipBend.Angle(m_Rest[m_Tip]);
 
         /// <summary>Measures one beat.</summary>
-        /// <param name="beat">One whole beat in order, three frames or more; the last lies before the first one's phase comes again.</param>
+        /// <param name="beat">One whole beat in order, three frames or more; the last lies before the first one's phase comes
+        /// again.</param>
         /// <exception cref="ArgumentException">There are fewer than three frames.</exception>
         public WingDeformation Measure(IReadOnlyList<BeatFrame> beat)
         {

@@ -2,9 +2,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Camber of a section: the largest distance of its places from its chord line, over the chord, positive on the dorsal side.</summary>
-    [MovedFrom(true, null, "Alate")]
-    public static class SectionCamber
+    /// <summary>Camber of a section: the largest distance of its places from its chord line, over the chord, positive on the dorsal
+    /// side.</summary>
+    internal static class SectionCamber
     {
         /// <summary>The camber in the given shape, share of the chord.</summary>
         /// <param name="section">The section.</param>

@@ -2,7 +2,8 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Bend of a wing: how far its tip stands out of the wing's plane, as an angle at the hinge, where the plane turns with the root.</summary>
+    /// <summary>
+    /// Bend of a wing: the height of its tip over the wing's plane, as an angle at the hinge; the plane turns with the root.
     /// </summary>
     internal static class TipBend
     {
