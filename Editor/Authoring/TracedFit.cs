@@ -39,7 +39,7 @@ namespace Alate.Authoring
             {
                 name = "the traced wing",
                 positions = Array.ConvertAll(mesh.points, Shifted),
-                triangles = TracedSurface.FacingUp(mesh),
+                triangles = mesh.Clockwise(),
             };
         }
 

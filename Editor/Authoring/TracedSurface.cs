@@ -17,17 +17,8 @@ namespace Alate.Authoring
                 positions = Array.ConvertAll(mesh.points, placement.ToMesh),
                 normals = normals,
                 uvs = Array.ConvertAll(mesh.points, placement.ToTexture),
-                triangles = FacingUp(mesh),
+                triangles = mesh.Clockwise(),
             };
-        }
-
-        /// <summary>Vertex indices, three a triangle; counterclockwise seen from above faces down where Z points up in the plan.</summary>
-        public static int[] FacingUp(TriangleLinks mesh)
-        {
-            int[] triangles = mesh.corners.ToArray();
-            for (int k = 0; k < triangles.Length; k += 3)
-                (triangles[k + 1], triangles[k + 2]) = (triangles[k + 2], triangles[k + 1]);
-            return triangles;
         }
     }
 }

@@ -11,6 +11,8 @@ namespace Alate.Geometry
 
         public double Length => m_Distances.Count == 0 ? 0 : m_Distances[m_Distances.Count - 1];
 
+        public List<PlanPoint> Points => m_Points.ConvertAll(p => new PlanPoint(p.X, p.Z));
+
         /// <summary>The straight path between two points.</summary>
         public static PlanarPath Line((double X, double Z) from, (double X, double Z) to)
         {

@@ -68,6 +68,14 @@ namespace Alate.Geometry
             return Math.Sqrt(least);
         }
 
+        /// <summary>Cosine of the angle by which it turns at a corner: 1 where it goes straight on.</summary>
+        public static double TurnCosine(IReadOnlyList<PlanPoint> corners, int corner)
+        {
+            PlanPoint before = corners[corner] - corners[(corner + corners.Count - 1) % corners.Count];
+            PlanPoint after = corners[(corner + 1) % corners.Count] - corners[corner];
+            return PlanPoint.Dot(before, after) / Math.Sqrt(before.LengthSquared * after.LengthSquared);
+        }
+
         /// <summary>The longer side of its bounds.</summary>
         public static double Extent(IReadOnlyList<PlanPoint> corners)
         {

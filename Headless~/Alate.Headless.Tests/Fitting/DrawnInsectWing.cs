@@ -48,7 +48,7 @@ namespace Alate.Tests
                 {
                     name = "drawn wing",
                     positions = Array.ConvertAll(mesh.points, p => new Vector3((float)p.x, 0f, (float)p.z)),
-                    triangles = TracedSurface.FacingUp(mesh),
+                    triangles = mesh.Clockwise(),
                 };
             }
         }

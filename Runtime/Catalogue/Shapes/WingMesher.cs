@@ -1,5 +1,5 @@
 using System;
-using System.Linq;
+using Alate.Geometry;
 using UnityEngine;
 using UnityEngine.Scripting.APIUpdating;
 
@@ -73,15 +73,10 @@ namespace Alate.Catalogue
         internal static SurfaceMesh Fill(WingOutline outline, RimScallops scallops, int triangleCount, float scale)
         {
             Check(outline, triangleCount);
-            var triangulation = RimFill.Triangulate(WingRim.Of(outline, scallops), triangleCount);
-            var positions = new Vector3[triangulation.Points.Count];
-            for (var vertex = 0; vertex < positions.Length; vertex++)
-            {
-                var point = triangulation.Points[vertex];
-                positions[vertex] = new Vector3((float)(point.x * scale), 0f, (float)(point.z * scale));
-            }
-
-            return Surface(outline, positions, triangulation.Corners.ToArray(), scale);
+            var rim = WingRim.Of(outline, scallops, out var corners);
+            var mesh = OutlineMesher.Mesh(rim, triangleCount, out _, corners);
+            var positions = Array.ConvertAll(mesh.points, point => new Vector3((float)(point.x * scale), 0f, (float)(point.z * scale)));
+            return Surface(outline, positions, mesh.Clockwise(), scale);
         }
 
         private static SurfaceMesh Mesh(WingOutline outline, double[] spans, int[] segments, float scale)

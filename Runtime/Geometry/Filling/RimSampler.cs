@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Alate.Geometry
 {
@@ -13,28 +14,29 @@ namespace Alate.Geometry
         /// <param name="outline">Counterclockwise.</param>
         /// <param name="even">Spacing where the wing is wide.</param>
         /// <param name="isOdd">Whether their number shall be odd.</param>
-        public static List<PlanPoint> Sample(PlanPoint[] outline, double even, bool isOdd)
+        /// <param name="corners">Indices of the outline's corners, rising; null to find those at which it bends.</param>
+        public static List<PlanPoint> Sample(PlanPoint[] outline, double even, bool isOdd, IReadOnlyList<int> corners)
         {
             var line = new RimLine(outline);
             var spacing = new RimSpacing(line, even);
-            List<double> corners = Corners(outline, line, even);
-            var pieces = new int[corners.Count];
-            var wanted = new double[corners.Count];
+            List<double> starts = (corners ?? Corners(outline, even)).Select(line.DistanceTo).ToList();
+            var pieces = new int[starts.Count];
+            var wanted = new double[starts.Count];
             int total = 0;
-            for (int k = 0; k < corners.Count; k++)
+            for (int k = 0; k < starts.Count; k++)
             {
-                wanted[k] = spacing.Count(corners[k], EndOf(corners, k, line.Length));
+                wanted[k] = spacing.Count(starts[k], EndOf(starts, k, line.Length));
                 pieces[k] = Math.Max(1, (int)Math.Round(wanted[k]));
                 total += pieces[k];
             }
 
             if (total < 3 || total % 2 != (isOdd ? 1 : 0))
-                pieces[Fullest(wanted, pieces)] += total < 3 && total % 2 == (isOdd ? 1 : 0) ? 2 : 1;
+                pieces[Longest(wanted, pieces, corners == null ? 1 : 0)] += total < 3 && total % 2 == (isOdd ? 1 : 0) ? 2 : 1;
             var rim = new List<PlanPoint>();
-            for (int k = 0; k < corners.Count; k++)
+            for (int k = 0; k < starts.Count; k++)
             {
                 for (int piece = 0; piece < pieces[k]; piece++)
-                    rim.Add(line.At(spacing.Advance(corners[k], wanted[k] * piece / pieces[k]) % line.Length));
+                    rim.Add(line.At(spacing.Advance(starts[k], wanted[k] * piece / pieces[k]) % line.Length));
             }
 
             return rim;
@@ -43,36 +45,35 @@ namespace Alate.Geometry
         private static double EndOf(List<double> corners, int corner, double length) =>
             corner + 1 < corners.Count ? corners[corner + 1] : corners[0] + length;
 
-        private static int Fullest(double[] wanted, int[] pieces)
+        // The stretch whose pieces are longest, with some more of them: between corners that were found, a short stretch stays whole.
+        private static int Longest(double[] wanted, int[] pieces, int more)
         {
-            int fullest = 0;
+            int longest = 0;
             for (int k = 1; k < pieces.Length; k++)
             {
-                if (wanted[k] / (pieces[k] + 1) > wanted[fullest] / (pieces[fullest] + 1))
-                    fullest = k;
+                if (wanted[k] / (pieces[k] + more) > wanted[longest] / (pieces[longest] + more))
+                    longest = k;
             }
 
-            return fullest;
+            return longest;
         }
 
-        // Distances along the outline at which it bends for good; its first point stands in where there is none.
-        private static List<double> Corners(PlanPoint[] outline, RimLine line, double even)
+        // Points at which the outline bends for good; its first one stands in where there is none.
+        private static List<int> Corners(PlanPoint[] outline, double even)
         {
             PlanPoint[] coarse = Polygon.Simplified(outline, k_CornerDeviation * even);
-            var corners = new List<double>();
+            var corners = new List<int>();
             int at = 0;
             for (int k = 0; k < coarse.Length; k++)
             {
                 while (outline[at].x != coarse[k].x || outline[at].z != coarse[k].z)
                     at++;
-                PlanPoint before = coarse[k] - coarse[(k + coarse.Length - 1) % coarse.Length], after = coarse[(k + 1) % coarse.Length] - coarse[k];
-                double cosine = PlanPoint.Dot(before, after) / Math.Sqrt(before.LengthSquared * after.LengthSquared);
-                if (cosine < k_CornerCosine)
-                    corners.Add(line.DistanceTo(at));
+                if (Polygon.TurnCosine(coarse, k) < k_CornerCosine)
+                    corners.Add(at);
             }
 
             if (corners.Count == 0)
-                corners.Add(0.0);
+                corners.Add(0);
             return corners;
         }
     }

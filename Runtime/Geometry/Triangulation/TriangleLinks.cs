@@ -135,6 +135,15 @@ namespace Alate.Geometry
             return -1;
         }
 
+        /// <summary>Point indices, three a triangle, clockwise: facing up where z points up in the plan.</summary>
+        public int[] Clockwise()
+        {
+            int[] triangles = corners.ToArray();
+            for (int k = 0; k < triangles.Length; k += 3)
+                (triangles[k + 1], triangles[k + 2]) = (triangles[k + 2], triangles[k + 1]);
+            return triangles;
+        }
+
         private void Join(int side, int twin)
         {
             twins[side] = twin;

@@ -59,6 +59,27 @@ namespace Alate.Tests
             Assert.That(angles[angles.Count / 2], Is.GreaterThan(44), "the median");
         }
 
+        [TestCase(600)]
+        [TestCase(2001)]
+        public void AFilledWing_HasTheExactCountOfGoodTriangles_AndTheCornersOfItsBase(int count)
+        {
+            foreach (var species in InsectCatalogue.All)
+            {
+                foreach (var wing in species.Wings)
+                {
+                    var surface = WingMesher.Fill(wing.Contour, wing.Scallops, count, 1f);
+
+                    Assert.That(surface.TriangleCount, Is.EqualTo(count), wing.Name);
+                    Assert.That(SmallestTriangle(surface), Is.GreaterThan(0), wing.Name);
+                    Assert.That(SmallestAngles(surface)[0], Is.GreaterThan(20), wing.Name);
+                    foreach (var edge in new[] { wing.Contour.LeadingAt(0), wing.Contour.TrailingAt(0) })
+                        Assert.That(Array.Exists(surface.positions, p => (p - new Vector3(0f, 0f, (float)edge)).magnitude < 1e-5f), wing.Name);
+                    if (wing.Scallops == null)
+                        Assert.That(Area(surface), Is.EqualTo(wing.Contour.Area).Within(2).Percent, wing.Name);
+                }
+            }
+        }
+
         [TestCase(64)]
         [TestCase(2096)]
         public void Strips_AreOneSheet_WithoutSeamsOrHoles(int count)
