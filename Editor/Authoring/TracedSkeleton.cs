@@ -46,7 +46,7 @@ namespace Alate.Authoring
         /// <summary>Lays chains along veins, as many as the skeleton stays valid with.</summary>
         public void Follow(List<RadialVein> veins)
         {
-            var rim = new RimLine(m_Outline);
+            var rim = new Polyline(m_Outline, true);
             var order = new RimOrder(rim, m_Fitted);
             var left = new List<RadialVein>(veins);
             while (true)

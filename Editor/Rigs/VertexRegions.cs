@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 
 namespace Alate.Editor
 {
@@ -11,53 +12,32 @@ namespace Alate.Editor
         /// </summary>
         public static List<List<int>> Find(in WingSurface surface, Predicate<int> holds)
         {
-            var parent = new Dictionary<int, int>();
+            var held = new SortedSet<int>(Array.FindAll(surface.triangles, holds));
+            var sets = new DisjointSets(surface.positions.Length);
             int[] indices = surface.triangles;
-            foreach (int vertex in indices)
-            {
-                if (!parent.ContainsKey(vertex) && holds(vertex))
-                    parent.Add(vertex, vertex);
-            }
-
             for (int k = 0; k + 2 < indices.Length; k += 3)
             {
-                Join(parent, indices[k], indices[k + 1]);
-                Join(parent, indices[k + 1], indices[k + 2]);
-                Join(parent, indices[k + 2], indices[k]);
+                Join(indices[k], indices[k + 1]);
+                Join(indices[k + 1], indices[k + 2]);
+                Join(indices[k + 2], indices[k]);
             }
 
             var regions = new SortedDictionary<int, List<int>>();
-            var vertices = new List<int>(parent.Keys);
-            vertices.Sort();
-            foreach (int vertex in vertices)
+            foreach (int vertex in held)
             {
-                int root = Root(parent, vertex);
+                int root = sets.Find(vertex);
                 if (!regions.TryGetValue(root, out List<int> region))
                     regions.Add(root, region = new List<int>());
                 region.Add(vertex);
             }
 
             return new List<List<int>>(regions.Values);
-        }
 
-        private static void Join(Dictionary<int, int> parent, int a, int b)
-        {
-            if (!parent.ContainsKey(a) || !parent.ContainsKey(b))
-                return;
-            int rootA = Root(parent, a), rootB = Root(parent, b);
-            parent[Math.Max(rootA, rootB)] = Math.Min(rootA, rootB);
-        }
-
-        private static int Root(Dictionary<int, int> parent, int vertex)
-        {
-            while (parent[vertex] != vertex)
+            void Join(int a, int b)
             {
-                // Shortens the way for the next time.
-                parent[vertex] = parent[parent[vertex]];
-                vertex = parent[vertex];
+                if (held.Contains(a) && held.Contains(b))
+                    sets.Join(a, b);
             }
-
-            return vertex;
         }
     }
 }

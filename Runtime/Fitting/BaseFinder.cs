@@ -48,8 +48,7 @@ namespace Alate.Fitting
             m_Unit = unit;
             m_Notes = notes;
             m_Centre = Polygon.Centroid(outline.Samples);
-            foreach (PlanPoint p in outline.Samples)
-                m_Extent = Math.Max(m_Extent, 2.0 * Math.Sqrt((p - m_Centre).LengthSquared));
+            m_Extent = 2.0 * Math.Sqrt((outline.Samples[Polygon.Farthest(outline.Samples, m_Centre)] - m_Centre).LengthSquared);
         }
 
         /// <summary>True where a hinge was given and lies at the wing.</summary>

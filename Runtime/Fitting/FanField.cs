@@ -36,19 +36,10 @@ namespace Alate.Fitting
         {
             m_Along = WingView.Unit(axis);
             m_Across = new PlanPoint(-m_Along.z, m_Along.x);
-            double lowX = double.MaxValue, highX = double.MinValue, lowZ = double.MaxValue, highZ = double.MinValue;
-            foreach (PlanPoint p in rim)
-            {
-                double x = PlanPoint.Dot(p, m_Along), z = PlanPoint.Dot(p, m_Across);
-                lowX = Math.Min(lowX, x);
-                highX = Math.Max(highX, x);
-                lowZ = Math.Min(lowZ, z);
-                highZ = Math.Max(highZ, z);
-            }
-
-            m_StepAlong = (highX - lowX) / k_Along;
-            m_StepAcross = (highZ - lowZ) / k_Across;
-            double left = lowX - (k_Rings + 0.5) * m_StepAlong, low = lowZ - (k_Rings + 0.5) * m_StepAcross;
+            var bounds = new PlanBounds(Turned(rim, default));
+            m_StepAlong = (bounds.right - bounds.left) / k_Along;
+            m_StepAcross = (bounds.high - bounds.low) / k_Across;
+            double left = bounds.left - (k_Rings + 0.5) * m_StepAlong, low = bounds.low - (k_Rings + 0.5) * m_StepAcross;
             m_Origin = m_Along * left + m_Across * low;
             Values = new double[Columns * Rows];
             Array.Fill(Values, double.NaN);
@@ -73,14 +64,11 @@ namespace Alate.Fitting
 
         private void FindInside(IReadOnlyList<PlanPoint> rim)
         {
-            var turned = new PlanPoint[rim.Count];
-            for (int k = 0; k < turned.Length; k++)
-                turned[k] = new PlanPoint(PlanPoint.Dot(rim[k] - m_Origin, m_Along), PlanPoint.Dot(rim[k] - m_Origin, m_Across));
-            var rows = new PolygonRows(turned);
+            var grid = new PolygonGrid(Turned(rim, m_Origin));
             var crossings = new List<double>();
             for (int row = 0; row < Rows; row++)
             {
-                rows.FindCrossings(row * m_StepAcross, crossings);
+                grid.FindCrossings(row * m_StepAcross, crossings);
                 for (int k = 0; k + 1 < crossings.Count; k += 2)
                 {
                     int last = Math.Min((int)Math.Floor(crossings[k + 1] / m_StepAlong), Columns - 1);
@@ -88,6 +76,14 @@ namespace Alate.Fitting
                         m_Inside[row * Columns + column] = true;
                 }
             }
+        }
+
+        private PlanPoint[] Turned(IReadOnlyList<PlanPoint> points, PlanPoint origin)
+        {
+            var turned = new PlanPoint[points.Count];
+            for (int k = 0; k < turned.Length; k++)
+                turned[k] = new PlanPoint(PlanPoint.Dot(points[k] - origin, m_Along), PlanPoint.Dot(points[k] - origin, m_Across));
+            return turned;
         }
 
         private void SetRim(RimValues rim)

@@ -24,7 +24,7 @@ namespace Alate.Fitting
         public NarrowEnd(ClosedCurve outline, PlanPoint centre)
         {
             m_Outline = outline;
-            m_Along = Longest(outline, centre);
+            m_Along = Polygon.LongestDirection(outline.Samples, centre);
             int first = 0, last = 0;
             for (int k = 0; k < outline.Samples.Count; k++)
             {
@@ -52,22 +52,6 @@ namespace Alate.Fitting
 
         /// <summary>Confidence that this end is the base, 0 to 1.</summary>
         public double Confidence { get; }
-
-        // From the second moments of the boundary about the centre.
-        private static PlanPoint Longest(ClosedCurve outline, PlanPoint centre)
-        {
-            double xx = 0.0, xz = 0.0, zz = 0.0;
-            foreach (PlanPoint sample in outline.Samples)
-            {
-                PlanPoint p = sample - centre;
-                xx += p.x * p.x;
-                xz += p.x * p.z;
-                zz += p.z * p.z;
-            }
-
-            double angle = 0.5 * Math.Atan2(2.0 * xz, xx - zz);
-            return new PlanPoint(Math.Cos(angle), Math.Sin(angle));
-        }
 
         // Between the outermost crossings of the line at right angles.
         private double Width(double at)

@@ -64,7 +64,7 @@ namespace Alate.Fitting
 
         private WingSheet TryRead(float tolerance, out string problem)
         {
-            List<int3> triangles = Distinct(VertexWelding.Places(m_Surface.points, tolerance));
+            List<int3> triangles = Distinct(VertexWeld.Places(m_Surface.points, tolerance));
             var boundary = new SheetBoundary(m_Surface.points, triangles, 2f * tolerance);
             List<List<int3>> pieces = SheetPieces.Of(m_Surface.points, triangles, boundary.junctions);
             WingSheet sheet = OneLayer(pieces[0], tolerance);

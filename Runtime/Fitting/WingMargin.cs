@@ -23,7 +23,7 @@ namespace Alate.Fitting
             Points = marks.Trimmed.Along(marks.Tip, marks.Last);
             int count = Points.Count;
             var turned = new double[count];
-            double angle = 0.0, length = Polyline.Length(Points), walked = 0.0;
+            double angle = 0.0, length = Polyline.LengthOf(Points), walked = 0.0;
             m_Shares = new double[count];
             for (int k = 1; k < count; k++)
             {

@@ -39,9 +39,7 @@ namespace Alate.Fitting
             ClosedCurve outline, double anchor, in WingPlane plane, Vector3? forward, FitNotes notes, out bool isGuessed)
         {
             PlanPoint from = outline.At(anchor);
-            double reach = 0.0;
-            foreach (PlanPoint p in outline.Samples)
-                reach = Math.Max(reach, Math.Sqrt((p - from).LengthSquared));
+            double reach = Math.Sqrt((outline.Samples[Polygon.Farthest(outline.Samples, from)] - from).LengthSquared);
             PlanPoint centre = WingView.Unit(Polygon.Centroid(outline.Samples) - from);
 
             string why = "nobody said which way is forward";
@@ -78,14 +76,8 @@ namespace Alate.Fitting
         // The wing bulges to the rear of the line from its base to its far end.
         private static PlanPoint GuessForward(ClosedCurve outline, PlanPoint from, PlanPoint centre, out double confidence)
         {
-            int count = outline.Samples.Count, farthest = 0;
-            for (int k = 1; k < count; k++)
-            {
-                if ((outline.Samples[k] - from).LengthSquared > (outline.Samples[farthest] - from).LengthSquared)
-                    farthest = k;
-            }
-
-            PlanPoint line = outline.Samples[farthest] - from;
+            int count = outline.Samples.Count;
+            PlanPoint line = outline.Samples[Polygon.Farthest(outline.Samples, from)] - from;
             double left = 0.0, right = 0.0;
             for (int k = 0; k < count; k++)
             {

@@ -10,18 +10,16 @@ namespace Alate.Geometry
     internal sealed class ClosedCurve
     {
         private readonly PlanPoint[] m_Samples;
-        private readonly PolygonRows m_Rows;
+        private readonly PolygonGrid m_Grid;
 
         /// <param name="corners">At least three.</param>
         /// <param name="samples">How many.</param>
         public ClosedCurve(IReadOnlyList<PlanPoint> corners, int samples)
         {
-            Length = 0.0;
-            for (int k = 0; k < corners.Count; k++)
-                Length += Math.Sqrt((corners[(k + 1) % corners.Count] - corners[k]).LengthSquared);
+            Length = Polygon.Length(corners);
             Step = Length / samples;
-            m_Samples = Resample(corners, samples);
-            m_Rows = new PolygonRows(m_Samples);
+            m_Samples = Polyline.Even(corners, samples, true);
+            m_Grid = new PolygonGrid(m_Samples);
         }
 
         /// <summary>Points evenly round the curve; the first lies at 0.</summary>
@@ -53,7 +51,7 @@ namespace Alate.Geometry
         public double Distance(double from, double to) => Wrap(to - from);
 
         /// <summary>Whether p lies inside.</summary>
-        public bool Contains(PlanPoint p) => m_Rows.Contains(p);
+        public bool Contains(PlanPoint p) => m_Grid.Contains(p);
 
         /// <summary>The arc length closest to p.</summary>
         public double Nearest(PlanPoint p)
@@ -74,30 +72,6 @@ namespace Alate.Geometry
             }
 
             return found;
-        }
-
-        private PlanPoint[] Resample(IReadOnlyList<PlanPoint> corners, int samples)
-        {
-            var points = new PlanPoint[samples];
-            int corner = 0;
-            double start = 0.0;
-            double stretch = Math.Sqrt((corners[1 % corners.Count] - corners[0]).LengthSquared);
-            for (int k = 0; k < samples; k++)
-            {
-                double at = k * Step;
-                while (start + stretch < at && corner + 1 < corners.Count)
-                {
-                    start += stretch;
-                    corner++;
-                    stretch = Math.Sqrt((corners[(corner + 1) % corners.Count] - corners[corner]).LengthSquared);
-                }
-
-                PlanPoint from = corners[corner], to = corners[(corner + 1) % corners.Count];
-                double share = stretch > 0.0 ? Math.Min((at - start) / stretch, 1.0) : 0.0;
-                points[k] = from + (to - from) * share;
-            }
-
-            return points;
         }
     }
 }

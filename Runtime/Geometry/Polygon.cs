@@ -68,6 +68,22 @@ namespace Alate.Geometry
             return Math.Sqrt(least);
         }
 
+        /// <summary>Unit vector along which points spread most about a centre, from their second moments.</summary>
+        public static PlanPoint LongestDirection(IEnumerable<PlanPoint> points, PlanPoint centre)
+        {
+            double xx = 0.0, xz = 0.0, zz = 0.0;
+            foreach (PlanPoint point in points)
+            {
+                PlanPoint p = point - centre;
+                xx += p.x * p.x;
+                xz += p.x * p.z;
+                zz += p.z * p.z;
+            }
+
+            double angle = 0.5 * Math.Atan2(2.0 * xz, xx - zz);
+            return new PlanPoint(Math.Cos(angle), Math.Sin(angle));
+        }
+
         /// <summary>Cosine of the angle by which it turns at a corner: 1 where it goes straight on.</summary>
         public static double TurnCosine(IReadOnlyList<PlanPoint> corners, int corner)
         {
@@ -77,19 +93,7 @@ namespace Alate.Geometry
         }
 
         /// <summary>The longer side of its bounds.</summary>
-        public static double Extent(IReadOnlyList<PlanPoint> corners)
-        {
-            double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
-            foreach (PlanPoint point in corners)
-            {
-                left = Math.Min(left, point.x);
-                right = Math.Max(right, point.x);
-                low = Math.Min(low, point.z);
-                high = Math.Max(high, point.z);
-            }
-
-            return Math.Max(right - left, high - low);
-        }
+        public static double Extent(IReadOnlyList<PlanPoint> corners) => new PlanBounds(corners).Extent;
 
         /// <summary>Moves every corner towards the middle of its neighbours, a number of times (weights ¼, ½, ¼).</summary>
         public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> corners, int rounds)
@@ -143,10 +147,11 @@ namespace Alate.Geometry
             return simplified.ToArray();
         }
 
-        private static int Farthest(PlanPoint[] corners, PlanPoint from)
+        /// <summary>Index of the corner farthest from a point.</summary>
+        public static int Farthest(IReadOnlyList<PlanPoint> corners, PlanPoint from)
         {
             int farthest = 0;
-            for (int k = 1; k < corners.Length; k++)
+            for (int k = 1; k < corners.Count; k++)
             {
                 if ((corners[k] - from).LengthSquared > (corners[farthest] - from).LengthSquared)
                     farthest = k;

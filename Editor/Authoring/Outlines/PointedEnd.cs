@@ -58,7 +58,7 @@ namespace Alate.Authoring
                 last = PlanPoint.Dot(point, along) > PlanPoint.Dot(last, along) ? point : last;
             }
 
-            var rim = new RimLine(outline);
+            var rim = new Polyline(outline, true);
             double room = Room(rim, first, along), other = Room(rim, last, along * -1.0);
             double difference = Math.Abs(room - other) / Math.Max(room, other);
             if (difference < k_ClearDifference && OppositeShortest(outline, first, last) is PlanPoint hinge)
@@ -88,7 +88,7 @@ namespace Alate.Authoring
         }
 
         // The area within a circle about an end, the larger the less of the whole wing is seen.
-        private static double Room(RimLine rim, PlanPoint end, PlanPoint inward)
+        private static double Room(Polyline rim, PlanPoint end, PlanPoint inward)
         {
             double reach = k_Reach * Polygon.Extent(rim.Points), near = 0.0, all = 0.0;
             PlanPoint from = end + inward * (1e-3 * reach);
@@ -109,7 +109,7 @@ namespace Alate.Authoring
         private static PlanPoint Longest(PlanPoint[] outline)
         {
             const int places = 400;
-            var rim = new RimLine(outline);
+            var rim = new Polyline(outline, true);
             var even = new List<PlanPoint>();
             PlanPoint centre = default;
             for (int k = 0; k < places; k++)
@@ -118,17 +118,7 @@ namespace Alate.Authoring
                 centre += even[k] * (1.0 / places);
             }
 
-            double xx = 0.0, xz = 0.0, zz = 0.0;
-            foreach (PlanPoint place in even)
-            {
-                PlanPoint p = place - centre;
-                xx += p.x * p.x;
-                xz += p.x * p.z;
-                zz += p.z * p.z;
-            }
-
-            double angle = 0.5 * Math.Atan2(2.0 * xz, xx - zz);
-            return new PlanPoint(Math.Cos(angle), Math.Sin(angle));
+            return Polygon.LongestDirection(even, centre);
         }
     }
 }

@@ -35,11 +35,11 @@ namespace Alate.Authoring
 
         private readonly VeinGraph m_Graph;
         private readonly VeinTree m_Tree;
-        private readonly RimLine m_Rim;
+        private readonly Polyline m_Rim;
         private readonly PlanPoint m_Hinge;
         private readonly double m_Length;
 
-        private RadialVeins(VeinGraph graph, RimLine rim, PlanPoint hinge, double length)
+        private RadialVeins(VeinGraph graph, Polyline rim, PlanPoint hinge, double length)
         {
             m_Graph = graph;
             m_Tree = new VeinTree(graph, hinge);
@@ -49,7 +49,7 @@ namespace Alate.Authoring
         }
 
         /// <summary>Finds the veins, the best covered first. All places and lengths are in the pixels of the graph, z up.</summary>
-        public static List<RadialVein> Find(VeinGraph graph, RimLine rim, PlanPoint hinge, double length)
+        public static List<RadialVein> Find(VeinGraph graph, Polyline rim, PlanPoint hinge, double length)
         {
             var search = new RadialVeins(graph, rim, hinge, length);
             var found = new List<(RadialVein Vein, List<int> Way)>();
@@ -90,7 +90,7 @@ namespace Alate.Authoring
                 rest = m_Rim.Meet(end, direction, -1, out met);
             }
 
-            double whole = Math.Sqrt((m_Graph[way[0]] - m_Hinge).LengthSquared) + PathLength(way) + rest;
+            double whole = Math.Sqrt((m_Graph[way[0]] - m_Hinge).LengthSquared) + Polyline.LengthOf(way.ConvertAll(pixel => m_Graph[pixel])) + rest;
             if (met < 0 || covered < k_LeastCoverage * whole)
                 return false;
             var path = new List<PlanPoint> { m_Hinge };
@@ -131,14 +131,6 @@ namespace Alate.Authoring
             while (from > 0 && (end - m_Graph[way[from]]).LengthSquared < k_EndLength * k_EndLength * m_Length * m_Length)
                 from--;
             return Unit(end - m_Graph[way[from]]);
-        }
-
-        private double PathLength(List<int> way)
-        {
-            double length = 0.0;
-            for (int k = 0; k + 1 < way.Count; k++)
-                length += Math.Sqrt((m_Graph[way[k + 1]] - m_Graph[way[k]]).LengthSquared);
-            return length;
         }
 
         private static PlanPoint Unit(PlanPoint vector) => vector * (1.0 / Math.Max(1e-12, Math.Sqrt(vector.LengthSquared)));

@@ -9,14 +9,14 @@ namespace Alate.Authoring
     /// </summary>
     internal sealed class RimOrder
     {
-        private readonly RimLine m_Rim;
+        private readonly Polyline m_Rim;
         private readonly double m_Start;
         private readonly double m_Base;
         private readonly double m_Sign = 1.0;
 
         /// <param name="rim">The outline.</param>
         /// <param name="chains">From leading to trailing edge, each from root to tip.</param>
-        public RimOrder(RimLine rim, IReadOnlyList<PlanPoint[]> chains)
+        public RimOrder(Polyline rim, IReadOnlyList<PlanPoint[]> chains)
         {
             m_Rim = rim;
             PlanPoint[] first = chains[0], last = chains[chains.Count - 1];

@@ -33,12 +33,12 @@ namespace Alate.Authoring
 
         private readonly IReadOnlyList<PlanPoint[]> m_Fitted;
         private readonly RadialVein[] m_Followed;
-        private readonly RimLine m_Rim;
+        private readonly Polyline m_Rim;
         private readonly double m_Length;
         private readonly double m_Apart;
         private readonly bool m_OwnRoots;
 
-        private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length, bool ownRoots)
+        private VeinChains(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, Polyline rim, double length, bool ownRoots)
         {
             m_OwnRoots = ownRoots;
             m_Fitted = fitted;
@@ -63,7 +63,7 @@ namespace Alate.Authoring
         /// <param name="rim">The outline.</param>
         /// <param name="length">Of the wing.</param>
         /// <param name="ownRoots">Whether chains begin where their veins do, not at the fitted roots.</param>
-        public static VeinChains Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, RimLine rim, double length, bool ownRoots)
+        public static VeinChains Lay(IReadOnlyList<PlanPoint[]> fitted, RadialVein[] followed, Polyline rim, double length, bool ownRoots)
         {
             var chains = new VeinChains(fitted, followed, rim, length, ownRoots);
             for (int i = 0; i < fitted.Count; i++)
@@ -93,7 +93,7 @@ namespace Alate.Authoring
                 path.Add(vein[k]);
             PlanPoint last = path[path.Count - 1] - path[path.Count - 2];
             path[path.Count - 1] = path[path.Count - 1] - last * Math.Min(0.9, k_Inside * m_Length / Math.Sqrt(last.LengthSquared));
-            Shares[chain] = 1.0 - Math.Sqrt((path[1] - path[0]).LengthSquared) / Polyline.Length(path);
+            Shares[chain] = 1.0 - Math.Sqrt((path[1] - path[0]).LengthSquared) / Polyline.LengthOf(path);
             return Polyline.Even(path, m_Fitted[chain].Length);
         }
 

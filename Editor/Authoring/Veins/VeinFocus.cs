@@ -30,7 +30,7 @@ namespace Alate.Authoring
         private const double k_Far = 0.3;
 
         /// <summary>Finds the hinge, in the graph's pixels; null when the lines do not tell.</summary>
-        public static PlanPoint? Find(VeinGraph graph, RimLine rim, double extent)
+        public static PlanPoint? Find(VeinGraph graph, Polyline rim, double extent)
         {
             if (graph.Count < k_LeastLength * extent)
                 return null;

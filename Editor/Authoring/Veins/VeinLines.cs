@@ -8,7 +8,7 @@ namespace Alate.Authoring
     internal sealed class VeinLines
     {
         private readonly VeinGraph m_Graph;
-        private readonly RimLine m_Rim;
+        private readonly Polyline m_Rim;
         private readonly double m_Factor;
         private readonly double m_Extent;
 
@@ -18,7 +18,7 @@ namespace Alate.Authoring
         public VeinLines(WorkingPicture picture, PixelMask wing, PlanPoint[] outline)
         {
             m_Factor = picture.Factor;
-            m_Rim = new RimLine(Array.ConvertAll(outline, point => point * (1.0 / m_Factor)));
+            m_Rim = new Polyline(Array.ConvertAll(outline, point => point * (1.0 / m_Factor)), true);
             m_Extent = Polygon.Extent(outline) / m_Factor;
             PixelMask lines = VeinMask.Of(RidgeField.Of(picture, wing, m_Extent), wing, m_Extent);
             m_Graph = new VeinGraph(Thinning.Run(lines), m_Extent);

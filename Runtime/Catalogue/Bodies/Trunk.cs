@@ -58,12 +58,12 @@ namespace Alate.Catalogue
             return Array.ConvertAll(places, place => place / places[places.Length - 1]);
         }
 
-        private static EdgeCurve Curve(double[] places, IReadOnlyList<CrossSection> keys, Func<CrossSection, double> value)
+        private static MonotoneCurve Curve(double[] places, IReadOnlyList<CrossSection> keys, Func<CrossSection, double> value)
         {
             var values = new double[keys.Count];
             for (var k = 0; k < values.Length; k++)
                 values[k] = value(keys[k]);
-            return EdgeCurve.Straight(places, values).Smoothed();
+            return MonotoneCurve.Straight(places, values).Smoothed();
         }
     }
 }

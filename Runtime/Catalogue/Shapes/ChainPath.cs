@@ -9,7 +9,7 @@ namespace Alate.Catalogue
     {
         /// <param name="tip">The tip on the margin: share of its length from the leading corner of the base, 0 to 1.</param>
         /// <param name="via">A place on the way, wing lengths; null for a straight chain.</param>
-        public ChainPath(double tip, (double X, double Z)? via = null)
+        public ChainPath(double tip, PlanPoint? via = null)
         {
             Tip = tip;
             Via = via;
@@ -17,17 +17,13 @@ namespace Alate.Catalogue
 
         public double Tip { get; }
 
-        public (double X, double Z)? Via { get; }
+        public PlanPoint? Via { get; }
 
         /// <summary>Straight chains to the given tips.</summary>
         public static ChainPath[] Straight(params double[] tips) => System.Array.ConvertAll(tips, tip => new ChainPath(tip));
 
         /// <summary>The way from a root.</summary>
-        public PlanarPath From((double X, double Z) root, (double X, double Z) tip)
-        {
-            return Via == null
-                ? PlanarPath.Line(root, tip)
-                : PlanarPath.Join(PlanarPath.Line(root, Via.Value), PlanarPath.Line(Via.Value, tip));
-        }
+        public Polyline From(PlanPoint root, PlanPoint tip) =>
+            new Polyline(Via is PlanPoint via ? new[] { root, via, tip } : new[] { root, tip });
     }
 }

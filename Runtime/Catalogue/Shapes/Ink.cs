@@ -64,9 +64,9 @@ namespace Alate.Catalogue
             var points = new List<double>();
             for (var i = 0; i <= k_EdgeSamples; i++)
             {
-                var (x, z) = margin.At(margin.Length * (from + (to - from) * i / k_EdgeSamples));
-                points.Add(x);
-                points.Add(z);
+                var place = margin.At(margin.Length * (from + (to - from) * i / k_EdgeSamples));
+                points.Add(place.x);
+                points.Add(place.z);
             }
 
             return points;

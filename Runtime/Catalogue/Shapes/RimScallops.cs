@@ -27,9 +27,9 @@ namespace Alate.Catalogue
         }
 
         /// <summary>The margin with its hollows, parted at the points between them.</summary>
-        public List<PlanarPath> Cut(PlanarPath margin)
+        public List<Polyline> Cut(Polyline margin)
         {
-            var stretches = new List<PlanarPath>();
+            var stretches = new List<Polyline>();
             Append(stretches, margin, 0, m_From, 0);
             for (var hollow = 0; hollow < m_Depths.Length; hollow++)
             {
@@ -41,34 +41,23 @@ namespace Alate.Catalogue
             return stretches;
         }
 
-        private static void Append(List<PlanarPath> stretches, PlanarPath margin, double from, double to, double depth)
+        private static void Append(List<Polyline> stretches, Polyline margin, double from, double to, double depth)
         {
             if (to <= from)
-            {
                 return;
-            }
 
-            var stretch = new PlanarPath();
             var steps = depth > 0 ? k_StepsPerHollow : Math.Max(2, (int)Math.Ceiling((to - from) * 1000));
-            for (var step = 0; step <= steps; step++)
+            stretches.Add(Polyline.Trace(steps, share =>
             {
-                var share = (double)step / steps;
                 var distance = (from + share * (to - from)) * margin.Length;
-                var (x, z) = margin.At(distance);
-                var (inwardX, inwardZ) = Inward(margin, distance, 0.5 * (to - from) * margin.Length);
-                var hollow = depth * Math.Sin(Math.PI * share);
-                stretch.Add(x + hollow * inwardX, z + hollow * inwardZ);
-            }
-
-            stretches.Add(stretch);
+                return margin.At(distance) + Inward(margin, distance, 0.5 * (to - from) * margin.Length) * (depth * Math.Sin(Math.PI * share));
+            }));
         }
 
-        private static (double X, double Z) Inward(PlanarPath margin, double distance, double reach)
+        private static PlanPoint Inward(Polyline margin, double distance, double reach)
         {
-            var (x0, z0) = margin.At(Math.Max(0, distance - reach));
-            var (x1, z1) = margin.At(Math.Min(margin.Length, distance + reach));
-            var length = Math.Sqrt((x1 - x0) * (x1 - x0) + (z1 - z0) * (z1 - z0));
-            return ((z1 - z0) / length, (x0 - x1) / length);
+            PlanPoint along = margin.At(Math.Min(margin.Length, distance + reach)) - margin.At(Math.Max(0, distance - reach));
+            return new PlanPoint(along.z, -along.x) * (1.0 / Math.Sqrt(along.LengthSquared));
         }
     }
 }

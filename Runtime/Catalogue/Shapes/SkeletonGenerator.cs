@@ -28,11 +28,9 @@ namespace Alate.Catalogue
         {
             Check(outline, chains, jointsPerChain, lastTipSpan, scale);
             var rim = TipAndTrailingEdge(outline, lastTipSpan);
-            var paths = new PlanarPath[chains];
+            var paths = new Polyline[chains];
             for (var i = 0; i < chains; i++)
-            {
-                paths[i] = i == 0 ? LeadingEdge(outline) : PlanarPath.Line(Root(outline, i, chains), rim.At(rim.Length * i / (chains - 1)));
-            }
+                paths[i] = i == 0 ? LeadingEdge(outline) : new Polyline(new[] { Root(outline, i, chains), rim.At(rim.Length * i / (chains - 1)) });
 
             return Make(paths, jointsPerChain, scale, side);
         }
@@ -46,7 +44,7 @@ namespace Alate.Catalogue
         internal static WingSkeleton Generate(WingOutline outline, ChainPath[] chains, int jointsPerChain, float scale, WingSide side)
         {
             var margin = WingRim.Margin(outline);
-            var paths = new PlanarPath[chains.Length];
+            var paths = new Polyline[chains.Length];
             for (var i = 0; i < chains.Length; i++)
             {
                 var distance = margin.Length * chains[i].Tip;
@@ -56,7 +54,7 @@ namespace Alate.Catalogue
             return Make(paths, jointsPerChain, scale, side);
         }
 
-        private static WingSkeleton Make(PlanarPath[] paths, int jointsPerChain, float scale, WingSide side)
+        private static WingSkeleton Make(Polyline[] paths, int jointsPerChain, float scale, WingSide side)
         {
             var sign = side == WingSide.Right ? 1f : -1f;
             var made = Array.ConvertAll(paths, path => new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) });
@@ -68,54 +66,38 @@ namespace Alate.Catalogue
             return skeleton;
         }
 
-        private static Vector3[] JointsAlong(PlanarPath path, int count, float scale, float sign)
+        private static Vector3[] JointsAlong(Polyline path, int count, float scale, float sign)
         {
             var joints = new Vector3[count];
             for (var j = 0; j < count; j++)
             {
-                var (x, z) = path.At(path.Length * j / (count - 1));
-                joints[j] = new Vector3((float)(sign * scale * x), 0f, (float)(scale * z));
+                PlanPoint place = path.At(path.Length * j / (count - 1));
+                joints[j] = new Vector3((float)(sign * scale * place.x), 0f, (float)(scale * place.z));
             }
 
             return joints;
         }
 
-        private static (double X, double Z) Root(WingOutline outline, int chain, int chains)
-        {
-            return (0, outline.LeadingAt(0) - outline.ChordAt(0) * chain / (chains - 1));
-        }
+        private static PlanPoint Root(WingOutline outline, int chain, int chains) =>
+            new PlanPoint(0.0, outline.LeadingAt(0) - outline.ChordAt(0) * chain / (chains - 1));
 
-        private static PlanarPath LeadingEdge(WingOutline outline)
+        private static Polyline LeadingEdge(WingOutline outline) =>
+            Polyline.Trace(k_EdgeSteps, span => new PlanPoint(span, outline.LeadingAt(span)));
+
+        private static Polyline TipAndTrailingEdge(WingOutline outline, double lastTipSpan)
         {
-            var path = new PlanarPath();
-            for (var step = 0; step <= k_EdgeSteps; step++)
+            Polyline trailing = Polyline.Trace(k_EdgeSteps, share =>
             {
-                var span = (double)step / k_EdgeSteps;
-                path.Add(span, outline.LeadingAt(span));
-            }
-
-            return path;
-        }
-
-        private static PlanarPath TipAndTrailingEdge(WingOutline outline, double lastTipSpan)
-        {
-            var path = new PlanarPath();
-            path.Add(1, outline.LeadingAt(1));
-            for (var step = 0; step <= k_EdgeSteps; step++)
-            {
-                var span = 1 + (lastTipSpan - 1) * step / k_EdgeSteps;
-                path.Add(span, outline.TrailingAt(span));
-            }
-
-            return path;
+                var span = 1 + (lastTipSpan - 1) * share;
+                return new PlanPoint(span, outline.TrailingAt(span));
+            });
+            return Polyline.Join(new Polyline(new[] { new PlanPoint(1.0, outline.LeadingAt(1)) }), trailing);
         }
 
         private static void Check(WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale)
         {
             if (outline == null)
-            {
                 throw new ArgumentNullException(nameof(outline));
-            }
 
             if (chains < WingSkeleton.MinChains || chains > WingSkeleton.MaxChains)
             {
@@ -130,14 +112,10 @@ namespace Alate.Catalogue
             }
 
             if (!(lastTipSpan > 0 && lastTipSpan < 1))
-            {
                 throw new ArgumentOutOfRangeException(nameof(lastTipSpan), lastTipSpan, "The last chain ends between the base and the tip.");
-            }
 
             if (!(scale > 0 && scale <= float.MaxValue))
-            {
                 throw new ArgumentOutOfRangeException(nameof(scale), scale, "The wing length is a positive number.");
-            }
         }
     }
 }

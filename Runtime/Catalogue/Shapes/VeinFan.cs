@@ -13,7 +13,7 @@ namespace Alate.Catalogue
         private const int k_Steps = 20;
 
         private readonly WingOutline m_Outline;
-        private readonly PlanarPath m_Margin;
+        private readonly Polyline m_Margin;
         private readonly double m_Gather;
         private readonly List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)> m_Veins = new List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)>();
         private readonly StrokeSet m_Strokes = new StrokeSet();
@@ -93,11 +93,7 @@ namespace Alate.Catalogue
             return nearest;
         }
 
-        private PlanPoint OnMargin(double share)
-        {
-            var (x, z) = m_Margin.At(m_Margin.Length * share);
-            return new PlanPoint(x, z);
-        }
+        private PlanPoint OnMargin(double share) => m_Margin.At(m_Margin.Length * share);
 
         private static double[] Curve(PlanPoint root, PlanPoint bend, PlanPoint tip)
         {

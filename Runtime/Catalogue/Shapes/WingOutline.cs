@@ -15,11 +15,11 @@ namespace Alate.Catalogue
         private const int k_CapPanels = 64, k_PinchSteps = 16;
 
         private readonly double[] m_Spans;
-        private readonly EdgeCurve m_Leading;
-        private readonly EdgeCurve m_Trailing;
+        private readonly MonotoneCurve m_Leading;
+        private readonly MonotoneCurve m_Trailing;
         private readonly double m_CapStart;
 
-        private WingOutline(double[] spans, EdgeCurve leading, EdgeCurve trailing, double capStart, double length)
+        private WingOutline(double[] spans, MonotoneCurve leading, MonotoneCurve trailing, double capStart, double length)
         {
             m_Spans = spans;
             m_Leading = leading;
@@ -57,8 +57,8 @@ namespace Alate.Catalogue
             var length = span[span.Length - 1];
             return new WingOutline(
                 Scaled(span, length),
-                EdgeCurve.Straight(Scaled(span, length), Scaled(leading, length)),
-                EdgeCurve.Straight(Scaled(span, length), Scaled(trailing, length)),
+                MonotoneCurve.Straight(Scaled(span, length), Scaled(leading, length)),
+                MonotoneCurve.Straight(Scaled(span, length), Scaled(trailing, length)),
                 1,
                 length * 1e-3);
         }
@@ -103,9 +103,7 @@ namespace Alate.Catalogue
                 {
                     var span = m_Spans[i] + (m_Spans[i + 1] - m_Spans[i]) * step / k_PinchSteps;
                     if (smooth.ChordAt(span) < 0.5 * ChordAt(span))
-                    {
                         return true;
-                    }
                 }
             }
 
@@ -143,9 +141,7 @@ namespace Alate.Catalogue
         private static void CheckLandmarks(double[] span, double[] leading, double[] trailing)
         {
             if (span == null || leading == null || trailing == null)
-            {
                 throw new ArgumentNullException(span == null ? nameof(span) : leading == null ? nameof(leading) : nameof(trailing));
-            }
 
             if (span.Length < 2 || span.Length != leading.Length || span.Length != trailing.Length)
             {

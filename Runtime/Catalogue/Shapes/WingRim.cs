@@ -17,10 +17,10 @@ namespace Alate.Catalogue
         /// <param name="corners">Indices of the points between two smooth stretches, rising; a mesh keeps them.</param>
         public static PlanPoint[] Of(WingOutline outline, RimScallops scallops, out List<int> corners)
         {
-            PlanarPath[] margins = Margins(outline);
+            Polyline[] margins = Margins(outline);
             var rim = new List<PlanPoint>();
             corners = new List<int>();
-            foreach (PlanarPath stretch in scallops == null ? margins : scallops.Cut(PlanarPath.Join(margins)).ToArray())
+            foreach (Polyline stretch in scallops == null ? margins : scallops.Cut(Polyline.Join(margins)).ToArray())
             {
                 corners.Add(rim.Count);
                 rim.AddRange(stretch.Points.Take(stretch.Points.Count - 1));
@@ -35,28 +35,21 @@ namespace Alate.Catalogue
         }
 
         /// <summary>The margin alone: from the leading corner of the base around the tip to the trailing one.</summary>
-        public static PlanarPath Margin(WingOutline outline) => PlanarPath.Join(Margins(outline));
+        public static Polyline Margin(WingOutline outline) => Polyline.Join(Margins(outline));
 
-        private static PlanarPath[] Margins(WingOutline outline)
+        private static Polyline[] Margins(WingOutline outline)
         {
-            var leading = Edge(outline.LeadingAt, false);
-            var trailing = Edge(outline.TrailingAt, true);
-            return outline.HasRoundedTip || outline.ChordAt(1) <= 0
-                ? new[] { PlanarPath.Join(leading, trailing) }
-                : new[] { leading, PlanarPath.Line(leading.At(leading.Length), trailing.At(0)), trailing };
+            Polyline leading = Polyline.Trace(k_EdgeSteps, left => OnEdge(outline.LeadingAt, 1.0 - left));
+            Polyline trailing = Polyline.Trace(k_EdgeSteps, left => OnEdge(outline.TrailingAt, left));
+            return outline.HasRoundedTip || outline.ChordAt(1.0) <= 0.0
+                ? new[] { Polyline.Join(leading, trailing) }
+                : new[] { leading, new Polyline(new[] { leading.At(leading.Length), trailing.At(0.0) }), trailing };
         }
 
-        private static PlanarPath Edge(Func<double, double> edge, bool isInward)
+        private static PlanPoint OnEdge(Func<double, double> edge, double left)
         {
-            var path = new PlanarPath();
-            for (var step = 0; step <= k_EdgeSteps; step++)
-            {
-                var left = isInward ? (double)step / k_EdgeSteps : 1 - (double)step / k_EdgeSteps;
-                var span = 1 - left * left;
-                path.Add(span, edge(span));
-            }
-
-            return path;
+            double span = 1.0 - left * left;
+            return new PlanPoint(span, edge(span));
         }
     }
 }

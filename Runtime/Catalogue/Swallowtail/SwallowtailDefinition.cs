@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -22,7 +23,7 @@ namespace Alate.Catalogue
         };
 
         /// <summary>The middle of the tail's root, wing lengths: the chain of the tail goes through it.</summary>
-        private static readonly (double X, double Z) s_TailRoot = (0.597, -0.955);
+        private static readonly PlanPoint s_TailRoot = new PlanPoint(0.597, -0.955);
 
         public static InsectDefinition Define()
         {

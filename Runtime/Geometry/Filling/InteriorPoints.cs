@@ -58,13 +58,14 @@ namespace Alate.Geometry
         private static List<(double Clearance, PlanPoint Point)> Lattice(List<PlanPoint> rim, List<PlanPoint> corners, double step, int limit)
         {
             var places = new List<(double Clearance, PlanPoint Point)>();
-            var grid = new RimGrid(rim, step);
+            var grid = new PolygonGrid(rim, step);
+            PlanBounds bounds = grid.Bounds;
             double rise = Math.Sqrt(0.75) * step, fromCorner = k_CornerClearance * step;
-            for (int row = 0; grid.Low + (row + k_ShiftZ) * rise < grid.High; row++)
+            for (int row = 0; bounds.low + (row + k_ShiftZ) * rise < bounds.high; row++)
             {
-                for (int column = 0; grid.Left + column * step < grid.Right; column++)
+                for (int column = 0; bounds.left + column * step < bounds.right; column++)
                 {
-                    var point = new PlanPoint(grid.Left + (column + k_ShiftX + 0.5 * (row % 2)) * step, grid.Low + (row + k_ShiftZ) * rise);
+                    var point = new PlanPoint(bounds.left + (column + k_ShiftX + 0.5 * (row % 2)) * step, bounds.low + (row + k_ShiftZ) * rise);
                     double clearance = grid.Clearance(point, 2.0 * step);
                     if (clearance < k_Clearance * step || corners.Exists(corner => (corner - point).LengthSquared < fromCorner * fromCorner))
                         continue;

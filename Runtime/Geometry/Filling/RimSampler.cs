@@ -17,7 +17,7 @@ namespace Alate.Geometry
         /// <param name="corners">Indices of the outline's corners, rising; null to find those at which it bends.</param>
         public static List<PlanPoint> Sample(PlanPoint[] outline, double even, bool isOdd, IReadOnlyList<int> corners)
         {
-            var line = new RimLine(outline);
+            var line = new Polyline(outline, true);
             var spacing = new RimSpacing(line, even);
             List<double> starts = (corners ?? Corners(outline, even)).Select(line.DistanceTo).ToList();
             var pieces = new int[starts.Count];

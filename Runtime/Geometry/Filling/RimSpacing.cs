@@ -20,13 +20,13 @@ namespace Alate.Geometry
         /// <summary>Cosine of the angle between two sides beyond which they count as facing each other.</summary>
         private const double k_Facing = -0.7;
 
-        private readonly RimLine m_Rim;
+        private readonly Polyline m_Rim;
         private readonly double[] m_Spacing;
         private readonly double m_Step;
 
         /// <param name="rim">Counterclockwise.</param>
         /// <param name="even">Spacing where the wing is wide.</param>
-        public RimSpacing(RimLine rim, double even)
+        public RimSpacing(Polyline rim, double even)
         {
             m_Rim = rim;
             int steps = Math.Min(k_MostSteps, Math.Max(16, (int)(k_StepsInSpacing * rim.Length / even)));

@@ -39,16 +39,8 @@ namespace Alate.Geometry
         // A triangle around all points, so wide that it bends no side between them.
         private static PlanPoint[] WithCorners(PlanPoint[] points)
         {
-            double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
-            foreach (PlanPoint point in points)
-            {
-                left = Math.Min(left, point.x);
-                right = Math.Max(right, point.x);
-                low = Math.Min(low, point.z);
-                high = Math.Max(high, point.z);
-            }
-
-            double x = 0.5 * (left + right), z = 0.5 * (low + high), reach = 50.0 * Math.Max(right - left, high - low);
+            var bounds = new PlanBounds(points);
+            double x = 0.5 * (bounds.left + bounds.right), z = 0.5 * (bounds.low + bounds.high), reach = 50.0 * bounds.Extent;
             var all = new PlanPoint[points.Length + 3];
             points.CopyTo(all, 0);
             all[points.Length] = new PlanPoint(x - 1.1 * reach, z - 0.9 * reach);

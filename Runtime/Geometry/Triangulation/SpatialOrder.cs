@@ -8,23 +8,14 @@ namespace Alate.Geometry
         /// <summary>The indices of the points in that order.</summary>
         public static int[] Of(PlanPoint[] points)
         {
-            double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
-            foreach (PlanPoint point in points)
-            {
-                left = Math.Min(left, point.x);
-                right = Math.Max(right, point.x);
-                low = Math.Min(low, point.z);
-                high = Math.Max(high, point.z);
-            }
-
-            double size = Math.Max(right - left, high - low);
+            var bounds = new PlanBounds(points);
             double rows = Math.Max(1.0, Math.Sqrt(points.Length));
             var order = new int[points.Length];
             var keys = new double[points.Length];
             for (int k = 0; k < points.Length; k++)
             {
                 order[k] = k;
-                double row = Math.Floor((points[k].z - low) / size * rows), along = (points[k].x - left) / size;
+                double row = Math.Floor((points[k].z - bounds.low) / bounds.Extent * rows), along = (points[k].x - bounds.left) / bounds.Extent;
                 keys[k] = row + 0.999 * (row % 2 == 0 ? along : 1.0 - along);
             }
 

@@ -108,7 +108,7 @@ namespace Alate
                 sets.Join(corners[corner], corners[corner + 2]);
             }
 
-            PositionWeld.Join(positions, MeshSelection.Of(corners).vertices, sets);
+            VertexWeld.Join(positions, MeshSelection.Of(corners).vertices, sets);
             return sets;
         }
 

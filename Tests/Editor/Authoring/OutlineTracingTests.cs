@@ -75,7 +75,7 @@ namespace Alate.Editor.Tests
             WingPlace place = DrawnWing.Fan().In(600);
             var black = new UnityEngine.Color32(0, 0, 0, 255);
             var picture = new DrawnPicture(600, 600, new UnityEngine.Color32(255, 255, 255, 255));
-            var rim = new RimLine(PlanPaths.ToPlan(place.Outline));
+            var rim = new Polyline(PlanPaths.ToPlan(place.Outline), true);
             int dashes = (int)(rim.Length / 30.0);
             for (int k = 0; k < dashes; k++)
             {

@@ -52,7 +52,7 @@ namespace Alate.Tests
         {
             List<PlanPoint> chain = Walk(0);
             List<PlanPoint> edge = Edge(Nearest(chain[0]), Nearest(chain[chain.Count - 1]));
-            double off = 0.0, walked = 0.0, length = Polyline.Length(chain);
+            double off = 0.0, walked = 0.0, length = Polyline.LengthOf(chain);
             for (int k = 1; k < chain.Count; k++)
             {
                 walked += Math.Sqrt((chain[k] - chain[k - 1]).LengthSquared);

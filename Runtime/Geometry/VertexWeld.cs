@@ -1,14 +1,34 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate.Geometry
 {
     /// <summary>Gives vertices that lie in one place one number, whatever seams of normals or texture split them.</summary>
-    internal static class VertexWelding
+    internal static class VertexWeld
     {
         /// <summary>Cells are far larger than the tolerance, so that most vertices need to look into one only.</summary>
         private const float k_TolerancesPerCell = 64f;
+
+        /// <summary>Share of the largest coordinate: some roundings of a float (6e-8 each), far below any detail of a mesh.</summary>
+        private const float k_Roundings = 1e-6f;
+
+        /// <summary>Joins vertices that differ by roundings; those that are not finite stay alone.</summary>
+        /// <param name="positions">[vertex]</param>
+        /// <param name="used">The vertices that count, each once.</param>
+        /// <param name="sets">Sets of vertices.</param>
+        public static void Join(Vector3[] positions, int[] used, DisjointSets sets)
+        {
+            int[] finite = Array.FindAll(used, vertex => math.all(math.isfinite((float3)positions[vertex])));
+            float3[] points = Array.ConvertAll(finite, vertex => (float3)positions[vertex]);
+            float largest = 0f;
+            foreach (float3 point in points)
+                largest = math.max(largest, math.cmax(math.abs(point)));
+            int[] places = Places(points, math.max(k_Roundings * largest, 1e-30f));
+            for (int k = 0; k < places.Length; k++)
+                sets.Join(finite[k], finite[places[k]]);
+        }
 
         /// <summary>[vertex] The first vertex within the tolerance of it, itself included.</summary>
         public static int[] Places(float3[] points, float tolerance)

@@ -7,13 +7,13 @@ namespace Alate.Geometry
     /// One edge of a wing as a function of span: straight between its landmarks, or the monotone cubic of Fritsch and Carlson (1980) through
     /// them, which nowhere leaves the band between two neighbouring landmarks.
     /// </summary>
-    internal sealed class EdgeCurve
+    internal sealed class MonotoneCurve
     {
         private readonly double[] m_Spans;
         private readonly double[] m_Values;
         private readonly double[] m_Slopes;
 
-        private EdgeCurve(double[] spans, double[] values, double[] slopes)
+        private MonotoneCurve(double[] spans, double[] values, double[] slopes)
         {
             m_Spans = spans;
             m_Values = values;
@@ -24,9 +24,9 @@ namespace Alate.Geometry
 
         public double Smallest => m_Values.Min();
 
-        public static EdgeCurve Straight(double[] spans, double[] values) => new EdgeCurve(spans, values, null);
+        public static MonotoneCurve Straight(double[] spans, double[] values) => new MonotoneCurve(spans, values, null);
 
-        public EdgeCurve Smoothed() => new EdgeCurve(m_Spans, m_Values, MonotoneSlopes(m_Spans, m_Values));
+        public MonotoneCurve Smoothed() => new MonotoneCurve(m_Spans, m_Values, MonotoneSlopes(m_Spans, m_Values));
 
         public double ValueAtLandmark(int landmark) => m_Values[landmark];
 
@@ -37,9 +37,7 @@ namespace Alate.Geometry
             var t = Math.Clamp((span - m_Spans[interval]) / width, 0.0, 1.0);
             var rise = m_Values[interval + 1] - m_Values[interval];
             if (m_Slopes == null)
-            {
                 return m_Values[interval] + t * rise;
-            }
 
             var first = m_Slopes[interval] * width;
             var second = m_Slopes[interval + 1] * width;
@@ -58,22 +56,16 @@ namespace Alate.Geometry
             var last = spans.Length - 1;
             var secants = new double[last];
             for (var i = 0; i < last; i++)
-            {
                 secants[i] = (values[i + 1] - values[i]) / (spans[i + 1] - spans[i]);
-            }
 
             var slopes = new double[last + 1];
             slopes[0] = secants[0];
             slopes[last] = secants[last - 1];
             for (var i = 1; i < last; i++)
-            {
                 slopes[i] = secants[i - 1] * secants[i] > 0 ? 0.5 * (secants[i - 1] + secants[i]) : 0;
-            }
 
             for (var i = 0; i < last; i++)
-            {
                 LimitToMonotone(secants[i], ref slopes[i], ref slopes[i + 1]);
-            }
 
             return slopes;
         }
