@@ -21,9 +21,7 @@ namespace Alate.Catalogue
             var ideal = IdealSegments(chords, triangleCount);
             var segments = Array.ConvertAll(ideal, pieces => Math.Max(1, (int)Math.Round(pieces)));
             for (var k = 0; k < stations; k++)
-            {
                 segments[k] = chords[k] < k_PointedChord ? 0 : segments[k];
-            }
 
             MakeExact(segments, ideal, triangleCount);
             return segments;
@@ -33,9 +31,7 @@ namespace Alate.Catalogue
         {
             var count = 0;
             for (var k = 0; k + 1 < segments.Length; k++)
-            {
                 count += segments[k] + segments[k + 1];
-            }
 
             return count;
         }
@@ -47,9 +43,7 @@ namespace Alate.Catalogue
             var spans = new double[strips + 1];
             var evenWidth = 1 / (outline.HasRoundedTip ? strips - 1 + k_CapStrip : strips);
             for (var k = 0; k < strips; k++)
-            {
                 spans[k] = k * evenWidth;
-            }
 
             spans[strips] = 1;
             return spans;
@@ -59,9 +53,7 @@ namespace Alate.Catalogue
         {
             var weighted = 0.0;
             for (var k = 0; k < chords.Length; k++)
-            {
                 weighted += IsEnd(k, chords.Length) ? chords[k] : 2 * chords[k];
-            }
 
             return Array.ConvertAll(chords, chord => chord * triangleCount / weighted);
         }
@@ -91,9 +83,7 @@ namespace Alate.Catalogue
             {
                 var allowed = segments[k] + sign >= 1;
                 if (allowed && (best < 0 || Shortfall(k) > Shortfall(best)))
-                {
                     best = k;
-                }
             }
 
             return best;

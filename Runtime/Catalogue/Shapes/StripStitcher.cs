@@ -10,9 +10,7 @@ namespace Alate.Catalogue
         {
             var count = segments.Length;
             foreach (var pieces in segments)
-            {
                 count += pieces;
-            }
 
             return count;
         }

@@ -43,9 +43,7 @@ namespace Alate.Catalogue
         {
             double column = Math.Floor((x - m_Left) / m_Size), row = Math.Floor((z - m_Low) / m_Size);
             if (!(column >= 0 && column < m_Columns && row >= 0 && row < m_Rows))
-            {
                 return m_Strokes;
-            }
 
             ref var found = ref m_Found[(int)row * m_Columns + (int)column];
             return found ??= Find(m_Left + (column + 0.5) * m_Size, m_Low + (row + 0.5) * m_Size);
@@ -66,9 +64,7 @@ namespace Alate.Catalogue
             for (var k = 0; k < distances.Length; k++)
             {
                 if (distances[k] <= nearest + 1.5 * m_Size)
-                {
                     found.Add(m_Strokes[k]);
-                }
             }
 
             return found.ToArray();

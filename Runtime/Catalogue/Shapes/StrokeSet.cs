@@ -29,9 +29,7 @@ namespace Alate.Catalogue
         {
             along = 0;
             if (m_Strokes.Count == 0)
-            {
                 return double.MaxValue;
-            }
 
             m_Grid ??= new StrokeGrid(m_Strokes.ToArray());
             var nearest = double.MaxValue;

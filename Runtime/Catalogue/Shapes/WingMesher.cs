@@ -28,9 +28,7 @@ namespace Alate.Catalogue
         public static SurfaceMesh Grid(WingOutline outline, int spanCells, int chordCells, float scale = 1f)
         {
             if (outline == null)
-            {
                 throw new ArgumentNullException(nameof(outline));
-            }
 
             if (spanCells < 1 || chordCells < 1)
             {
@@ -127,9 +125,7 @@ namespace Alate.Catalogue
         private static void Check(WingOutline outline, int triangleCount)
         {
             if (outline == null)
-            {
                 throw new ArgumentNullException(nameof(outline));
-            }
 
             if (triangleCount < MinTriangles || triangleCount > MaxTriangles)
             {
