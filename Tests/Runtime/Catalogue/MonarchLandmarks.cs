@@ -22,8 +22,8 @@ namespace Alate.Tests
         }
 
         /// <summary>
-        /// Middle of the middle chain of five, wing lengths: half-way from the middle of the base to the point that halves the margin between the tip's leading corner and the last chain's
-        /// tip at 26.9 mm of span. The margin is measured in 400 even steps of span, as the package does, which cuts its corners by 5·10⁻⁶ of it.
+        /// Middle of the middle chain of five, wing lengths: half-way from the middle of the base to the point that halves the margin between
+        /// the tip's leading corner and the last chain's tip at 26.9 mm of span. The margin is measured in 400 even steps of span, as the package does, which cuts its corners by 5·10⁻⁶ of it.
         /// </summary>
         public static (double x, double z) MiddleJoint()
         {

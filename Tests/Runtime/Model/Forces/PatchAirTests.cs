@@ -121,8 +121,8 @@ namespace Alate.Tests
 
         private static double DickinsonDrag(double angle) => 1.92 - 1.55 * Math.Cos((2.04 * angle - 9.82) * Math.PI / 180.0);
 
-        // Eq. 9 and 10 for the element of Load in double precision: V without its part along the span, drag along V, lift (not below 0) across it on the side of the normal that the air blows to. Damping
-        // is (1 + s²) ½ρA|V| max(0, C_L cos α + C_D s) / s, s = sin α, at least 0.05.
+        // Eq. 9 and 10 for the element of Load in double precision: V without its part along the span, drag along V, lift (not below 0) across
+        // it on the side of the normal that the air blows to. Damping is (1 + s²) ½ρA|V| max(0, C_L cos α + C_D s) / s, s = sin α, at least 0.05.
         private static ElementInDouble Element(CoefficientSet set)
         {
             double[] normal = Unit(0.1, 1.0, -0.2), wind = { 3.0, -2.0, -10.0 };
