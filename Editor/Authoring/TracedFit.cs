@@ -34,7 +34,7 @@ namespace Alate.Authoring
 
         private TracedFit(TriangleLinks mesh)
         {
-            m_Shift = k_Away * (float)Polygon.Extent(mesh.points) * new Vector3(1f, 0f, 1f);
+            m_Shift = k_Away * (float)new PlanBounds(mesh.points).Extent * new Vector3(1f, 0f, 1f);
             m_Surface = new WingSurface
             {
                 name = "the traced wing",

@@ -120,7 +120,7 @@ namespace Alate.Authoring
         }
 
         private bool IsInside(PlanPoint place) =>
-            Polygon.Contains(m_Outline, place) || Polygon.Distance(m_Outline, place) < k_Outside * Length;
+            Polygon.Contains(m_Outline, place) || Polyline.Distance(m_Outline, place, true) < k_Outside * Length;
 
         private static int LeastShare(RadialVein[] followed, double[] shares)
         {

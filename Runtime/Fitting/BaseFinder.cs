@@ -94,7 +94,7 @@ namespace Alate.Fitting
         {
             PlanPoint seen = m_Sheet.plane.ToPlan(point);
             double beside = Math.Sqrt((m_Outline.At(place) - seen).LengthSquared);
-            return Math.Max(beside, math.distance(point, new SurfaceLift(m_Sheet).Lift(seen))) / m_Extent;
+            return Math.Max(beside, math.distance(point, m_Sheet.Lift(seen))) / m_Extent;
         }
 
         private double FromSide(PlanPoint side, Vector3? forward)

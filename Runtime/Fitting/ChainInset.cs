@@ -29,9 +29,7 @@ namespace Alate.Fitting
             for (int round = 0; round < k_Rounds && least > k_Unminded; round++)
             {
                 Array.Clear(moves, 0, moves.Length);
-                double outside = 0.0;
-                for (int j = 0; j + 1 < joints.Length; j++)
-                    outside = Math.Max(outside, Check(joints, j, outline, moves));
+                double outside = Check(joints, outline, moves);
                 if (outside < least)
                 {
                     least = outside;
@@ -46,9 +44,10 @@ namespace Alate.Fitting
         }
 
         /// <summary>Largest distance of the bones of a chain outside the wing.</summary>
-        public static double Outside(PlanPoint[] joints, ClosedCurve outline)
+        public static double Outside(PlanPoint[] joints, ClosedCurve outline) => Check(joints, outline, new PlanPoint[joints.Length]);
+
+        private static double Check(PlanPoint[] joints, ClosedCurve outline, PlanPoint[] moves)
         {
-            var moves = new PlanPoint[joints.Length];
             double outside = 0.0;
             for (int j = 0; j + 1 < joints.Length; j++)
                 outside = Math.Max(outside, Check(joints, j, outline, moves));

@@ -64,7 +64,7 @@ namespace Alate.Fitting
             {
                 for (int k = 0; k + 1 < b.Length; k++)
                 {
-                    bool crossing = Cross(a[j], a[j + 1], b[k], b[k + 1]);
+                    bool crossing = PlanPoint.SegmentsCross(a[j], a[j + 1], b[k], b[k + 1]);
                     if (crossing && !(j == 0 && k == 0 && IsNear(a[0], b[0])))
                         return true;
                     if (Touches(a[j + 1], b[k], b[k + 1]) || Touches(b[k + 1], a[j], a[j + 1]))
@@ -73,13 +73,6 @@ namespace Alate.Fitting
             }
 
             return false;
-        }
-
-        private static bool Cross(PlanPoint a0, PlanPoint a1, PlanPoint b0, PlanPoint b1)
-        {
-            PlanPoint a = a1 - a0, b = b1 - b0;
-            return PlanPoint.Cross(a, b0 - a0) > 0.0 != PlanPoint.Cross(a, b1 - a0) > 0.0
-                && PlanPoint.Cross(b, a0 - b0) > 0.0 != PlanPoint.Cross(b, a1 - b0) > 0.0;
         }
 
         private static bool Touches(PlanPoint p, PlanPoint a, PlanPoint b) => PlanPoint.DistanceSquared(p, a, b) < k_Touch * k_Touch;

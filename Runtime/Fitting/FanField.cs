@@ -45,7 +45,7 @@ namespace Alate.Fitting
             Array.Fill(Values, double.NaN);
 
             FindInside(rim);
-            SetRim(new RimValues(rim, rimValues));
+            SetRim(rim, rimValues);
             Solve();
         }
 
@@ -86,7 +86,7 @@ namespace Alate.Fitting
             return turned;
         }
 
-        private void SetRim(RimValues rim)
+        private void SetRim(IReadOnlyList<PlanPoint> rim, IReadOnlyList<double> rimValues)
         {
             for (int row = 0; row < Rows; row++)
             {
@@ -96,9 +96,27 @@ namespace Alate.Fitting
                     if (m_Inside[node])
                         Values[node] = k_Start;
                     else if (HasInside(column, row))
-                        Values[node] = rim.Nearest(At(column, row));
+                        Values[node] = Nearest(At(column, row), rim, rimValues);
                 }
             }
+        }
+
+        // The value at the rim's place closest to a point.
+        private static double Nearest(PlanPoint p, IReadOnlyList<PlanPoint> rim, IReadOnlyList<double> values)
+        {
+            double least = double.MaxValue, found = 0.0;
+            for (int k = 0; k < rim.Count; k++)
+            {
+                int next = (k + 1) % rim.Count;
+                double share = PlanPoint.ClosestOnSegment(p, rim[k], rim[next]);
+                double distance = (rim[k] + (rim[next] - rim[k]) * share - p).LengthSquared;
+                if (distance >= least)
+                    continue;
+                least = distance;
+                found = values[k] + (values[next] - values[k]) * share;
+            }
+
+            return found;
         }
 
         private bool HasInside(int column, int row)

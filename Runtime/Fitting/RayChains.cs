@@ -1,5 +1,5 @@
 using System;
-using System.Collections.Generic;
+using System.Linq;
 using Alate.Geometry;
 
 namespace Alate.Fitting
@@ -39,13 +39,14 @@ namespace Alate.Fitting
             PlanPoint from = Inside(outline, marks.Base, k_Depth * Math.Max(0, attempt - k_OnBase)), first = outline.At(marks.Tip) - from;
             double begin = Math.Atan2(first.z, first.x), turn = Turn(outline, marks, from);
             PlanPoint front = outline.At(marks.LeadingRoot), rear = outline.At(marks.TrailingRoot);
+            var rim = new Polyline(outline.Samples.ToArray(), true);
             var made = new PlanPoint[chains][];
             double most = double.MaxValue;
             for (int i = 0; i < chains; i++)
             {
                 double share = (double)i / (chains - 1), angle = begin - turn * share;
                 var direction = new PlanPoint(Math.Cos(angle), Math.Sin(angle));
-                double reach = Math.Min(Math.Max(Reach(outline, from, direction), k_LeastReach), most);
+                double reach = Math.Min(Math.Max(Reach(rim, from, direction), k_LeastReach), most);
                 if (i == 0)
                     most = k_MostReach * reach;
                 PlanPoint root = from + (front + (rear - front) * share - marks.Base) * rootShare, tip = from + direction * reach;
@@ -93,22 +94,10 @@ namespace Alate.Fitting
         }
 
         // To where a ray first leaves the wing.
-        private static double Reach(ClosedCurve outline, PlanPoint from, PlanPoint direction)
+        private static double Reach(Polyline rim, PlanPoint from, PlanPoint direction)
         {
-            double reach = double.MaxValue;
-            IReadOnlyList<PlanPoint> samples = outline.Samples;
-            for (int k = 0; k < samples.Count; k++)
-            {
-                PlanPoint a = samples[k] - from, b = samples[(k + 1) % samples.Count] - from;
-                double sideA = PlanPoint.Cross(direction, a), sideB = PlanPoint.Cross(direction, b);
-                if (sideA > 0.0 == sideB > 0.0)
-                    continue;
-                double at = PlanPoint.Dot(a + (b - a) * (sideA / (sideA - sideB)), direction);
-                if (at > 0.0)
-                    reach = Math.Min(reach, at);
-            }
-
-            return reach == double.MaxValue ? 0.0 : reach * (1.0 - k_Inset);
+            double reach = rim.Meet(from, direction, -1, out int met);
+            return met < 0 ? 0.0 : reach * (1.0 - k_Inset);
         }
     }
 }

@@ -52,7 +52,6 @@ namespace Alate.Fitting
             var fan = new FanChains(wing, marks, notes);
             PlanPoint[][] chains = null;
 
-            var lift = new SurfaceLift(sheet);
             var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.UpAxis = sheet.plane.up;
             string problem = null;
@@ -87,7 +86,7 @@ namespace Alate.Fitting
             void Take(PlanPoint[][] laid, in SkeletonFitSettings hints, PlanPoint span)
             {
                 skeleton.Chains = Array.ConvertAll(
-                    laid, chain => new JointChain(Array.ConvertAll(chain, joint => unit.ToMesh(lift.Lift(view.FromWing(joint))))));
+                    laid, chain => new JointChain(Array.ConvertAll(chain, joint => unit.ToMesh(sheet.Lift(view.FromWing(joint))))));
                 skeleton.Hinge = finder.UsesHinge ? hints.hinge.Value : skeleton.GetJoint(0, 0);
                 skeleton.SpanAxis = sheet.plane.Direction(span);
             }

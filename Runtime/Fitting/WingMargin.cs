@@ -63,8 +63,8 @@ namespace Alate.Fitting
             return Math.Min(Math.Max(share, ShareAt(tail.from)), ShareAt(tail.to));
         }
 
-        /// <summary>The arc length of the outline with a share of the fan before it.</summary>
-        public double PlaceOf(double share)
+        /// <summary>The point with a share of the fan before it.</summary>
+        public PlanPoint At(double share)
         {
             int after = Array.BinarySearch(m_Shares, share);
             double at = after;
@@ -74,11 +74,8 @@ namespace Alate.Fitting
                 at = after - 1 + (share - m_Shares[after - 1]) / (m_Shares[after] - m_Shares[after - 1]);
             }
 
-            return m_Marks.Tip + (m_Marks.Last - m_Marks.Tip) * at / (m_Shares.Length - 1);
+            return m_Marks.Trimmed.At(m_Marks.Tip + (m_Marks.Last - m_Marks.Tip) * at / (m_Shares.Length - 1));
         }
-
-        /// <summary>The point with a share of the fan before it.</summary>
-        public PlanPoint At(double share) => m_Marks.Trimmed.At(PlaceOf(share));
 
         // Clockwise about the base.
         private double Angle(PlanPoint from, PlanPoint to)

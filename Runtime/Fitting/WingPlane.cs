@@ -34,10 +34,6 @@ namespace Alate.Fitting
 
         public PlanPoint ToPlan(float3 p) => new PlanPoint(math.dot(right, p), math.dot(ahead, p));
 
-        public float Height(float3 p) => math.dot(up, p);
-
-        public float3 FromPlan(PlanPoint p, double height) => (float)p.x * right + (float)height * up + (float)p.z * ahead;
-
         /// <summary>A vector of the plane in space.</summary>
         public float3 Direction(PlanPoint v) => (float)v.x * right + (float)v.z * ahead;
     }

@@ -59,6 +59,27 @@ namespace Alate.Fitting
         /// </summary>
         public double OutlineShare => Polygon.Area(outline) / PlanArea;
 
+        /// <summary>Place on the surface seen at a point from above; beside the surface the closest place of its rim.</summary>
+        public float3 Lift(PlanPoint p)
+        {
+            double least = double.MaxValue;
+            float3 found = plane.Direction(p);
+            for (int k = 0; k < triangles.Count && least > 0.0; k++)
+            {
+                int3 t = triangles[k];
+                var triangle = new PlanTriangle(plan[t.x], plan[t.y], plan[t.z]);
+                if (triangle.LeastDistanceSquared(p) >= least)
+                    continue;
+                double distance = triangle.Closest(p, out double a, out double b, out double c);
+                if (distance >= least)
+                    continue;
+                least = distance;
+                found = (float)a * points[t.x] + (float)b * points[t.y] + (float)c * points[t.z];
+            }
+
+            return found;
+        }
+
         /// <summary>Places seen from above.</summary>
         public PlanPoint[] Seen(List<int> places) => places.ConvertAll(place => plan[place]).ToArray();
     }

@@ -16,7 +16,7 @@ namespace Alate.Geometry
         /// <param name="samples">How many.</param>
         public ClosedCurve(IReadOnlyList<PlanPoint> corners, int samples)
         {
-            Length = Polygon.Length(corners);
+            Length = Polyline.LengthOf(corners, true);
             Step = Length / samples;
             m_Samples = Polyline.Even(corners, samples, true);
             m_Grid = new PolygonGrid(m_Samples);
@@ -31,24 +31,14 @@ namespace Alate.Geometry
         /// <summary>Arc length between two samples.</summary>
         public double Step { get; }
 
-        /// <summary>The arc length within one round, from 0.</summary>
-        public double Wrap(double s)
-        {
-            double wrapped = s - Length * Math.Floor(s / Length);
-            return wrapped < Length ? wrapped : 0.0;
-        }
-
         /// <summary>The point at an arc length.</summary>
         public PlanPoint At(double s)
         {
-            double at = Wrap(s) / Step;
+            double wrapped = s - Length * Math.Floor(s / Length), at = wrapped < Length ? wrapped / Step : 0.0;
             int before = Math.Min((int)at, m_Samples.Length - 1);
             PlanPoint from = m_Samples[before], to = m_Samples[(before + 1) % m_Samples.Length];
             return from + (to - from) * (at - before);
         }
-
-        /// <summary>The way from one arc length to another, counterclockwise.</summary>
-        public double Distance(double from, double to) => Wrap(to - from);
 
         /// <summary>Whether p lies inside.</summary>
         public bool Contains(PlanPoint p) => m_Grid.Contains(p);

@@ -27,6 +27,10 @@ namespace Alate.Geometry
         /// <summary>Twice the signed area of the triangle 0, a, b.</summary>
         public static double Cross(PlanPoint a, PlanPoint b) => a.x * b.z - a.z * b.x;
 
+        /// <summary>Returns true where the segments a–b and c–d cross.</summary>
+        public static bool SegmentsCross(PlanPoint a, PlanPoint b, PlanPoint c, PlanPoint d) =>
+            Cross(b - a, c - a) > 0.0 != Cross(b - a, d - a) > 0.0 && Cross(d - c, a - c) > 0.0 != Cross(d - c, b - c) > 0.0;
+
         /// <summary>Share of the segment a–b, in [0, 1], at which its point closest to p lies; ½ when the segment is a point.</summary>
         public static double ClosestOnSegment(PlanPoint p, PlanPoint a, PlanPoint b)
         {

@@ -50,22 +50,20 @@ namespace Alate.Geometry
             return inside;
         }
 
-        /// <summary>Sum of the lengths of all sides.</summary>
-        public static double Length(IReadOnlyList<PlanPoint> corners)
+        /// <summary>Returns true where it runs counterclockwise and no two sides meet except neighbours at their ends.</summary>
+        public static bool IsSimple(IReadOnlyList<PlanPoint> corners)
         {
-            double length = 0.0;
-            for (int k = 0; k < corners.Count; k++)
-                length += Math.Sqrt((corners[(k + 1) % corners.Count] - corners[k]).LengthSquared);
-            return length;
-        }
+            for (int a = 0; a < corners.Count; a++)
+            {
+                for (int b = a + 2; b < corners.Count; b++)
+                {
+                    int end = (b + 1) % corners.Count;
+                    if (end != a && PlanPoint.SegmentsCross(corners[a], corners[a + 1], corners[b], corners[end]))
+                        return false;
+                }
+            }
 
-        /// <summary>Distance of a point from its sides.</summary>
-        public static double Distance(IReadOnlyList<PlanPoint> corners, PlanPoint point)
-        {
-            double least = double.MaxValue;
-            for (int k = 0, before = corners.Count - 1; k < corners.Count; before = k++)
-                least = Math.Min(least, PlanPoint.DistanceSquared(point, corners[before], corners[k]));
-            return Math.Sqrt(least);
+            return corners.Count > 2 && Area(corners) > 0.0;
         }
 
         /// <summary>Unit vector along which points spread most about a centre, from their second moments.</summary>
@@ -90,27 +88,6 @@ namespace Alate.Geometry
             PlanPoint before = corners[corner] - corners[(corner + corners.Count - 1) % corners.Count];
             PlanPoint after = corners[(corner + 1) % corners.Count] - corners[corner];
             return PlanPoint.Dot(before, after) / Math.Sqrt(before.LengthSquared * after.LengthSquared);
-        }
-
-        /// <summary>The longer side of its bounds.</summary>
-        public static double Extent(IReadOnlyList<PlanPoint> corners) => new PlanBounds(corners).Extent;
-
-        /// <summary>Moves every corner towards the middle of its neighbours, a number of times (weights ¼, ½, ¼).</summary>
-        public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> corners, int rounds)
-        {
-            int count = corners.Count;
-            var from = new PlanPoint[count];
-            var to = new PlanPoint[count];
-            for (int k = 0; k < count; k++)
-                to[k] = corners[k];
-            for (int round = 0; round < rounds; round++)
-            {
-                (from, to) = (to, from);
-                for (int k = 0; k < count; k++)
-                    to[k] = from[k] * 0.5 + (from[(k + count - 1) % count] + from[(k + 1) % count]) * 0.25;
-            }
-
-            return to;
         }
 
         /// <summary>

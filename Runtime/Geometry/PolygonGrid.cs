@@ -11,8 +11,9 @@ namespace Alate.Geometry
 
         private static readonly List<int> s_None = new List<int>();
 
+        public readonly PlanBounds bounds;
+
         private readonly IReadOnlyList<PlanPoint> m_Corners;
-        private readonly PlanBounds m_Bounds;
         private readonly double m_Cell;
         private readonly int m_Columns;
         private readonly List<int>[] m_Rows;
@@ -23,18 +24,16 @@ namespace Alate.Geometry
         public PolygonGrid(IReadOnlyList<PlanPoint> corners, double cell = 0.0)
         {
             m_Corners = corners;
-            m_Bounds = new PlanBounds(corners);
-            m_Cell = cell > 0.0 ? Math.Max(cell, m_Bounds.Extent / k_MostCells) : Math.Max(m_Bounds.Extent / k_Cells, double.Epsilon);
-            m_Columns = 1 + (int)((m_Bounds.right - m_Bounds.left) / m_Cell);
-            m_Rows = new List<int>[1 + (int)((m_Bounds.high - m_Bounds.low) / m_Cell)];
+            bounds = new PlanBounds(corners);
+            m_Cell = cell > 0.0 ? Math.Max(cell, bounds.Extent / k_MostCells) : Math.Max(bounds.Extent / k_Cells, double.Epsilon);
+            m_Columns = 1 + (int)((bounds.right - bounds.left) / m_Cell);
+            m_Rows = new List<int>[1 + (int)((bounds.high - bounds.low) / m_Cell)];
             for (int side = 0; side < corners.Count; side++)
             {
                 for (int row = Row(Math.Min(corners[side].z, End(side).z)); row <= Row(Math.Max(corners[side].z, End(side).z)); row++)
                     (m_Rows[row] ??= new List<int>()).Add(side);
             }
         }
-
-        public PlanBounds Bounds => m_Bounds;
 
         /// <summary>Distance of a point inside from the sides, at most a limit; −1 outside.</summary>
         public double Clearance(PlanPoint point, double limit)
@@ -104,10 +103,10 @@ namespace Alate.Geometry
 
         private PlanPoint End(int side) => m_Corners[side + 1 < m_Corners.Count ? side + 1 : 0];
 
-        private List<int> SidesAt(double z) => z < m_Bounds.low || z > m_Bounds.high ? s_None : m_Rows[Row(z)] ?? s_None;
+        private List<int> SidesAt(double z) => z < bounds.low || z > bounds.high ? s_None : m_Rows[Row(z)] ?? s_None;
 
-        private int Column(double x) => Math.Min(m_Columns - 1, Math.Max(0, (int)((x - m_Bounds.left) / m_Cell)));
+        private int Column(double x) => Math.Min(m_Columns - 1, Math.Max(0, (int)((x - bounds.left) / m_Cell)));
 
-        private int Row(double z) => Math.Min(m_Rows.Length - 1, Math.Max(0, (int)((z - m_Bounds.low) / m_Cell)));
+        private int Row(double z) => Math.Min(m_Rows.Length - 1, Math.Max(0, (int)((z - bounds.low) / m_Cell)));
     }
 }

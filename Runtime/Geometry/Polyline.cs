@@ -126,13 +126,13 @@ namespace Alate.Geometry
             return nearest;
         }
 
-        /// <summary>Length of an open path.</summary>
-        public static double LengthOf(IReadOnlyList<PlanPoint> path)
+        /// <summary>Length of a path, from end to end or all around.</summary>
+        public static double LengthOf(IReadOnlyList<PlanPoint> path, bool isClosed = false)
         {
             double length = 0.0;
             for (int k = 1; k < path.Count; k++)
                 length += Math.Sqrt((path[k] - path[k - 1]).LengthSquared);
-            return length;
+            return isClosed ? length + Math.Sqrt((path[0] - path[path.Count - 1]).LengthSquared) : length;
         }
 
         /// <summary>Points at even steps of a path's length: both ends of an open one among them, the first point of a closed one first.</summary>
@@ -142,7 +142,7 @@ namespace Alate.Geometry
         public static PlanPoint[] Even(IReadOnlyList<PlanPoint> path, int count, bool isClosed = false)
         {
             var points = new PlanPoint[count];
-            double step = isClosed ? Polygon.Length(path) / count : LengthOf(path) / (count - 1), start = 0.0;
+            double step = LengthOf(path, isClosed) / (isClosed ? count : count - 1), start = 0.0;
             int corner = 0, last = isClosed ? path.Count - 1 : path.Count - 2;
             for (int k = 0; k < count; k++)
             {
@@ -165,27 +165,28 @@ namespace Alate.Geometry
             PlanPoint Next() => path[(corner + 1) % path.Count];
         }
 
-        /// <summary>Path smoothed in even steps, each point moved to the middle of its surroundings; the ends stay.</summary>
-        /// <param name="path">Two points or more.</param>
-        /// <param name="reach">About how far the surroundings go; also the length of a step, at most.</param>
-        public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> path, double reach)
+        /// <summary>Path whose points are moved towards the middle of their neighbours four times (weights ¼, ½, ¼); the ends of an open one stay.</summary>
+        public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> path, bool isClosed = false)
         {
             const int rounds = 4;
-            PlanPoint[] to = Even(path, Math.Max(3, 1 + (int)Math.Ceiling(LengthOf(path) / (0.7 * reach))));
+            int count = path.Count, free = isClosed ? 0 : 1;
+            var to = new PlanPoint[count];
+            for (int k = 0; k < count; k++)
+                to[k] = path[k];
             for (int round = 0; round < rounds; round++)
             {
                 var from = (PlanPoint[])to.Clone();
-                for (int k = 1; k + 1 < to.Length; k++)
-                    to[k] = from[k] * 0.5 + (from[k - 1] + from[k + 1]) * 0.25;
+                for (int k = free; k < count - free; k++)
+                    to[k] = from[k] * 0.5 + (from[(k + count - 1) % count] + from[(k + 1) % count]) * 0.25;
             }
 
             return to;
         }
 
-        /// <summary>Distance of a point from the path.</summary>
-        public static double Distance(IReadOnlyList<PlanPoint> path, PlanPoint point)
+        /// <summary>Distance of a point from a path, open or closed.</summary>
+        public static double Distance(IReadOnlyList<PlanPoint> path, PlanPoint point, bool isClosed = false)
         {
-            double least = double.MaxValue;
+            double least = isClosed ? PlanPoint.DistanceSquared(point, path[path.Count - 1], path[0]) : double.MaxValue;
             for (int k = 0; k + 1 < path.Count; k++)
                 least = Math.Min(least, PlanPoint.DistanceSquared(point, path[k], path[k + 1]));
             return Math.Sqrt(least);

@@ -7,9 +7,6 @@ namespace Alate.Authoring
     /// <summary>Finds the outline of the wing in a picture.</summary>
     internal static class OutlineFinder
     {
-        /// <summary>Rounds of smoothing, which remove steps of single pixels and noise from the rim: a bell of one pixel.</summary>
-        private const int k_SmoothingRounds = 4;
-
         /// <summary>Furthest that a point of the rim may lie from the outline: a share of the wing's length, but no less than a part of a pixel.</summary>
         private const double k_Tolerance = 5e-4, k_LeastTolerance = 0.25;
 
@@ -20,8 +17,9 @@ namespace Alate.Authoring
         {
             List<PlanPoint> rim = ContourTracer.Longest(wing.SignedField());
             rim.Reverse();
-            PlanPoint[] smooth = Polygon.Smoothed(rim.ConvertAll(p => new PlanPoint(p.x * factor, -p.z * factor)), k_SmoothingRounds);
-            return Polygon.Simplified(smooth, Math.Max(k_LeastTolerance * factor, k_Tolerance * Polygon.Extent(smooth)));
+            // Removes steps of single pixels and noise from the rim: a bell of one pixel.
+            PlanPoint[] smooth = Polyline.Smoothed(rim.ConvertAll(p => new PlanPoint(p.x * factor, -p.z * factor)), true);
+            return Polygon.Simplified(smooth, Math.Max(k_LeastTolerance * factor, k_Tolerance * new PlanBounds(smooth).Extent));
         }
     }
 }

@@ -90,7 +90,7 @@ namespace Alate.Authoring
         // The area within a circle about an end, the larger the less of the whole wing is seen.
         private static double Room(Polyline rim, PlanPoint end, PlanPoint inward)
         {
-            double reach = k_Reach * Polygon.Extent(rim.Points), near = 0.0, all = 0.0;
+            double reach = k_Reach * new PlanBounds(rim.Points).Extent, near = 0.0, all = 0.0;
             PlanPoint from = end + inward * (1e-3 * reach);
             for (int k = 0; k < k_Rays; k++)
             {

@@ -33,6 +33,9 @@ namespace Alate.Authoring
         /// </summary>
         private const double k_RimLine = 0.03, k_RimChord = 0.2, k_AlongRim = 0.6;
 
+        /// <summary>Largest distance between the points of a vein, as a share of the wing's length.</summary>
+        private const double k_Step = 0.007;
+
         private readonly VeinGraph m_Graph;
         private readonly VeinTree m_Tree;
         private readonly Polyline m_Rim;
@@ -100,7 +103,8 @@ namespace Alate.Authoring
             path.Add(tip);
             if (IsRim(way))
                 return false;
-            vein = new RadialVein(Polyline.Smoothed(path, 0.01 * m_Length), m_Rim.Nearest(tip), covered / whole);
+            PlanPoint[] even = Polyline.Even(path, Math.Max(3, 1 + (int)Math.Ceiling(Polyline.LengthOf(path) / (k_Step * m_Length))));
+            vein = new RadialVein(Polyline.Smoothed(even), m_Rim.Nearest(tip), covered / whole);
             return true;
         }
 

@@ -19,7 +19,7 @@ namespace Alate.Authoring
         {
             m_Factor = picture.Factor;
             m_Rim = new Polyline(Array.ConvertAll(outline, point => point * (1.0 / m_Factor)), true);
-            m_Extent = Polygon.Extent(outline) / m_Factor;
+            m_Extent = new PlanBounds(outline).Extent / m_Factor;
             PixelMask lines = VeinMask.Of(RidgeField.Of(picture, wing, m_Extent), wing, m_Extent);
             m_Graph = new VeinGraph(Thinning.Run(lines), m_Extent);
         }

@@ -34,7 +34,7 @@ namespace Alate.Geometry
             var found = new List<(double Clearance, PlanPoint Point)>();
             if (count <= 0)
                 return new List<PlanPoint>();
-            double area = Polygon.Area(rim), high = 2.0 * Math.Sqrt(area / count) + 2.0 * area / Polygon.Length(rim);
+            double area = Polygon.Area(rim), high = 2.0 * Math.Sqrt(area / count) + 2.0 * area / Polyline.LengthOf(rim, true);
             double low = k_LeastStep * Math.Sqrt(area / count);
             // The coarsest lattice that has them all; the ones nearest to the rim are left out then.
             for (int round = 0; round < k_Rounds && (round < 8 || found.Count != count); round++)
@@ -59,7 +59,7 @@ namespace Alate.Geometry
         {
             var places = new List<(double Clearance, PlanPoint Point)>();
             var grid = new PolygonGrid(rim, step);
-            PlanBounds bounds = grid.Bounds;
+            PlanBounds bounds = grid.bounds;
             double rise = Math.Sqrt(0.75) * step, fromCorner = k_CornerClearance * step;
             for (int row = 0; bounds.low + (row + k_ShiftZ) * rise < bounds.high; row++)
             {

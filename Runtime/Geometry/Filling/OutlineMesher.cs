@@ -40,7 +40,7 @@ namespace Alate.Geometry
                 int inside = (triangleCount + 2 - rimCount) / 2;
                 if (rimCount > k_MostRim * (triangleCount + 2) && attempt + 1 < k_Tries && rimCount > 4)
                     continue;
-                if (inside < 0 || !RimCheck.IsSimple(points))
+                if (inside < 0 || !Polygon.IsSimple(points))
                     continue;
                 List<PlanPoint> lattice = InteriorPoints.Place(points, corners == null ? s_None : Bends(points), inside);
                 if (lattice.Count < inside)

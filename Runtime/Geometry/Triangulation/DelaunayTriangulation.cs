@@ -12,14 +12,12 @@ namespace Alate.Geometry
         private readonly TriangleLinks m_Links;
         private readonly Stack<int> m_Doubtful = new Stack<int>();
         private readonly HashSet<long> m_Forced = new HashSet<long>();
-        private readonly int m_Count;
         private int m_Last;
 
         private DelaunayTriangulation(PlanPoint[] points)
         {
-            m_Count = points.Length;
             m_Links = new TriangleLinks(WithCorners(points));
-            m_Links.Add(m_Count, m_Count + 1, m_Count + 2, -1, -1, -1);
+            m_Links.Add(points.Length, points.Length + 1, points.Length + 2, -1, -1, -1);
         }
 
         /// <summary>The triangles inside a rim that runs counterclockwise through the first points in their order.</summary>
@@ -33,7 +31,7 @@ namespace Alate.Geometry
                 triangulation.Insert(point);
             for (int k = 0; k < rimCount; k++)
                 triangulation.Force(k, (k + 1) % rimCount);
-            return triangulation.Carve(points, rimCount);
+            return triangulation.Carve(points);
         }
 
         // A triangle around all points, so wide that it bends no side between them.
@@ -185,11 +183,11 @@ namespace Alate.Geometry
         }
 
         // Keeps what lies within the rim: all that cannot be reached from the outermost triangles without crossing it.
-        private TriangleLinks Carve(PlanPoint[] points, int rimCount)
+        private TriangleLinks Carve(PlanPoint[] points)
         {
             var outside = new bool[m_Links.SideCount / 3];
             var open = new Stack<int>();
-            open.Push(m_Links.firstSides[m_Count] / 3);
+            open.Push(m_Links.firstSides[points.Length] / 3);
             outside[open.Peek()] = true;
             while (open.Count > 0)
             {
@@ -197,7 +195,7 @@ namespace Alate.Geometry
                 for (int side = 3 * triangle; side < 3 * triangle + 3; side++)
                 {
                     int next = m_Links.twins[side] / 3;
-                    if (m_Links.twins[side] < 0 || outside[next] || IsRim(m_Links.corners[side], m_Links.End(side), rimCount))
+                    if (m_Links.twins[side] < 0 || outside[next] || m_Forced.Contains(Key(m_Links.corners[side], m_Links.End(side))))
                         continue;
                     outside[next] = true;
                     open.Push(next);
@@ -206,9 +204,6 @@ namespace Alate.Geometry
 
             return Kept(points, outside);
         }
-
-        private static bool IsRim(int a, int b, int rimCount) =>
-            a < rimCount && b < rimCount && ((a + 1) % rimCount == b || (b + 1) % rimCount == a);
 
         private TriangleLinks Kept(PlanPoint[] points, bool[] outside)
         {

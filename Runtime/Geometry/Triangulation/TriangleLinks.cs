@@ -46,18 +46,13 @@ namespace Alate.Geometry
         public int Add(int a, int b, int c, int twinAb, int twinBc, int twinCa)
         {
             int side = corners.Count;
-            corners.Add(a);
-            corners.Add(b);
-            corners.Add(c);
-            twins.Add(-1);
-            twins.Add(-1);
-            twins.Add(-1);
-            Join(side, twinAb);
-            Join(side + 1, twinBc);
-            Join(side + 2, twinCa);
-            firstSides[a] = side;
-            firstSides[b] = side + 1;
-            firstSides[c] = side + 2;
+            for (int k = 0; k < 3; k++)
+            {
+                corners.Add(-1);
+                twins.Add(-1);
+            }
+
+            Replace(side, a, b, c, twinAb, twinBc, twinCa);
             return side;
         }
 

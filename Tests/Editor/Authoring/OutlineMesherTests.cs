@@ -42,7 +42,7 @@ namespace Alate.Editor.Tests
             double size = Math.Sqrt(4.0 * Polygon.Area(wing) / (Math.Sqrt(3.0) * triangles));
             Assert.That(PlanPaths.Hausdorff(loop, wing), Is.LessThan(0.5 * size), "the rim follows the outline to half a triangle's side");
             foreach (PlanPoint point in loop)
-                Assert.That(Polygon.Distance(wing, point), Is.LessThan(1e-3 * size), "the rim's points lie on the outline");
+                Assert.That(Polyline.Distance(wing, point, true), Is.LessThan(1e-3 * size), "the rim's points lie on the outline");
         }
 
         [Test]

@@ -41,7 +41,7 @@ namespace Alate.Editor.Tests
             PlanPoint[] outline = Trace(place.Draw(DrawnKind.Silhouette));
 
             double truth = Polygon.Area(PlanPaths.Counterclockwise(place.Outline));
-            Assert.That(Polygon.Area(outline), Is.EqualTo(truth).Within(0.1 * Polygon.Length(outline)));
+            Assert.That(Polygon.Area(outline), Is.EqualTo(truth).Within(0.1 * Polyline.LengthOf(outline, true)));
         }
 
         [Test]

@@ -40,7 +40,7 @@ namespace Alate.Editor.Tests
             for (int k = 0; k < from.Length * steps; k++)
             {
                 PlanPoint a = from[k / steps], b = from[(k / steps + 1) % from.Length];
-                farthest = Math.Max(farthest, Polygon.Distance(to, a + (b - a) * ((double)(k % steps) / steps)));
+                farthest = Math.Max(farthest, Polyline.Distance(to, a + (b - a) * ((double)(k % steps) / steps), true));
             }
 
             return farthest;

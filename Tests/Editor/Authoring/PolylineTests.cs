@@ -64,7 +64,7 @@ namespace Alate.Tests
                 bool isInside = Polygon.Contains(star, point);
 
                 Assert.That(grid.Contains(point), Is.EqualTo(isInside), $"point {k}");
-                double clearance = isInside ? System.Math.Min(0.3, Polygon.Distance(star, point)) : -1.0;
+                double clearance = isInside ? System.Math.Min(0.3, Polyline.Distance(star, point, true)) : -1.0;
                 Assert.That(grid.Clearance(point, 0.3), Is.EqualTo(clearance).Within(1e-12), $"point {k}");
             }
         }
