@@ -55,7 +55,7 @@ namespace Alate.Authoring
                 if (Array.TrueForAll(followed, vein => vein == null))
                     return;
                 VeinChains laid = VeinChains.Lay(m_Fitted, followed, rim, Length, true);
-                int poor = LeastShare(followed, laid.Shares);
+                int poor = Least(followed, chain => laid.Shares[chain]);
                 bool isPoor = laid.Shares[poor] < k_LeastShare;
                 if (!isPoor && (TryTake(laid) || TryTake(VeinChains.Lay(m_Fitted, followed, rim, Length, false))))
                 {
@@ -63,7 +63,7 @@ namespace Alate.Authoring
                     return;
                 }
 
-                left.Remove(isPoor ? followed[poor] : WorstCovered(followed));
+                left.Remove(followed[isPoor ? poor : Least(followed, chain => followed[chain].Coverage)]);
             }
         }
 
@@ -122,24 +122,17 @@ namespace Alate.Authoring
         private bool IsInside(PlanPoint place) =>
             Polygon.Contains(m_Outline, place) || Polyline.Distance(m_Outline, place, true) < k_Outside * Length;
 
-        private static int LeastShare(RadialVein[] followed, double[] shares)
+        // The chain on a vein of which something is least.
+        private static int Least(RadialVein[] followed, Func<int, double> of)
         {
             int least = -1;
             for (int i = 0; i < followed.Length; i++)
             {
-                if (followed[i] != null && (least < 0 || shares[i] < shares[least]))
+                if (followed[i] != null && (least < 0 || of(i) < of(least)))
                     least = i;
             }
 
             return least;
-        }
-
-        private static RadialVein WorstCovered(RadialVein[] followed)
-        {
-            RadialVein worst = null;
-            foreach (RadialVein vein in followed)
-                worst = vein != null && (worst == null || vein.Coverage < worst.Coverage) ? vein : worst;
-            return worst;
         }
 
         private static Vector3 ToVector(PlanPoint place) => new Vector3((float)place.x, 0f, (float)place.z);

@@ -71,11 +71,8 @@ namespace Alate.Authoring
             CheckSize(texture.width, texture.height);
             Color32[] pixels = texture.GetPixels32();
             // Textures begin with their lowest row.
-            for (int row = 0; row < texture.height; row++)
-            {
-                if (row < texture.height - 1 - row)
-                    SwapRows(pixels, texture.width, row, texture.height - 1 - row);
-            }
+            for (int row = 0; row < texture.height / 2; row++)
+                SwapRows(pixels, texture.width, row, texture.height - 1 - row);
 
             return new WingPicture(texture.width, texture.height, pixels);
         }

@@ -27,7 +27,7 @@ namespace Alate.Authoring
             if (picture == null)
                 throw new ArgumentNullException(nameof(picture));
             settings.Check(picture);
-            WorkingPicture working = WorkingPicture.Of(picture);
+            var working = new WorkingPicture(picture);
             WingSeparation wing = WingSeparation.Of(working);
             PlanPoint[] outline = OutlineFinder.Find(wing, working.Factor);
             TriangleLinks mesh = OutlineMesher.Mesh(outline, settings.triangles, out _);
@@ -40,7 +40,7 @@ namespace Alate.Authoring
             float confidence = clear < k_ClearRim ? (float)clear * fit.Confidence : fit.Confidence;
             WingPlacement placement = skeleton.Place(picture, settings.length);
             return new WingTrace(
-                placement, Array.ConvertAll(outline, ToPicture), TracedSurface.Make(mesh, placement), skeleton.ToWingSkeleton(placement), skeleton.FollowsVein,
+                placement, Array.ConvertAll(outline, ToPicture), Surface(mesh, placement), skeleton.ToWingSkeleton(placement), skeleton.FollowsVein,
                 veins.ConvertAll(vein => Array.ConvertAll(vein.Path, ToPicture)), confidence, Warnings(fit, wing, clear));
         }
 
@@ -52,6 +52,20 @@ namespace Alate.Authoring
             if (clear < k_ClearRim)
                 warnings.Add($"The wing's edge is faint on {Math.Ceiling(100.0 * (1.0 - clear)):F0} % of the outline, which may be wrong there.");
             return warnings;
+        }
+
+        // In the plane y = 0, facing up, with the picture's texture coordinates.
+        private static SurfaceMesh Surface(TriangleLinks mesh, WingPlacement placement)
+        {
+            var normals = new Vector3[mesh.points.Length];
+            Array.Fill(normals, Vector3.up);
+            return new SurfaceMesh
+            {
+                positions = Array.ConvertAll(mesh.points, placement.ToMesh),
+                normals = normals,
+                uvs = Array.ConvertAll(mesh.points, placement.ToTexture),
+                triangles = mesh.Clockwise(),
+            };
         }
 
         private static Vector2 ToPicture(PlanPoint place) => new Vector2((float)place.x, (float)-place.z);

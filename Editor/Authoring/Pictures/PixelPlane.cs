@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Alate.Authoring
 {
@@ -24,6 +25,29 @@ namespace Alate.Authoring
             set => values[row * width + column] = value;
         }
 
+        /// <summary>The pixels whose number is above a limit.</summary>
+        public PixelMask Above(float limit)
+        {
+            var mask = new PixelMask(width, height);
+            for (int k = 0; k < values.Length; k++)
+                mask[k % width, k / width] = values[k] > limit;
+            return mask;
+        }
+
+        /// <summary>Numbers of every seventh pixel, those within a mask, rising; seven is prime, so that no column is favoured.</summary>
+        public List<float> Sampled(PixelMask within)
+        {
+            var sampled = new List<float>();
+            for (int k = 0; k < values.Length; k += 7)
+            {
+                if (within[k % width, k / width])
+                    sampled.Add(values[k]);
+            }
+
+            sampled.Sort();
+            return sampled;
+        }
+
         /// <summary>Convolves the plane with a Gaussian bell; the last pixels continue beyond the rim.</summary>
         /// <param name="sigma">Width of the bell, pixels.</param>
         public PixelPlane Blurred(double sigma)
@@ -42,38 +66,23 @@ namespace Alate.Authoring
 
         /// <summary>The largest value within a square around each pixel.</summary>
         /// <param name="radius">Half a side of the square, pixels.</param>
-        public PixelPlane Highest(int radius)
+        public PixelPlane Highest(int radius) => Highest(radius, 1, 0).Highest(radius, 0, 1);
+
+        private PixelPlane Highest(int radius, int right, int down)
         {
-            var across = new PixelPlane(width, height);
-            for (int row = 0; row < height; row++)
+            var highest = new PixelPlane(width, height);
+            values.CopyTo(highest.values, 0);
+            for (int step = -radius; step <= radius; step++)
             {
-                var from = new ReadOnlySpan<float>(values, row * width, width);
-                var into = new Span<float>(across.values, row * width, width);
-                for (int column = 0; column < into.Length; column++)
+                int x = step * right, y = step * down;
+                for (int row = Math.Max(0, -y); row < Math.Min(height, height - y); row++)
                 {
-                    float highest = from[column];
-                    int last = Math.Min(width - 1, column + radius);
-                    for (int near = Math.Max(0, column - radius); near <= last; near++)
-                        highest = from[near] > highest ? from[near] : highest;
-                    into[column] = highest;
+                    for (int column = Math.Max(0, -x); column < Math.Min(width, width - x); column++)
+                        highest[column, row] = Math.Max(highest[column, row], this[column + x, row + y]);
                 }
             }
 
-            var both = new PixelPlane(width, height);
-            for (int row = 0; row < height; row++)
-            {
-                var into = new Span<float>(both.values, row * width, width);
-                new ReadOnlySpan<float>(across.values, row * width, width).CopyTo(into);
-                int last = Math.Min(height - 1, row + radius);
-                for (int near = Math.Max(0, row - radius); near <= last; near++)
-                {
-                    var from = new ReadOnlySpan<float>(across.values, near * width, width);
-                    for (int column = 0; column < into.Length; column++)
-                        into[column] = from[column] > into[column] ? from[column] : into[column];
-                }
-            }
-
-            return both;
+            return highest;
         }
 
         private void BlurRow(float[] kernel, int row, float[] line, PixelPlane into)

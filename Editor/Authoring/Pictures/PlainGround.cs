@@ -34,19 +34,18 @@ namespace Alate.Authoring
 
         private readonly PixelPlane[] m_Channels;
         private readonly SmoothSurface[] m_Surfaces;
-        private readonly PixelPlane m_Distance;
 
         private PlainGround(PixelPlane[] channels)
         {
             m_Channels = channels;
-            m_Distance = new PixelPlane(channels[0].width, channels[0].height);
+            Distance = new PixelPlane(channels[0].width, channels[0].height);
             m_Surfaces = Array.ConvertAll(channels, channel => new SmoothSurface(channel.width, channel.height));
         }
 
         /// <summary>
         /// Distance of the colour of each pixel from the ground's: the root of the mean squared difference of the channels, shades.
         /// </summary>
-        public PixelPlane Distance => m_Distance;
+        public PixelPlane Distance { get; }
 
         /// <summary>Distance below which a pixel may well be ground, shades.</summary>
         public double Noise { get; private set; }
@@ -75,13 +74,13 @@ namespace Alate.Authoring
         private List<(int Column, int Row)> Sample(Func<int, int, bool> isGround)
         {
             int count = 0;
-            for (int k = 0; k < m_Distance.values.Length; k++)
-                count += isGround(k % m_Distance.width, k / m_Distance.width) ? 1 : 0;
+            for (int k = 0; k < Distance.values.Length; k++)
+                count += isGround(k % Distance.width, k / Distance.width) ? 1 : 0;
             int wanted = Math.Min(count, k_MostSamples);
             var samples = new List<(int Column, int Row)>(wanted);
             for (int k = 0, passed = 0; samples.Count < wanted; k++)
             {
-                int column = k % m_Distance.width, row = k / m_Distance.width;
+                int column = k % Distance.width, row = k / Distance.width;
                 if (isGround(column, row) && passed++ == (int)((long)samples.Count * count / wanted))
                     samples.Add((column, row));
             }
@@ -98,10 +97,16 @@ namespace Alate.Authoring
                 for (int k = 0; k < residuals.Length; k++)
                     residuals[k] = DistanceAt(samples[k].Column, samples[k].Row);
                 double reach = k_TukeyReach * Math.Max(k_LeastSpread, k_SpreadOverMedian * Median(residuals));
-                for (int k = 0; k < residuals.Length; k++)
-                    AddSample(samples[k], Biweight(residuals[k] / reach));
-                foreach (SmoothSurface surface in m_Surfaces)
-                    surface.Fit();
+                for (int c = 0; c < m_Channels.Length; c++)
+                {
+                    for (int k = 0; k < residuals.Length; k++)
+                    {
+                        (int column, int row) = samples[k];
+                        m_Surfaces[c].Add(column, row, m_Channels[c][column, row], Biweight(residuals[k] / reach));
+                    }
+
+                    m_Surfaces[c].Fit();
+                }
             }
         }
 
@@ -119,37 +124,18 @@ namespace Alate.Authoring
             }
         }
 
-        private void AddSample((int Column, int Row) sample, double weight)
-        {
-            for (int c = 0; c < m_Channels.Length; c++)
-                m_Surfaces[c].Add(sample.Column, sample.Row, m_Channels[c][sample.Column, sample.Row], weight);
-        }
-
         private void MeasureDistances()
         {
-            var squares = new double[m_Distance.width];
-            for (int row = 0; row < m_Distance.height; row++)
+            for (int row = 0; row < Distance.height; row++)
             {
-                Array.Clear(squares, 0, squares.Length);
-                for (int c = 0; c < m_Channels.Length; c++)
-                {
-                    var shades = new ReadOnlySpan<float>(m_Channels[c].values, row * squares.Length, squares.Length);
-                    SmoothSurface.Row ground = m_Surfaces[c].RowAt(row);
-                    for (int column = 0; column < squares.Length; column++)
-                    {
-                        double difference = shades[column] - ground.At(column);
-                        squares[column] += difference * difference;
-                    }
-                }
-
-                for (int column = 0; column < squares.Length; column++)
-                    m_Distance[column, row] = (float)Math.Sqrt(squares[column] / m_Channels.Length);
+                for (int column = 0; column < Distance.width; column++)
+                    Distance[column, row] = (float)DistanceAt(column, row);
             }
         }
 
         private void MeasureNoise(List<(int Column, int Row)> samples)
         {
-            double[] distances = samples.ConvertAll(sample => (double)m_Distance[sample.Column, sample.Row]).ToArray();
+            double[] distances = samples.ConvertAll(sample => (double)Distance[sample.Column, sample.Row]).ToArray();
             double middle = Median(distances);
             double spread = k_SpreadOverMedian * Median(Array.ConvertAll(distances, distance => Math.Abs(distance - middle)));
             Noise = Math.Max(k_LeastContrast, middle + k_SureSpreads * spread);

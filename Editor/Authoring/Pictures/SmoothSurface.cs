@@ -26,14 +26,11 @@ namespace Alate.Authoring
         }
 
         /// <summary>Value of the polynomial at a pixel.</summary>
-        public double At(int column, int row) => RowAt(row).At(column);
-
-        /// <summary>Polynomial along a row.</summary>
-        public Row RowAt(int row)
+        public double At(int column, int row)
         {
-            double y = row * m_ScaleY - 1.0;
+            double x = column * m_ScaleX - 1.0, y = row * m_ScaleY - 1.0;
             double[] c = m_Coefficients;
-            return new Row(c[0] + y * (c[2] + c[5] * y), c[1] + c[4] * y, c[3], m_ScaleX);
+            return c[0] + y * (c[2] + c[5] * y) + x * (c[1] + c[4] * y + c[3] * x);
         }
 
         /// <summary>Adds a pixel to those that the next fit is made to.</summary>
@@ -88,26 +85,6 @@ namespace Alate.Authoring
             }
 
             return solution;
-        }
-
-        /// <summary>A quadratic polynomial of the column.</summary>
-        public readonly struct Row
-        {
-            private readonly double m_Constant, m_Slope, m_Curve, m_Scale;
-
-            public Row(double constant, double slope, double curve, double scale)
-            {
-                m_Constant = constant;
-                m_Slope = slope;
-                m_Curve = curve;
-                m_Scale = scale;
-            }
-
-            public double At(int column)
-            {
-                double x = column * m_Scale - 1.0;
-                return m_Constant + x * (m_Slope + m_Curve * x);
-            }
         }
     }
 }

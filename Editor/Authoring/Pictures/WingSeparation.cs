@@ -90,7 +90,7 @@ namespace Alate.Authoring
                 return Of(picture, new EdgeContrast(picture.Alpha.Blurred(blur), k_AlphaNoise, blur));
             PixelPlane[] channels = { picture.Red.Blurred(blur), picture.Green.Blurred(blur), picture.Blue.Blurred(blur) };
             PlainGround ground = PlainGround.FromBorder(channels);
-            PixelMask spared = Above(new EdgeContrast(ground.Distance, ground.Noise, blur).excess).Filled().Grown(4.0 * blur);
+            PixelMask spared = new EdgeContrast(ground.Distance, ground.Noise, blur).excess.Above(0f).Filled().Grown(4.0 * blur);
             // The border alone says little of the middle, where most of the ground may lie.
             if (spared.Count < 0.7 * picture.Width * picture.Height)
                 ground = PlainGround.Outside(spared, channels);
@@ -160,7 +160,7 @@ namespace Alate.Authoring
 
         private static PixelMask Solid(PixelPlane excess)
         {
-            PixelMask mask = Above(excess), filled = mask.Filled();
+            PixelMask mask = excess.Above(0f), filled = mask.Filled();
             bool isThick = IsThick(filled);
             if (mask.Count < k_Solid * filled.Count || !isThick)
             {
@@ -187,18 +187,6 @@ namespace Alate.Authoring
             double least = k_ThickShare * parts[0].Count;
             PixelMask core = parts[0].ToMask(mask.height).Shrunk(radius);
             return core.Count > least || core.Grown(radius).Count > least;
-        }
-
-        private static PixelMask Above(PixelPlane excess)
-        {
-            var mask = new PixelMask(excess.width, excess.height);
-            for (int row = 0; row < excess.height; row++)
-            {
-                for (int column = 0; column < excess.width; column++)
-                    mask[column, row] = excess[column, row] > 0f;
-            }
-
-            return mask;
         }
     }
 }

@@ -12,7 +12,7 @@ namespace Alate.Authoring
         /// <summary>Alpha below which a pixel counts as transparent.</summary>
         private const int k_Transparent = 128;
 
-        private WorkingPicture(WingPicture picture)
+        public WorkingPicture(WingPicture picture)
         {
             Factor = (Math.Max(picture.Width, picture.Height) + k_LongestSide - 1) / k_LongestSide;
             int width = picture.Width / Factor, height = picture.Height / Factor;
@@ -20,6 +20,13 @@ namespace Alate.Authoring
             Green = new PixelPlane(width, height);
             Blue = new PixelPlane(width, height);
             Alpha = new PixelPlane(width, height);
+            for (int row = 0; row < height; row++)
+            {
+                for (int column = 0; column < width; column++)
+                    Average(picture, column, row);
+            }
+
+            HasTransparentGround = TransparentShareOfBorder(picture) > 0.5;
         }
 
         /// <summary>Number of pixels of the original along a side of one pixel here.</summary>
@@ -38,20 +45,7 @@ namespace Alate.Authoring
         public int Height => Alpha.height;
 
         /// <summary>True where most of the picture's border is transparent.</summary>
-        public bool HasTransparentGround { get; private set; }
-
-        public static WorkingPicture Of(WingPicture picture)
-        {
-            var working = new WorkingPicture(picture);
-            for (int row = 0; row < working.Height; row++)
-            {
-                for (int column = 0; column < working.Width; column++)
-                    working.Average(picture, column, row);
-            }
-
-            working.HasTransparentGround = TransparentShareOfBorder(picture) > 0.5;
-            return working;
-        }
+        public bool HasTransparentGround { get; }
 
         private void Average(WingPicture picture, int column, int row)
         {

@@ -24,9 +24,6 @@ namespace Alate.Authoring
         /// <summary>Share of the pixels with the strongest response by which dark and bright lines are compared.</summary>
         private const double k_Strongest = 0.03;
 
-        /// <summary>Step between the pixels of that comparison; prime, so that no column is favoured.</summary>
-        private const int k_SampleStep = 7;
-
         /// <summary>Computes the field, in shades of contrast, for dark lines or for bright ones, whichever stand out more.</summary>
         public static PixelPlane Of(WorkingPicture picture, PixelMask wing, double length)
         {
@@ -92,14 +89,7 @@ namespace Alate.Authoring
 
         private static double Strength(PixelPlane response, PixelMask inner)
         {
-            var values = new List<float>();
-            for (int k = 0; k < response.values.Length; k += k_SampleStep)
-            {
-                if (inner[k % response.width, k / response.width])
-                    values.Add(response.values[k]);
-            }
-
-            values.Sort();
+            List<float> values = response.Sampled(inner);
             double sum = 0.0;
             for (int k = (int)((1.0 - k_Strongest) * values.Count); k < values.Count; k++)
                 sum += values[k];

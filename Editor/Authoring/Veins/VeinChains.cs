@@ -128,8 +128,7 @@ namespace Alate.Authoring
             int before = chain - 1, after = chain + 1;
             while (after < m_Followed.Length && m_Followed[after] == null)
                 after++;
-            bool isMoved = after < m_Followed.Length || m_Followed[before] != null || Chains[before] != m_Fitted[before];
-            if (!isMoved || after == m_Followed.Length)
+            if (after == m_Followed.Length)
                 return;
             double share = 1.0 / (after - before);
             var joints = new PlanPoint[m_Fitted[chain].Length];

@@ -21,20 +21,20 @@ namespace Alate.Authoring
         /// <param name="veins">In any order.</param>
         /// <param name="order">Of places on the outline.</param>
         /// <param name="length">Of the wing.</param>
-        public static RadialVein[] Choose(IReadOnlyList<PlanPoint[]> chains, List<RadialVein> veins, RimOrder order, double length)
+        public static RadialVein[] Choose(PlanPoint[][] chains, List<RadialVein> veins, RimOrder order, double length)
         {
             var sorted = new List<RadialVein>(veins);
             sorted.Sort((a, b) => order.Of(a.RimDistance).CompareTo(order.Of(b.RimDistance)));
-            double[] tips = Array.ConvertAll(ToArray(chains), chain => order.Of(chain[chain.Length - 1]));
+            double[] tips = Array.ConvertAll(chains, chain => order.Of(chain[chain.Length - 1]));
             double[] places = sorted.ConvertAll(vein => order.Of(vein.RimDistance)).ToArray();
             double mean = (tips[tips.Length - 1] - tips[0]) / (tips.Length - 1);
             int columns = sorted.Count;
             // best[i, k]: the most gained by the first i chains where the last chosen of the sorted veins is k − 1, or none when k is 0.
-            var best = new double[chains.Count + 1, columns + 1];
-            var chosen = new int[chains.Count + 1, columns + 1];
+            var best = new double[chains.Length + 1, columns + 1];
+            var chosen = new int[chains.Length + 1, columns + 1];
             for (int k = 1; k <= columns; k++)
                 best[0, k] = double.NegativeInfinity;
-            for (int i = 1; i <= chains.Count; i++)
+            for (int i = 1; i <= chains.Length; i++)
             {
                 for (int k = 0; k <= columns; k++)
                 {
@@ -54,7 +54,7 @@ namespace Alate.Authoring
                 }
             }
 
-            return Trace(sorted, best, chosen, chains.Count);
+            return Trace(sorted, best, chosen, chains.Length);
         }
 
         private static RadialVein[] Trace(List<RadialVein> sorted, double[,] best, int[,] chosen, int chains)
@@ -84,14 +84,6 @@ namespace Alate.Authoring
             for (int k = 4; k < even.Length; k++)
                 most = Math.Max(most, Polyline.Distance(chain, even[k]));
             return most < k_LeadingEdge * length ? k_Reach * k_Reach * vein.Coverage : 0.0;
-        }
-
-        private static PlanPoint[][] ToArray(IReadOnlyList<PlanPoint[]> chains)
-        {
-            var array = new PlanPoint[chains.Count][];
-            for (int i = 0; i < array.Length; i++)
-                array[i] = chains[i];
-            return array;
         }
     }
 }

@@ -35,11 +35,15 @@ namespace Alate.Authoring
             m_Stretch = Math.Max(3, (int)(k_Stretch * longest));
             m_Bent = Math.Max(2, (int)(k_Bent * longest));
             m_Parts = new int[graph.Count];
-            for (int vertex = 0, last = 0; vertex < graph.Count; vertex++)
+            var joined = new DisjointSets(graph.Count);
+            for (int vertex = 0; vertex < graph.Count; vertex++)
             {
-                if (m_Parts[vertex] == 0)
-                    Spread(vertex, ++last);
+                foreach (VeinLink link in graph.LinksOf(vertex))
+                    joined.Join(vertex, link.to);
             }
+
+            for (int vertex = 0; vertex < graph.Count; vertex++)
+                m_Parts[vertex] = joined.Find(vertex);
         }
 
         /// <summary>Joins the lines that the gaps of a graph part.</summary>
@@ -54,23 +58,6 @@ namespace Alate.Authoring
                     gaps.FromEnd(vertex);
                 else if (graph.IsNode(vertex))
                     gaps.FromFork(vertex);
-            }
-        }
-
-        private void Spread(int from, int part)
-        {
-            var open = new Stack<int>();
-            m_Parts[from] = part;
-            open.Push(from);
-            while (open.Count > 0)
-            {
-                foreach (VeinLink link in m_Graph.LinksOf(open.Pop()))
-                {
-                    if (m_Parts[link.to] != 0)
-                        continue;
-                    m_Parts[link.to] = part;
-                    open.Push(link.to);
-                }
             }
         }
 

@@ -79,18 +79,10 @@ namespace Alate.Catalogue
         }
 
         /// <summary>The leading edge ahead of the hinge line at a span from 0 to 1, wing lengths.</summary>
-        public double LeadingAt(double span)
-        {
-            var leading = m_Leading.At(span);
-            return span <= m_CapStart ? leading : Cap(span, leading);
-        }
+        public double LeadingAt(double span) => Capped(span, m_Leading.At(span));
 
         /// <summary>The trailing edge ahead of the hinge line at a span from 0 to 1, wing lengths.</summary>
-        public double TrailingAt(double span)
-        {
-            var trailing = m_Trailing.At(span);
-            return span <= m_CapStart ? trailing : Cap(span, trailing);
-        }
+        public double TrailingAt(double span) => Capped(span, m_Trailing.At(span));
 
         /// <summary>The chord at a span from 0 to 1, wing lengths.</summary>
         public double ChordAt(double span) => Math.Max(0, LeadingAt(span) - TrailingAt(span));
@@ -110,8 +102,11 @@ namespace Alate.Catalogue
             return false;
         }
 
-        private double Cap(double span, double edge)
+        private double Capped(double span, double edge)
         {
+            if (span <= m_CapStart)
+                return edge;
+
             var middle = 0.5 * (m_Leading.At(span) + m_Trailing.At(span));
             var into = Math.Min(1, (span - m_CapStart) / (1 - m_CapStart));
             return middle + (edge - middle) * Math.Sqrt(1 - into * into);
@@ -153,7 +148,7 @@ namespace Alate.Catalogue
             {
                 var isTip = i == span.Length - 1;
                 var rises = i == 0 ? span[i] == 0 : span[i] > span[i - 1];
-                if (!rises || !IsFinite(leading[i]) || !IsFinite(trailing[i]) || !IsFinite(span[i])
+                if (!rises || !double.IsFinite(leading[i]) || !double.IsFinite(trailing[i]) || !double.IsFinite(span[i])
                     || !(isTip ? leading[i] >= trailing[i] : leading[i] > trailing[i]))
                 {
                     throw new ArgumentException(FormattableString.Invariant(
@@ -161,7 +156,5 @@ namespace Alate.Catalogue
                 }
             }
         }
-
-        private static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
     }
 }

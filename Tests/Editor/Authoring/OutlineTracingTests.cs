@@ -140,7 +140,7 @@ namespace Alate.Editor.Tests
 
         private static PlanPoint[] Trace(DrawnPicture picture)
         {
-            WorkingPicture working = WorkingPicture.Of(picture.ToPicture());
+            var working = new WorkingPicture(picture.ToPicture());
             return OutlineFinder.Find(WingSeparation.Of(working), working.Factor);
         }
 
