@@ -102,7 +102,7 @@ namespace Alate.Authoring
                 sum += from * (Math.Pow(from.LengthSquared, 0.5 * (k_FarPower - 1.0)) * mesh.Area(a, b, c));
             }
 
-            return sum * (1.0 / Math.Sqrt(sum.LengthSquared));
+            return PlanPoint.Unit(sum);
         }
 
         private Vector3 Forward(in WingTracingSettings settings)

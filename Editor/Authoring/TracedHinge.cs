@@ -36,8 +36,8 @@ namespace Alate.Authoring
                 return new TracedHinge(focus, k_FocusConfidence, "The hinge is taken to be where the veins come together.");
             if (wing.MiddleOfCut is PlanPoint cut)
                 return new TracedHinge(cut * factor, k_EdgeConfidence, "The hinge is taken to be where the wing runs out of the picture.");
-            PointedEnd end = PointedEnd.Of(outline);
-            return new TracedHinge(end.Place, end.Confidence, "The hinge is a guess, the more pointed end of the wing or the one opposite its outer margin.");
+            (PlanPoint end, double confidence) = PointedEnd.Of(outline);
+            return new TracedHinge(end, confidence, "The hinge is a guess, the more pointed end of the wing or the one opposite its outer margin.");
         }
     }
 }

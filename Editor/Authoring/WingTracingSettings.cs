@@ -1,4 +1,5 @@
 using System;
+using Alate.Fitting;
 using UnityEngine;
 using UnityEngine.Scripting.APIUpdating;
 
@@ -44,9 +45,9 @@ namespace Alate.Authoring
         /// <exception cref="ArgumentException">The hinge lies outside the picture, or the forward direction is zero or not finite.</exception>
         internal void Check(WingPicture picture)
         {
-            CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "A skeleton has {0} to {1} chains.");
-            CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "A chain has {0} to {1} joints.");
-            CheckCount(triangles, MinTriangles, MaxTriangles, nameof(triangles), "A wing is meshed with {0} to {1} triangles.");
+            SkeletonFitSettings.CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "A skeleton has {0} to {1} chains.");
+            SkeletonFitSettings.CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "A chain has {0} to {1} joints.");
+            SkeletonFitSettings.CheckCount(triangles, MinTriangles, MaxTriangles, nameof(triangles), "A wing is meshed with {0} to {1} triangles.");
             if (!(length > 0f && length <= 1e6f))
                 throw new ArgumentOutOfRangeException(nameof(length), length, "The wing's length is above 0 and at most a million.");
             if (hinge is Vector2 at && !(at.x >= 0f && at.y >= 0f && at.x <= picture.Width && at.y <= picture.Height))
@@ -57,12 +58,6 @@ namespace Alate.Authoring
 
             if (forward is Vector2 to && !(to.sqrMagnitude > 0f && to.sqrMagnitude < float.PositiveInfinity))
                 throw new ArgumentException(FormattableString.Invariant($"The direction of the leading edge is zero or not finite: ({to.x}, {to.y})."));
-        }
-
-        private static void CheckCount(int count, int least, int most, string name, string message)
-        {
-            if (count < least || count > most)
-                throw new ArgumentOutOfRangeException(name, count, string.Format(message, least, most));
         }
     }
 }

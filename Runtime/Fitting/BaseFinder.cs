@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
@@ -66,7 +65,7 @@ namespace Alate.Fitting
                 float3 direction = Directions.Unit(side);
                 PlanPoint inPlane = m_Sheet.plane.ToPlan(direction);
                 if (inPlane.LengthSquared > k_InPlane * k_InPlane)
-                    return FromSide(WingView.Unit(inPlane), settings.forward);
+                    return FromSide(PlanPoint.Unit(inPlane), settings.forward);
                 return FromShape("the given body side stands on the wing");
             }
 
@@ -83,7 +82,7 @@ namespace Alate.Fitting
             {
                 m_Notes.Warn(
                     SkeletonFitWarningKind.HingeOffWing, 0.7,
-                    $"The given hinge lies {Percent(distance)} of the wing's extent off its outline; the wing turns about the nearest base instead.");
+                    $"The given hinge lies {FitNotes.Percent(distance)} of the wing's extent off its outline; the wing turns about the nearest base instead.");
             }
 
             return anchor;
@@ -104,7 +103,7 @@ namespace Alate.Fitting
                 PlanPoint ahead = m_Sheet.plane.ToPlan(Directions.Unit(given));
                 ahead -= side * PlanPoint.Dot(ahead, side);
                 if (ahead.LengthSquared > k_InPlane * k_InPlane)
-                    side = side * Math.Cos(k_Tilt) + WingView.Unit(ahead) * Math.Sin(k_Tilt);
+                    side = side * Math.Cos(k_Tilt) + PlanPoint.Unit(ahead) * Math.Sin(k_Tilt);
             }
 
             int first = 0;
@@ -149,7 +148,5 @@ namespace Alate.Fitting
 
         private void Warn(double confidence, string how) =>
             m_Notes.Warn(SkeletonFitWarningKind.HingeGuessed, confidence, $"The hinge is a guess: {how}.");
-
-        private static string Percent(double share) => (100.0 * share).ToString("F0", CultureInfo.InvariantCulture) + " %";
     }
 }

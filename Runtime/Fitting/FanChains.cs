@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using Alate.Geometry;
 
 namespace Alate.Fitting
@@ -47,7 +46,7 @@ namespace Alate.Fitting
             made[0] = BalancedJoints.Place(LeadingEdge(), joints);
             ChainInset.Apply(made[0], m_Outline);
             int last = chains - 1;
-            List<PlanPoint> lastPath = new InnerPath(m_Outline).Find(m_Marks.TrailingRoot, m_Marks.Last);
+            List<PlanPoint> lastPath = InnerPath.Find(m_Outline, m_Marks.TrailingRoot, m_Marks.Last);
             made[last] = Jointed(new List<PlanPoint>(lastPath), shares.TailOf(last), joints);
 
             FanField field = Field(made[0], shares.TailOf(last) == null ? made[last] : (IReadOnlyList<PlanPoint>)lastPath);
@@ -88,7 +87,7 @@ namespace Alate.Fitting
                 {
                     m_Notes.Warn(
                         SkeletonFitWarningKind.ChainLeavesWing, 0.9,
-                        $"Chain {i} strays {(100.0 * outside).ToString("0.#", CultureInfo.InvariantCulture)} % of the wing's length from it.");
+                        $"Chain {i} strays {FitNotes.Percent(outside, "0.#")} of the wing's length from it.");
                 }
             }
         }

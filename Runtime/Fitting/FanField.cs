@@ -34,7 +34,7 @@ namespace Alate.Fitting
         /// <param name="axis">The direction in which the domain is long.</param>
         public FanField(IReadOnlyList<PlanPoint> rim, IReadOnlyList<double> rimValues, PlanPoint axis)
         {
-            m_Along = WingView.Unit(axis);
+            m_Along = PlanPoint.Unit(axis);
             m_Across = new PlanPoint(-m_Along.z, m_Along.x);
             var bounds = new PlanBounds(Turned(rim, default));
             m_StepAlong = (bounds.right - bounds.left) / k_Along;

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Alate.Fitting
 {
@@ -21,6 +22,9 @@ namespace Alate.Fitting
             m_Warnings.Add(new SkeletonFitWarning(kind, message));
             LowerConfidence(confidence);
         }
+
+        /// <summary>A share in a sentence, in per cent.</summary>
+        public static string Percent(double share, string format = "F0") => (100.0 * share).ToString(format, CultureInfo.InvariantCulture) + " %";
 
         /// <summary>Lowers the confidence by a factor without a warning.</summary>
         public void LowerConfidence(double confidence) => Confidence *= confidence;

@@ -8,7 +8,7 @@ namespace Alate.Fitting
     /// Shortest path inside a wing between two places of its outline: straight where possible, else past the notches of the trailing edge
     /// at a little distance.
     /// </summary>
-    internal sealed class InnerPath
+    internal static class InnerPath
     {
         /// <summary>Number of places along the edge among which corners of the path are chosen.</summary>
         private const int k_Corners = 120;
@@ -22,36 +22,30 @@ namespace Alate.Fitting
         /// <summary>Tolerated distance of a line outside the wing, as a line along a straight edge has by rounding, wing reaches.</summary>
         private const double k_Unminded = 0.003;
 
-        private readonly ClosedCurve m_Outline;
-
-        public InnerPath(ClosedCurve outline)
-        {
-            m_Outline = outline;
-        }
-
         /// <summary>The path from one place, backwards along the outline, to another.</summary>
+        /// <param name="outline">Of the wing.</param>
         /// <param name="from">Arc length of its beginning, the larger one.</param>
         /// <param name="to">Arc length of its end.</param>
-        public List<PlanPoint> Find(double from, double to)
+        public static List<PlanPoint> Find(ClosedCurve outline, double from, double to)
         {
-            PlanPoint start = m_Outline.At(from), end = m_Outline.At(to);
-            if (IsInside(start, end))
+            PlanPoint start = outline.At(from), end = outline.At(to);
+            if (IsInside(outline, start, end))
                 return new List<PlanPoint> { start, end };
 
             var corners = new List<PlanPoint> { start };
             for (int k = 1; k < k_Corners; k++)
             {
                 double s = from + (to - from) * k / k_Corners;
-                if (TryMoveInside(s, out PlanPoint corner))
+                if (TryMoveInside(outline, s, out PlanPoint corner))
                     corners.Add(corner);
             }
 
             corners.Add(end);
-            return Shortest(corners);
+            return Shortest(outline, corners);
         }
 
-        /// <summary>Returns true where all of a straight line lies inside or on the edge.</summary>
-        public bool IsInside(PlanPoint a, PlanPoint b)
+        // Whether all of a straight line lies inside or on the edge.
+        private static bool IsInside(ClosedCurve outline, PlanPoint a, PlanPoint b)
         {
             double length = Math.Sqrt((b - a).LengthSquared);
             int steps = (int)Math.Ceiling(length / k_CheckStep);
@@ -59,25 +53,25 @@ namespace Alate.Fitting
             {
                 PlanPoint p = a + (b - a) * ((double)k / steps);
                 bool nearEnd = k * k_CheckStep < k_Clearance || (steps - k) * k_CheckStep < k_Clearance;
-                if (!nearEnd && !m_Outline.Contains(p) && !IsOnEdge(p))
+                if (!nearEnd && !outline.Contains(p) && !IsOnEdge(outline, p))
                     return false;
             }
 
             return true;
         }
 
-        private bool IsOnEdge(PlanPoint p) => (m_Outline.At(m_Outline.Nearest(p)) - p).LengthSquared < k_Unminded * k_Unminded;
+        private static bool IsOnEdge(ClosedCurve outline, PlanPoint p) => (outline.At(outline.Nearest(p)) - p).LengthSquared < k_Unminded * k_Unminded;
 
         // Clockwise round the wing, its inside lies to the right.
-        private bool TryMoveInside(double s, out PlanPoint moved)
+        private static bool TryMoveInside(ClosedCurve outline, double s, out PlanPoint moved)
         {
-            PlanPoint along = WingView.Unit(m_Outline.At(s + k_Clearance) - m_Outline.At(s - k_Clearance));
-            moved = m_Outline.At(s) + new PlanPoint(along.z, -along.x) * k_Clearance;
-            return m_Outline.Contains(moved);
+            PlanPoint along = PlanPoint.Unit(outline.At(s + k_Clearance) - outline.At(s - k_Clearance));
+            moved = outline.At(s) + new PlanPoint(along.z, -along.x) * k_Clearance;
+            return outline.Contains(moved);
         }
 
         // Dijkstra's algorithm over lines of sight; where sight fails altogether, the next corner is always in sight.
-        private List<PlanPoint> Shortest(List<PlanPoint> corners)
+        private static List<PlanPoint> Shortest(ClosedCurve outline, List<PlanPoint> corners)
         {
             int count = corners.Count;
             var lengths = new double[count];
@@ -88,7 +82,7 @@ namespace Alate.Fitting
                 for (int earlier = 0; earlier < k; earlier++)
                 {
                     double length = lengths[earlier] + Math.Sqrt((corners[k] - corners[earlier]).LengthSquared);
-                    if (length < lengths[k] && (earlier == k - 1 || IsInside(corners[earlier], corners[k])))
+                    if (length < lengths[k] && (earlier == k - 1 || IsInside(outline, corners[earlier], corners[k])))
                     {
                         lengths[k] = length;
                         before[k] = earlier;

@@ -64,13 +64,13 @@ namespace Alate.Fitting
             PlanPoint sum = default;
             foreach (PlanPoint[] chain in chains)
                 sum += chain[chain.Length - 1] - chain[0];
-            return WingView.Unit(sum);
+            return PlanPoint.Unit(sum);
         }
 
         // The base, or a place on the way to the wing's centre; a little into the wing where that lies on the outline or beside it.
         private static PlanPoint Inside(ClosedCurve outline, PlanPoint place, double depth)
         {
-            PlanPoint inward = WingView.Unit(Polygon.Centroid(outline.Samples) - place);
+            PlanPoint inward = PlanPoint.Unit(Polygon.Centroid(outline.Samples) - place);
             place += inward * depth;
             for (int k = 1; k < 40 && !outline.Contains(place); k++)
                 place += inward * 0.01;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using Alate.Geometry;
 
 namespace Alate.Fitting
@@ -34,7 +33,7 @@ namespace Alate.Fitting
                 string many = count == 1 ? "a hole" : $"{count} holes";
                 notes.Warn(
                     SkeletonFitWarningKind.Holes, 0.95,
-                    $"The wing has {many}, the largest of {Percent(largest / sheet.PlanArea)} of its area; chains run as if there were none.");
+                    $"The wing has {many}, the largest of {FitNotes.Percent(largest / sheet.PlanArea, "0.#")} of its area; chains run as if there were none.");
             }
 
             double flat = sheet.PlanArea / sheet.Area;
@@ -42,7 +41,7 @@ namespace Alate.Fitting
             {
                 notes.Warn(
                     SkeletonFitWarningKind.StronglyCurved, flat / k_Curved,
-                    $"The wing is strongly curved: from above only {Percent(flat)} of its area is seen.");
+                    $"The wing is strongly curved: from above only {FitNotes.Percent(flat, "0.#")} of its area is seen.");
             }
 
             double folded = sheet.OutlineShare - holes / sheet.PlanArea;
@@ -50,10 +49,8 @@ namespace Alate.Fitting
             {
                 notes.Warn(
                     SkeletonFitWarningKind.FoldsOverItself, Math.Max(folded, 0.0),
-                    $"The wing folds over itself: from above {Percent(1.0 - folded)} of its area lies over other parts.");
+                    $"The wing folds over itself: from above {FitNotes.Percent(1.0 - folded, "0.#")} of its area lies over other parts.");
             }
         }
-
-        private static string Percent(double share) => (100.0 * share).ToString("0.#", CultureInfo.InvariantCulture) + " %";
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
@@ -26,10 +25,11 @@ namespace Alate.Fitting
 
         private readonly string m_Name;
         private readonly UnitSurface m_Surface;
-        private readonly UpperSide m_Upper;
+        private readonly Vector3? m_Up;
         private readonly FitNotes m_Notes;
         private int m_PiecesIgnored;
         private bool m_IsShell;
+        private float m_UpperConfidence;
 
         /// <param name="name">How messages call the surface, at the start of a sentence.</param>
         /// <param name="surface">A checked one.</param>
@@ -39,7 +39,7 @@ namespace Alate.Fitting
         {
             m_Name = name;
             m_Surface = surface;
-            m_Upper = new UpperSide(up);
+            m_Up = up;
             m_Notes = notes;
         }
 
@@ -98,7 +98,7 @@ namespace Alate.Fitting
         private WingSheet OneLayer(List<int3> triangles, float tolerance)
         {
             float3[] points = m_Surface.points;
-            float3 normal = m_Upper.Choose(PlaneFit.Normal(points, triangles), points, triangles);
+            float3 normal = UpperSide.Choose(m_Up, PlaneFit.Normal(points, triangles), points, triangles, out m_UpperConfidence);
             WingPlane plane = WingPlane.Facing(normal);
             var sheet = new WingSheet(points, triangles, plane, 2f * tolerance);
             m_IsShell = sheet.OutlineShare < k_OneLayer;
@@ -116,7 +116,7 @@ namespace Alate.Fitting
             }
 
             throw new ArgumentException(
-                $"{m_Name} has no outline: it is closed or folded, and {Percent(facing)} of its area faces up or down; "
+                $"{m_Name} has no outline: it is closed or folded, and {FitNotes.Percent(facing)} of its area faces up or down; "
                 + "a wing is a sheet or a thin shell.");
         }
 
@@ -142,16 +142,16 @@ namespace Alate.Fitting
             double whole = 0.0, largest = SheetPieces.Area(m_Surface.points, pieces[0]);
             foreach (List<int3> piece in pieces)
                 whole += SheetPieces.Area(m_Surface.points, piece);
-            return $"{m_Name} is not one wing but {pieces.Count} pieces apart, the largest with {Percent(largest / whole)} of the area; "
+            return $"{m_Name} is not one wing but {pieces.Count} pieces apart, the largest with {FitNotes.Percent(largest / whole)} of the area; "
                 + "fit each wing by itself.";
         }
 
         private void Warn(WingSheet sheet)
         {
-            if (m_Upper.IsGuessed)
+            if (m_UpperConfidence < 1f)
             {
                 m_Notes.Warn(
-                    SkeletonFitWarningKind.UpperSideGuessed, m_Upper.Confidence,
+                    SkeletonFitWarningKind.UpperSideGuessed, m_UpperConfidence,
                     "The upper side is a guess, the front of the triangles: the up direction lies in the wing's plane.");
             }
 
@@ -165,7 +165,5 @@ namespace Alate.Fitting
 
             SheetDoubts.Warn(sheet, m_Notes);
         }
-
-        private static string Percent(double share) => (100.0 * share).ToString("F0", CultureInfo.InvariantCulture) + " %";
     }
 }

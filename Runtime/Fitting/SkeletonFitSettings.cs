@@ -56,8 +56,8 @@ namespace Alate.Fitting
         /// <exception cref="ArgumentException">A place is not finite, or a direction is zero or not finite.</exception>
         internal void Check()
         {
-            CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "chains");
-            CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "joints in a chain");
+            CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "A skeleton has {0} to {1} chains.");
+            CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "A skeleton has {0} to {1} joints in a chain.");
             CheckVector(hinge, "hinge", false);
             CheckVector(bodyPoint, "body's point", false);
             CheckVector(bodySide, "body's side", true);
@@ -65,10 +65,10 @@ namespace Alate.Fitting
             CheckVector(up, "up direction", true);
         }
 
-        private static void CheckCount(int count, int least, int most, string name, string what)
+        internal static void CheckCount(int count, int least, int most, string name, string message)
         {
             if (count < least || count > most)
-                throw new ArgumentOutOfRangeException(name, count, $"A skeleton has {least} to {most} {what}.");
+                throw new ArgumentOutOfRangeException(name, count, string.Format(message, least, most));
         }
 
         private static void CheckVector(Vector3? given, string what, bool isDirection)

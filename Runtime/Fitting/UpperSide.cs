@@ -9,7 +9,7 @@ namespace Alate.Fitting
     /// Chooses which side of a wing is up: the side of a given direction; else the side towards +Y; else, for an upright wing, the side
     /// of its triangles' front.
     /// </summary>
-    internal sealed class UpperSide
+    internal static class UpperSide
     {
         /// <summary>Cosine between the normal and a direction below which the direction does not tell the sides apart.</summary>
         private const float k_Sideways = 0.17f;
@@ -17,30 +17,15 @@ namespace Alate.Fitting
         /// <summary>Share of the area by which fronts must outweigh backs.</summary>
         private const float k_Balance = 0.2f;
 
-        private readonly Vector3? m_Given;
-
-        public UpperSide(Vector3? given)
+        /// <summary>The normal or its opposite; the confidence, 0 to 1, is below 1 where neither a direction nor +Y decided.</summary>
+        public static float3 Choose(Vector3? given, float3 normal, float3[] points, IReadOnlyList<int3> triangles, out float confidence)
         {
-            m_Given = given;
-        }
-
-        /// <summary>True where neither a direction nor +Y decided.</summary>
-        public bool IsGuessed { get; private set; }
-
-        /// <summary>Confidence in the upper side, 0 to 1.</summary>
-        public float Confidence { get; private set; }
-
-        /// <summary>The normal or its opposite.</summary>
-        public float3 Choose(float3 normal, float3[] points, IReadOnlyList<int3> triangles)
-        {
-            IsGuessed = false;
-            Confidence = 1f;
-            float3 wanted = Directions.Unit(m_Given ?? Vector3.up);
+            confidence = 1f;
+            float3 wanted = Directions.Unit(given ?? Vector3.up);
             float cosine = math.dot(normal, wanted);
             if (math.abs(cosine) > k_Sideways)
                 return cosine > 0f ? normal : -normal;
 
-            IsGuessed = true;
             float fronts = 0f, area = 0f;
             foreach (int3 t in triangles)
             {
@@ -49,7 +34,7 @@ namespace Alate.Fitting
                 area += math.length(facing);
             }
 
-            Confidence = math.abs(fronts) > k_Balance * area ? 0.8f : 0.5f;
+            confidence = math.abs(fronts) > k_Balance * area ? 0.8f : 0.5f;
             return fronts >= 0f ? normal : -normal;
         }
     }

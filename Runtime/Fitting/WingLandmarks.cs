@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using Alate.Geometry;
 
 namespace Alate.Fitting
@@ -67,7 +66,7 @@ namespace Alate.Fitting
                 notes.Warn(
                     SkeletonFitWarningKind.TipUnclear, k_ClearTip / spread,
                     "The wing has no clear tip; the leading edge ends somewhere within "
-                    + $"{(200.0 * spread).ToString("F0", CultureInfo.InvariantCulture)} % of its length.");
+                    + $"{FitNotes.Percent(2.0 * spread)} of its length.");
             }
         }
 
@@ -163,7 +162,7 @@ namespace Alate.Fitting
 
         private double FindLast()
         {
-            PlanPoint axis = WingView.Unit(Polygon.Centroid(m_Outline.Samples) - Base);
+            PlanPoint axis = PlanPoint.Unit(Polygon.Centroid(m_Outline.Samples) - Base);
             PlanPoint rear = WingView.Across(axis, new PlanPoint(0.0, -1.0));
             List<PlanPoint> edge = Trimmed.Along(Tip, TrailingRoot);
             var walked = new double[edge.Count];

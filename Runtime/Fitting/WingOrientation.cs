@@ -40,7 +40,7 @@ namespace Alate.Fitting
         {
             PlanPoint from = outline.At(anchor);
             double reach = Math.Sqrt((outline.Samples[Polygon.Farthest(outline.Samples, from)] - from).LengthSquared);
-            PlanPoint centre = WingView.Unit(Polygon.Centroid(outline.Samples) - from);
+            PlanPoint centre = PlanPoint.Unit(Polygon.Centroid(outline.Samples) - from);
 
             string why = "nobody said which way is forward";
             if (forward is Vector3 given)
@@ -50,7 +50,7 @@ namespace Alate.Fitting
                 isGuessed = share <= k_InPlane || across <= k_Across;
                 if (!isGuessed)
                 {
-                    PlanPoint span = Span(centre, WingView.Unit(ahead));
+                    PlanPoint span = Span(centre, PlanPoint.Unit(ahead));
                     return new WingView(from, span, WingView.Across(span, ahead), reach);
                 }
 

@@ -55,8 +55,5 @@ namespace Alate.Fitting
             var across = new PlanPoint(-v.z, v.x);
             return PlanPoint.Dot(across, side) >= 0.0 ? across : across * -1.0;
         }
-
-        /// <summary>The direction of v, 1 long.</summary>
-        public static PlanPoint Unit(PlanPoint v) => v * (1.0 / Math.Sqrt(v.LengthSquared));
     }
 }

@@ -22,6 +22,9 @@ namespace Alate.Geometry
 
         public static PlanPoint operator *(PlanPoint a, double s) => new PlanPoint(a.x * s, a.z * s);
 
+        /// <summary>Direction of a vector, 1 long.</summary>
+        public static PlanPoint Unit(PlanPoint v) => v * (1.0 / Math.Max(1e-12, Math.Sqrt(v.LengthSquared)));
+
         public static double Dot(PlanPoint a, PlanPoint b) => a.x * b.x + a.z * b.z;
 
         /// <summary>Twice the signed area of the triangle 0, a, b.</summary>

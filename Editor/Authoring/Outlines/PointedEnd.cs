@@ -9,7 +9,7 @@ namespace Alate.Authoring
     /// which more of the wing is visible; wings fan out from their hinges, and from the end of a tail little is visible. A triangle, as
     /// fore wings of butterflies are, is as pointed at its apex: there, the hinge is the end opposite the outer margin, its shortest side.
     /// </summary>
-    internal readonly struct PointedEnd
+    internal static class PointedEnd
     {
         /// <summary>Confidence that the end is the hinge: where both ends are alike, and where one is far more pointed.</summary>
         private const double k_EvenConfidence = 0.5, k_PointedConfidence = 0.95;
@@ -36,19 +36,8 @@ namespace Alate.Authoring
         /// <summary>Least visible share: from the point of a needle nothing is visible.</summary>
         private const double k_LeastSeen = 0.05;
 
-        private PointedEnd(PlanPoint place, double confidence)
-        {
-            Place = place;
-            Confidence = confidence;
-        }
-
-        /// <summary>Place of the end on the outline.</summary>
-        public PlanPoint Place { get; }
-
-        /// <summary>Confidence that this end is the hinge, 0 to 1.</summary>
-        public double Confidence { get; }
-
-        public static PointedEnd Of(PlanPoint[] outline)
+        /// <summary>Place of the end on the outline, and confidence that this end is the hinge, 0 to 1.</summary>
+        public static (PlanPoint Place, double Confidence) Of(PlanPoint[] outline)
         {
             PlanPoint along = Longest(outline);
             PlanPoint first = outline[0], last = outline[0];
@@ -62,9 +51,9 @@ namespace Alate.Authoring
             double room = Room(rim, first, along), other = Room(rim, last, along * -1.0);
             double difference = Math.Abs(room - other) / Math.Max(room, other);
             if (difference < k_ClearDifference && OppositeShortest(outline, first, last) is PlanPoint hinge)
-                return new PointedEnd(hinge, k_TriangleConfidence);
+                return (hinge, k_TriangleConfidence);
             double clear = Math.Min(1.0, difference / k_ClearDifference);
-            return new PointedEnd(room <= other ? first : last, k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * clear);
+            return (room <= other ? first : last, k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * clear);
         }
 
         // Of both ends of a triangle the one farther from its third corner; null for other wings.

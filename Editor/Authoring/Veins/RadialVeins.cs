@@ -83,13 +83,13 @@ namespace Alate.Authoring
             double covered = m_Tree.CoveredTo(vertex) - Trim(way);
             if (way.Count < 3)
                 return false;
-            PlanPoint end = m_Graph[way[way.Count - 1]], outward = Unit(end - m_Hinge), direction = DirectionAtEnd(way);
+            PlanPoint end = m_Graph[way[way.Count - 1]], outward = PlanPoint.Unit(end - m_Hinge), direction = DirectionAtEnd(way);
             if (PlanPoint.Dot(direction, outward) < k_LeastCosine)
                 return false;
             double rest = m_Rim.Meet(end, direction, -1, out int met);
             if (rest > k_FarRim * m_Length)
             {
-                direction = Unit(direction + outward);
+                direction = PlanPoint.Unit(direction + outward);
                 rest = m_Rim.Meet(end, direction, -1, out met);
             }
 
@@ -134,9 +134,7 @@ namespace Alate.Authoring
             PlanPoint end = m_Graph[way[from]];
             while (from > 0 && (end - m_Graph[way[from]]).LengthSquared < k_EndLength * k_EndLength * m_Length * m_Length)
                 from--;
-            return Unit(end - m_Graph[way[from]]);
+            return PlanPoint.Unit(end - m_Graph[way[from]]);
         }
-
-        private static PlanPoint Unit(PlanPoint vector) => vector * (1.0 / Math.Max(1e-12, Math.Sqrt(vector.LengthSquared)));
     }
 }

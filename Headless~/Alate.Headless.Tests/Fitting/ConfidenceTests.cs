@@ -102,7 +102,7 @@ namespace Alate.Tests
             SkeletonFit fit = SkeletonFitter.Fit(wing.Surface, hints);
             m_Fits.Add((fit.Confidence, fit.Skeleton.GetJoint(0, 0).magnitude < k_Near && wing.Leads(fit.Skeleton)));
 
-            PointedEnd end = PointedEnd.Of(wing.Plan);
+            var end = PointedEnd.Of(wing.Plan);
             bool isNear = Math.Sqrt(end.Place.LengthSquared) < k_Near;
             m_Traces.Add((end.Confidence, isNear));
             m_TracedHinges[kind] = m_TracedHinges.GetValueOrDefault(kind) + (isNear ? 1 : 0);

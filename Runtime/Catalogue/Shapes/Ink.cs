@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -44,32 +45,14 @@ namespace Alate.Catalogue
         }
 
         /// <summary>Points x, z, x, z, … of an edge over a range of span.</summary>
-        public static List<double> Edge(Func<double, double> edge, double from, double to)
-        {
-            var points = new List<double>();
-            for (var i = 0; i <= k_EdgeSamples; i++)
-            {
-                var span = from + (to - from) * i / k_EdgeSamples;
-                points.Add(span);
-                points.Add(edge(span));
-            }
-
-            return points;
-        }
+        public static List<double> Edge(Func<double, double> edge, double from, double to) =>
+            Points(from, to, span => new PlanPoint(span, edge(span)));
 
         /// <summary>Points x, z, x, z, … of a part of a wing's margin, between two shares of its length from the leading corner of the base.</summary>
         public static List<double> Margin(WingOutline outline, double from, double to)
         {
             var margin = WingRim.Margin(outline);
-            var points = new List<double>();
-            for (var i = 0; i <= k_EdgeSamples; i++)
-            {
-                var place = margin.At(margin.Length * (from + (to - from) * i / k_EdgeSamples));
-                points.Add(place.x);
-                points.Add(place.z);
-            }
-
-            return points;
+            return Points(from, to, share => margin.At(margin.Length * share));
         }
 
         /// <summary>Points with both ends led on straight, so that a band along them does not end in a round.</summary>
@@ -83,6 +66,19 @@ namespace Alate.Catalogue
             extended.Add(endX);
             extended.Add(endZ);
             return extended;
+        }
+
+        private static List<double> Points(double from, double to, Func<double, PlanPoint> at)
+        {
+            var points = new List<double>();
+            for (var i = 0; i <= k_EdgeSamples; i++)
+            {
+                PlanPoint place = at(from + (to - from) * i / k_EdgeSamples);
+                points.Add(place.x);
+                points.Add(place.z);
+            }
+
+            return points;
         }
 
         private static (double X, double Z) Beyond(List<double> points, int before, int end, double by)

@@ -13,8 +13,6 @@ namespace Alate.Geometry
         private const double k_Coarser = 1.12;
         private const int k_Tries = 24;
 
-        private const int k_SmoothingRounds = 20;
-
         /// <summary>Cosine of the turn from which on a point of the rim counts as a bend, where the corners between smooth stretches are given.</summary>
         private const double k_BendCosine = 0.9;
 
@@ -47,7 +45,7 @@ namespace Alate.Geometry
                     continue;
                 points.AddRange(lattice);
                 TriangleLinks mesh = DelaunayTriangulation.Inside(Jittered(points, k_Jitter * even), rimCount);
-                TriangleSmoothing.Run(mesh, rimCount, k_SmoothingRounds);
+                TriangleSmoothing.Run(mesh, rimCount);
                 return mesh;
             }
 

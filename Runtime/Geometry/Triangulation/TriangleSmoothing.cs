@@ -12,7 +12,7 @@ namespace Alate.Geometry
         /// <summary>Quality below which a triangle is slender, 0 to 1.</summary>
         private const double k_Slender = 0.7;
 
-        private const int k_MendingRounds = 6;
+        private const int k_Rounds = 20, k_MendingRounds = 6;
 
         /// <summary>
         /// Number of directions in which a better place is tried; first and last step, as shares of the distance to the farthest neighbour.
@@ -23,12 +23,11 @@ namespace Alate.Geometry
         /// <summary>Smooths the triangles in some rounds.</summary>
         /// <param name="mesh">Its points change places.</param>
         /// <param name="rimCount">Points before this one stay where they are.</param>
-        /// <param name="rounds">How often every point moves.</param>
-        public static void Run(TriangleLinks mesh, int rimCount, int rounds)
+        public static void Run(TriangleLinks mesh, int rimCount)
         {
             Flip(mesh);
             var around = new List<int>();
-            for (int round = 0; round < rounds; round++)
+            for (int round = 0; round < k_Rounds; round++)
             {
                 for (int point = rimCount; point < mesh.points.Length; point++)
                     Move(mesh, point, around);
