@@ -28,14 +28,14 @@ namespace Alate.Authoring
         private const string k_PointsUp = "The leading edge is a guess, the straighter one: the wing points up or down in the picture.";
         private const string k_RunsAlong = "The leading edge is a guess, the straighter one: the direction that was given runs along the wing.";
 
-        private readonly WingSurface m_Surface;
+        private readonly SurfaceMesh m_Surface;
         private readonly Vector3 m_Shift;
         private readonly List<string> m_Warnings = new List<string>();
 
         private TracedFit(TriangleLinks mesh)
         {
             m_Shift = k_Away * (float)new PlanBounds(mesh.points).Extent * new Vector3(1f, 0f, 1f);
-            m_Surface = new WingSurface
+            m_Surface = new SurfaceMesh
             {
                 name = "the traced wing",
                 positions = Array.ConvertAll(mesh.points, Shifted),

@@ -30,7 +30,7 @@ namespace Alate.Editor
         /// <summary>[joint] Share of the wing's mass; sum 1.</summary>
         public readonly float[] masses;
 
-        private RigInspection(WingSkeleton skeleton, in WingSurface surface, int patchCount)
+        private RigInspection(WingSkeleton skeleton, SurfaceMesh surface, int patchCount)
         {
             Surface = surface;
             frame = WingFraming.Frame(skeleton, surface);
@@ -51,7 +51,7 @@ namespace Alate.Editor
         }
 
         /// <summary>The inspected surface.</summary>
-        public WingSurface Surface { get; }
+        public SurfaceMesh Surface { get; }
 
         /// <summary>Number of patches in use.</summary>
         public int PatchCount { get; }
@@ -64,7 +64,7 @@ namespace Alate.Editor
         /// <param name="surface">The wing's triangles, in the skeleton's space.</param>
         /// <param name="patchCount">As in <see cref="WingRigSettings"/>.</param>
         /// <param name="refusal">Why there is nothing to see, one sentence.</param>
-        public static RigInspection TryMake(WingSkeleton skeleton, in WingSurface surface, int patchCount, out string refusal)
+        public static RigInspection TryMake(WingSkeleton skeleton, SurfaceMesh surface, int patchCount, out string refusal)
         {
             refusal = null;
             List<SkeletonProblem> problems = skeleton.Validate();

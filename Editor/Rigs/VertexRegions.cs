@@ -10,7 +10,7 @@ namespace Alate.Editor
         /// <summary>
         /// Finds the vertices of triangles for which a condition holds, one ascending list for each region connected by edges.
         /// </summary>
-        public static List<List<int>> Find(in WingSurface surface, Predicate<int> holds)
+        public static List<List<int>> Find(SurfaceMesh surface, Predicate<int> holds)
         {
             var held = new SortedSet<int>(Array.FindAll(surface.triangles, holds));
             var sets = new DisjointSets(surface.positions.Length);

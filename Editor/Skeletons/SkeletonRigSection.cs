@@ -86,6 +86,6 @@ namespace Alate.Editor
         }
 
         private SkeletonTarget MakeTarget() =>
-            new SkeletonTarget(m_Skeleton, Mesh != null && Mesh.isReadable ? WingSurface.FromMesh(Mesh) : default, null);
+            new SkeletonTarget(m_Skeleton, Mesh != null && Mesh.isReadable ? SurfaceMesh.FromMesh(Mesh) : null, null);
     }
 }

@@ -100,6 +100,7 @@ namespace Alate.Catalogue
             var scale = (float)Outline.Length * unitsPerMetre;
             var surface = IsFilled ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale) : WingMesher.Strips(Contour, TriangleCount, scale);
             var spacing = Math.Sqrt(2 * Contour.Area / TriangleCount);
+            surface.name = Name;
             surface.colours = Pattern?.ColourVertices(surface, scale, spacing);
             return side == WingSide.Right ? surface : surface.Mirrored();
         }

@@ -30,11 +30,11 @@ namespace Alate.Fitting
         /// <exception cref="ArgumentOutOfRangeException">A count of the settings is out of its range.</exception>
         /// <exception cref="ArgumentException">The mesh is not readable, broken, or no single wing, or a place or direction of the settings is
         /// not finite or zero. The message is one line.</exception>
-        public static SkeletonFit Fit(Mesh mesh, in SkeletonFitSettings settings) => Fit(WingSurface.FromMesh(mesh), settings);
+        public static SkeletonFit Fit(Mesh mesh, in SkeletonFitSettings settings) => Fit(SurfaceMesh.FromMesh(mesh), settings);
 
         /// <summary>A skeleton for a surface of plain arrays: a single sheet, a double-sided one or a thin closed shell.</summary>
         /// <inheritdoc cref="Fit(Mesh, in SkeletonFitSettings)"/>
-        public static SkeletonFit Fit(in WingSurface surface, in SkeletonFitSettings settings)
+        public static SkeletonFit Fit(SurfaceMesh surface, in SkeletonFitSettings settings)
         {
             settings.Check();
             SurfaceCheck.Run(surface);

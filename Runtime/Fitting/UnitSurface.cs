@@ -23,7 +23,7 @@ namespace Alate.Fitting
 
         /// <param name="surface">A checked one; only vertices of triangles count.</param>
         /// <exception cref="ArgumentException">All vertices lie in one place.</exception>
-        public UnitSurface(in WingSurface surface)
+        public UnitSurface(SurfaceMesh surface)
         {
             float3 low = float.MaxValue, high = float.MinValue;
             foreach (int index in surface.triangles)

@@ -108,7 +108,7 @@ namespace Alate.Samples
             settings.up = Vector3.up;
             foreach (Wing wing in m_Insect.GetComponent<InsectWings>().Wings)
             {
-                SkeletonFit fit = SkeletonFitter.Fit(BareMesh.Wing(wing.Side).ToWingSurface($"{wing.Side} wing"), settings);
+                SkeletonFit fit = SkeletonFitter.Fit(BareMesh.Wing(wing.Side), settings);
                 wing.Skeleton = Keep(fit.Skeleton);
                 skeletons.Add(fit.Skeleton);
                 m_Found = $"{fit.Skeleton.ChainCount} chains of {fit.Skeleton.JointsPerChain} joints, {fit.Confidence:P0} sure.";

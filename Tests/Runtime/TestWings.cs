@@ -16,7 +16,7 @@ namespace Alate.Tests
         public const float Chord = 0.5f;
 
         /// <summary>A grid of columns × rows quads, two triangles each, normals up.</summary>
-        public static WingSurface Rectangle(int columns = 12, int rows = 6, float length = Length, float chord = Chord)
+        public static SurfaceMesh Rectangle(int columns = 12, int rows = 6, float length = Length, float chord = Chord)
         {
             var positions = new Vector3[(columns + 1) * (rows + 1)];
             for (int c = 0; c <= columns; c++)
@@ -29,9 +29,9 @@ namespace Alate.Tests
         }
 
         /// <summary>Grid under a quarter of an ellipse; tapers to a short edge at the tip.</summary>
-        public static WingSurface Ellipse(int columns = 12, int rows = 6, float length = Length, float chord = Chord)
+        public static SurfaceMesh Ellipse(int columns = 12, int rows = 6, float length = Length, float chord = Chord)
         {
-            WingSurface surface = Rectangle(columns, rows, length, chord);
+            SurfaceMesh surface = Rectangle(columns, rows, length, chord);
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k].z *= Mathf.Sqrt(1f - 0.99f * Mathf.Pow(surface.positions[k].x / length, 2f));
             surface.name = "Ellipse";
@@ -94,11 +94,11 @@ namespace Alate.Tests
         public static WingRig Rig(int patchCount = 0) => Bake(Fan(), Ellipse(), patchCount);
 
         /// <summary>A rig that the caller releases.</summary>
-        public static WingRig Bake(WingSkeleton skeleton, in WingSurface surface, int patchCount = 0) =>
+        public static WingRig Bake(WingSkeleton skeleton, SurfaceMesh surface, int patchCount = 0) =>
             WingRig.Bake(skeleton, surface, new WingRigSettings { patchCount = patchCount });
 
         /// <summary>The surface as a mesh asset would hold it.</summary>
-        public static Mesh ToMesh(in WingSurface surface)
+        public static Mesh ToMesh(SurfaceMesh surface)
         {
             var mesh = new Mesh { name = surface.name };
             if (surface.positions.Length > ushort.MaxValue)
@@ -110,7 +110,7 @@ namespace Alate.Tests
             return mesh;
         }
 
-        private static WingSurface Surface(string name, Vector3[] positions, int columns, int rows)
+        private static SurfaceMesh Surface(string name, Vector3[] positions, int columns, int rows)
         {
             var triangles = new int[6 * columns * rows];
             int end = 0;
@@ -127,7 +127,7 @@ namespace Alate.Tests
             var normals = new Vector3[positions.Length];
             for (int k = 0; k < normals.Length; k++)
                 normals[k] = Vector3.up;
-            return new WingSurface { name = name, positions = positions, normals = normals, triangles = triangles };
+            return new SurfaceMesh { name = name, positions = positions, normals = normals, triangles = triangles };
         }
     }
 }

@@ -8,5 +8,5 @@ namespace Alate.Editor
     /// <param name="insect">The insect's root.</param>
     /// <param name="mesh">What draws the wing.</param>
     /// <exception cref="System.ArgumentException">There is no way to lay them out; says why in one line.</exception>
-    internal delegate SkeletonFit FitSkeleton(in WingSurface surface, Transform insect, Transform mesh);
+    internal delegate SkeletonFit FitSkeleton(SurfaceMesh surface, Transform insect, Transform mesh);
 }

@@ -10,7 +10,7 @@ namespace Alate.Editor
         private readonly int[] m_Triangles;
 
         /// <param name="surface">Indices of its triangles are within its positions; the arrays are kept, not copied.</param>
-        public SnapSurface(in WingSurface surface)
+        public SnapSurface(SurfaceMesh surface)
         {
             Wing = surface;
             m_Positions = surface.positions;
@@ -18,7 +18,7 @@ namespace Alate.Editor
         }
 
         /// <summary>Surface of the whole wing.</summary>
-        public WingSurface Wing { get; }
+        public SurfaceMesh Wing { get; }
 
         /// <summary>The point of the surface closest to a point; the point itself where there is no finite triangle.</summary>
         public Vector3 ClosestPoint(Vector3 point)

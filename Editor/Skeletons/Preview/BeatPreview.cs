@@ -46,7 +46,7 @@ namespace Alate.Editor
         /// <param name="skeleton">The skeleton.</param>
         /// <param name="surface">The wing's triangles, in the skeleton's space.</param>
         /// <param name="flight">How it beats.</param>
-        public void Bake(WingSkeleton skeleton, in WingSurface surface, in PreviewFlight flight)
+        public void Bake(WingSkeleton skeleton, SurfaceMesh surface, in PreviewFlight flight)
         {
             Clear();
             WingRig rig;
@@ -104,7 +104,7 @@ namespace Alate.Editor
             Problem = null;
         }
 
-        private void Fill(in WingSurface surface)
+        private void Fill(SurfaceMesh surface)
         {
             if (m_Mesh == null)
                 m_Mesh = new Mesh { name = "Beat Preview", hideFlags = HideFlags.HideAndDontSave };

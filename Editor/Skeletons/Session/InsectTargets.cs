@@ -45,22 +45,22 @@ namespace Alate.Editor
             var bare = new List<Wing>();
             foreach (Wing wing in insect.Wings)
             {
-                if (wing != null && wing.Skeleton == null && SurfaceOf(wing, out _).positions != null)
+                if (wing != null && wing.Skeleton == null && SurfaceOf(wing, out _) != null)
                     bare.Add(wing);
             }
 
             return bare;
         }
 
-        /// <summary>Triangles of a wing, in the space of its mesh; without positions where the mesh has none that can be read.</summary>
+        /// <summary>Triangles of a wing, in the space of its mesh; null where the mesh has none that can be read.</summary>
         /// <param name="wing">The wing.</param>
         /// <param name="refusal">Why there are none, one sentence; null where there are.</param>
-        public static WingSurface SurfaceOf(Wing wing, out string refusal)
+        public static SurfaceMesh SurfaceOf(Wing wing, out string refusal)
         {
             Mesh mesh = InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
             refusal = mesh == null ? "The wing has no mesh." : null;
             if (refusal != null)
-                return default;
+                return null;
             try
             {
                 return MeshParts.Surface(mesh, MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point));
@@ -68,7 +68,7 @@ namespace Alate.Editor
             catch (ArgumentException refused)
             {
                 refusal = refused.Message;
-                return default;
+                return null;
             }
         }
 

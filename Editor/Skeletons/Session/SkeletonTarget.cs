@@ -9,9 +9,9 @@ namespace Alate.Editor
     internal sealed class SkeletonTarget
     {
         /// <param name="skeleton">The skeleton.</param>
-        /// <param name="surface">The wing's triangles in the skeleton's space; no positions where there is no mesh.</param>
+        /// <param name="surface">The wing's triangles in the skeleton's space; null where there is no mesh.</param>
         /// <param name="place">Where the wing is drawn; null for the origin of the world.</param>
-        public SkeletonTarget(WingSkeleton skeleton, in WingSurface surface, Transform place)
+        public SkeletonTarget(WingSkeleton skeleton, SurfaceMesh surface, Transform place)
         {
             Skeleton = skeleton;
             Surface = surface;
@@ -20,9 +20,9 @@ namespace Alate.Editor
 
         public WingSkeleton Skeleton { get; }
 
-        public WingSurface Surface { get; }
+        public SurfaceMesh Surface { get; }
 
-        public bool HasSurface => Surface.positions != null && Surface.positions.Length > 0;
+        public bool HasSurface => Surface != null && Surface.VertexCount > 0;
 
         /// <summary>Reason why there are no triangles, one sentence; meaningless where there are.</summary>
         public string WithoutSurface { get; set; }

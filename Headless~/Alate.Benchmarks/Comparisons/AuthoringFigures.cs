@@ -20,7 +20,7 @@ internal static class AuthoringFigures
     public static void Run(Report report)
     {
         WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];
-        WingSurface surface = wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name);
+        SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
         SkeletonFitSettings hints = SkeletonFitSettings.Default;
         WingPicture picture = Photo(wing.Contour);
         report.Figure("fit_ms", "skeleton of a monarch's mesh", "ms", Best(() => Object.DestroyImmediate(SkeletonFitter.Fit(surface, hints).Skeleton)));

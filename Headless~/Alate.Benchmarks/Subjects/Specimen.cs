@@ -63,7 +63,7 @@ internal sealed class Specimen : IDisposable
     /// <summary>A rig of its own; the caller releases it.</summary>
     public WingRig Bake() => WingRig.Bake(
         Skeleton,
-        new WingSurface { positions = Surface.positions, normals = Surface.normals, triangles = Surface.triangles },
+        new SurfaceMesh { positions = Surface.positions, normals = Surface.normals, triangles = Surface.triangles },
         m_Settings);
 
     /// <summary>Flight that is a little faster for each wing, so that no two wings move alike.</summary>

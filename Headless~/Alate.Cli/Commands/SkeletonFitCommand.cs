@@ -58,7 +58,7 @@ internal static class SkeletonFitCommand
     private static void Run(string file, ObjMesh mesh, in SkeletonFitSettings settings, string path, TextWriter output)
     {
         const string k_Skeleton = "skeleton.json", k_Picture = "skeleton.svg";
-        SkeletonFit fit = Fit(mesh.ToWingSurface(file), settings);
+        SkeletonFit fit = Fit(mesh.ToSurface(file), settings);
         using OutputFolder folder = OutputFolder.Prepare(path, k_Skeleton, k_Picture);
         folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(fit.Skeleton, mesh.Origin))));
         folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonPicture.Draw(fit))));
@@ -78,7 +78,7 @@ internal static class SkeletonFitCommand
         return text.ToString();
     }
 
-    private static SkeletonFit Fit(in WingSurface surface, in SkeletonFitSettings settings)
+    private static SkeletonFit Fit(SurfaceMesh surface, in SkeletonFitSettings settings)
     {
         try
         {

@@ -158,7 +158,7 @@ internal sealed class Flight : IDisposable
         }
     }
 
-    private static BeatMeasurement Measurement(float3[] rest, in WingSurface surface)
+    private static BeatMeasurement Measurement(float3[] rest, SurfaceMesh surface)
     {
         try
         {

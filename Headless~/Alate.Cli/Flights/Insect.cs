@@ -52,7 +52,7 @@ internal sealed class Insect
                 Name = wing.Name,
                 Preset = wing.CreatePreset(plan.Preset, plan.Variant),
                 Skeleton = wing.CreateSkeleton(WingSide.Right),
-                Surface = surface.ToWingSurface(wing.Name),
+                Surface = surface,
                 Colours = surface.colours,
                 Pattern = wing.Pattern,
                 PatternScale = (float)wing.Outline.Length * InsectDefinition.UnitsPerMetre,
@@ -77,7 +77,7 @@ internal sealed class Insect
             Name = model.Name,
             Preset = model.CreatePreset(plan.Preset, plan.Variant),
             Skeleton = skeleton,
-            Surface = mesh.ToWingSurface(plan.MeshFile),
+            Surface = mesh.ToSurface(plan.MeshFile),
             Colours = mesh.Colours,
             Hinge = model.Hinge,
         };

@@ -11,7 +11,7 @@ internal sealed class InsectWing
     public string Name { get; init; }
     public WingPreset Preset { get; init; }
     public WingSkeleton Skeleton { get; init; }
-    public WingSurface Surface { get; init; }
+    public SurfaceMesh Surface { get; init; }
 
     /// <summary>[vertex] Null where the mesh has none.</summary>
     public Color32[] Colours { get; init; }

@@ -22,5 +22,5 @@ internal sealed class ObjMesh
 
     public int[] Triangles { get; init; }
 
-    public WingSurface ToWingSurface(string name) => new() { name = name, positions = Positions, normals = Normals, triangles = Triangles };
+    public SurfaceMesh ToSurface(string name) => new() { name = name, positions = Positions, normals = Normals, triangles = Triangles };
 }

@@ -103,7 +103,7 @@ namespace Alate.Tests.Architecture
             "VelocitySource", "Wing", "WingCulling", "WingDeformation", "WingDetail", "WingFinder", "WingFrame", "WingHandle",
             "WingMaterial", "WingMesher", "WingOutline", "WingPair", "WingParameterRange", "WingParameters", "WingPart", "WingPattern",
             "WingPicture", "WingPlacement", "WingReading", "WingRig", "WingRigSettings", "WingSide", "WingSkeleton",
-            "WingSpecies", "WingSurface", "WingSurroundings", "WingSystem", "WingTrace", "WingTracer", "WingTracingSettings",
+            "WingSpecies", "WingSurroundings", "WingSystem", "WingTrace", "WingTracer", "WingTracingSettings",
             "WingUpdateMode", "WingWorld",
         ];
     }

@@ -16,7 +16,7 @@ namespace Alate.Tests.Cli
         /// <summary>The elliptical wing as an OBJ file, moved in double precision.</summary>
         public static string Obj((double X, double Y, double Z) offset, WingSide side = WingSide.Right)
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             var text = new StringBuilder("# a wing\n");
             foreach (Vector3 position in surface.positions)
             {

@@ -11,7 +11,7 @@ namespace Alate.Tests
         [TestCaseSource(typeof(WildWings), nameof(WildWings.Crossing))]
         public void WingWhoseChainsCross_GetsStraightRaysThatDoNot(int seed)
         {
-            WingSurface wing = WildWings.Make(seed, out SkeletonFitSettings hints);
+            SurfaceMesh wing = WildWings.Make(seed, out SkeletonFitSettings hints);
 
             SkeletonFit fit = SkeletonFitter.Fit(wing, hints);
 

@@ -39,12 +39,12 @@ namespace Alate.Tests
             }
         }
 
-        public WingSurface Surface
+        public SurfaceMesh Surface
         {
             get
             {
                 TriangleLinks mesh = OutlineMesher.Mesh(Plan, k_Triangles, out _);
-                return new WingSurface
+                return new SurfaceMesh
                 {
                     name = "drawn wing",
                     positions = Array.ConvertAll(mesh.points, p => new Vector3((float)p.x, 0f, (float)p.z)),

@@ -60,7 +60,7 @@ namespace Alate.Tests
             return hints;
         }
 
-        private WingSurface Surface => m_Mesh.ToWingSurface(m_Wing.Name);
+        private SurfaceMesh Surface => m_Mesh;
 
         private WingRig Bake(WingSkeleton skeleton) => WingRig.Bake(skeleton, Surface, WingRigSettings.Default);
 

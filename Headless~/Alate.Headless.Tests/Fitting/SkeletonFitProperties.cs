@@ -70,7 +70,7 @@ namespace Alate.Tests
                 .ToArbitrary();
             Prop.ForAll(any, given =>
             {
-                WingSurface mesh = RandomWings.Make(given.Seed).Mesh(given.Seed);
+                SurfaceMesh mesh = RandomWings.Make(given.Seed).Mesh(given.Seed);
                 SkeletonFitSettings hints = Hints();
                 hints.chains = given.Chains;
                 hints.jointsPerChain = given.Joints;
@@ -125,7 +125,7 @@ namespace Alate.Tests
             return fit;
         }
 
-        private static void CheckMoves(int seed, FitMeasure measure, System.Func<int, WingSurface> mesh)
+        private static void CheckMoves(int seed, FitMeasure measure, System.Func<int, SurfaceMesh> mesh)
         {
             for (int variant = 1; variant <= 2; variant++)
             {

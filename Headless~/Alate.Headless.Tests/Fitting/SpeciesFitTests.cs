@@ -59,7 +59,7 @@ namespace Alate.Tests
                 moved.forward = move.Direction(hints.forward.Value);
                 moved.up = move.Direction(Vector3.up);
 
-                WingSurface split = Split(Surface(wing, wing.TriangleCount), seed), finer = Surface(wing, wing.TriangleCount * (seed + 4) / 4);
+                SurfaceMesh split = Split(Surface(wing, wing.TriangleCount), seed), finer = Surface(wing, wing.TriangleCount * (seed + 4) / 4);
                 WingSkeleton same = SkeletonFitter.Fit(move.Surface(split), moved).Skeleton;
                 WingSkeleton near = SkeletonFitter.Fit(move.Surface(finer), moved).Skeleton;
 
@@ -116,7 +116,7 @@ namespace Alate.Tests
         private static float Camber(in WingDeformation beat) => beat.CamberMax - beat.CamberMin;
 
         // The same surface and outline of more triangles: many are split in three at a random place.
-        private static WingSurface Split(WingSurface surface, int seed)
+        private static SurfaceMesh Split(SurfaceMesh surface, int seed)
         {
             var random = new System.Random(seed);
             var positions = new List<Vector3>(surface.positions);
@@ -135,14 +135,14 @@ namespace Alate.Tests
                 positions.Add(u * positions[a] + v * positions[b] + (1f - u - v) * positions[c]);
             }
 
-            return new WingSurface { name = surface.name, positions = positions.ToArray(), triangles = triangles.ToArray() };
+            return new SurfaceMesh { name = surface.name, positions = positions.ToArray(), triangles = triangles.ToArray() };
         }
 
-        private static WingSurface Surface(WingDefinition wing, int triangles)
+        private static SurfaceMesh Surface(WingDefinition wing, int triangles)
         {
             SurfaceMesh mesh = wing.IsFilled
                 ? WingMesher.Fill(wing.Contour, wing.Scallops, triangles, 1f) : WingMesher.Strips(wing.Contour, triangles);
-            return mesh.ToWingSurface(wing.Name);
+            return mesh;
         }
     }
 }

@@ -12,7 +12,7 @@ namespace Alate.Tests
         public static readonly int[] Crossing =
             [54, 60, 63, 157, 163, 165, 185, 212, 219, 220, 257, 285, 322, 348, 396, 410, 649, 687, 877, 1036, 1164, 1239, 1269, 1395];
 
-        public static WingSurface Make(int seed, out SkeletonFitSettings hints)
+        public static SurfaceMesh Make(int seed, out SkeletonFitSettings hints)
         {
             var random = new Random(seed);
             PolarWing wing = RandomWings.Make(seed);

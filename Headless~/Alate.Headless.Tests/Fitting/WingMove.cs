@@ -32,13 +32,18 @@ namespace Alate.Tests
 
         public Vector3 Point(Vector3 p) => Scale * (float3)Direction(p) + m_Offset;
 
-        public WingSurface Surface(WingSurface surface)
+        public SurfaceMesh Surface(SurfaceMesh surface)
         {
-            surface.positions = Array.ConvertAll(surface.positions, Point);
-            surface.triangles = (int[])surface.triangles.Clone();
-            for (int k = 0; TurnsTriangles && k < surface.triangles.Length; k += 3)
-                (surface.triangles[k], surface.triangles[k + 1]) = (surface.triangles[k + 1], surface.triangles[k]);
-            return surface;
+            var triangles = (int[])surface.triangles.Clone();
+            for (int k = 0; TurnsTriangles && k < triangles.Length; k += 3)
+                (triangles[k], triangles[k + 1]) = (triangles[k + 1], triangles[k]);
+            return new SurfaceMesh
+            {
+                name = surface.name,
+                positions = Array.ConvertAll(surface.positions, Point),
+                normals = surface.normals,
+                triangles = triangles,
+            };
         }
 
         private static float Next(Random random) => (float)random.NextDouble();

@@ -37,11 +37,11 @@ namespace Alate
 
         /// <summary>Lays out chains on a wing; the caller destroys the skeleton.</summary>
         /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
-        public WingSkeleton Fit(in WingSurface surface) => FitWithNotes(surface).Skeleton;
+        public WingSkeleton Fit(SurfaceMesh surface) => FitWithNotes(surface).Skeleton;
 
         /// <summary>Skeleton laid out from the mesh, with the confidence in it.</summary>
         /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
-        public SkeletonFit FitWithNotes(in WingSurface surface)
+        public SkeletonFit FitWithNotes(SurfaceMesh surface)
         {
             SkeletonFitSettings settings = SkeletonFitSettings.Default;
             settings.bodyPoint = m_Body;

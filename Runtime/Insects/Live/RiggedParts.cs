@@ -64,7 +64,7 @@ namespace Alate
                 return new InsectProblem(InsectState.NoSuchPart, index, $"{OneLine(exception)} Choose another part.");
             }
 
-            WingSurface surface = MeshParts.Surface(Mesh, selection);
+            SurfaceMesh surface = MeshParts.Surface(Mesh, selection);
             WingSkeleton skeleton = wing.Skeleton;
             bool automatic = skeleton == null;
             try

@@ -17,7 +17,7 @@ namespace Alate
         /// <exception cref="ArgumentException">It is not readable, has no such submesh, or the part has no triangles; or the point is not finite.</exception>
         public static MeshSelection Select(Mesh mesh, WingPart part, int submesh, Vector3 point)
         {
-            WingSurface.CheckReadable(mesh);
+            SurfaceMesh.CheckReadable(mesh);
             switch (part)
             {
                 case WingPart.WholeMesh:
@@ -33,10 +33,10 @@ namespace Alate
 
         /// <summary>Surface of a part to bake: its own vertices, in the selection's numbering.</summary>
         /// <exception cref="ArgumentException">The mesh is not readable.</exception>
-        public static WingSurface Surface(Mesh mesh, MeshSelection selection)
+        public static SurfaceMesh Surface(Mesh mesh, MeshSelection selection)
         {
-            WingSurface.CheckReadable(mesh);
-            return new WingSurface
+            SurfaceMesh.CheckReadable(mesh);
+            return new SurfaceMesh
             {
                 name = mesh.name,
                 positions = Pick(mesh.vertices, selection.vertices),
@@ -50,7 +50,7 @@ namespace Alate
         /// <exception cref="ArgumentException">The mesh is not readable or has no triangles.</exception>
         public static List<(MeshSelection selection, Vector3 point)> Parts(Mesh mesh)
         {
-            WingSurface.CheckReadable(mesh);
+            SurfaceMesh.CheckReadable(mesh);
             var corners = AllCorners(mesh);
             var positions = mesh.vertices;
             var sets = Connect(corners, positions);
@@ -133,7 +133,7 @@ namespace Alate
 
         private static int[] AllCorners(Mesh mesh)
         {
-            var corners = WingSurface.Triangles(mesh);
+            var corners = SurfaceMesh.Triangles(mesh);
             if (corners.Length == 0)
                 throw new ArgumentException($"Mesh '{mesh.name}' has no triangles.");
             return corners;

@@ -101,7 +101,7 @@ namespace Alate
                 throw new ArgumentNullException(nameof(source));
             if (source.sharedMesh == null)
                 throw new ArgumentException($"'{source.name}' has no mesh.");
-            WingSurface.CheckReadable(source.sharedMesh);
+            SurfaceMesh.CheckReadable(source.sharedMesh);
             if (insect != null)
                 return insect;
             return source.transform.parent != null ? source.transform.parent : source.transform;

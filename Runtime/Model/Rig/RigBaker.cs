@@ -7,7 +7,7 @@ namespace Alate
     /// <summary>Makes the content of a rig from a skeleton and a surface, step by step.</summary>
     internal static class RigBaker
     {
-        public static RigContent Bake(WingSkeleton skeleton, in WingSurface surface, in WingRigSettings settings)
+        public static RigContent Bake(WingSkeleton skeleton, SurfaceMesh surface, in WingRigSettings settings)
         {
             CheckSkeleton(skeleton);
             SurfaceCheck.Run(surface);

@@ -15,7 +15,7 @@ namespace Alate
         /// <summary>[quad] Tangents beside <see cref="quads"/>; null when the mesh has none.</summary>
         public readonly SkinTangentQuad[] tangents;
 
-        public SkinLayout(int cellCount, CellPoint[] points, in WingSurface surface, float3[] normals)
+        public SkinLayout(int cellCount, CellPoint[] points, SurfaceMesh surface, float3[] normals)
         {
             int[] order = ByCell(cellCount, points, out int[] starts);
             cells = new SkinCell[cellCount];

@@ -6,8 +6,10 @@ namespace Alate
     /// <summary>Refuses surfaces that no rig can be baked from, with one line that names the fault.</summary>
     internal static class SurfaceCheck
     {
-        public static void Run(in WingSurface surface)
+        public static void Run(SurfaceMesh surface)
         {
+            if (surface == null)
+                throw new ArgumentNullException(nameof(surface));
             string name = Name(surface);
             if (surface.positions == null || surface.positions.Length == 0)
                 throw new ArgumentException($"{name} has no vertices.");
@@ -33,7 +35,7 @@ namespace Alate
         }
 
         /// <summary>Name of a surface in messages, at the start of a sentence.</summary>
-        public static string Name(in WingSurface surface) => string.IsNullOrEmpty(surface.name) ? "The mesh" : $"Mesh '{surface.name}'";
+        public static string Name(SurfaceMesh surface) => string.IsNullOrEmpty(surface.name) ? "The mesh" : $"Mesh '{surface.name}'";
 
         private static void CheckLength(string name, string what, int length, int vertices)
         {

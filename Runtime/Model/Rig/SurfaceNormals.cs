@@ -11,7 +11,7 @@ namespace Alate
         /// Makes the normals: the mesh's own; where there are none, or one is zero or not finite, the area-weighted mean of the vertex's
         /// triangles. Where that vanishes, as between the two sides of a double-sided wing, and at unused vertices: the up axis.
         /// </summary>
-        public static float3[] Make(in WingSurface surface, in WingFrame frame)
+        public static float3[] Make(SurfaceMesh surface, in WingFrame frame)
         {
             var normals = new float3[surface.positions.Length];
             bool given = surface.normals != null && surface.normals.Length > 0;
@@ -35,7 +35,7 @@ namespace Alate
         }
 
         // In units of the wing's area, so that the size of the mesh does not matter.
-        private static float3[] Compute(in WingSurface surface, in WingFrame frame)
+        private static float3[] Compute(SurfaceMesh surface, in WingFrame frame)
         {
             var sums = new float3[surface.positions.Length];
             for (int k = 0; k < surface.triangles.Length; k += 3)

@@ -7,7 +7,7 @@ namespace Alate
     internal static class WingFraming
     {
         /// <exception cref="ArgumentException">No vertex of a triangle lies beyond the hinge along the span, or all too far.</exception>
-        public static WingFrame Frame(WingSkeleton skeleton, in WingSurface surface)
+        public static WingFrame Frame(WingSkeleton skeleton, SurfaceMesh surface)
         {
             WingAxes.TryMake(skeleton.SpanAxis, skeleton.UpAxis, out float3x3 axes);
             bool mirrored = new SkeletonPlan(skeleton, axes).SignedArea() > 0.0;
@@ -25,7 +25,7 @@ namespace Alate
 
         /// <summary>Converts vertex positions to the wing frame.</summary>
         /// <exception cref="ArgumentException">The mesh is too large for its positions to be told apart.</exception>
-        public static float3[] ToWing(in WingFrame frame, in WingSurface surface)
+        public static float3[] ToWing(in WingFrame frame, SurfaceMesh surface)
         {
             var points = new float3[surface.positions.Length];
             for (int k = 0; k < points.Length; k++)

@@ -106,11 +106,11 @@ namespace Alate
         /// twice as far as the mesh. The message is one line.</exception>
         /// <exception cref="ArgumentOutOfRangeException">The number of patches is negative.</exception>
         public static WingRig Bake(WingSkeleton skeleton, Mesh mesh, in WingRigSettings settings) =>
-            Bake(skeleton, WingSurface.FromMesh(mesh), settings);
+            Bake(skeleton, SurfaceMesh.FromMesh(mesh), settings);
 
         /// <summary>Bakes a rig for a surface of plain arrays, with one user: the caller releases it.</summary>
         /// <inheritdoc cref="Bake(WingSkeleton, Mesh, in WingRigSettings)"/>
-        public static WingRig Bake(WingSkeleton skeleton, in WingSurface surface, in WingRigSettings settings) =>
+        public static WingRig Bake(WingSkeleton skeleton, SurfaceMesh surface, in WingRigSettings settings) =>
             new WingRig(RigBaker.Bake(skeleton, surface, settings));
 
         /// <summary>Adds one user.</summary>

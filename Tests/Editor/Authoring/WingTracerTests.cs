@@ -153,7 +153,7 @@ namespace Alate.Editor.Tests
         {
             WingTrace trace = Trace(DrawnWing.Tailed());
 
-            WingRig rig = WingRig.Bake(trace.Skeleton, trace.Surface.ToWingSurface("traced"), WingRigSettings.Default);
+            WingRig rig = WingRig.Bake(trace.Skeleton, trace.Surface, WingRigSettings.Default);
 
             Assert.That(rig.JointCount, Is.EqualTo(25));
             rig.Release();

@@ -76,7 +76,7 @@ namespace Alate.Editor.Tests
         public void WhatCannotBeLaidOut_IsSaid_AndNobodyIsAskedForAPlace()
         {
             InsectWings insect = Bones(out _);
-            FitSkeleton never = (in WingSurface surface, Transform root, Transform mesh) => throw new ArgumentException("It is a ball.", nameof(mesh));
+            FitSkeleton never = (SurfaceMesh surface, Transform root, Transform mesh) => throw new ArgumentException("It is a ball.", nameof(mesh));
             var fix = new LayOutSkeletonFix(never, (_, __, ___) => throw new InvalidOperationException("asked"));
 
             FixOutcome outcome = fix.Apply(insect, s_All);
@@ -91,7 +91,7 @@ namespace Alate.Editor.Tests
         {
             InsectWings insect = Bones(out _);
             WingSkeleton made = null;
-            FitSkeleton noted = (in WingSurface surface, Transform root, Transform mesh) =>
+            FitSkeleton noted = (SurfaceMesh surface, Transform root, Transform mesh) =>
             {
                 SkeletonFit fit = LayOutSkeletonFix.Fit(surface, root, mesh);
                 made = fit.Skeleton;

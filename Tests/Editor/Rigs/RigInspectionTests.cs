@@ -136,7 +136,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void InvalidSkeleton_AndBrokenMesh_SayWhyThereIsNothingToSee()
         {
-            WingSurface broken = Surface();
+            SurfaceMesh broken = Surface();
             broken.triangles = new[] { 0, 1, 999999 };
             Assert.That(RigInspection.TryMake(Skeleton, broken, 0, out string mesh), Is.Null);
             Assert.That(mesh, Does.Contain("refers to vertex 999999"));

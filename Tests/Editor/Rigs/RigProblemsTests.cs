@@ -35,7 +35,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void FarRegions_AreListedOneByOne()
         {
-            WingSurface surface = Surface();
+            SurfaceMesh surface = Surface();
             Lift(surface, p => p.x > 0.5f);
             Lift(surface, p => p.x < 0.2f && p.z < -0.05f);
 
@@ -45,7 +45,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void PartBehindTheRoots_NeverBends()
         {
-            WingSurface surface = Surface();
+            SurfaceMesh surface = Surface();
             int first = surface.positions.Length;
             surface.positions = surface.positions
                 .Concat(new[] { new Vector3(-0.03f, 0f, 0.001f), new Vector3(-0.03f, 0f, -0.012f), new Vector3(-0.001f, 0f, -0.006f) }).ToArray();
@@ -73,7 +73,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void TrianglesWithoutArea_AreCounted()
         {
-            WingSurface surface = Surface();
+            SurfaceMesh surface = Surface();
             surface.triangles = surface.triangles.Concat(new[] { 5, 5, 6, 7, 8, 7 }).ToArray();
 
             RigProblem flat = Find(surface).Single();
@@ -106,7 +106,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void MeshAroundOneJoint_ConcentratesTheMass()
         {
-            WingSurface surface = Surface();
+            SurfaceMesh surface = Surface();
             for (int k = 0; k < surface.positions.Length; k++)
             {
                 Vector3 joint = Skeleton.GetJoint(2, 2);
@@ -123,7 +123,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void WingOfOtherSize_DoesNotFit_AndSaysSoAsBakingDoes()
         {
-            WingSurface surface = Surface();
+            SurfaceMesh surface = Surface();
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k] *= 5f;
 
@@ -134,7 +134,7 @@ namespace Alate.Editor.Tests
             Assert.That(misfit.Joints, Has.Count.EqualTo(25));
         }
 
-        private static void Lift(WingSurface surface, System.Predicate<Vector3> part)
+        private static void Lift(SurfaceMesh surface, System.Predicate<Vector3> part)
         {
             for (int k = 0; k < surface.positions.Length; k++)
             {
@@ -143,7 +143,7 @@ namespace Alate.Editor.Tests
             }
         }
 
-        private List<RigProblem> Find(in WingSurface surface)
+        private List<RigProblem> Find(SurfaceMesh surface)
         {
             RigInspection rig = RigInspection.TryMake(Skeleton, surface, 0, out string refusal);
             Assert.That(refusal, Is.Null);

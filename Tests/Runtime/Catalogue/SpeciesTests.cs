@@ -69,7 +69,7 @@ namespace Alate.Tests
                     var surface = wing.CreateSurface(side);
 
                     Assert.That(skeleton.Validate(), Is.Empty);
-                    var rim = SkeletonFitter.Fit(surface.ToWingSurface(wing.Name), SkeletonFitSettings.Default).Outline;
+                    var rim = SkeletonFitter.Fit(surface, SkeletonFitSettings.Default).Outline;
                     Assert.That(new FitMeasure(skeleton, rim).TipsOffMargin(), Is.LessThan(0.015), "rounding moves the tip a little");
                     UnityEngine.Object.DestroyImmediate(skeleton);
                 }
@@ -95,7 +95,7 @@ namespace Alate.Tests
             {
                 var skeleton = wing.CreateSkeleton(WingSide.Right);
                 var surface = wing.CreateSurface(WingSide.Right);
-                var rig = WingRig.Bake(skeleton, surface.ToWingSurface(wing.Name), WingRigSettings.Default);
+                var rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
 
                 Assert.That(rig.TriangleCount, Is.EqualTo(wing.TriangleCount));
                 Assert.That(rig.ChainCount, Is.EqualTo(wing.Chains));

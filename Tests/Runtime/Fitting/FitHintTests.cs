@@ -83,7 +83,7 @@ namespace Alate.Tests
         [Test]
         public void WithoutForward_TheStraighterEdgeLeads_WithLessConfidence([Values(1f, -1f)] float side)
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             for (int k = 0; k < wing.positions.Length; k++)
                 wing.positions[k].z *= side;
             SkeletonFitSettings hints = Hints();
@@ -110,7 +110,7 @@ namespace Alate.Tests
         [Test]
         public void AnUprightWing_TakesTheFrontOfItsTriangles()
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             for (int k = 0; k < wing.positions.Length; k++)
                 wing.positions[k] = new Vector3(wing.positions[k].y, wing.positions[k].x, wing.positions[k].z);
             SkeletonFitSettings hints = Hints();
@@ -160,7 +160,7 @@ namespace Alate.Tests
 
             SkeletonFitSettings hints = Hints();
             hints.hinge = Vector3.zero;
-            SkeletonFit fit = SkeletonFitter.Fit(new WingSurface { positions = positions, triangles = triangles }, hints);
+            SkeletonFit fit = SkeletonFitter.Fit(new SurfaceMesh { positions = positions, triangles = triangles }, hints);
 
             AssertWarns(fit, SkeletonFitWarningKind.TipUnclear, "%");
             Assert.That(fit.Confidence, Is.LessThan(0.9f));
@@ -170,7 +170,7 @@ namespace Alate.Tests
 
         private static float Guess(Vector3 place)
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             for (int k = 0; k < wing.positions.Length; k++)
                 wing.positions[k] += place;
             SkeletonFit fit = SkeletonFitter.Fit(wing, Hints());
@@ -180,9 +180,9 @@ namespace Alate.Tests
             return fit.Confidence;
         }
 
-        private static WingSurface Wing()
+        private static SurfaceMesh Wing()
         {
-            WingSurface wing = TestWings.Ellipse(24, 12, 1f, 0.4f);
+            SurfaceMesh wing = TestWings.Ellipse(24, 12, 1f, 0.4f);
             for (int k = 0; k < wing.positions.Length; k++)
             {
                 Vector3 p = wing.positions[k];
@@ -195,7 +195,7 @@ namespace Alate.Tests
 
         private static SkeletonFitSettings Hints() => SkeletonFitSettings.Default;
 
-        private static Vector3 FrontOf(in WingSurface wing)
+        private static Vector3 FrontOf(SurfaceMesh wing)
         {
             Vector3 sum = Vector3.zero;
             for (int k = 0; k < wing.triangles.Length; k += 3)

@@ -14,14 +14,14 @@ namespace Alate.Tests
         [Test]
         public void TrianglesWithVerticesOfTheirOwn_ChangeNothing()
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             AssertAlike(wing, Of(wing.triangles.Select(index => wing.positions[index]), Enumerable.Range(0, wing.triangles.Length)));
         }
 
         [Test]
         public void ADoubleSidedWing_IsOneSheet()
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             int count = wing.positions.Length;
             IEnumerable<int> back = wing.triangles.Reverse();
 
@@ -32,7 +32,7 @@ namespace Alate.Tests
         [Test]
         public void TrianglesTurnedAtRandom_ChangeNothing()
         {
-            WingSurface wing = Wing(), turned = Wing();
+            SurfaceMesh wing = Wing(), turned = Wing();
             for (int k = 0; k < wing.triangles.Length; k += 3 * (1 + k % 7))
                 (turned.triangles[k], turned.triangles[k + 1]) = (wing.triangles[k + 1], wing.triangles[k]);
 
@@ -43,9 +43,9 @@ namespace Alate.Tests
         public void TJunctions_AreNoHoles()
         {
             // A coarse half of the wing beside a fine one.
-            WingSurface coarse = Part(2, 1, 0f, 0.5f), fine = Part(12, 8, 0.5f, 1f);
+            SurfaceMesh coarse = Part(2, 1, 0f, 0.5f), fine = Part(12, 8, 0.5f, 1f);
             int count = coarse.positions.Length;
-            WingSurface joined = Of(coarse.positions.Concat(fine.positions), coarse.triangles.Concat(fine.triangles.Select(k => k + count)));
+            SurfaceMesh joined = Of(coarse.positions.Concat(fine.positions), coarse.triangles.Concat(fine.triangles.Select(k => k + count)));
             SkeletonFit fit = SkeletonFitter.Fit(joined, Hints());
 
             Assert.That(fit.Warnings, Is.Empty);
@@ -56,7 +56,7 @@ namespace Alate.Tests
         [Test]
         public void ACrackBetweenParts_IsClosed()
         {
-            WingSurface near = Part(6, 4, 0f, 0.5f), far = Part(6, 4, 0.5f, 1f);
+            SurfaceMesh near = Part(6, 4, 0f, 0.5f), far = Part(6, 4, 0.5f, 1f);
             int count = near.positions.Length;
             IEnumerable<Vector3> apart = far.positions.Select(p => p + new Vector3(2e-4f, 0f, 0f));
 
@@ -66,7 +66,7 @@ namespace Alate.Tests
         [Test]
         public void AThinShell_IsFittedByItsUpperSide()
         {
-            WingSurface wing = Wing(), shell = Shell(wing, 0.01f);
+            SurfaceMesh wing = Wing(), shell = Shell(wing, 0.01f);
             SkeletonFit fit = SkeletonFitter.Fit(shell, Hints());
 
             Assert.That(fit.Warns(SkeletonFitWarningKind.ClosedShell), Is.True);
@@ -77,8 +77,8 @@ namespace Alate.Tests
         [Test]
         public void AHole_IsReported_AndChainsRunAsIfItWereFilled()
         {
-            WingSurface wing = Part(20, 10, 0f, 1f);
-            WingSurface torn = Of(wing.positions, Without(wing, p => (p - new Vector3(0.5f, 0f, -0.2f)).magnitude < 0.12f));
+            SurfaceMesh wing = Part(20, 10, 0f, 1f);
+            SurfaceMesh torn = Of(wing.positions, Without(wing, p => (p - new Vector3(0.5f, 0f, -0.2f)).magnitude < 0.12f));
             SkeletonFit fit = SkeletonFitter.Fit(torn, Hints());
 
             Assert.That(fit.Warns(SkeletonFitWarningKind.Holes), Is.True);
@@ -90,10 +90,10 @@ namespace Alate.Tests
         [Test]
         public void PiecesOnTheWing_HaveNoSay()
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             int count = wing.positions.Length;
             var vein = new[] { new Vector3(0.2f, 0.01f, 0f), new Vector3(0.8f, 0.01f, 0f), new Vector3(0.5f, 0.01f, 0.02f) };
-            WingSurface veined = Of(wing.positions.Concat(vein), wing.triangles.Concat(new[] { count, count + 1, count + 2 }));
+            SurfaceMesh veined = Of(wing.positions.Concat(vein), wing.triangles.Concat(new[] { count, count + 1, count + 2 }));
 
             Assert.That(SkeletonFitter.Fit(veined, Hints()).Warns(SkeletonFitWarningKind.PiecesIgnored), Is.True);
             AssertAlike(wing, veined);
@@ -120,7 +120,7 @@ namespace Alate.Tests
         [Test]
         public void TwoWings_AreNamed()
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             int count = wing.positions.Length;
             IEnumerable<Vector3> left = wing.positions.Select(p => new Vector3(-0.5f - p.x, p.y, p.z));
 
@@ -167,7 +167,7 @@ namespace Alate.Tests
         [Test]
         public void BrokenMeshes_AreNamed()
         {
-            WingSurface wing = Wing();
+            SurfaceMesh wing = Wing();
             Assert.That(Refusal(Of(new Vector3[0], new int[0])), Is.EqualTo("Mesh 'Test' has no vertices."));
             Assert.That(Refusal(Of(wing.positions, new int[0])), Is.EqualTo("Mesh 'Test' has no triangles."));
             Assert.That(Refusal(Of(wing.positions, new[] { 0, 1, -1 })), Does.Contain("triangle 0"));
@@ -200,19 +200,19 @@ namespace Alate.Tests
             Assert.That(message, Does.Contain(said));
         }
 
-        private static string Refusal(WingSurface surface)
+        private static string Refusal(SurfaceMesh surface)
         {
             string message = Assert.Throws<ArgumentException>(() => SkeletonFitter.Fit(surface, Hints())).Message;
             Assert.That(message, Does.Not.Contain("\n"));
             return message;
         }
 
-        private static WingSurface Wing() => new PolarWing { aspect = 0.5, tail = -0.2 }.Mesh(3);
+        private static SurfaceMesh Wing() => new PolarWing { aspect = 0.5, tail = -0.2 }.Mesh(3);
 
         // The part of a rounded wing between two shares of its span.
-        private static WingSurface Part(int columns, int rows, float from, float to)
+        private static SurfaceMesh Part(int columns, int rows, float from, float to)
         {
-            WingSurface wing = TestWings.Rectangle(columns, rows);
+            SurfaceMesh wing = TestWings.Rectangle(columns, rows);
             for (int k = 0; k < wing.positions.Length; k++)
             {
                 float x = from + (to - from) * wing.positions[k].x, chord = x <= 0.5f ? 1f : 1.5f - x;
@@ -223,7 +223,7 @@ namespace Alate.Tests
         }
 
         // Two sheets at ± half the thickness, with a wall around.
-        private static WingSurface Shell(WingSurface sheet, float half)
+        private static SurfaceMesh Shell(SurfaceMesh sheet, float half)
         {
             int count = sheet.positions.Length;
             var triangles = new List<int>(sheet.triangles);
@@ -241,7 +241,7 @@ namespace Alate.Tests
             return Of(upper.Concat(sheet.positions.Select(p => p - half * Vector3.up)), triangles);
         }
 
-        private static IEnumerable<int> Without(WingSurface wing, Func<Vector3, bool> isGone)
+        private static IEnumerable<int> Without(SurfaceMesh wing, Func<Vector3, bool> isGone)
         {
             for (int k = 0; k < wing.triangles.Length; k += 3)
             {
@@ -252,8 +252,8 @@ namespace Alate.Tests
             }
         }
 
-        private static WingSurface Of(IEnumerable<Vector3> positions, IEnumerable<int> triangles) =>
-            new WingSurface { name = "Test", positions = positions.ToArray(), triangles = triangles.ToArray() };
+        private static SurfaceMesh Of(IEnumerable<Vector3> positions, IEnumerable<int> triangles) =>
+            new SurfaceMesh { name = "Test", positions = positions.ToArray(), triangles = triangles.ToArray() };
 
         private static SkeletonFitSettings Hints()
         {
@@ -262,7 +262,7 @@ namespace Alate.Tests
             return hints;
         }
 
-        private static void AssertAlike(WingSurface one, WingSurface other, float within = 0.003f)
+        private static void AssertAlike(SurfaceMesh one, SurfaceMesh other, float within = 0.003f)
         {
             WingSkeleton a = SkeletonFitter.Fit(one, Hints()).Skeleton, b = SkeletonFitter.Fit(other, Hints()).Skeleton;
             for (int i = 0; i < a.ChainCount; i++)

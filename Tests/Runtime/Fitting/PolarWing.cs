@@ -59,7 +59,7 @@ namespace Alate.Tests
         }
 
         /// <summary>A triangulation with irregular rings of vertices; every seed makes another.</summary>
-        public WingSurface Mesh(int seed = 1)
+        public SurfaceMesh Mesh(int seed = 1)
         {
             var random = new Random(seed);
             int rings = random.Next(1, 9), rim = random.Next(500, 900);
@@ -83,7 +83,7 @@ namespace Alate.Tests
             positions.Add(At(0.0, 0.0));
             for (int ring = 1, start = 0; ring < rings; start += angles[ring - 1].Length, ring++)
                 Stitch(triangles, start, angles[ring - 1], angles[ring]);
-            return new WingSurface { name = "Polar", positions = positions.ToArray(), triangles = triangles.ToArray() };
+            return new SurfaceMesh { name = "Polar", positions = positions.ToArray(), triangles = triangles.ToArray() };
         }
 
         private static double[] Angles(int count, Random random)

@@ -41,7 +41,7 @@ namespace Alate.Tests
         }
 
         /// <summary>A fan of triangles with random places inside.</summary>
-        public WingSurface Mesh(int seed = 1)
+        public SurfaceMesh Mesh(int seed = 1)
         {
             var random = new Random(seed);
             var positions = new List<Vector3>(Outline());
@@ -57,7 +57,7 @@ namespace Alate.Tests
                 triangles.AddRange(new[] { middle, k, inner, k, next, inner, next, middle, inner });
             }
 
-            return new WingSurface { name = "Fin", positions = positions.ToArray(), triangles = triangles.ToArray() };
+            return new SurfaceMesh { name = "Fin", positions = positions.ToArray(), triangles = triangles.ToArray() };
         }
 
         private double Length(double ray) => firstLength + (1.0 - firstLength) * System.Math.Min(1.0, ray);

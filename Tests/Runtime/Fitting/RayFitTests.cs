@@ -73,7 +73,7 @@ namespace Alate.Tests
         public void AMarginInSteps_AsPixelsMakeIt_MakesNoFan([Values(0.4, 0.8)] double aspect, [Values(80, 200)] int pixels)
         {
             var wing = new PolarWing { aspect = aspect };
-            WingSurface stepped = wing.Mesh();
+            SurfaceMesh stepped = wing.Mesh();
             for (int k = 0; k < stepped.positions.Length; k++)
             {
                 Vector3 p = stepped.positions[k] * pixels;
@@ -91,7 +91,7 @@ namespace Alate.Tests
         public void ALastRayLongerThanTheFirstMayBe_IsPassedOver()
         {
             var fin = new RayFin { rays = 9, first = 0.3, last = -1.5 };
-            WingSurface surface = fin.Mesh();
+            SurfaceMesh surface = fin.Mesh();
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k].z *= surface.positions[k].z < 0f ? 1.6f : 1f;
 

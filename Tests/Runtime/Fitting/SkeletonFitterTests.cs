@@ -114,8 +114,8 @@ namespace Alate.Tests
         [Test]
         public void AnyUnit_GivesTheSameSkeleton([Values(1e-15f, 1e-3f, 1e6f, 1e15f)] float unit)
         {
-            WingSurface wing = new PolarWing().Mesh(), scaled = wing;
-            scaled.positions = Array.ConvertAll(wing.positions, p => unit * p);
+            SurfaceMesh wing = new PolarWing().Mesh();
+            var scaled = new SurfaceMesh { positions = Array.ConvertAll(wing.positions, p => unit * p), triangles = wing.triangles };
             WingSkeleton one = SkeletonFitter.Fit(wing, Hints()).Skeleton, other = SkeletonFitter.Fit(scaled, Hints()).Skeleton;
 
             for (int i = 0; i < one.ChainCount; i++)
@@ -128,7 +128,7 @@ namespace Alate.Tests
         [Test]
         public void TheSameMesh_GivesTheSameSkeletonToTheBit_AndTheMeshOverloadToo()
         {
-            WingSurface wing = new PolarWing { scallop = 0.02 }.Mesh();
+            SurfaceMesh wing = new PolarWing { scallop = 0.02 }.Mesh();
             string first = Text(SkeletonFitter.Fit(wing, Hints()).Skeleton);
             string again = Text(SkeletonFitter.Fit(wing, Hints()).Skeleton);
             string mesh = Text(SkeletonFitter.Fit(TestWings.ToMesh(wing), Hints()).Skeleton);

@@ -31,7 +31,7 @@ namespace Alate.Tests
         {
             WingTrace trace = s_Traces.GetOrAdd(name, wing => Trace(Outline(wing)));
             WingPreset preset = InsectCatalogue.Find("monarch").Wings[0].CreatePreset(ModelReading.Physical, variant);
-            using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface.ToWingSurface(name), preset);
+            using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface, preset);
             WindyFlight.Stretch still = WindyFlight.Steady(flight, 0f), windy = WindyFlight.Steady(flight, k_Wind, WindyFlight.SixDirections);
             TestContext.Progress.WriteLine($"{name} {variant}: still air {still}; 3 m/s {windy}");
 

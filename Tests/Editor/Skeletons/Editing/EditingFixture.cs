@@ -42,8 +42,8 @@ namespace Alate.Editor.Tests
 
         private protected static WingSkeleton Monarch(WingSide side) => InsectCatalogue.Find("monarch").Wings[0].CreateSkeleton(side);
 
-        private protected static WingSurface Surface() =>
-            InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right).ToWingSurface("Right wing");
+        private protected static SurfaceMesh Surface() =>
+            InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
 
         private protected SkeletonEditing Edit(WingSkeleton skeleton) => new SkeletonEditing(Keep(JointSelection.Create(skeleton)), m_Undo);
 

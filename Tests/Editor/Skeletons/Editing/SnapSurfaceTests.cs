@@ -7,7 +7,7 @@ namespace Alate.Editor.Tests
     public sealed class SnapSurfaceTests
     {
         // One triangle in the plane y = 0: right angle at the origin, legs of length 1 along x and z.
-        private static readonly SnapSurface s_Triangle = new SnapSurface(new WingSurface
+        private static readonly SnapSurface s_Triangle = new SnapSurface(new SurfaceMesh
         {
             positions = new[] { Vector3.zero, new Vector3(0f, 0f, 1f), new Vector3(1f, 0f, 0f) },
             triangles = new[] { 0, 1, 2 },
@@ -30,7 +30,7 @@ namespace Alate.Editor.Tests
         public void ClosestPoint_IsNoFartherThanAnyPointOfTheSurface()
         {
             SurfaceMesh wing = InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right);
-            var surface = new SnapSurface(wing.ToWingSurface("wing"));
+            var surface = new SnapSurface(wing);
             var random = new System.Random(5);
             for (int k = 0; k < 50; k++)
             {
@@ -61,7 +61,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void FlatTriangles_HaveAClosestPoint_AndAreNeverHit()
         {
-            var line = new SnapSurface(new WingSurface
+            var line = new SnapSurface(new SurfaceMesh
             {
                 positions = new[] { Vector3.zero, Vector3.right, 2f * Vector3.right },
                 triangles = new[] { 0, 1, 2 },
@@ -74,7 +74,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void EmptySurface_LeavesPointsWhereTheyAre()
         {
-            var empty = new SnapSurface(new WingSurface { positions = new Vector3[0], triangles = new int[0] });
+            var empty = new SnapSurface(new SurfaceMesh { positions = new Vector3[0], triangles = new int[0] });
 
             Assert.That(empty.ClosestPoint(Vector3.one), Is.EqualTo(Vector3.one));
         }

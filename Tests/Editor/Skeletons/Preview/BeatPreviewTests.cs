@@ -88,7 +88,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void EditedMonarch_IsShownInTimeToDragFluently()
         {
-            WingSurface surface = Surface();
+            SurfaceMesh surface = Surface();
             double best = double.PositiveInfinity;
             var watch = new Stopwatch();
             for (int k = 0; k < 12; k++)

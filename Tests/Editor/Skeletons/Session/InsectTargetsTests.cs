@@ -88,7 +88,7 @@ namespace Alate.Editor.Tests
             SkeletonTarget target = Find().Single();
 
             Assert.That(target.HasSurface, Is.False);
-            Assert.That(InsectTargets.SurfaceOf(Right, out string refusal).positions, Is.Null);
+            Assert.That(InsectTargets.SurfaceOf(Right, out string refusal), Is.Null);
             Assert.That(refusal, Is.EqualTo("The wing has no mesh."));
             Assert.That(InsectTargets.WithoutSkeleton(Insect), Is.EqualTo(new[] { Left }));
         }
@@ -140,7 +140,7 @@ namespace Alate.Editor.Tests
             Assert.That(Find()[0].Surface.triangles.Length, Is.EqualTo(all.Length - 300));
 
             Right.Submesh = 7;
-            Assert.That(InsectTargets.SurfaceOf(Right, out string refusal).positions, Is.Null);
+            Assert.That(InsectTargets.SurfaceOf(Right, out string refusal), Is.Null);
             Assert.That(refusal, Does.Contain("has no submesh 7"));
         }
 

@@ -24,7 +24,7 @@ namespace Alate.Editor.Tests
             m_Undo = new EditorUndo();
             m_Editing = new SkeletonEditing(m_Selection, m_Undo)
             {
-                Surface = new SnapSurface(InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right).ToWingSurface("wing")),
+                Surface = new SnapSurface(InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right)),
             };
         }
 

@@ -135,7 +135,7 @@ namespace Alate.Tests.Play
         // A square body, then a right and a left wing; the texture coordinates number the vertices.
         private static Mesh Insect(IndexFormat format)
         {
-            WingSurface wing = TestWings.Ellipse();
+            SurfaceMesh wing = TestWings.Ellipse();
             int count = wing.positions.Length;
             var positions = new List<Vector3> { new Vector3(-0.1f, 0f, -1f), new Vector3(-0.1f, 0f, 0.5f), new Vector3(0.1f, 0f, 0.5f), new Vector3(0.1f, 0f, -1f) };
             positions.AddRange(System.Array.ConvertAll(wing.positions, p => p + new Vector3(0.2f, 0.1f, 0f)));

@@ -54,7 +54,7 @@ namespace Alate.Tests
             double density = Parameters.airDensity, area = 0.5 / k_Columns * k_Chord / k_Rows;
             var sumOfForces = new double[3];
             var sumOfMoments = new double[3];
-            WingSurface plate = TestWings.Rectangle(k_Columns, k_Rows);
+            SurfaceMesh plate = TestWings.Rectangle(k_Columns, k_Rows);
             for (int k = 0; k < plate.triangles.Length; k += 3)
             {
                 Vector3 centre = (plate.positions[plate.triangles[k]] + plate.positions[plate.triangles[k + 1]] + plate.positions[plate.triangles[k + 2]]) / 3f;

@@ -16,7 +16,7 @@ namespace Alate.Tests
 
         public Sheet(int columns = 40, int rows = 8)
         {
-            WingSurface surface = TestWings.Rectangle(columns, rows, 1f, Chord);
+            SurfaceMesh surface = TestWings.Rectangle(columns, rows, 1f, Chord);
             rest = Array.ConvertAll(surface.positions, position => (float3)position);
             triangles = surface.triangles;
         }

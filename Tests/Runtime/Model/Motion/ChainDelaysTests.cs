@@ -104,7 +104,7 @@ namespace Alate.Tests
 
         private static PackFixture Fixture(WingDefinition wing, in WingParameters parameters)
         {
-            WingSurface surface = wing.CreateSurface(WingSide.Right).ToWingSurface(wing.Name);
+            SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
             return new PackFixture(TestWings.Bake(wing.CreateSkeleton(WingSide.Right), surface, 64), parameters);
         }
 

@@ -32,7 +32,7 @@ namespace Alate.Tests
         [Test]
         public void MissingVertices_AreNamed([Values] bool empty)
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.positions = empty ? new Vector3[0] : null;
 
             Assert.That(Refusal(surface), Is.EqualTo("Mesh 'Ellipse' has no vertices."));
@@ -41,7 +41,7 @@ namespace Alate.Tests
         [Test]
         public void MissingTriangles_AreNamed([Values] bool empty)
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.triangles = empty ? new int[0] : null;
 
             Assert.That(Refusal(surface), Is.EqualTo("Mesh 'Ellipse' has no triangles."));
@@ -50,7 +50,7 @@ namespace Alate.Tests
         [Test]
         public void HalfATriangle_IsNamed()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             Array.Resize(ref surface.triangles, 8);
 
             Assert.That(Refusal(surface), Does.Contain("8 indices"));
@@ -59,7 +59,7 @@ namespace Alate.Tests
         [Test]
         public void AnIndexOutOfRange_IsNamed([Values(-1, 91)] int index)
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.triangles[4] = index;
 
             Assert.That(Refusal(surface), Is.EqualTo($"Mesh 'Ellipse': triangle 1 refers to vertex {index}, but there are 91 vertices."));
@@ -68,7 +68,7 @@ namespace Alate.Tests
         [Test]
         public void AVertexThatIsNotFinite_IsNamed([Values(float.NaN, float.PositiveInfinity)] float value)
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.positions[17].z = value;
 
             Assert.That(Refusal(surface), Does.Contain("vertex 17").And.Contain("not finite"));
@@ -77,7 +77,7 @@ namespace Alate.Tests
         [Test]
         public void AWrongNumberOfNormals_IsNamed()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.normals = new Vector3[5];
 
             Assert.That(Refusal(surface), Does.Contain("5 normals for 91 vertices"));
@@ -86,7 +86,7 @@ namespace Alate.Tests
         [Test]
         public void AWrongNumberOfTangents_IsNamed()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.tangents = new Vector4[5];
 
             Assert.That(Refusal(surface), Does.Contain("5 tangents for 91 vertices"));
@@ -95,7 +95,7 @@ namespace Alate.Tests
         [Test]
         public void AMeshWithoutArea_IsRefused()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k].z = 0f;
 
@@ -123,7 +123,7 @@ namespace Alate.Tests
         [Test]
         public void AMeshInOtherUnits_IsRefused([Values(0.01f, 0.1f, 10f, 1000f)] float scale)
         {
-            WingSurface surface = TestWings.Ellipse(12, 6, scale * TestWings.Length, scale * TestWings.Chord);
+            SurfaceMesh surface = TestWings.Ellipse(12, 6, scale * TestWings.Length, scale * TestWings.Chord);
 
             Assert.That(Refusal(surface), Does.Contain("does not fit").Or.Contain("far away"));
         }
@@ -139,23 +139,23 @@ namespace Alate.Tests
         [Test]
         public void APositionTooLargeToComputeWith_IsRefused()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.positions[3] = new Vector3(3e38f, 3e38f, -3e38f);
 
             Assert.That(Refusal(surface), Is.Not.Empty);
         }
 
-        private static WingSurface Shifted(Vector3 by)
+        private static SurfaceMesh Shifted(Vector3 by)
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k] += by;
             return surface;
         }
 
-        private static string Refusal(in WingSurface surface) => Refusal(TestWings.Fan(), surface);
+        private static string Refusal(SurfaceMesh surface) => Refusal(TestWings.Fan(), surface);
 
-        private static string Refusal(WingSkeleton skeleton, WingSurface surface)
+        private static string Refusal(WingSkeleton skeleton, SurfaceMesh surface)
         {
             string message = Assert.Throws<ArgumentException>(() => TestWings.Bake(skeleton, surface)).Message;
             Assert.That(message, Does.Not.Contain("\n"));

@@ -80,7 +80,7 @@ namespace Alate.Tests
         private WingRig Moved(Func<float3, float3> point, Func<float3, float3> direction)
         {
             WingSkeleton skeleton = TestWings.Fan();
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.positions = surface.positions.Select(p => (Vector3)point(p)).ToArray();
             surface.normals = surface.normals.Select(n => (Vector3)direction(n)).ToArray();
             foreach (JointChain chain in skeleton.Chains)

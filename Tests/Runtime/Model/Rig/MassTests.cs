@@ -22,7 +22,7 @@ namespace Alate.Tests
         [Test]
         public void JointMasses_HaveTheirCentreWhereTheAreaHasIt()
         {
-            WingSurface surface = TestWings.Rectangle();
+            SurfaceMesh surface = TestWings.Rectangle();
             WingRig rig = Bake(TestWings.Lattice(), surface);
 
             float3 centre = default;

@@ -18,7 +18,7 @@ namespace Alate.Tests
 
         private static void CheckLaws(Random random, string given)
         {
-            (WingSkeleton skeleton, WingSurface surface) = Wing(ref random);
+            (WingSkeleton skeleton, SurfaceMesh surface) = Wing(ref random);
             WingRig rig = TestWings.Bake(skeleton, surface, random.NextInt(2) * random.NextInt(400));
             try
             {
@@ -74,7 +74,7 @@ namespace Alate.Tests
             Assert.That(area, Is.EqualTo(rig.Area).Within(1e-4 * rig.Area), given);
         }
 
-        private static void CheckFrame(WingRig rig, in WingSurface surface, string given)
+        private static void CheckFrame(WingRig rig, SurfaceMesh surface, string given)
         {
             float tip = float.MinValue;
             foreach (Vector3 position in surface.positions)
@@ -83,11 +83,11 @@ namespace Alate.Tests
             Assert.That(rig.RestJoints[0].z, Is.GreaterThan(rig.RestJoints[rig.JointCount - 1].z), $"the leading edge lies forward, {given}");
         }
 
-        private static (WingSkeleton, WingSurface) Wing(ref Random random)
+        private static (WingSkeleton, SurfaceMesh) Wing(ref Random random)
         {
             float chord = 0.2f + random.NextFloat();
             WingSkeleton skeleton = TestWings.Fan(random.NextInt(3, 9), random.NextInt(3, 9), 1f, chord);
-            WingSurface surface = random.NextInt(2) == 0
+            SurfaceMesh surface = random.NextInt(2) == 0
                 ? TestWings.Ellipse(random.NextInt(4, 20), random.NextInt(2, 12), 1f, chord)
                 : TestWings.Rectangle(random.NextInt(4, 20), random.NextInt(2, 12), 1f, 0.7f * chord);
             float height = 0.1f * random.NextFloat(), wave = 8f * random.NextFloat(), scale = math.exp(8f * random.NextFloat() - 6f);

@@ -19,7 +19,7 @@ namespace Alate.Tests
         /// <summary>The elliptical wing and its fan.</summary>
         protected WingRig Bake(int patchCount = 0) => Bake(TestWings.Fan(), TestWings.Ellipse(), patchCount);
 
-        protected WingRig Bake(WingSkeleton skeleton, in WingSurface surface, int patchCount = 0) =>
+        protected WingRig Bake(WingSkeleton skeleton, SurfaceMesh surface, int patchCount = 0) =>
             Keep(TestWings.Bake(skeleton, surface, patchCount));
 
         /// <summary>Releases this one too.</summary>

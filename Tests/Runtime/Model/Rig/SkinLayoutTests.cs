@@ -10,7 +10,7 @@ namespace Alate.Tests
         [Test]
         public void EveryVertex_IsSkinnedWithItsOwnPositionNormalAndCell()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             WingRig rig = Bake(TestWings.Fan(), surface);
             var written = new int[rig.VertexCount];
             for (int cell = 0; cell < rig.CellCount; cell++)
@@ -54,7 +54,7 @@ namespace Alate.Tests
         [Test]
         public void Tangents_LieBesideTheirVertices()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.tangents = Enumerable.Range(0, surface.positions.Length).Select(k => new Vector4(k, 2f * k, 3f * k, -1f)).ToArray();
             WingRig rig = Bake(TestWings.Fan(), surface);
             for (int quad = 0; quad < rig.View.quadCount; quad++)
@@ -77,7 +77,7 @@ namespace Alate.Tests
         [Test]
         public void MissingNormals_AreComputedFromTheTriangles()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.normals = null;
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k].y = 0.1f * surface.positions[k].x;
@@ -89,7 +89,7 @@ namespace Alate.Tests
         [Test]
         public void BrokenNormals_AreReplaced()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.normals[3] = Vector3.zero;
             surface.normals[40] = new Vector3(float.NaN, 0f, 0f);
 
@@ -99,7 +99,7 @@ namespace Alate.Tests
         [Test]
         public void WhereBothSidesShareTheirVertices_NormalsPointUp()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.normals = null;
             surface.triangles = surface.triangles.Concat(surface.triangles.Reverse()).ToArray();
 

@@ -12,7 +12,7 @@ namespace Alate.Tests
         [Test]
         public void DuplicateTriangles_CountOnce()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.triangles = surface.triangles.Concat(surface.triangles.Take(90)).ToArray();
 
             AssertSameWing(Bake(TestWings.Fan(), surface), Bake());
@@ -21,9 +21,9 @@ namespace Alate.Tests
         [Test]
         public void TheTwoSidesOfADoubleSidedWing_CountOnce()
         {
-            WingSurface single = TestWings.Ellipse();
+            SurfaceMesh single = TestWings.Ellipse();
             int vertices = single.positions.Length;
-            var both = new WingSurface
+            var both = new SurfaceMesh
             {
                 positions = single.positions.Concat(single.positions).ToArray(),
                 normals = single.normals.Concat(single.normals.Select(n => -n)).ToArray(),
@@ -39,7 +39,7 @@ namespace Alate.Tests
         public void AThinClosedShell_HasTheAreaOfOneSide()
         {
             const int k_Columns = 12, k_Rows = 6;
-            WingSurface top = TestWings.Ellipse(k_Columns, k_Rows), bottom = TestWings.Ellipse(k_Columns, k_Rows);
+            SurfaceMesh top = TestWings.Ellipse(k_Columns, k_Rows), bottom = TestWings.Ellipse(k_Columns, k_Rows);
             int vertices = top.positions.Length;
             for (int k = 0; k < vertices; k++)
             {
@@ -49,7 +49,7 @@ namespace Alate.Tests
                 bottom.positions[k].y = rim ? 0f : -0.004f;
             }
 
-            var shell = new WingSurface
+            var shell = new SurfaceMesh
             {
                 positions = top.positions.Concat(bottom.positions).ToArray(),
                 triangles = top.triangles.Concat(bottom.triangles.Reverse().Select(index => index + vertices)).ToArray(),
@@ -63,7 +63,7 @@ namespace Alate.Tests
         [Test]
         public void TrianglesWithoutArea_ChangeNothing()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.triangles = new[] { 3, 3, 4, 5, 5, 5, 0, 7, 14 }.Concat(surface.triangles).ToArray();
 
             AssertSameWing(Bake(TestWings.Fan(), surface), Bake());
@@ -72,7 +72,7 @@ namespace Alate.Tests
         [Test]
         public void UnusedVertices_ChangeNothingButAreKept()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.positions = surface.positions.Concat(new[] { new Vector3(50f, 3f, 9f), new Vector3(-8f, 0f, 0f) }).ToArray();
             surface.normals = null;
             WingRig rig = Bake(TestWings.Fan(), surface);
@@ -85,7 +85,7 @@ namespace Alate.Tests
         [Test]
         public void TheOrderOfTriangles_DoesNotMatter()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             surface.triangles = surface.triangles.Reverse().ToArray();
 
             AssertSameWing(Bake(TestWings.Fan(), surface), Bake());
@@ -94,7 +94,7 @@ namespace Alate.Tests
         [Test]
         public void ACamberedWing_IsWeighedByItsPlan()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k].y = 0.05f * math.sin(6f * surface.positions[k].z);
             WingRig rig = Bake(TestWings.Fan(), surface), flat = Bake();
@@ -105,7 +105,7 @@ namespace Alate.Tests
         [Test]
         public void Submeshes_AreOneWing()
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             Mesh mesh = TestWings.ToMesh(surface);
             int half = surface.triangles.Length / 6 * 3;
             mesh.subMeshCount = 2;
@@ -127,7 +127,7 @@ namespace Alate.Tests
         [Test]
         public void MoreVerticesThan16BitsCount_AreAllKept()
         {
-            WingSurface surface = TestWings.Ellipse(300, 230);
+            SurfaceMesh surface = TestWings.Ellipse(300, 230);
             Mesh mesh = TestWings.ToMesh(surface);
             WingRig rig = BakeMesh(mesh, 256);
 

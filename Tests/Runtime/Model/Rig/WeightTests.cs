@@ -22,7 +22,7 @@ namespace Alate.Tests
         [Test]
         public void WeightedRestJoints_AreTheVertex_WithinTheFan()
         {
-            WingSurface surface = TestWings.Rectangle();
+            SurfaceMesh surface = TestWings.Rectangle();
             WingRig rig = Bake(TestWings.Lattice(), surface);
             for (int k = 0; k < rig.VertexCount; k++)
             {
@@ -37,7 +37,7 @@ namespace Alate.Tests
         public void AVertexOnAJoint_FollowsThatJointAlone()
         {
             WingSkeleton skeleton = TestWings.Fan();
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             for (int joint = 1; joint < 25; joint++)
                 surface.positions[joint] = skeleton.GetJoint(joint / 5, joint % 5);
             WingRig rig = Bake(skeleton, surface);
@@ -66,7 +66,7 @@ namespace Alate.Tests
             for (int way = 0; way < 20; way++)
             {
                 // Way 0 is along the outline, beyond the fan; the others cross the wing.
-                WingSurface surface = Line(way == 0 ? (Func<float, Vector3>)Rim : Chord(random), k_Steps);
+                SurfaceMesh surface = Line(way == 0 ? (Func<float, Vector3>)Rim : Chord(random), k_Steps);
                 WingRig rig = Bake(skeleton, surface);
                 int first = rig.VertexCount - k_Steps - 1;
                 float step = 0f, change = 0f;
@@ -83,7 +83,7 @@ namespace Alate.Tests
         [Test]
         public void VerticesBeyondTheFan_KeepToTheNearestCell()
         {
-            WingSurface surface = TestWings.Rectangle();
+            SurfaceMesh surface = TestWings.Rectangle();
             int last = surface.positions.Length - 1;
             surface.positions[last] = new Vector3(0.9f, 0.1f, 0.3f);
             WingRig rig = Bake(TestWings.Lattice(), surface);
@@ -97,7 +97,7 @@ namespace Alate.Tests
         [Test]
         public void SplitVerticesOfASeam_HaveEqualWeights()
         {
-            WingSurface split = Split(TestWings.Ellipse());
+            SurfaceMesh split = Split(TestWings.Ellipse());
             WingRig rig = Bake(TestWings.Fan(), split);
             for (int a = 0; a < rig.VertexCount; a++)
             {
@@ -160,9 +160,9 @@ namespace Alate.Tests
         }
 
         // The usual wing, so that mesh and skeleton fit, and after it the points of the way as unused vertices.
-        private static WingSurface Line(Func<float, Vector3> way, int steps)
+        private static SurfaceMesh Line(Func<float, Vector3> way, int steps)
         {
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             int first = surface.positions.Length;
             Array.Resize(ref surface.positions, first + steps + 1);
             for (int k = 0; k <= steps; k++)
@@ -172,7 +172,7 @@ namespace Alate.Tests
         }
 
         // Every triangle gets corners of its own.
-        private static WingSurface Split(WingSurface surface)
+        private static SurfaceMesh Split(SurfaceMesh surface)
         {
             var positions = new Vector3[surface.triangles.Length];
             var triangles = new int[surface.triangles.Length];
@@ -182,7 +182,7 @@ namespace Alate.Tests
                 triangles[k] = k;
             }
 
-            return new WingSurface { positions = positions, triangles = triangles };
+            return new SurfaceMesh { positions = positions, triangles = triangles };
         }
     }
 }

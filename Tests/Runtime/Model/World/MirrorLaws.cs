@@ -53,7 +53,7 @@ namespace Alate.Tests
         private static WingRig Mirrored()
         {
             WingSkeleton skeleton = TestWings.Fan();
-            WingSurface surface = TestWings.Ellipse();
+            SurfaceMesh surface = TestWings.Ellipse();
             for (int k = 0; k < surface.positions.Length; k++)
                 surface.positions[k] = s_Across * surface.positions[k];
             for (int k = 0; k < surface.triangles.Length; k += 3)

@@ -48,7 +48,7 @@ namespace Alate.Tests
 
         private static WingRig Bake(WingDefinition wing, SurfaceMesh mesh, int patches)
         {
-            var surface = new WingSurface { name = wing.Name, positions = mesh.positions, normals = mesh.normals, triangles = mesh.triangles };
+            var surface = new SurfaceMesh { name = wing.Name, positions = mesh.positions, normals = mesh.normals, triangles = mesh.triangles };
             return WingRig.Bake(wing.CreateSkeleton(WingSide.Right), surface, new WingRigSettings { patchCount = patches });
         }
     }

@@ -26,7 +26,7 @@ namespace Alate.Tests
             m_GravityShare = preset.Size.gravityShare;
             UnityEngine.Object.DestroyImmediate(preset);
             SurfaceMesh mesh = wing.CreateSurface(WingSide.Right);
-            Rig = TestWings.Bake(wing.CreateSkeleton(WingSide.Right), mesh.ToWingSurface(wing.Name), patches);
+            Rig = TestWings.Bake(wing.CreateSkeleton(WingSide.Right), mesh, patches);
             Rest = Array.ConvertAll(mesh.positions, position => Rig.Frame.ToWing(position));
             Triangles = mesh.triangles;
         }
@@ -35,7 +35,7 @@ namespace Alate.Tests
         /// <param name="skeleton">Its skeleton.</param>
         /// <param name="surface">Its mesh.</param>
         /// <param name="preset">How it beats, and how large it is.</param>
-        public SpeciesFlight(WingSkeleton skeleton, in WingSurface surface, WingPreset preset)
+        public SpeciesFlight(WingSkeleton skeleton, SurfaceMesh surface, WingPreset preset)
         {
             parameters = preset.ToParameters();
             Length = preset.WingLength;
