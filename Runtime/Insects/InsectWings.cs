@@ -185,16 +185,6 @@ namespace Alate
                 Debug.LogWarning(Problem.Message, this);
         }
 
-        /// <summary>
-        /// Finds the wings of an insect whose list is still empty when it starts: one made by a script may get its list after it was
-        /// switched on.
-        /// </summary>
-        internal void FindWingsWhereNoneAreListed()
-        {
-            if (m_Wings.Count == 0)
-                FindWings();
-        }
-
         private void Reset() => FindWings();
 
         private void OnEnable()

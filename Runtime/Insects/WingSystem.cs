@@ -27,7 +27,7 @@ namespace Alate
         /// <summary>
         /// Number of times that a living wing was put back into its driven pose because its state was not finite. Reads all wings.
         /// </summary>
-        public static int ResetCount => Crowd?.CountResets() ?? 0;
+        public static int ResetCount => Crowd?.World.CountResets() ?? 0;
 
         /// <summary>
         /// Cameras by which levels of detail are chosen: an insect has the detail of the camera in which it is largest. Empty takes the

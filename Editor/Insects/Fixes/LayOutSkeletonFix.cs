@@ -19,7 +19,7 @@ namespace Alate.Editor
         }
 
         /// <summary>Fits a skeleton as at the beginning of play.</summary>
-        public static SkeletonFit Fit(SurfaceMesh surface, Transform insect, Transform mesh) => new AutomaticSkeleton(insect, mesh).FitWithNotes(surface);
+        public static SkeletonFit Fit(SurfaceMesh surface, Transform insect, Transform mesh) => new AutomaticSkeleton(insect, mesh).Fit(surface);
 
         /// <inheritdoc/>
         public override string Label => "Lay Out Skeleton…";

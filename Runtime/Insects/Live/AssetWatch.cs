@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Alate
 {
     /// <summary>The assets of one kind that are in use, each read once however many use it. Those that nobody asks for any more are let go, so that they can be unloaded.</summary>
-    internal class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
+    internal sealed class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
     {
         private readonly Dictionary<TAsset, TValue> m_Values = new Dictionary<TAsset, TValue>();
         private readonly List<(TAsset asset, TValue value)> m_All = new List<(TAsset, TValue)>();
@@ -12,7 +12,7 @@ namespace Alate
         private readonly TValue m_None;
 
         /// <param name="read">Reads an asset for the first time; null stands for none.</param>
-        protected AssetWatch(Func<TAsset, TValue> read)
+        public AssetWatch(Func<TAsset, TValue> read)
         {
             m_Read = read;
             m_None = read(null);

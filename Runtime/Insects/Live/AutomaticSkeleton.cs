@@ -35,13 +35,9 @@ namespace Alate
         /// <summary>Returns true where two requests give equal skeletons.</summary>
         public bool Matches(in AutomaticSkeleton other) => m_Body == other.m_Body && m_Forward == other.m_Forward && m_Up == other.m_Up;
 
-        /// <summary>Lays out chains on a wing; the caller destroys the skeleton.</summary>
+        /// <summary>Lays out chains on a wing, with the confidence in them; the caller destroys the skeleton.</summary>
         /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
-        public WingSkeleton Fit(SurfaceMesh surface) => FitWithNotes(surface).Skeleton;
-
-        /// <summary>Skeleton laid out from the mesh, with the confidence in it.</summary>
-        /// <exception cref="ArgumentException">There is no way to lay one out; says why.</exception>
-        public SkeletonFit FitWithNotes(SurfaceMesh surface)
+        public SkeletonFit Fit(SurfaceMesh surface)
         {
             SkeletonFitSettings settings = SkeletonFitSettings.Default;
             settings.bodyPoint = m_Body;

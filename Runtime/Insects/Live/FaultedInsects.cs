@@ -7,24 +7,19 @@ namespace Alate
     /// <summary>Insects that cannot live, with a check for changes since the fault was found.</summary>
     internal sealed class FaultedInsects
     {
-        private readonly List<Entry> m_Entries = new List<Entry>();
-        private readonly SkeletonWatch m_Skeletons;
+        private readonly List<(InsectWings insect, int print)> m_Entries = new List<(InsectWings, int)>();
+        private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons;
 
-        public FaultedInsects(SkeletonWatch skeletons)
+        public FaultedInsects(AssetWatch<WingSkeleton, SkeletonValue> skeletons)
         {
             m_Skeletons = skeletons;
         }
 
         public int Count => m_Entries.Count;
 
-        public void Add(InsectWings insect) => m_Entries.Add(new Entry { insect = insect, print = Print(insect) });
+        public void Add(InsectWings insect) => m_Entries.Add((insect, Print(insect)));
 
-        public void Remove(InsectWings insect)
-        {
-            int at = m_Entries.FindIndex(e => ReferenceEquals(e.insect, insect));
-            if (at >= 0)
-                m_Entries.RemoveAt(at);
-        }
+        public void Remove(InsectWings insect) => m_Entries.RemoveAll(entry => ReferenceEquals(entry.insect, insect));
 
         /// <summary>Moves insects that were changed since to the end of a list, for another try.</summary>
         public void TakeMended(List<InsectWings> mended)
@@ -41,8 +36,7 @@ namespace Alate
         /// <summary>Moves all to the end of a list.</summary>
         public void TakeAll(List<InsectWings> list)
         {
-            foreach (Entry entry in m_Entries)
-                list.Add(entry.insect);
+            list.AddRange(m_Entries.ConvertAll(entry => entry.insect));
             m_Entries.Clear();
         }
 
@@ -62,12 +56,6 @@ namespace Alate
             int shown = filter == null || filter.sharedMesh == null ? 0 : filter.sharedMesh.GetHashCode();
             int authored = mesh == null ? 0 : mesh.GetHashCode() * 2 + (mesh.isReadable ? 1 : 0);
             return HashCode.Combine(renderer, shown, authored, wing.Part, wing.Submesh, wing.Side, wing.Point, m_Skeletons.Of(wing.Skeleton).Hash);
-        }
-
-        private struct Entry
-        {
-            public InsectWings insect;
-            public int print;
         }
     }
 }

@@ -11,7 +11,7 @@ namespace Alate
     {
         private readonly InsectRegistry m_Registry;
         private readonly BeatCalls m_Calls = new BeatCalls();
-        private readonly PresetWatch m_Presets = new PresetWatch();
+        private readonly AssetWatch<WingPreset, PresetValues> m_Presets = new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset));
         private readonly WindZones m_WindZones = new WindZones();
         private readonly Viewers m_Viewers = new Viewers();
         private readonly Clocks m_Clocks = new Clocks();
@@ -39,9 +39,6 @@ namespace Alate
 
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
-
-        /// <summary>Number of recoveries from states that were not finite, of all living wings.</summary>
-        public int CountResets() => World.CountResets();
 
         /// <summary>Looks for wind zones before the next step.</summary>
         public void FindWindZones() => m_WindZones.Forget();
@@ -240,7 +237,7 @@ namespace Alate
             SystemCounter.steps.Set((int)(StepCount - m_StepsTold));
             m_StepsTold = StepCount;
             if (SystemCounter.resets.IsKept)
-                SystemCounter.resets.Set(CountResets());
+                SystemCounter.resets.Set(World.CountResets());
         }
     }
 }

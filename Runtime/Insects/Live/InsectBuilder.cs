@@ -9,13 +9,13 @@ namespace Alate
     /// Builds insects: checks them, finds or bakes the templates of their meshes, and swaps the meshes. Keeps what has not changed since an
     /// insect was built.
     /// </summary>
-    internal sealed class InsectBuilder : IDisposable
+    internal sealed class InsectBuilder
     {
         private readonly TemplateCache m_Templates;
-        private readonly SkeletonWatch m_Skeletons;
+        private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons;
         private int m_NextOwner = 1;
 
-        public InsectBuilder(TemplateCache templates, SkeletonWatch skeletons)
+        public InsectBuilder(TemplateCache templates, AssetWatch<WingSkeleton, SkeletonValue> skeletons)
         {
             m_Templates = templates;
             m_Skeletons = skeletons;
@@ -94,15 +94,6 @@ namespace Alate
             live.wings = wings;
             return InsectProblem.None;
         }
-
-        /// <summary>Releases the template that a mesh shared with others.</summary>
-        public void Free(LiveMesh mesh) => m_Templates.Return(mesh.template);
-
-        /// <summary>Frees templates that were unused for some time.</summary>
-        public void FreeUnused() => m_Templates.FreeUnused();
-
-        /// <summary>Frees the templates that are kept for insects that come back.</summary>
-        public void Dispose() => m_Templates.Dispose();
 
         private LiveMesh Build(InsectWings insect, List<int> group, out InsectProblem problem)
         {

@@ -15,17 +15,18 @@ namespace Alate
 
         private readonly List<InsectWings> m_Arriving = new List<InsectWings>();
         private readonly List<LiveMesh> m_Leaving = new List<LiveMesh>();
-        private readonly SkeletonWatch m_Skeletons = new SkeletonWatch();
+        private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons = new AssetWatch<WingSkeleton, SkeletonValue>(asset => new SkeletonValue(asset));
         private readonly FaultedInsects m_Broken;
+        private readonly TemplateCache m_Templates = new TemplateCache();
         private readonly InsectBuilder m_Builder;
         private readonly WingWorld m_World;
-        private readonly PresetWatch m_Presets;
+        private readonly AssetWatch<WingPreset, PresetValues> m_Presets;
 
-        public InsectRegistry(WingWorld world, PresetWatch presets)
+        public InsectRegistry(WingWorld world, AssetWatch<WingPreset, PresetValues> presets)
         {
             m_World = world;
             m_Presets = presets;
-            m_Builder = new InsectBuilder(new TemplateCache(), m_Skeletons);
+            m_Builder = new InsectBuilder(m_Templates, m_Skeletons);
             m_Broken = new FaultedInsects(m_Skeletons);
         }
 
@@ -69,7 +70,7 @@ namespace Alate
             using (SystemMarkers.rebuild.Auto())
             {
                 LetGo();
-                m_Builder.FreeUnused();
+                m_Templates.FreeUnused();
                 m_Skeletons.EndRound();
                 m_Skeletons.Refresh();
                 for (int k = Living.Count - 1; k >= 0 && vertices > 0; k--)
@@ -102,7 +103,7 @@ namespace Alate
                 insect.Report(InsectProblem.Inactive);
             m_Arriving.Clear();
             LetGo();
-            m_Builder.Dispose();
+            m_Templates.Dispose();
         }
 
         private void Retire(LiveInsect live)
@@ -126,7 +127,7 @@ namespace Alate
                         m_World.Remove(wing.handle);
                 }
 
-                m_Builder.Free(mesh);
+                m_Templates.Return(mesh.template);
             }
         }
 
@@ -149,7 +150,9 @@ namespace Alate
 
         private int Start(InsectWings insect)
         {
-            insect.FindWingsWhereNoneAreListed();
+            // One made by a script may get its list after it was switched on.
+            if (insect.Wings.Count == 0)
+                insect.FindWings();
             LiveInsect live = m_Builder.Create(insect);
             insect.Live = live;
             Living.Add(live);

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -54,22 +55,13 @@ namespace Alate
         private float Fade => m_Resting ? 0f : 1f;
 
         /// <summary>Number of vertices of the drawn meshes.</summary>
-        public int VertexCount
-        {
-            get
-            {
-                int count = 0;
-                foreach (LiveMesh mesh in meshes)
-                    count += mesh.template.VertexCount;
-                return count;
-            }
-        }
+        public int VertexCount => meshes.Sum(mesh => mesh.template.VertexCount);
 
         /// <summary>Adds the wings to the world that are not in it yet.</summary>
         /// <param name="world">Where all wings are.</param>
         /// <param name="presets">The presets in use.</param>
         /// <param name="leader">A wing of the insect whose beat goes on; none starts a new one.</param>
-        public void Enter(WingWorld world, PresetWatch presets, WingHandle leader = default)
+        public void Enter(WingWorld world, AssetWatch<WingPreset, PresetValues> presets, WingHandle leader = default)
         {
             if (leader.IsNone)
             {
@@ -103,7 +95,7 @@ namespace Alate
         }
 
         /// <summary>Takes over values of sliders and presets.</summary>
-        public void ApplyParameters(WingWorld world, PresetWatch presets)
+        public void ApplyParameters(WingWorld world, AssetWatch<WingPreset, PresetValues> presets)
         {
             var tuning = new InsectTuning(insect, Fade);
             foreach (LiveWing wing in wings)

@@ -70,7 +70,7 @@ namespace Alate
         /// <param name="tuning">What the insect says of all its wings.</param>
         /// <param name="parameters">What the wing is to be stepped with.</param>
         /// <returns>Whether anything changed since the last call.</returns>
-        public bool ApplyParameters(PresetWatch presets, in InsectTuning tuning, out WingParameters parameters)
+        public bool ApplyParameters(AssetWatch<WingPreset, PresetValues> presets, in InsectTuning tuning, out WingParameters parameters)
         {
             if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnPreset, m_Wing.Preset) || !ReferenceEquals(m_Tuning.preset, tuning.preset))
             {

@@ -9,20 +9,19 @@ namespace Alate
     /// </summary>
     internal static class LivingMeshes
     {
-        private static readonly Dictionary<Mesh, Entry> s_Living = new Dictionary<Mesh, Entry>();
+        private static readonly Dictionary<Mesh, (Mesh source, MeshFilter filter)> s_Living = new Dictionary<Mesh, (Mesh, MeshFilter)>();
 
         /// <summary>Number of living meshes.</summary>
         public static int Count => s_Living.Count;
 
         /// <summary>Adds a living mesh with its source and its filter.</summary>
-        public static void Add(Mesh living, Mesh source, MeshFilter filter) =>
-            s_Living.Add(living, new Entry { source = source, filter = filter });
+        public static void Add(Mesh living, Mesh source, MeshFilter filter) => s_Living.Add(living, (source, filter));
 
         /// <summary>Removes a living mesh.</summary>
         public static void Remove(Mesh living) => s_Living.Remove(living);
 
         /// <summary>Authored mesh: the source of a living mesh, or the mesh itself.</summary>
-        public static Mesh SourceOf(Mesh mesh) => mesh is null || !s_Living.TryGetValue(mesh, out Entry entry) ? mesh : entry.source;
+        public static Mesh SourceOf(Mesh mesh) => mesh is null || !s_Living.TryGetValue(mesh, out var entry) ? mesh : entry.source;
 
         /// <summary>
         /// Returns true where an insect has given this very filter the mesh that it shows; false for the filters of its clones.
@@ -30,16 +29,10 @@ namespace Alate
         public static bool LivesOn(MeshFilter filter)
         {
             Mesh shown = filter.sharedMesh;
-            return !(shown is null) && s_Living.TryGetValue(shown, out Entry entry) && ReferenceEquals(entry.filter, filter);
+            return !(shown is null) && s_Living.TryGetValue(shown, out var entry) && ReferenceEquals(entry.filter, filter);
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Forget() => s_Living.Clear();
-
-        private struct Entry
-        {
-            public Mesh source;
-            public MeshFilter filter;
-        }
     }
 }

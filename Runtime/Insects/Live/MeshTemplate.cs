@@ -15,7 +15,8 @@ namespace Alate
 
         private readonly Mesh m_Mesh;
 
-        private MeshTemplate(Mesh source, RiggedPart[] shapes)
+        /// <summary>Makes a template of shapes that do not overlap; it takes over the shapes.</summary>
+        public MeshTemplate(Mesh source, RiggedPart[] shapes)
         {
             Source = source;
             Shapes = shapes;
@@ -44,9 +45,6 @@ namespace Alate
 
         /// <summary>True where the authored mesh has changed since: users of the template need another.</summary>
         public bool IsOutdated { get; set; }
-
-        /// <summary>Makes a template of shapes that do not overlap; it takes over the shapes.</summary>
-        public static MeshTemplate Build(Mesh source, RiggedPart[] shapes) => new MeshTemplate(source, shapes);
 
         /// <summary>Makes a mesh for one insect. Its bounds hold every pose the wings can take.</summary>
         public Mesh CreateCopy()

@@ -1,14 +1,5 @@
 namespace Alate
 {
-    /// <summary>The presets in use, read once a step. A monarch stands for none.</summary>
-    internal sealed class PresetWatch : AssetWatch<WingPreset, PresetValues>
-    {
-        public PresetWatch()
-            : base(asset => new PresetValues(asset))
-        {
-        }
-    }
-
     /// <summary>Values of a preset in the units of the model; compared once a step, however many insects share the preset.</summary>
     internal sealed class PresetValues : WatchedValue
     {

@@ -70,7 +70,7 @@ namespace Alate
             try
             {
                 if (automatic)
-                    skeleton = m_Automatic.Fit(surface);
+                    skeleton = m_Automatic.Fit(surface).Skeleton;
                 shape = new RiggedPart(selection, WingRig.Bake(skeleton, surface, new WingRigSettings { patchCount = m_Patches }));
                 return InsectProblem.None;
             }

@@ -3,15 +3,6 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>The skeletons in use, read once a frame.</summary>
-    internal sealed class SkeletonWatch : AssetWatch<WingSkeleton, SkeletonValue>
-    {
-        public SkeletonWatch()
-            : base(asset => new SkeletonValue(asset))
-        {
-        }
-    }
-
     /// <summary>A number that changes with a skeleton's content, computed once a frame however many wings share it.</summary>
     internal sealed class SkeletonValue : WatchedValue
     {

@@ -9,7 +9,7 @@ namespace Alate
     /// </summary>
     internal sealed class TemplateCache : IDisposable
     {
-        private readonly List<Entry> m_Entries = new List<Entry>();
+        private readonly List<(TemplateKey key, MeshTemplate template)> m_Entries = new List<(TemplateKey, MeshTemplate)>();
 
         /// <summary>Finds or builds the template for some wings of one mesh, and adds one user.</summary>
         /// <param name="key">What it is made of.</param>
@@ -21,21 +21,19 @@ namespace Alate
         public MeshTemplate Take(TemplateKey key, in RiggedParts parts, Wing[] wings, List<int> indices, out InsectProblem problem)
         {
             problem = InsectProblem.None;
-            foreach (Entry entry in m_Entries)
+            MeshTemplate template = m_Entries.Find(entry => !entry.template.IsOutdated && entry.key.Matches(key)).template;
+            if (template != null)
             {
-                if (entry.template.IsOutdated || !entry.key.Matches(key))
-                    continue;
-                entry.template.Users++;
-                return entry.template;
+                template.Users++;
+                return template;
             }
 
             RiggedPart[] shapes = parts.Build(wings, indices, out problem);
             if (shapes == null)
                 return null;
-            MeshTemplate template;
             try
             {
-                template = MeshTemplate.Build(parts.Mesh, shapes);
+                template = new MeshTemplate(parts.Mesh, shapes);
             }
             catch
             {
@@ -45,7 +43,7 @@ namespace Alate
             }
 
             template.Users = 1;
-            m_Entries.Add(new Entry { key = key, template = template });
+            m_Entries.Add((key, template));
             return template;
         }
 
@@ -80,12 +78,6 @@ namespace Alate
         {
             m_Entries[index].template.Destroy();
             m_Entries.RemoveAt(index);
-        }
-
-        private struct Entry
-        {
-            public TemplateKey key;
-            public MeshTemplate template;
         }
     }
 }

@@ -189,7 +189,7 @@ namespace Alate.Editor.Tests
         // What the model is told, as a living wing would tell it.
         private static LaneParameters Told(InsectWings insect, int wing)
         {
-            var watch = new PresetWatch();
+            var watch = new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset));
             WingPreset own = insect.Wings[wing].Preset;
             WingParameters parameters = watch.Of(own == null ? insect.Preset : own).parameters;
             parameters.amplitudeScale *= insect.Wings[wing].AmplitudeScale;

@@ -9,13 +9,13 @@ namespace Alate.Tests
         private const int k_Long = 1000;
 
         private WingPreset m_Preset;
-        private PresetWatch m_Watch;
+        private AssetWatch<WingPreset, PresetValues> m_Watch;
 
         [SetUp]
         public void Begin()
         {
             m_Preset = InsectCatalogue.Monarch();
-            m_Watch = new PresetWatch();
+            m_Watch = new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset));
         }
 
         [TearDown]
