@@ -7,14 +7,11 @@ namespace Alate
     internal sealed class UnitAttribute : Attribute
     {
         /// <param name="unit">As in the manual, empty for a ratio.</param>
-        public UnitAttribute(string unit)
+        /// <param name="min">Least value, where there is no slider.</param>
+        /// <param name="max">Largest value, where there is no slider.</param>
+        public UnitAttribute(string unit, float min = 0f, float max = 0f)
         {
             Unit = unit;
-        }
-
-        public UnitAttribute(string unit, float min, float max)
-            : this(unit)
-        {
             Min = min;
             Max = max;
         }

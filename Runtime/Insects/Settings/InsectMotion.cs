@@ -8,6 +8,8 @@ namespace Alate
     [Serializable]
     public struct InsectMotion
     {
+        private const float k_LeastDistance = 1f, k_MostDistance = 10000f, k_LeastAngle = 10f, k_MostAngle = 180f;
+
         /// <summary>Source of the velocity.</summary>
         [Tooltip("Where the body's velocity comes from. Transform: from how it moves. Rigidbody: from its physics. Script: from InsectWings.Velocity.")]
         public VelocitySource source;
@@ -27,12 +29,12 @@ namespace Alate
         public TeleportResponse onTeleport;
 
         /// <summary>Wing lengths of one frame's unexplained move from which on it is a jump, 1 to 10000.</summary>
-        [Range(1f, 10000f)]
+        [Range(k_LeastDistance, k_MostDistance)]
         [Tooltip("Wing lengths of an unexplained move in one frame that make it a jump, 1 to 10000; 25. Lower catches short teleports, but also sudden starts.")]
         public float teleportDistance;
 
         /// <summary>Degrees of one frame's unexplained turn from which on it is a jump, 10 to 180.</summary>
-        [Range(10f, 180f)]
+        [Range(k_LeastAngle, k_MostAngle)]
         [Tooltip("Degrees of an unexplained turn in one frame that make it a jump, 10 to 180; 100. At 180 turns are never jumps.")]
         public float teleportAngle;
 
@@ -44,9 +46,10 @@ namespace Alate
         internal InsectMotion Clamped()
         {
             InsectMotion clamped = this;
-            clamped.metresPerUnit = math.isfinite(metresPerUnit) ? math.clamp(metresPerUnit, 0f, 1000f) : 0f;
-            clamped.teleportDistance = math.isfinite(teleportDistance) ? math.clamp(teleportDistance, 1f, 10000f) : 25f;
-            clamped.teleportAngle = math.isfinite(teleportAngle) ? math.clamp(teleportAngle, 10f, 180f) : 100f;
+            InsectMotion usual = Default;
+            clamped.metresPerUnit = math.isfinite(metresPerUnit) ? math.clamp(metresPerUnit, 0f, 1000f) : usual.metresPerUnit;
+            clamped.teleportDistance = math.isfinite(teleportDistance) ? math.clamp(teleportDistance, k_LeastDistance, k_MostDistance) : usual.teleportDistance;
+            clamped.teleportAngle = math.isfinite(teleportAngle) ? math.clamp(teleportAngle, k_LeastAngle, k_MostAngle) : usual.teleportAngle;
             return clamped;
         }
     }

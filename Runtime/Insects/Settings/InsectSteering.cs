@@ -11,23 +11,25 @@ namespace Alate
     [Serializable]
     public struct InsectSteering : IEquatable<InsectSteering>
     {
+        private const float k_LeastFrequency = 0.1f, k_MostFrequency = 4f, k_MostTilt = 60f;
+
         /// <summary>Factor on the beat's frequency, 0.1 to 4; default 1. Takes effect with the next beat.</summary>
-        [Range(0.1f, 4f)]
+        [Range(k_LeastFrequency, k_MostFrequency)]
         [Tooltip("Factor on the frequency of the beat, 0.1 to 4; 1 is the preset's. Seen from the next beat on.")]
         public float frequencyScale;
 
         /// <summary>Factor on all amplitudes, 0 to 2; default 1. 0 holds the wings still: a glide. Followed over the next beats.</summary>
-        [Range(0f, 2f)]
+        [Range(0f, Wing.MostAmplitude)]
         [Tooltip("Factor on the amplitudes of all wings, 0 to 2; 1 is the preset's. 0 holds them still in the middle of their stroke: a glide.")]
         public float amplitudeScale;
 
         /// <summary>Raise of the middle of the stroke, degrees, −60 to 60; default 0.</summary>
-        [Range(-60f, 60f)]
+        [Range(-k_MostTilt, k_MostTilt)]
         [Tooltip("Degrees by which the middle of the stroke is raised, -60 to 60; 0 is the preset's. Raised wings make a glide steady.")]
         public float meanFlap;
 
         /// <summary>Tilt of the stroke plane, degrees, nose up positive, −60 to 60; default 0.</summary>
-        [Range(-60f, 60f)]
+        [Range(-k_MostTilt, k_MostTilt)]
         [Tooltip("Degrees by which the plane of the stroke is tilted, nose up positive, -60 to 60; 0 is the preset's. Tilts the force forwards and back.")]
         public float tilt;
 
@@ -47,10 +49,10 @@ namespace Alate
         /// <summary>Steering with every value moved into its range; a value that is no number becomes its default.</summary>
         internal InsectSteering Clamped() => new InsectSteering
         {
-            frequencyScale = Clamp(frequencyScale, 0.1f, 4f, 1f),
-            amplitudeScale = Clamp(amplitudeScale, 0f, 2f, 1f),
-            meanFlap = Clamp(meanFlap, -60f, 60f, 0f),
-            tilt = Clamp(tilt, -60f, 60f, 0f),
+            frequencyScale = Clamp(frequencyScale, k_LeastFrequency, k_MostFrequency, 1f),
+            amplitudeScale = Clamp(amplitudeScale, 0f, Wing.MostAmplitude, 1f),
+            meanFlap = Clamp(meanFlap, -k_MostTilt, k_MostTilt, 0f),
+            tilt = Clamp(tilt, -k_MostTilt, k_MostTilt, 0f),
         };
 
         /// <summary>Changes a preset's parameters.</summary>

@@ -11,6 +11,11 @@ namespace Alate
     [Serializable]
     public sealed class Wing
     {
+        /// <summary>Largest factor on the amplitudes, of a wing and of all wings.</summary>
+        internal const float MostAmplitude = 2f;
+
+        private const float k_MostLead = 180f;
+
         [SerializeField]
         [Tooltip("The mesh renderer that draws this wing. Several wings may share one.")]
         private MeshRenderer m_Renderer;
@@ -45,12 +50,12 @@ namespace Alate
         private WingPreset m_Preset;
 
         [SerializeField]
-        [Range(0f, 2f)]
+        [Range(0f, MostAmplitude)]
         [Tooltip("Factor on the amplitudes, 0 to 2; 1 is the preset's. 0 holds the wing still in the middle of its stroke; beat one side harder to roll.")]
         private float m_AmplitudeScale = 1f;
 
         [SerializeField]
-        [Range(-180f, 180f)]
+        [Range(-k_MostLead, k_MostLead)]
         [Tooltip("Degrees of the beat by which this wing is ahead of the insect, -180 to 180; 0 beats with it. Added to the preset's own lead.")]
         private float m_PhaseLead;
 
@@ -132,14 +137,14 @@ namespace Alate
         public float AmplitudeScale
         {
             get => m_AmplitudeScale;
-            set => m_AmplitudeScale = Mathf.Clamp(value, 0f, 2f);
+            set => m_AmplitudeScale = Mathf.Clamp(value, 0f, MostAmplitude);
         }
 
         /// <summary>Lead of the wing before the insect's beat, degrees, −180 to 180 (clamped).</summary>
         public float PhaseLead
         {
             get => m_PhaseLead;
-            set => m_PhaseLead = Mathf.Clamp(value, -180f, 180f);
+            set => m_PhaseLead = Mathf.Clamp(value, -k_MostLead, k_MostLead);
         }
 
         /// <summary>Sets the defaults of an entry whose fields are all zero.</summary>
