@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 
 namespace Alate
 {
@@ -16,6 +18,10 @@ namespace Alate
             this.vertices = vertices;
             this.triangles = triangles;
         }
+
+        /// <summary>Selects triangles of several submeshes.</summary>
+        /// <param name="submeshes">Corners of the triangles, by submesh.</param>
+        public static MeshSelection Of(IEnumerable<int[]> submeshes) => Of(submeshes.SelectMany(own => own).ToArray());
 
         /// <summary>Selects the vertices that the corners use, and renumbers the corners to them.</summary>
         /// <param name="corners">Three vertices of the mesh a triangle.</param>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace Alate
@@ -31,17 +32,7 @@ namespace Alate
         public bool IsAll => Array.TrueForAll(m_Has, has => Array.IndexOf(has, false) < 0);
 
         /// <summary>Corners of the set's triangles, three each.</summary>
-        public int[] Corners()
-        {
-            var corners = new List<int>();
-            foreach (var group in Divide((a, b, c) => 0).Values)
-            {
-                foreach (var own in group)
-                    corners.AddRange(own);
-            }
-
-            return corners.ToArray();
-        }
+        public int[] Corners() => Divide((a, b, c) => 0).Values.SelectMany(group => group).SelectMany(own => own).ToArray();
 
         /// <summary>Returns true where the set has a triangle of a submesh.</summary>
         public bool Has(int submesh, int triangle) => m_Has[submesh][triangle];

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Alate.Geometry;
 using UnityEngine;
 
@@ -18,7 +19,9 @@ namespace Alate
         private readonly Vector3[] m_Positions;
         private readonly Matrix4x4 m_ToInsect;
         private readonly DisjointSets m_Sets;
-        private readonly Dictionary<int, Part> m_Parts = new Dictionary<int, Part>();
+
+        // [set] The side of a connected part, none if it reaches over both; and whether bones of a fore and of a hind wing move it.
+        private readonly Dictionary<int, (WingSide? side, bool hasBothPairs)> m_Parts = new Dictionary<int, (WingSide?, bool)>();
 
         private SkinnedWingDivision(TriangleSet wings, WingBones bones, Vector3[] positions, Matrix4x4 toInsect)
         {
@@ -45,9 +48,8 @@ namespace Alate
         {
             foreach (var part in m_Wings.Divide((a, b, c) => m_Sets.Find(a)))
             {
-                var corners = Flat(part.Value);
-                var shape = WingShape.Of(m_Positions, MeshSelection.Of(corners), m_ToInsect);
-                m_Parts.Add(part.Key, new Part { side = shape.Side, hasBothPairs = HasBothPairs(corners) });
+                var shape = WingShape.Of(m_Positions, MeshSelection.Of(part.Value), m_ToInsect);
+                m_Parts.Add(part.Key, (shape.Side, HasBothPairs(part.Value.SelectMany(own => own).ToArray())));
             }
         }
 
@@ -57,7 +59,7 @@ namespace Alate
             var merged = new Dictionary<(int Bone, WingSide Side), List<int>[]>();
             foreach (var piece in m_Wings.Divide(PieceOf))
             {
-                var key = (Carrier(Flat(piece.Value)), piece.Key.Side);
+                var key = (Carrier(piece.Value.SelectMany(own => own).ToArray()), piece.Key.Side);
                 if (!merged.TryGetValue(key, out var own))
                     merged.Add(key, own = Array.ConvertAll(piece.Value, _ => new List<int>()));
                 for (var submesh = 0; submesh < own.Length; submesh++)
@@ -84,7 +86,7 @@ namespace Alate
         private SkinnedWing Made(int bone, int[][] submeshes)
         {
             var name = bone == k_NoBone ? default : m_Bones.Name(bone);
-            var shape = WingShape.Of(m_Positions, MeshSelection.Of(Flat(submeshes)), m_ToInsect);
+            var shape = WingShape.Of(m_Positions, MeshSelection.Of(submeshes), m_ToInsect);
             var place = new WingCandidate { shape = shape, namedSide = name.Side, pair = name.Pair };
             return new SkinnedWing { bone = bone, submeshes = submeshes, place = place };
         }
@@ -130,23 +132,6 @@ namespace Alate
             for (var bone = 1; bone < weights.Length; bone++)
                 heaviest = weights[bone] > weights[heaviest] ? bone : heaviest;
             return heaviest;
-        }
-
-        private static int[] Flat(int[][] submeshes)
-        {
-            var all = new List<int>();
-            foreach (var own in submeshes)
-                all.AddRange(own);
-            return all.ToArray();
-        }
-
-        private struct Part
-        {
-            /// <summary>Side of the group; none if it reaches over both.</summary>
-            public WingSide? side;
-
-            /// <summary>True where bones of a fore and of a hind wing move the group.</summary>
-            public bool hasBothPairs;
         }
     }
 }

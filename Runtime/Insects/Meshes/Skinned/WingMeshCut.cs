@@ -17,10 +17,7 @@ namespace Alate
         /// <param name="matrix">To the space of the new mesh. If it mirrors, triangles are turned to face the same way.</param>
         public static Mesh Take(Mesh mesh, BlendedShape shape, IReadOnlyList<int[]> submeshes, Matrix4x4 matrix)
         {
-            var corners = new List<int>();
-            foreach (var submesh in submeshes)
-                corners.AddRange(submesh);
-            var selection = MeshSelection.Of(corners.ToArray());
+            var selection = MeshSelection.Of(submeshes);
             var vertices = selection.vertices;
             var turn = matrix.inverse.transpose;
             var hand = matrix.determinant < 0f ? -1f : 1f;
@@ -42,9 +39,7 @@ namespace Alate
                 var own = new int[submeshes[submesh].Length];
                 Array.Copy(selection.triangles, start, own, 0, own.Length);
                 start += own.Length;
-                if (hand < 0f)
-                    Turn(own);
-                taken.SetTriangles(own, submesh, false);
+                taken.SetTriangles(hand < 0f ? SurfaceMesh.Turned(own) : own, submesh, false);
             }
 
             taken.RecalculateBounds();
@@ -90,12 +85,6 @@ namespace Alate
             Vector4 moved = matrix.MultiplyVector(tangent).normalized;
             moved.w = tangent.w * hand;
             return moved;
-        }
-
-        private static void Turn(int[] corners)
-        {
-            for (var corner = 0; corner < corners.Length; corner += 3)
-                (corners[corner + 1], corners[corner + 2]) = (corners[corner + 2], corners[corner + 1]);
         }
 
         private static void CopyColours(Mesh from, Mesh to, int[] vertices)
