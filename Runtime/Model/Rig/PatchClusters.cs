@@ -11,19 +11,8 @@ namespace Alate
         /// <param name="located">Where the centres of the triangles lie.</param>
         /// <param name="firsts">[cell] Its first patch; one more entry holds their number.</param>
         /// <returns>The patch of each triangle.</returns>
-        public static int[] OnePerTriangle(RestSkeleton rest, CellPoint[] located, out int[] firsts)
-        {
-            firsts = new int[rest.CellCount + 1];
-            foreach (CellPoint at in located)
-                firsts[at.cell + 1]++;
-            for (int cell = 0; cell < rest.CellCount; cell++)
-                firsts[cell + 1] += firsts[cell];
-            var next = (int[])firsts.Clone();
-            var patches = new int[located.Length];
-            for (int t = 0; t < located.Length; t++)
-                patches[t] = next[located[t].cell]++;
-            return patches;
-        }
+        public static int[] OnePerTriangle(RestSkeleton rest, CellPoint[] located, out int[] firsts) =>
+            CellPoint.Ranks(located, rest.CellCount, out firsts);
 
         /// <summary>
         /// Sorts the triangles of each cell by their centres into a grid over (u, v). Cells get their share of the wanted number by area,

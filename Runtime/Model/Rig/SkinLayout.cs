@@ -17,7 +17,10 @@ namespace Alate
 
         public SkinLayout(int cellCount, CellPoint[] points, SurfaceMesh surface, float3[] normals)
         {
-            int[] order = ByCell(cellCount, points, out int[] starts);
+            var order = new int[points.Length];
+            int[] ranks = CellPoint.Ranks(points, cellCount, out int[] starts);
+            for (int vertex = 0; vertex < order.Length; vertex++)
+                order[ranks[vertex]] = vertex;
             cells = new SkinCell[cellCount];
             int quadCount = 0;
             for (int cell = 0; cell < cellCount; cell++)
@@ -40,20 +43,6 @@ namespace Alate
                         Set(ref tangents[quad], lane % 4, surface.tangents[vertex]);
                 }
             }
-        }
-
-        private static int[] ByCell(int cellCount, CellPoint[] points, out int[] starts)
-        {
-            starts = new int[cellCount + 1];
-            foreach (CellPoint point in points)
-                starts[point.cell + 1]++;
-            for (int cell = 0; cell < cellCount; cell++)
-                starts[cell + 1] += starts[cell];
-            var next = (int[])starts.Clone();
-            var order = new int[points.Length];
-            for (int vertex = 0; vertex < points.Length; vertex++)
-                order[next[points[vertex].cell]++] = vertex;
-            return order;
         }
 
         private static void Set(ref SkinQuad quad, int lane, int vertex, CellPoint at, float3 position, float3 normal)
