@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using System.Text;
+using System.Linq;
 using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
@@ -52,16 +52,6 @@ namespace Alate.Catalogue
         /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
         public static WingPreset Monarch() => Find("monarch").Wings[0].CreatePreset();
 
-        private static string Plain(string name)
-        {
-            var plain = new StringBuilder();
-            foreach (var letter in name ?? "")
-            {
-                if (char.IsLetterOrDigit(letter))
-                    plain.Append(char.ToLowerInvariant(letter));
-            }
-
-            return plain.ToString();
-        }
+        private static string Plain(string name) => string.Concat((name ?? "").Where(char.IsLetterOrDigit)).ToLowerInvariant();
     }
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
@@ -42,15 +43,6 @@ namespace Alate.Catalogue
         public IReadOnlyList<InsectVariant> Variants => Wings[0].Variants;
 
         /// <summary>Triangles of all wings of both sides: the number of the paper's Table 2.</summary>
-        public int TriangleCount
-        {
-            get
-            {
-                var count = 0;
-                foreach (var wing in Wings)
-                    count += 2 * wing.TriangleCount;
-                return count;
-            }
-        }
+        public int TriangleCount => Wings.Sum(wing => 2 * wing.TriangleCount);
     }
 }

@@ -10,50 +10,39 @@ namespace Alate.Catalogue
     /// </summary>
     internal sealed class BodyPart
     {
-        public Vector3[] Positions { get; private set; }
+        private BodyPart(SurfaceMesh surface, Vector2 extent)
+        {
+            Surface = surface;
+            Extent = extent;
+        }
 
-        public Vector3[] Normals { get; private set; }
+        /// <summary>Triangles of the piece.</summary>
+        public SurfaceMesh Surface { get; }
 
-        public Vector2[] Uvs { get; private set; }
+        public Vector3[] Positions => Surface.positions;
 
-        public int[] Triangles { get; private set; }
+        public Vector3[] Normals => Surface.normals;
+
+        public Vector2[] Uvs => Surface.uvs;
+
+        public int[] Triangles => Surface.triangles;
 
         /// <summary>Width and length of the unrolled piece: half its girth and its length, millimetres.</summary>
-        public Vector2 Extent { get; private set; }
+        public Vector2 Extent { get; }
 
         /// <summary>Makes a piece from its triangles, with smooth normals; turns the winding where the volume comes out negative.</summary>
         public static BodyPart Of(Vector3[] positions, Vector2[] uvs, int[] triangles, Vector2 extent)
         {
-            var outward = Volume(positions, triangles) >= 0 ? triangles : Turned(triangles);
-            return new BodyPart
-            {
-                Positions = positions,
-                Normals = SmoothNormals(positions, outward),
-                Uvs = uvs,
-                Triangles = outward,
-                Extent = extent,
-            };
+            var outward = Volume(positions, triangles) >= 0 ? triangles : SurfaceMesh.Turned(triangles);
+            var surface = new SurfaceMesh { positions = positions, normals = SmoothNormals(positions, outward), uvs = uvs, triangles = outward };
+            return new BodyPart(surface, extent);
         }
 
         /// <summary>The mirror image in the plane x = 0, with the same texture coordinates.</summary>
-        public BodyPart Mirrored()
-        {
-            return new BodyPart
-            {
-                Positions = Array.ConvertAll(Positions, MirrorX),
-                Normals = Array.ConvertAll(Normals, MirrorX),
-                Uvs = Uvs,
-                Triangles = Turned(Triangles),
-                Extent = Extent,
-            };
-        }
+        public BodyPart Mirrored() => new BodyPart(Surface.Mirrored(), Extent);
 
         /// <summary>Piece with its points moved; normals follow.</summary>
         public BodyPart Moved(Func<Vector3, Vector3> move) => Of(Array.ConvertAll(Positions, place => move(place)), Uvs, Triangles, Extent);
-
-        /// <summary>Piece with other normals.</summary>
-        public BodyPart WithNormals(Vector3[] normals) =>
-            new BodyPart { Positions = Positions, Normals = normals, Uvs = Uvs, Triangles = Triangles, Extent = Extent };
 
         private static double Volume(Vector3[] positions, int[] triangles)
         {
@@ -83,19 +72,5 @@ namespace Alate.Catalogue
             // Not Vector3.normalized, which gives up on vectors as short as those of the smallest triangles.
             return Array.ConvertAll(normals, normal => normal / normal.magnitude);
         }
-
-        private static int[] Turned(int[] triangles)
-        {
-            var turned = (int[])triangles.Clone();
-            for (var corner = 0; corner < turned.Length; corner += 3)
-            {
-                turned[corner + 1] = triangles[corner + 2];
-                turned[corner + 2] = triangles[corner + 1];
-            }
-
-            return turned;
-        }
-
-        private static Vector3 MirrorX(Vector3 vector) => new Vector3(-vector.x, vector.y, vector.z);
     }
 }

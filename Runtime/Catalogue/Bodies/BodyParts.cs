@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -32,16 +33,34 @@ namespace Alate.Catalogue
         public SurfaceMesh Join()
         {
             var shelves = UvShelves.Lay(m_Extents);
-            var mesh = new Gathering();
+            var positions = new List<Vector3>();
+            var normals = new List<Vector3>();
+            var uvs = new List<Vector2>();
+            var colours = new List<Color32>();
+            var triangles = new List<int>();
             foreach (var patch in m_Patches)
             {
-                var colours = Colours(patch);
-                mesh.Append(patch.part, colours, shelves[patch.shelf]);
-                if (patch.isPair)
-                    mesh.Append(patch.part.Mirrored(), colours, shelves[patch.shelf]);
+                var shelf = shelves[patch.shelf];
+                var painted = Colours(patch);
+                foreach (var part in patch.isPair ? new[] { patch.part, patch.part.Mirrored() } : new[] { patch.part })
+                {
+                    var first = positions.Count;
+                    positions.AddRange(part.Positions);
+                    normals.AddRange(part.Normals);
+                    uvs.AddRange(Array.ConvertAll(part.Uvs, uv => new Vector2(shelf.x + uv.x * shelf.width, shelf.y + uv.y * shelf.height)));
+                    colours.AddRange(painted);
+                    triangles.AddRange(Array.ConvertAll(part.Triangles, vertex => first + vertex));
+                }
             }
 
-            return mesh.ToSurface();
+            return new SurfaceMesh
+            {
+                positions = positions.ToArray(),
+                normals = normals.ToArray(),
+                uvs = uvs.ToArray(),
+                colours = colours.ToArray(),
+                triangles = triangles.ToArray(),
+            };
         }
 
         private BodyPatch Add(BodyPart part, BodyPaint paint, bool isPair)
@@ -70,39 +89,6 @@ namespace Alate.Catalogue
             }
 
             return colours;
-        }
-
-        private sealed class Gathering
-        {
-            private readonly List<Vector3> m_Positions = new List<Vector3>();
-            private readonly List<Vector3> m_Normals = new List<Vector3>();
-            private readonly List<Vector2> m_Uvs = new List<Vector2>();
-            private readonly List<Color32> m_Colours = new List<Color32>();
-            private readonly List<int> m_Triangles = new List<int>();
-
-            public void Append(BodyPart part, Color32[] colours, Rect shelf)
-            {
-                var first = m_Positions.Count;
-                m_Positions.AddRange(part.Positions);
-                m_Normals.AddRange(part.Normals);
-                m_Colours.AddRange(colours);
-                foreach (var uv in part.Uvs)
-                    m_Uvs.Add(new Vector2(shelf.x + uv.x * shelf.width, shelf.y + uv.y * shelf.height));
-                foreach (var vertex in part.Triangles)
-                    m_Triangles.Add(first + vertex);
-            }
-
-            public SurfaceMesh ToSurface()
-            {
-                return new SurfaceMesh
-                {
-                    positions = m_Positions.ToArray(),
-                    normals = m_Normals.ToArray(),
-                    uvs = m_Uvs.ToArray(),
-                    colours = m_Colours.ToArray(),
-                    triangles = m_Triangles.ToArray(),
-                };
-            }
         }
     }
 }

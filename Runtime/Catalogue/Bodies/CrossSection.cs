@@ -48,10 +48,6 @@ namespace Alate.Catalogue
         /// <summary>A round slice.</summary>
         public static CrossSection Round(Vector3 centre, float radius) => new CrossSection(centre, radius, radius, radius);
 
-        /// <summary>A slice as high above as below its centre.</summary>
-        public static CrossSection Oval(Vector3 centre, float halfWidth, float halfHeight) =>
-            new CrossSection(centre, halfWidth, halfHeight, halfHeight);
-
         /// <summary>Offset of a point of the rim from the centre, to the right and up, millimetres.</summary>
         /// <param name="sine">Of the angle from straight up, clockwise as seen from behind.</param>
         /// <param name="cosine">Of the same angle.</param>

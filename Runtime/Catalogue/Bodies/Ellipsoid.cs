@@ -18,7 +18,7 @@ namespace Alate.Catalogue
                 var angle = Math.PI * ring / rings;
                 var across = ring == 0 || ring == rings ? 0f : (float)Math.Sin(angle);
                 var middle = centre + new Vector3(0f, 0f, radii.z * (float)Math.Cos(angle));
-                sections[ring] = CrossSection.Oval(middle, radii.x * across, radii.y * across);
+                sections[ring] = new CrossSection(middle, radii.x * across, radii.y * across, radii.y * across);
             }
 
             return Tube.Along(sections, sides);

@@ -50,10 +50,10 @@ namespace Alate.Catalogue
             for (var vertex = 0; vertex < normals.Count; vertex++)
             {
                 var mixed = fur.Normals[vertex] + k_SkinNormal * normals[vertex];
-                normals[vertex] = mixed / mixed.magnitude;
+                fur.Normals[vertex] = mixed / mixed.magnitude;
             }
 
-            return fur.WithNormals(normals.ToArray());
+            return fur;
         }
 
         // Sums of the areas of the right half's triangles, as far as hair grows on them.

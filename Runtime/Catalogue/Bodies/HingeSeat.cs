@@ -18,25 +18,18 @@ namespace Alate.Catalogue
         private readonly Vector3 m_Hinge;
         private readonly float m_Front, m_Rear, m_HalfHeight, m_Fade;
 
-        private HingeSeat(Vector3 hinge, float front, float rear, float halfHeight, float fade)
-        {
-            m_Hinge = hinge;
-            m_Front = front;
-            m_Rear = rear;
-            m_HalfHeight = halfHeight;
-            m_Fade = fade;
-        }
-
-        /// <summary>The seat of a wing: its root with a margin all round, and a fade as wide as half the root.</summary>
-        public static HingeSeat Of(WingDefinition wing)
+        /// <summary>Makes the seat of a wing: its root with a margin all round, and a fade as wide as half the root.</summary>
+        public HingeSeat(WingDefinition wing)
         {
             var length = 1000f * (float)wing.Outline.Length;
-            var hinge = 1000f * wing.Hinge;
-            var front = hinge.z + length * (float)wing.Outline.LeadingAt(0);
-            var rear = hinge.z + length * (float)wing.Outline.TrailingAt(0);
+            m_Hinge = 1000f * wing.Hinge;
+            var front = m_Hinge.z + length * (float)wing.Outline.LeadingAt(0);
+            var rear = m_Hinge.z + length * (float)wing.Outline.TrailingAt(0);
             var root = front - rear;
-            var margin = k_Margin * root;
-            return new HingeSeat(hinge, front + margin, rear - margin, margin, 0.5f * root);
+            m_HalfHeight = k_Margin * root;
+            m_Front = front + m_HalfHeight;
+            m_Rear = rear - m_HalfHeight;
+            m_Fade = 0.5f * root;
         }
 
         /// <summary>The part with its skin moved to the seat, on both sides where it lies on both.</summary>

@@ -15,7 +15,12 @@ namespace Alate.Catalogue
 
         internal InsectBody(Action<BodyParts> build)
         {
-            m_Millimetres = new Lazy<SurfaceMesh>(() => Build(build));
+            m_Millimetres = new Lazy<SurfaceMesh>(() =>
+            {
+                var parts = new BodyParts();
+                build(parts);
+                return parts.Join();
+            });
         }
 
         /// <summary>
@@ -34,13 +39,6 @@ namespace Alate.Catalogue
                 colours = (Color32[])made.colours.Clone(),
                 triangles = (int[])made.triangles.Clone(),
             };
-        }
-
-        private static SurfaceMesh Build(Action<BodyParts> build)
-        {
-            var parts = new BodyParts();
-            build(parts);
-            return parts.Join();
         }
     }
 }

@@ -24,15 +24,15 @@ namespace Alate.Catalogue
             var triangles = new List<int>();
             var lengths = Lengths(sections);
             var girth = 0f;
-            var previous = new Ring(0, 0);
+            (int start, int count) previous = default;
             for (var k = 0; k < sections.Count; k++)
             {
-                var ring = new Ring(positions.Count, sections[k].IsPoint ? 1 : sides);
+                (int start, int count) ring = (positions.Count, sections[k].IsPoint ? 1 : sides);
                 up = Upright(up, Direction(sections, k));
-                AppendRing(sections[k], ring.Count, Vector3.Cross(up, Direction(sections, k)), up, positions);
-                for (var side = 0; side < ring.Count; side++)
+                AppendRing(sections[k], ring.count, Vector3.Cross(up, Direction(sections, k)), up, positions);
+                for (var side = 0; side < ring.count; side++)
                 {
-                    var u = ring.Count == 1 ? 0.5f : 2f * Math.Min(side, ring.Count - side) / ring.Count;
+                    var u = ring.count == 1 ? 0.5f : 2f * Math.Min(side, ring.count - side) / ring.count;
                     uvs.Add(new Vector2(u, lengths[k] / lengths[lengths.Length - 1]));
                 }
 
@@ -85,25 +85,25 @@ namespace Alate.Catalogue
         }
 
         // The diagonals of one half are the mirror images of those of the other.
-        private static void Bridge(Ring from, Ring to, List<int> triangles)
+        private static void Bridge((int start, int count) from, (int start, int count) to, List<int> triangles)
         {
-            var sides = Math.Max(from.Count, to.Count);
+            var sides = Math.Max(from.count, to.count);
             for (var side = 0; side < sides; side++)
             {
                 var next = (side + 1) % sides;
-                if (from.Count == 1)
-                    Append(triangles, from.Start, to.Start + next, to.Start + side);
-                else if (to.Count == 1)
-                    Append(triangles, from.Start + side, from.Start + next, to.Start);
+                if (from.count == 1)
+                    Append(triangles, from.start, to.start + next, to.start + side);
+                else if (to.count == 1)
+                    Append(triangles, from.start + side, from.start + next, to.start);
                 else if (2 * side < sides)
                 {
-                    Append(triangles, from.Start + side, from.Start + next, to.Start + side);
-                    Append(triangles, from.Start + next, to.Start + next, to.Start + side);
+                    Append(triangles, from.start + side, from.start + next, to.start + side);
+                    Append(triangles, from.start + next, to.start + next, to.start + side);
                 }
                 else
                 {
-                    Append(triangles, from.Start + side, from.Start + next, to.Start + next);
-                    Append(triangles, from.Start + side, to.Start + next, to.Start + side);
+                    Append(triangles, from.start + side, from.start + next, to.start + next);
+                    Append(triangles, from.start + side, to.start + next, to.start + side);
                 }
             }
         }
@@ -113,19 +113,6 @@ namespace Alate.Catalogue
             triangles.Add(a);
             triangles.Add(b);
             triangles.Add(c);
-        }
-
-        private readonly struct Ring
-        {
-            public Ring(int start, int count)
-            {
-                Start = start;
-                Count = count;
-            }
-
-            public int Start { get; }
-
-            public int Count { get; }
         }
     }
 }

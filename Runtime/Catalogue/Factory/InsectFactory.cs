@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using UnityEngine;
 using UnityEngine.Scripting.APIUpdating;
 
@@ -33,22 +34,12 @@ namespace Alate.Catalogue
         {
             if (species == null)
                 throw new ArgumentNullException(nameof(species));
-            CheckVariant(species, variant);
+            if (!species.Variants.Contains(variant))
+                throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
             if (Application.isPlaying)
                 return Share(species, variant, reading);
             InsectParts kit = InsectParts.Make(species);
             return Activated(kit.Assemble(kit.CreatePresets(variant, reading)));
-        }
-
-        private static void CheckVariant(InsectDefinition species, InsectVariant variant)
-        {
-            foreach (InsectVariant known in species.Variants)
-            {
-                if (known == variant)
-                    return;
-            }
-
-            throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
         }
 
         private static InsectWings Share(InsectDefinition species, InsectVariant variant, ModelReading reading)

@@ -79,9 +79,7 @@ namespace Alate.Catalogue
             colour = Color.Lerp(
                 colour, s_Dark, Math.Max(Ink.Within(edge, k_MarginWidth, softness), Ink.Within(rim, k_ThinRimWidth, softness)));
 
-            var beside = along - k_SpotSpacing * (Math.Floor(along / k_SpotSpacing) + 0.5);
-            var spot = Math.Sqrt(beside * beside + (edge - k_SpotDepth) * (edge - k_SpotDepth));
-            return Color.Lerp(colour, s_Spot, Ink.Within(spot, k_SpotRadius, 0.5 * softness));
+            return Color.Lerp(colour, s_Spot, Ink.Row(along, edge, k_SpotSpacing, k_SpotDepth, k_SpotRadius, k_SpotRadius, 0.5 * softness));
         }
 
         private static float Apex(double span, double forward, double softness) =>
@@ -92,9 +90,9 @@ namespace Alate.Catalogue
             var inside = 0f;
             for (var i = 0; i < s_Windows.Length; i += 4)
             {
-                var x = (span - s_Windows[i]) / s_Windows[i + 2];
-                var z = (forward - s_Windows[i + 1]) / s_Windows[i + 3];
-                inside = Math.Max(inside, Ink.Within((Math.Sqrt(x * x + z * z) - 1) * s_Windows[i + 3], 0, softness));
+                var x = span - s_Windows[i];
+                var z = forward - s_Windows[i + 1];
+                inside = Math.Max(inside, Ink.Ellipse(x, z, s_Windows[i + 2], s_Windows[i + 3], softness));
             }
 
             return inside;

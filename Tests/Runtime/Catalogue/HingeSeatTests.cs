@@ -62,7 +62,7 @@ namespace Alate.Tests
             foreach (var width in new[] { 0.8f, 1f, 1.2f })
             {
                 var ball = Ellipsoid.Around(middle, new Vector3(width * hinge.x, 8f, 8f), 40, 40);
-                var pressed = HingeSeat.Of(wing).Press(ball);
+                var pressed = new HingeSeat(wing).Press(ball);
                 for (var vertex = 0; vertex < ball.Positions.Length; vertex++)
                 {
                     var before = ball.Positions[vertex];
