@@ -38,6 +38,7 @@ namespace Alate.Samples
 
             var right = new SurfaceMesh
             {
+                name = "Wing",
                 positions = positions.ToArray(),
                 normals = positions.ConvertAll(_ => Vector3.up).ToArray(),
                 colours = positions.ConvertAll(_ => s_WingColour).ToArray(),
