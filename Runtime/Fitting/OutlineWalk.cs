@@ -81,7 +81,9 @@ namespace Alate.Fitting
             {
                 if (found < 0 || m_Plan[place].x < m_Plan[found].x
                     || (m_Plan[place].x == m_Plan[found].x && m_Plan[place].z < m_Plan[found].z))
+                {
                     found = place;
+                }
             }
 
             return found;

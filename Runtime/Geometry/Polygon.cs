@@ -43,7 +43,10 @@ namespace Alate.Geometry
                 PlanPoint corner = corners[k];
                 if (corner.z > p.z != before.z > p.z
                     && p.x < corner.x + (before.x - corner.x) * (p.z - corner.z) / (before.z - corner.z))
+                {
                     inside = !inside;
+                }
+
                 before = corner;
             }
 

@@ -1,5 +1,3 @@
-using System;
-using Alate.Catalogue;
 using Unity.Mathematics;
 using UnityEngine;
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Alate.Catalogue;
 using UnityEngine;
 
 namespace Alate.Editor

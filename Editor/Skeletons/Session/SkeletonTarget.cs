@@ -1,5 +1,4 @@
 using System;
-using Alate.Catalogue;
 using Alate.Fitting;
 using UnityEngine;
 

@@ -139,7 +139,10 @@ namespace Alate.Editor
         {
             if (session.Pointer.IsDown || !session.Group.TryNearest(
                     Project, now.mousePosition, SkeletonPointer.PickRadius, out SkeletonEditing editing, out JointIndex joint))
+            {
                 return false;
+            }
+
             if (!editing.Selection.Contains(joint))
                 session.Select(editing, new[] { joint });
             SkeletonMenu.Show(session);

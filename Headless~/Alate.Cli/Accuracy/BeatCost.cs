@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Benchmarks;
-using Alate.Catalogue;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Accuracy;

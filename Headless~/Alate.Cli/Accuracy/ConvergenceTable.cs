@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli.Output;
 
 namespace Alate.Cli.Accuracy;

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli.Flights;
 
 namespace Alate.Cli.Accuracy;

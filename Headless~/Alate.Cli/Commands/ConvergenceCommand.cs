@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
-using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Accuracy;
 using Alate.Cli.Flights;

@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using Alate.Authoring;
-using Alate.Catalogue;
 using Unity.Collections;
 using Unity.Mathematics;
 

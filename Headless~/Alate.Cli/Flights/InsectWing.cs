@@ -1,4 +1,3 @@
-using Alate.Authoring;
 using Alate.Catalogue;
 using Unity.Mathematics;
 using UnityEngine;

@@ -1,4 +1,3 @@
-using Alate.Authoring;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using Alate.Catalogue;
 using Alate.Cli.Output;
 
 namespace Alate.Cli.Winds;

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Parameters;
 using Alate.Cli.Sweeps;

@@ -30,7 +30,9 @@ namespace Alate.Tests.Insects
                 {
                     if (math.all(boxes[k].Min <= max) && math.all(boxes[k].Max >= min)
                         && !ShareCorner(triangle, boxes[k].Triangle) && Cross(places, triangle, boxes[k].Triangle))
+                    {
                         crossings++;
+                    }
                 }
             }
 

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.IO;
-using Alate.Catalogue;
 using Alate.Cli;
 
 namespace Alate.Tests.Cli

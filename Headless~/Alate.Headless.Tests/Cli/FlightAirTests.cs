@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli.Flights;
 using NUnit.Framework;
 using Unity.Mathematics;

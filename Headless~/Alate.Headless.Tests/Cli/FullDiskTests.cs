@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Cli.Commands;
 using Alate.Cli.Output;

@@ -1,7 +1,6 @@
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Input;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;

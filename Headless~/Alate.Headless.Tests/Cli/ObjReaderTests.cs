@@ -142,9 +142,11 @@ namespace Alate.Tests.Cli
         public void NumbersAreReadAlike_WhateverTheCulture()
         {
             using (new CommaCulture())
+            {
                 Assert.That(
                     Read("v 0 0 0\nv 1.5 0 0\nv 0 0 -1\nf 1 2 3\n").Positions,
                     Is.EqualTo(new[] { Vector3.zero, new Vector3(1.5f, 0f, 0f), new Vector3(0f, 0f, -1f) }));
+            }
         }
 
         [Test]

@@ -2,7 +2,6 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
-using Alate.Cli;
 using Alate.Cli.Flights;
 using Alate.Cli.Parameters;
 using Alate.Cli.Sweeps;

@@ -3,7 +3,6 @@ using Alate.Editor;
 using Alate.Editor.Tests;
 using NUnit.Framework;
 using StandIns;
-using Unity.StandIns;
 using UnityEditor;
 using UnityEngine;
 

@@ -1,5 +1,4 @@
 using System;
-using Alate.Authoring;
 using Alate.Geometry;
 using UnityEngine;
 

@@ -1,7 +1,6 @@
 using System;
 using Alate.Catalogue;
 using NUnit.Framework;
-using UnityEngine;
 
 namespace Alate.Tests
 {

@@ -58,7 +58,9 @@ internal static class KeywordSets
             string suffix = pragma.Groups[1].Value.TrimStart('_');
             string[] words = pragma.Groups[2].Value.Split(' ', StringSplitOptions.RemoveEmptyEntries);
             if (suffix is "" || suffix == stage)
+            {
                 yield return words;
+            }
             else if (words.Length == 0)
             {
                 // A shortcut that is not listed fails here, to be added.

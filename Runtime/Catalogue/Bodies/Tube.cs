@@ -92,9 +92,13 @@ namespace Alate.Catalogue
             {
                 var next = (side + 1) % sides;
                 if (from.count == 1)
+                {
                     Append(triangles, from.start, to.start + next, to.start + side);
+                }
                 else if (to.count == 1)
+                {
                     Append(triangles, from.start + side, from.start + next, to.start);
+                }
                 else if (2 * side < sides)
                 {
                     Append(triangles, from.start + side, from.start + next, to.start + side);

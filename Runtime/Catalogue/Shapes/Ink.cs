@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Alate.Geometry;
-using UnityEngine;
 
 namespace Alate.Catalogue
 {

@@ -38,7 +38,9 @@ namespace Alate
                 var corner = new int3(triangles[k], triangles[k + 1], triangles[k + 2]);
                 (int, int, int) place = Sorted(places[corner.x], places[corner.y], places[corner.z]);
                 if (known.TryGetValue(place, out int first))
+                {
                     doubled[first] = true;
+                }
                 else if (TryAdd(points, corner))
                 {
                     known.Add(place, Count - 1);

@@ -1,5 +1,3 @@
-using Alate.Catalogue;
-
 namespace Alate.Samples
 {
     /// <summary>One choice between two columns that somebody made.</summary>

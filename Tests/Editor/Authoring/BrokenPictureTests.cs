@@ -1,6 +1,5 @@
 using System;
 using Alate.Authoring;
-using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 

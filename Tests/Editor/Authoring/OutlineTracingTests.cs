@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Alate.Authoring;
-using Alate.Catalogue;
 using Alate.Geometry;
 using NUnit.Framework;
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Alate.Authoring;
 using Alate.Geometry;
 using UnityEngine;
 

@@ -1,5 +1,4 @@
 using System.Linq;
-using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;

@@ -1,6 +1,5 @@
 using System.Linq;
 using NUnit.Framework;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Editor.Tests

@@ -2,7 +2,6 @@ using System;
 using System.Linq;
 using Alate.Catalogue;
 using NUnit.Framework;
-using UnityEngine;
 
 namespace Alate.Tests
 {

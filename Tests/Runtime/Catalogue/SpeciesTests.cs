@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Fitting;
 using NUnit.Framework;
-using UnityEngine;
 
 namespace Alate.Tests
 {

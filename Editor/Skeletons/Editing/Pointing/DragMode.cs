@@ -1,5 +1,3 @@
-using Alate.Fitting;
-
 namespace Alate.Editor
 {
     /// <summary>Surface along which dragged joints move.</summary>

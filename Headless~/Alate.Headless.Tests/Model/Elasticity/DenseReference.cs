@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using MathNet.Numerics.LinearAlgebra;
 using MathNet.Numerics.LinearAlgebra.Double;
-using Unity.Mathematics;
 
 namespace Alate.Tests
 {

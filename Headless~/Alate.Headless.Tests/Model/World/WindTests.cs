@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Geometry;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,6 +1,5 @@
 using System;
 using System.Linq;
-using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Tests

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Reflection;
 using System.Text.RegularExpressions;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

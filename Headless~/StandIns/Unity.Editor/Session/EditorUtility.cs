@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Unity.StandIns;
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;

@@ -1,9 +1,7 @@
 using System;
 using System.Collections;
 using System.Diagnostics;
-using System.Runtime.ExceptionServices;
 using StandIns;
-using UnityEngine;
 using UnityEngine.TestTools;
 
 namespace Unity.StandIns;

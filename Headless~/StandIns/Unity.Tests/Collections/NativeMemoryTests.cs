@@ -3,7 +3,6 @@ using NUnit.Framework;
 using StandIns;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
-using Unity.StandIns;
 
 namespace Unity.Tests.Collections;
 

@@ -1,5 +1,3 @@
-using NUnit.Framework;
-
 namespace Unity.Tests;
 
 /// <summary>Abilities of the build under test.</summary>

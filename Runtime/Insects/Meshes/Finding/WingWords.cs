@@ -53,7 +53,9 @@ namespace Alate
                     continue;
                 if (s_Meanings.TryGetValue(word.Substring(start, length), out var own)
                     && Divide(word, start + length, before | own, isAbbreviated || isShort, out meaning))
+                {
                     return true;
+                }
             }
 
             return false;

@@ -1,4 +1,3 @@
-using Alate.Fitting;
 using NUnit.Framework;
 using UnityEngine;
 

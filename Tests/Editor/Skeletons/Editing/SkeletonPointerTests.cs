@@ -1,5 +1,4 @@
 using System.Linq;
-using Alate.Fitting;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Fitting;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using Alate.Geometry;
 using NUnit.Framework;
 using UnityEngine;
-using UnityEngine.Rendering;
 using Object = UnityEngine.Object;
 
 namespace Alate.Tests

@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
-using Alate.Catalogue;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Alate.Tests
 {

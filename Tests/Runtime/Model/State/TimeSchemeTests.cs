@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using Alate.Catalogue;
 using NUnit.Framework;
-using Unity.Mathematics;
 
 namespace Alate.Tests
 {

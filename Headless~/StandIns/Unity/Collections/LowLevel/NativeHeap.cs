@@ -2,7 +2,6 @@ using System;
 using System.Diagnostics;
 using System.Runtime.InteropServices;
 using StandIns;
-using Unity.StandIns;
 
 namespace Unity.Collections;
 

@@ -22,8 +22,10 @@ public sealed partial class Mesh
             if (!CanWrite("bone weights"))
                 return;
             if (value is { Length: > 0 } && value.Length != _vertices.Count)
+            {
                 Debug.LogError("Mesh.boneWeights is out of bounds. "
                     + "The supplied array needs to be the same size as the Mesh.vertices array.", this);
+            }
             else
                 _boneWeights = (BoneWeight[])value?.Clone() ?? [];
         }

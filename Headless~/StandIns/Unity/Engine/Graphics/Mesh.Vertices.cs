@@ -86,22 +86,30 @@ public sealed partial class Mesh
     {
         CheckAlive();
         if (!_readable)
+        {
             throw new InvalidOperationException($"Not allowed to access vertex data on mesh '{name}' (isReadable is false; "
                 + "Read/Write must be enabled in import settings)");
+        }
+
         if ((uint)stream >= (uint)_vertices.StreamCount)
             throw new ArgumentOutOfRangeException(nameof(stream), stream, "The mesh has no such vertex stream.");
         Span<byte> buffer = _vertices.Stream(stream);
         if (start < 0 || start + bytes.Length > buffer.Length)
+        {
             throw new ArgumentOutOfRangeException(
                 nameof(bytes), $"Bytes {start} to {start + bytes.Length} do not fit into the vertex stream of {buffer.Length} bytes.");
+        }
+
         bytes.CopyTo(buffer[start..]);
     }
 
     private static void CheckPart(int length, int start, int count)
     {
         if (start < 0 || count < 0 || start + count > length)
+        {
             throw new ArgumentOutOfRangeException(
                 $"Bad start/count arguments (start:{start} count:{count} length:{length})", (Exception)null);
+        }
     }
 
     private T[] Get<T>(VertexAttribute attribute) where T : unmanaged

@@ -206,8 +206,11 @@ public sealed partial class Mesh : Object, ICopyable
     {
         CheckAlive();
         if (!_readable)
+        {
             Debug.LogError($"Not allowed to {act} {what} on mesh '{name}' "
                 + "(isReadable is false; Read/Write must be enabled in import settings)", this);
+        }
+
         return _readable;
     }
 }

@@ -41,8 +41,11 @@ public sealed class MeshFilter : Component, IStateful
     private Mesh Own(Mesh shared)
     {
         if (!Application.isPlaying)
+        {
             Debug.LogError("Instantiating mesh due to calling MeshFilter.mesh during edit mode. This will leak meshes. "
                 + "Please use MeshFilter.sharedMesh instead.", this);
+        }
+
         Mesh own = Instantiate(shared);
         own.name = shared.name + " Instance";
         return own;

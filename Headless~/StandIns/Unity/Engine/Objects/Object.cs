@@ -81,9 +81,11 @@ public partial class Object
     {
         MainThread.Check(member);
         if (_destroyed)
+        {
             throw new MissingReferenceException(
                 $"The object of type '{GetType().Name}' has been destroyed but you are still trying to access it.\n"
                 + "Your script should either check if it is null or you should not destroy the object.");
+        }
     }
 
     private static bool IsNull(Object o) => o is null || o._destroyed;

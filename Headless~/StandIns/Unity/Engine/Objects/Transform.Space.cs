@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>Position, rotation and scale. A world rotation minds the mirrors above it, so that it times lossyScale is the matrix.</summary>
