@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
@@ -11,6 +12,8 @@ namespace Alate.Tests.Cli
     public sealed class GalleryTests
     {
         private const int k_Width = 240, k_Column = 80, k_Row = 64;
+
+        private static IEnumerable<int> Cells => Enumerable.Range(0, InsectCatalogue.All.Count);
 
         private CommandRun m_Run;
         private PngFile m_Picture;
@@ -30,12 +33,11 @@ namespace Alate.Tests.Cli
         public void ThePicture_HasACellForEachSpecies()
         {
             Assert.That(m_Picture.Width, Is.EqualTo(k_Width));
-            Assert.That(m_Picture.Height, Is.EqualTo(2 * k_Row));
-            Assert.That(InsectCatalogue.All, Has.Count.EqualTo(6));
+            Assert.That(m_Picture.Height, Is.EqualTo((InsectCatalogue.All.Count + 2) / 3 * k_Row));
         }
 
         [Test]
-        public void EveryCell_ShowsAnInsect_WithPaperAroundIt([NUnit.Framework.Range(0, 5)] int cell)
+        public void EveryCell_ShowsAnInsect_WithPaperAroundIt([ValueSource(nameof(Cells))] int cell)
         {
             int left = cell % 3 * k_Column, top = cell / 3 * k_Row;
             Color32 paper = At(0, 0);

@@ -1,3 +1,4 @@
+using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Unity.Mathematics;
@@ -14,8 +15,8 @@ internal static class Gallery
     /// <summary>The paper of all pictures, sRGB.</summary>
     private static readonly float3 s_Paper = new float3(0xf7, 0xf4, 0xec) / 255f;
 
-    /// <summary>Phases and views are chosen by eye: they show how the wings flex.</summary>
-    private static readonly Exhibit[] s_Exhibits =
+    /// <summary>Phases and views that are chosen by eye, because they show how the wings flex. Other species of the catalogue follow in <see cref="Other"/>.</summary>
+    private static readonly Exhibit[] s_Chosen =
     [
         new("monarch", 0.23, 40f, 30f),
         new("firefly", 0.24, 34f, 32f),
@@ -24,6 +25,8 @@ internal static class Gallery
         new("painted-lichen-moth", 0.25, -50f, 26f),
         new("snailfish", 0.40, -38f, 28f),
     ];
+
+    private static readonly Exhibit[] s_Exhibits = s_Chosen.Concat(InsectCatalogue.Names.Except(s_Chosen.Select(one => one.Species)).Select(Other)).ToArray();
 
     /// <summary>The picture as a PNG file.</summary>
     /// <param name="width">About its width, pixels.</param>
@@ -43,6 +46,8 @@ internal static class Gallery
         UnityEngine.Object.DestroyImmediate(picture);
         return png;
     }
+
+    private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);
 
     private static Color32[] Photo(in Exhibit exhibit, int2 size)
     {
