@@ -31,7 +31,7 @@ internal sealed unsafe class FlyingPack : IDisposable
         StepScratch.Layout(size, m_Scratch, out scratch);
         PackStep.Derive(Pack);
         PackReset.Restart(Pack, scratch, true);
-        substep = 1f / math.cmax(Pack.beat->frequency * Pack.parameters->substepsPerBeat);
+        substep = 1f / math.cmax(Pack.beat->frequency * Pack.parameters->numbers.substepsPerBeat);
         for (var k = 0; k < substeps; k++)
             PackStep.Substep(Pack, scratch, substep);
     }

@@ -55,8 +55,8 @@ namespace Alate
         {
             ref readonly LaneParameters p = ref *pack.parameters;
             bool euler = pack.options.timeScheme == TimeScheme.BackwardEuler;
-            float4 damped = euler ? 1f : 1f + 2f * p.springDamping * p.anchorRate * step.length;
-            float4 reach = euler ? Retention(p.springDamping, p.anchorRate, step.dt) * step.dt : step.length / damped;
+            float4 damped = euler ? 1f : 1f + 2f * p.numbers.springDamping * p.anchorRate * step.length;
+            float4 reach = euler ? Retention(p.numbers.springDamping, p.anchorRate, step.dt) * step.dt : step.length / damped;
             float4 mass = damped / (step.length * step.length);
             float4 total = mass + p.anchorRate * p.anchorRate;
             float4 share = mass / total;

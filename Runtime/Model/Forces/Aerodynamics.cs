@@ -49,7 +49,7 @@ namespace Alate
         // Unit normals, and ½ρ* times the deformed areas: |x_u × x_v| is what an area has grown to.
         private static void Normals(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellSheet* sheet)
         {
-            float4 halfDensity = 0.5f * pack.parameters->airDensity;
+            float4 halfDensity = 0.5f * pack.parameters->numbers.airDensity;
             int end = cell->firstPatch + cell->patchCount;
             for (int patch = cell->firstPatch; patch < end; patch++)
                 scratch.normals[patch] = CellSheet.NormalAt(sheet, pack.rig.patchU[patch], pack.rig.patchV[patch]);

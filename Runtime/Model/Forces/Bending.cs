@@ -25,13 +25,13 @@ namespace Alate
             int bonesPerChain = pack.rig.jointsPerChain - 1;
             for (int i = 0, bone = 0; i < pack.rig.chainCount; i++)
             {
-                float4 factor = p.stiffnessRoot * math.pow(p.stiffnessTip / p.stiffnessRoot, pack.rig.chainRatio[i]);
+                float4 factor = p.numbers.stiffnessRoot * math.pow(p.numbers.stiffnessTip / p.numbers.stiffnessRoot, pack.rig.chainRatio[i]);
                 float4 atRoot = p.bendScale * factor * factor * pack.rig.jointInertias[bone];
                 for (int j = 0; j < bonesPerChain; j++, bone++)
                 {
-                    float4 stiffness = atRoot * math.exp(-pack.rig.jointRatio[j] / p.stiffnessDecay);
+                    float4 stiffness = atRoot * math.exp(-pack.rig.jointRatio[j] / p.numbers.stiffnessDecay);
                     pack.bendStiffness[bone] = stiffness;
-                    pack.bendDamping[bone] = 2f * p.bendDamping * math.sqrt(stiffness * pack.rig.jointInertias[bone]);
+                    pack.bendDamping[bone] = 2f * p.numbers.bendDamping * math.sqrt(stiffness * pack.rig.jointInertias[bone]);
                 }
             }
         }
@@ -100,21 +100,21 @@ namespace Alate
             SoaFloat3 rates = step.Past(pack.bendRates[bone], pack.earlierRates[bone]);
             bool4 up = pack.bendAngles[bone].x > 0f;
             float4 bendDamping = damping * math.select(1f, p.dorsalDamping, up), inPlaneDamping = damping * p.inPlaneDamping;
-            float4 bendStiffness = stiffness * math.select(1f, p.dorsalAsymmetry, up) * Stiffening(pack.options, pack.bendAngles[bone].x);
-            float4 twistStiffness = stiffness * p.torsionFactor * Stiffening(pack.options, pack.bendAngles[bone].z);
+            float4 bendStiffness = stiffness * math.select(1f, p.numbers.dorsalAsymmetry, up) * Stiffening(pack.options, pack.bendAngles[bone].x);
+            float4 twistStiffness = stiffness * p.numbers.torsionFactor * Stiffening(pack.options, pack.bendAngles[bone].z);
             pack.earlierAngles[bone] = pack.bendAngles[bone];
             pack.earlierRates[bone] = pack.bendRates[bone];
 
             float4 bend = torque.x * axis.x + torque.y * axis.y + torque.z * axis.z;
-            angles.x = Hinge(inertia, bendDamping, airDamping, bendStiffness, bend, p.jointLimit, step.length,
+            angles.x = Hinge(inertia, bendDamping, airDamping, bendStiffness, bend, p.numbers.jointLimit, step.length,
                 seen.x, angles.x, ref rates.x);
 
-            float4 inPlane = stiffness * p.inPlaneFactor;
-            angles.y = Hinge(inertia, inPlaneDamping, airDamping, inPlane, torque.y, p.jointLimit, step.length,
+            float4 inPlane = stiffness * p.numbers.inPlaneFactor;
+            angles.y = Hinge(inertia, inPlaneDamping, airDamping, inPlane, torque.y, p.numbers.jointLimit, step.length,
                 seen.y, angles.y, ref rates.y);
 
             float4 twist = torque.x * along.x + torque.y * along.y + torque.z * along.z;
-            angles.z = Hinge(inertia, damping * p.torsionDamping, 0f, twistStiffness, twist, p.jointLimit, step.length,
+            angles.z = Hinge(inertia, damping * p.torsionDamping, 0f, twistStiffness, twist, p.numbers.jointLimit, step.length,
                 seen.z, angles.z, ref rates.z);
 
             pack.bendAngles[bone] = angles;

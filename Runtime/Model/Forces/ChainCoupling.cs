@@ -36,7 +36,7 @@ namespace Alate
             var rates = (float4*)pack.bendRates;
             var compliances = (float4*)scratch.compliances;
             Couple(pack, scratch, step, angles, rates, compliances, k_FreeSlope, 1f);
-            Couple(pack, scratch, step, angles + 1, rates + 1, compliances + 1, k_FreeStrain, pack.parameters->inPlaneFactor);
+            Couple(pack, scratch, step, angles + 1, rates + 1, compliances + 1, k_FreeStrain, pack.parameters->numbers.inPlaneFactor);
         }
 
         // One axis of all hinges; angles, rates and compliances are components of vectors, three float4 apart.
@@ -60,7 +60,7 @@ namespace Alate
                     break;
             }
 
-            float4 inverse = 1f / step.length, limit = pack.parameters->jointLimit;
+            float4 inverse = 1f / step.length, limit = pack.parameters->numbers.jointLimit;
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 float4 held = math.min(math.max(scratch.coupledAngles[bone], -limit), limit);

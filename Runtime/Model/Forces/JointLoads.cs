@@ -42,7 +42,7 @@ namespace Alate
         private static void AddInertiaAndGravity(in WingPack pack, in StepScratch scratch)
         {
             SoaFloat3 gravity = pack.surroundings->gravity;
-            float4 inertia = pack.parameters->inertia;
+            float4 inertia = pack.parameters->numbers.inertia;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 float4 mass = pack.rig.jointMasses[joint];

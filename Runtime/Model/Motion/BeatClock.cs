@@ -83,9 +83,9 @@ namespace Alate
             pitchedUp = math.select(pitchedUp, 0f, air.pitch < PitchThreshold - k_PitchHysteresis);
             beat.pitchedUp = math.select(beat.pitchedUp, pitchedUp, lanes);
 
-            float4 slope = math.max(Slope(air.speed / parameters.maxSpeed), PitchedShare * beat.pitchedUp);
-            frequency = parameters.maxFrequency * math.max(slope, parameters.frequencyFloor);
-            amplitude = parameters.amplitude * math.max(slope, parameters.amplitudeFloor);
+            float4 slope = math.max(Slope(air.speed / parameters.numbers.maxSpeed), PitchedShare * beat.pitchedUp);
+            frequency = parameters.numbers.maxFrequency * math.max(slope, parameters.numbers.frequencyFloor);
+            amplitude = parameters.amplitude * math.max(slope, parameters.numbers.amplitudeFloor);
         }
     }
 }

@@ -108,13 +108,13 @@ namespace Alate
             bool coupled = pack.options.coupling == MembraneCoupling.TwoWay;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
             float even = 1f / (bonesPerChain - 1);
-            float4 rootShare = pack.parameters->rootShare;
+            float4 rootShare = pack.parameters->numbers.rootShare;
             float4 free = 1f - rootShare, freeSweep = free * (coupled ? pack.rig.spread : 1f);
             for (int first = 0; first < pack.rig.boneCount; first += bonesPerChain)
             {
                 var share = new SoaFloat3(rootShare, 1f - freeSweep, rootShare);
                 SoaFloat3 angle = default, rate = default, curvature = default;
-                angle.x = pack.parameters->meanFlap;
+                angle.x = pack.parameters->numbers.meanFlap;
                 float sum = 0f;
                 for (int bone = first; bone < first + bonesPerChain; bone++)
                 {

@@ -27,14 +27,11 @@ namespace Alate
         /// </summary>
         private const float k_LeastFold = 0.5f;
 
-        public float4 maxFrequency;
-        public float4 maxSpeed;
-        public float4 frequencyFloor;
-        public float4 amplitudeFloor;
+        /// <summary>Numbers that the kernels read as they are given.</summary>
+        public NumberLanes numbers;
         public SoaFloat3 amplitude;
         public SoaFloat3 phaseSin;
         public SoaFloat3 phaseCos;
-        public float4 meanFlap;
 
         /// <summary>Sine of the turn about +X, which is nose down: minus the tilt.</summary>
         public float4 tiltSin;
@@ -54,9 +51,6 @@ namespace Alate
         /// <summary>Delay of the whole wing, radians: 2π less its phase lead.</summary>
         public float4 wingDelay;
 
-        public float4 rootShare;
-        public float4 inertia;
-        public float4 airDensity;
 
         /// <summary>Speed of the air above which the wing hardly bends more, L/s.</summary>
         public float4 strongestWind;
@@ -64,19 +58,11 @@ namespace Alate
         /// <summary>k_e (2π f_ref)², s⁻²: times a joint's inertia and N² it is the bending stiffness.</summary>
         public float4 bendScale;
 
-        public float4 stiffnessRoot;
-        public float4 stiffnessTip;
-        public float4 stiffnessDecay;
-        public float4 bendDamping;
-        public float4 dorsalAsymmetry;
-        public float4 inPlaneFactor;
-        public float4 torsionFactor;
 
         /// <summary>Roots of the three factors: what each multiplies a joint's damping by.</summary>
         public float4 dorsalDamping;
         public float4 inPlaneDamping;
         public float4 torsionDamping;
-        public float4 jointLimit;
 
         /// <summary>k of Eq. 12, in wing masses per second squared.</summary>
         public float4 springStiffness;
@@ -87,21 +73,15 @@ namespace Alate
         /// <summary>Ω, the rate at which a joint returns to its pose, rad/s.</summary>
         public float4 anchorRate;
 
-        public float4 springDamping;
-        public float4 substepsPerBeat;
 
         /// <summary>Writes one wing's parameters, which are in range.</summary>
         public void Set(int lane, in WingParameters p)
         {
-            maxFrequency[lane] = p.maxFrequency;
-            maxSpeed[lane] = p.maxSpeed;
-            frequencyFloor[lane] = p.frequencyFloor;
-            amplitudeFloor[lane] = p.amplitudeFloor;
+            numbers.Set(lane, p);
             amplitude[lane] = p.amplitude * p.amplitudeScale;
             wholeFlap[lane] = p.amplitude.x;
             phaseSin[lane] = math.sin(p.phase);
             phaseCos[lane] = math.cos(p.phase);
-            meanFlap[lane] = p.meanFlap;
             tiltSin[lane] = math.sin(-p.tilt);
             tiltCos[lane] = math.cos(-p.tilt);
             tiltHalfSin[lane] = math.sin(-0.5f * p.tilt);
@@ -110,31 +90,18 @@ namespace Alate
             spanDelay[lane] = math.PI * p.spanDelay;
             float lead = p.phaseLead / (2f * math.PI);
             wingDelay[lane] = 2f * math.PI * (math.ceil(lead) - lead);
-            rootShare[lane] = p.rootShare;
-            inertia[lane] = p.inertia;
-            airDensity[lane] = p.airDensity;
             strongestWind[lane] = p.strongestWind * 2f * math.PI * p.referenceFrequency * math.max(p.amplitude.x, k_LeastAmplitude);
 
             float beatRate = 2f * math.PI * p.referenceFrequency;
             bendScale[lane] = p.elasticity * beatRate * beatRate;
-            stiffnessRoot[lane] = p.stiffnessRoot;
-            stiffnessTip[lane] = p.stiffnessTip;
-            stiffnessDecay[lane] = p.stiffnessDecay;
-            bendDamping[lane] = p.bendDamping;
-            dorsalAsymmetry[lane] = p.dorsalAsymmetry;
-            inPlaneFactor[lane] = p.inPlaneFactor;
-            torsionFactor[lane] = p.torsionFactor;
             dorsalDamping[lane] = math.sqrt(p.dorsalAsymmetry);
             inPlaneDamping[lane] = math.sqrt(p.inPlaneFactor);
             torsionDamping[lane] = math.sqrt(p.torsionFactor);
-            jointLimit[lane] = p.jointLimit;
             bool twoWay = p.options.coupling == MembraneCoupling.TwoWay;
             float springUnit = p.options.springUnits == SpringUnits.Printed ? 1f : p.springScale * beatRate * beatRate;
             springStiffness[lane] = springUnit * (twoWay ? math.max(p.elasticity, k_LeastMembrane) : p.elasticity);
             foldStiffness[lane] = twoWay ? k_FoldShare * math.max(p.elasticity, k_LeastFold) * springUnit : 0f;
             anchorRate[lane] = p.anchor * beatRate * math.sqrt(p.elasticity);
-            springDamping[lane] = p.springDamping;
-            substepsPerBeat[lane] = p.substepsPerBeat;
         }
     }
 }

@@ -71,7 +71,7 @@ namespace Alate
             float4 perBeat = SubstepsPerBeat(pack);
             float4 rates = frequency * perBeat;
             if (pack.detail != WingDetail.WavesOnly)
-                rates = math.max(rates, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->maxFrequency));
+                rates = math.max(rates, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->numbers.maxFrequency));
             float rate = math.cmax(rates);
             dt = math.min(dt, k_MostBeats / math.cmax(frequency));
             return math.max((int)math.ceil(dt * rate - k_CountRounding), 1);
@@ -122,7 +122,7 @@ namespace Alate
 
         private static float4 SubstepsPerBeat(in WingPack pack)
         {
-            float4 perBeat = pack.parameters->substepsPerBeat;
+            float4 perBeat = pack.parameters->numbers.substepsPerBeat;
             return pack.detail == WingDetail.Full ? perBeat : math.max(0.5f * perBeat, WingParameters.MinSubsteps);
         }
 

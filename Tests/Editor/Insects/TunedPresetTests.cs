@@ -25,13 +25,13 @@ namespace Alate.Editor.Tests
             AssertSame(after.amplitude[0].x, before.amplitude[0].x, "amplitude");
             AssertSame(after.amplitude[0].y, before.amplitude[0].y, "sweep");
             AssertSame(after.wingDelay[0], before.wingDelay[0], "phase");
-            AssertSame(after.bendScale[0] * after.stiffnessRoot[0] * after.stiffnessRoot[0],
-                before.bendScale[0] * before.stiffnessRoot[0] * before.stiffnessRoot[0], "bending stiffness");
-            AssertSame(after.bendScale[0] * after.stiffnessTip[0] * after.stiffnessTip[0],
-                before.bendScale[0] * before.stiffnessTip[0] * before.stiffnessTip[0], "stiffness at the trailing edge");
+            AssertSame(after.bendScale[0] * after.numbers.stiffnessRoot[0] * after.numbers.stiffnessRoot[0],
+                before.bendScale[0] * before.numbers.stiffnessRoot[0] * before.numbers.stiffnessRoot[0], "bending stiffness");
+            AssertSame(after.bendScale[0] * after.numbers.stiffnessTip[0] * after.numbers.stiffnessTip[0],
+                before.bendScale[0] * before.numbers.stiffnessTip[0] * before.numbers.stiffnessTip[0], "stiffness at the trailing edge");
             AssertSame(after.springStiffness[0], before.springStiffness[0], "springs");
             AssertSame(after.anchorRate[0], before.anchorRate[0], "anchor");
-            Assert.That(after.substepsPerBeat[0], Is.EqualTo(before.substepsPerBeat[0]));
+            Assert.That(after.numbers.substepsPerBeat[0], Is.EqualTo(before.numbers.substepsPerBeat[0]));
         }
 
         [Test]

@@ -95,7 +95,7 @@ namespace Alate.Tests
         // Every joint of a chain has a strip to the joint beside it on either neighbour.
         private static DenseCoupling Dense(PackFixture fixture, int chains, float chord, int axis, double[] wanted, double[] compliance)
         {
-            double width = chord / (chains - 1), factor = axis == 0 ? 1.0 : fixture.Pack.parameters->inPlaneFactor.x;
+            double width = chord / (chains - 1), factor = axis == 0 ? 1.0 : fixture.Pack.parameters->numbers.inPlaneFactor.x;
             var dense = new DenseCoupling(wanted, compliance, axis == 0 ? k_FreeSlope : k_FreeStrain);
             for (int chain = 0; chain < chains; chain++)
             {

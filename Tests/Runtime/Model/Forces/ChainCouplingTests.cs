@@ -133,7 +133,7 @@ namespace Alate.Tests
         [Test]
         public void NoJoint_LeavesItsLimit()
         {
-            m_Fixture.Pack.parameters->jointLimit = 0.25f;
+            m_Fixture.Pack.parameters->numbers.jointLimit = 0.25f;
             BendAtRandom(0.25f);
             Couple();
 

@@ -51,7 +51,7 @@ namespace Alate.Tests
             Force(fixture);
             var areas = new float[fixture.rig.PatchCount];
             for (int patch = 0; patch < areas.Length; patch++)
-                areas[patch] = fixture.scratch.halfDensityAreas[patch].x / (0.5f * fixture.Pack.parameters->airDensity.x);
+                areas[patch] = fixture.scratch.halfDensityAreas[patch].x / (0.5f * fixture.Pack.parameters->numbers.airDensity.x);
             return areas;
         }
 

@@ -1,3 +1,4 @@
+using System.Reflection;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -66,6 +67,29 @@ namespace Alate.Tests
 
             Assert.That(parameters.FindProblem(), Is.EqualTo($"substepsPerBeat is {given}; it must be between 12 and 480."));
             Assert.That(parameters.Clamped().substepsPerBeat, Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void EveryNumberThatTheKernelsRead_IsThatOfItsWing()
+        {
+            var wings = new WingParameters[4];
+            var lanes = new LaneParameters();
+            for (int lane = 0; lane < wings.Length; lane++)
+            {
+                float number = 100f * lane;
+                foreach (WingParameterRange range in WingParameterRange.All)
+                    range.Of(ref wings[lane]) = number++;
+                wings[lane].substepsPerBeat = 12 + lane;
+                lanes.Set(lane, wings[lane]);
+            }
+
+            foreach (FieldInfo field in typeof(NumberLanes).GetFields())
+            {
+                FieldInfo given = typeof(WingParameters).GetField(field.Name);
+                Assert.That(given, Is.Not.Null, field.Name);
+                for (int lane = 0; lane < wings.Length; lane++)
+                    Assert.That(((float4)field.GetValue(lanes.numbers))[lane], Is.EqualTo(given.GetValue(wings[lane])), field.Name);
+            }
         }
 
         [Test]

@@ -120,9 +120,9 @@ namespace Alate.Tests
             {
                 float3 angle = fixture.Pack.bendAngles[bone][0], rate = fixture.Pack.bendRates[bone][0];
                 float k = fixture.Pack.bendStiffness[bone].x;
-                float dorsal = angle.x > 0f ? p.dorsalAsymmetry.x : 1f;
+                float dorsal = angle.x > 0f ? p.numbers.dorsalAsymmetry.x : 1f;
                 energy += 0.5f * fixture.rig.View.jointInertias[bone] * math.lengthsq(rate);
-                energy += 0.5f * k * (dorsal * angle.x * angle.x + p.inPlaneFactor.x * angle.y * angle.y + p.torsionFactor.x * angle.z * angle.z);
+                energy += 0.5f * k * (dorsal * angle.x * angle.x + p.numbers.inPlaneFactor.x * angle.y * angle.y + p.numbers.torsionFactor.x * angle.z * angle.z);
             }
 
             return energy;
