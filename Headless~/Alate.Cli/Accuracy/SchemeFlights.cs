@@ -15,7 +15,7 @@ internal sealed class SchemeFlights
     public SchemeFlights(FlightPlan plan)
     {
         m_Plan = plan;
-        Reference = Flight.Fly(plan with { Substeps = ConvergencePlan.ReferenceSubsteps });
+        Reference = TetheredFlight.Fly(plan with { Substeps = ConvergencePlan.ReferenceSubsteps });
         m_Reference = RightWings(Reference);
     }
 
@@ -23,7 +23,7 @@ internal sealed class SchemeFlights
     public FlightRecord Reference { get; }
 
     /// <summary>[kind of wing] Error at a number of substeps, % of the wing's length.</summary>
-    public List<double> ErrorsAt(int substeps) => RightWings(Flight.Fly(m_Plan with { Substeps = substeps }))
+    public List<double> ErrorsAt(int substeps) => RightWings(TetheredFlight.Fly(m_Plan with { Substeps = substeps }))
         .Select((wing, kind) => JointError.Percent(wing, m_Reference[kind])).ToList();
 
     private static List<RecordedWing> RightWings(FlightRecord flight) => flight.Wings.Where(wing => !wing.Placement.IsLeft).ToList();

@@ -47,7 +47,7 @@ internal sealed class SpeciesConvergence
         List<FlightPlan> plans = Plans(plan, defaults, insect);
         List<List<double>> errors = Errors(plan, plans, out FlightRecord converged);
         List<double> oldErrors = new SchemeFlights(old with { Patches = plan.Patches }).ErrorsAt(old.Substeps.Value);
-        FlightSummary now = FlightSummary.Of(Flight.Fly(defaults)), limit = FlightSummary.Of(converged);
+        FlightSummary now = FlightSummary.Of(TetheredFlight.Fly(defaults)), limit = FlightSummary.Of(converged);
         double[] lift = [Lift(defaults), Lift(plan with { Substeps = ConvergencePlan.ReferenceSubsteps })];
         var wings = new List<WingConvergence>();
         for (int kind = 0; kind < now.Wings.Count; kind++)
@@ -92,5 +92,5 @@ internal sealed class SpeciesConvergence
             yield return new ConvergedValue("lift_over_weight", FormattableString.Invariant($"lift over weight at pitch {ConvergencePlan.LiftPitch}°"), lift[0], lift[1]);
     }
 
-    private static double Lift(FlightPlan plan) => FlightSummary.Of(Flight.Fly(plan with { PitchDegrees = ConvergencePlan.LiftPitch })).LiftOverWeight;
+    private static double Lift(FlightPlan plan) => FlightSummary.Of(TetheredFlight.Fly(plan with { PitchDegrees = ConvergencePlan.LiftPitch })).LiftOverWeight;
 }

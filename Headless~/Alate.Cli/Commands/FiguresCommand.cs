@@ -82,7 +82,7 @@ internal static class FiguresCommand
         {
             foreach (InsectVariant variant in species.Variants)
             {
-                FlightRecord flight = Flight.Fly(Plan(species) with { Variant = variant, Substeps = MeasuredSubsteps });
+                FlightRecord flight = TetheredFlight.Fly(Plan(species) with { Variant = variant, Substeps = MeasuredSubsteps });
                 if (variant == InsectVariant.Standard)
                     Write(folder, Portrait(species.Name), SpeciesPortrait.Draw(flight));
                 summaries.Add(FlightSummary.Of(flight));

@@ -39,7 +39,7 @@ internal sealed class Comparison
         {
             FlightRecord[] records = plan.Columns.Select(column =>
             {
-                FlightRecord record = Flight.Fly(flight with { Column = column });
+                FlightRecord record = TetheredFlight.Fly(flight with { Column = column });
                 progress(++done);
                 return record;
             }).ToArray();

@@ -16,7 +16,7 @@ internal static class FlightReport
     {
         Insect insect = Insect.Of(plan);
         PlanRange.CheckElasticity(plan, plan.Elasticity);
-        using var flight = new Flight(plan, insect);
+        using var flight = new TetheredFlight(plan, insect);
         string path = plan.Folder ?? Path.Combine("out", insect.Name);
         using OutputFolder folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Summary);
         var terminal = new Terminal(output);

@@ -28,9 +28,10 @@ namespace Alate.Tests.Architecture
             ["Alate.Model"] = ["Alate.Geometry"],
             ["Alate.Fitting"] = ["Alate.Geometry", "Alate.Model"],
             ["Alate"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
-            ["Alate.Catalogue"] = ["Alate", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Flight"] = ["Alate", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Catalogue"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
-            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Fitting", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Fitting", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
         };
 
         /// <summary>Folders of the sources of each assembly.</summary>
@@ -40,6 +41,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Model"] = "Runtime/Model",
             ["Alate.Fitting"] = "Runtime/Fitting",
             ["Alate"] = "Runtime/Insects",
+            ["Alate.Flight"] = "Runtime/Flight",
             ["Alate.Catalogue"] = "Runtime/Catalogue",
             ["Alate.Authoring"] = "Editor/Authoring",
             ["Alate.Editor"] = "Editor",

@@ -64,7 +64,7 @@ namespace Alate.Tests.Insects
                 wing.Preset.Wave.chordDelay = chordDelay;
             }
 
-            using var flight = new Flight(plan, insect);
+            using var flight = new TetheredFlight(plan, insect);
             return flight.Run(_ => { }).Wings.Where(wing => !wing.Placement.IsLeft).Select(Delay).ToArray();
         }
 

@@ -17,7 +17,7 @@ namespace Alate.Tests.Insects
         private FlownSpecies(string name, InsectVariant variant)
         {
             var plan = new FlightPlan { Species = name, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(name)) };
-            using var flight = new Flight(plan, Insect.Of(plan));
+            using var flight = new TetheredFlight(plan, Insect.Of(plan));
             Flight = flight.Run(_ => { });
             Wings = Flight.Wings.Where(wing => !wing.Placement.IsLeft).ToList();
         }

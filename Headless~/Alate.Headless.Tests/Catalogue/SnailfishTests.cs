@@ -13,8 +13,8 @@ namespace Alate.Tests.Insects
     {
         private const int k_Beats = 200;
 
-        private static readonly Lazy<FlightRecord> s_Short = new Lazy<FlightRecord>(() => Flight.Fly(Swimming(20)));
-        private static readonly Lazy<FlightRecord> s_Long = new Lazy<FlightRecord>(() => Flight.Fly(Swimming(k_Beats)));
+        private static readonly Lazy<FlightRecord> s_Short = new Lazy<FlightRecord>(() => TetheredFlight.Fly(Swimming(20)));
+        private static readonly Lazy<FlightRecord> s_Long = new Lazy<FlightRecord>(() => TetheredFlight.Fly(Swimming(k_Beats)));
 
         [Test]
         public void ItBeats_AsOftenAsItIsSet_OverTwoHundredBeats()
@@ -51,7 +51,7 @@ namespace Alate.Tests.Insects
         public void ItsTip_IsSlowerInWaterThanInAir_ByTheSameDrive()
         {
             FlightPlan water = Swimming(20);
-            FlightRecord air = Flight.Fly(FlownParameters.Find("fluid-density").In(water, 1.225));
+            FlightRecord air = TetheredFlight.Fly(FlownParameters.Find("fluid-density").In(water, 1.225));
 
             Assert.That(TipSpeed(s_Short.Value.Wings[0]), Is.LessThan(0.99f * TipSpeed(air.Wings[0])));
         }
@@ -75,7 +75,7 @@ namespace Alate.Tests.Insects
 
         private static double Delay(float chordDelay)
         {
-            RecordedWing fin = Flight.Fly(Swimming(20) with { Lag = chordDelay }).Wings[0];
+            RecordedWing fin = TetheredFlight.Fly(Swimming(20) with { Lag = chordDelay }).Wings[0];
             WingSection section = WingSection.Cut(fin.Rest, fin.Triangles, 0.5f);
             return PhaseDelay.Of(fin.Frames, frame => section.Leading(frame.Positions).y, frame => section.Trailing(frame.Positions).y);
         }

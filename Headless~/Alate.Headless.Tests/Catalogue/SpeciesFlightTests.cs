@@ -45,7 +45,7 @@ namespace Alate.Tests.Insects
         {
             FlightRecord flight = Fly("swallowtail", variant);
             double flexible = LargestGap(flight, out double atBottom);
-            double rigid = LargestGap(Flight.Fly(flight.Plan with { Column = ComparisonColumn.RigidWing }), out _);
+            double rigid = LargestGap(TetheredFlight.Fly(flight.Plan with { Column = ComparisonColumn.RigidWing }), out _);
 
             TestContext.Progress.WriteLine($"swallowtail {variant}: gap {flexible:P1} of the fore wing's length, {atBottom:P1} at the bottom of the stroke; {rigid:P1} with rigid wings");
             Assert.That(flexible, Is.LessThan(0.12));
@@ -54,7 +54,7 @@ namespace Alate.Tests.Insects
         }
 
         private static FlightRecord Fly(string species, InsectVariant variant) =>
-            Flight.Fly(new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)) });
+            TetheredFlight.Fly(new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)) });
 
         // Of the inner half of the hind wing's front edge, where the wings lie against one another, from the nearest place of the fore wing.
         private static double LargestGap(FlightRecord flight, out double atBottom)

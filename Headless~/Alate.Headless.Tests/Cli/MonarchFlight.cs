@@ -12,6 +12,6 @@ namespace Alate.Tests.Cli
         public static FlightRecord Level => s_Level.Value;
 
         /// <summary>Flies a plan of its own.</summary>
-        public static FlightRecord Fly(FlightPlan plan) => Flight.Fly(plan);
+        public static FlightRecord Fly(FlightPlan plan) => TetheredFlight.Fly(plan);
     }
 }

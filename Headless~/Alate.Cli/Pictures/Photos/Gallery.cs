@@ -53,7 +53,7 @@ internal static class Gallery
     {
         InsectDefinition species = InsectCatalogue.Find(exhibit.Species);
         var plan = new FlightPlan { Species = species.Name, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
-        using var flight = new Flight(plan, Insect.Of(plan));
+        using var flight = new TetheredFlight(plan, Insect.Of(plan));
         return InsectPhoto.Take(
             flight.Run(_ => { }), exhibit.Turns, new PictureView("", exhibit.Aside, exhibit.Above), size, k_InsetOverWidth * size.x,
             Shading.ToLinear(s_Paper));

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 namespace Alate.Cli.Flights;
 
 /// <summary>Flies an insect: bakes its rigs, steps its wings substep by substep and records the last beat.</summary>
-internal sealed class Flight : IDisposable
+internal sealed class TetheredFlight : IDisposable
 {
     /// <summary>After so many beats a beat is like the one before, so that its animation loops.</summary>
     private const int k_SettledBeats = 8;
@@ -25,7 +25,7 @@ internal sealed class Flight : IDisposable
     /// <summary>Bakes and places every wing; nothing has moved yet.</summary>
     /// <exception cref="UserException">A mesh and its skeleton do not fit, a parameter is out of range, or the time is shorter than a
     /// beat.</exception>
-    public Flight(FlightPlan plan, Insect insect)
+    public TetheredFlight(FlightPlan plan, Insect insect)
     {
         m_Plan = plan;
         m_Insect = insect;
@@ -54,7 +54,7 @@ internal sealed class Flight : IDisposable
     /// <exception cref="UserException">Anything the user can mend.</exception>
     public static FlightRecord Fly(FlightPlan plan)
     {
-        using var flight = new Flight(plan, Insect.Of(plan));
+        using var flight = new TetheredFlight(plan, Insect.Of(plan));
         return flight.Run(_ => { });
     }
 

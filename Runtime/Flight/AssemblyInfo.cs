@@ -1,0 +1,9 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Alate.Catalogue")]
+[assembly: InternalsVisibleTo("Alate.Editor")]
+[assembly: InternalsVisibleTo("Alate.Tests")]
+[assembly: InternalsVisibleTo("Alate.Editor.Tests")]
+[assembly: InternalsVisibleTo("Alate.Headless.Tests")]
+[assembly: InternalsVisibleTo("Alate.Cli")]
+[assembly: InternalsVisibleTo("Alate.Benchmarks")]

@@ -1,0 +1,41 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>What an insect can do by its trim table and its reference model: what a pilot may ask for. Metres and seconds of the real insect.</summary>
+    public readonly struct FlightLimits
+    {
+        /// <summary>Seconds until the body follows a change of the wanted velocity.</summary>
+        private const float k_Response = 0.2f;
+
+        /// <param name="topSpeed">Fastest flight through the air, m/s.</param>
+        /// <param name="leastClimb">Fastest descent, m/s, below 0.</param>
+        /// <param name="mostClimb">Fastest climb, m/s.</param>
+        /// <param name="acceleration">Of the reference, m/s².</param>
+        public FlightLimits(float topSpeed, float leastClimb, float mostClimb, float acceleration)
+        {
+            TopSpeed = topSpeed;
+            LeastClimb = leastClimb;
+            MostClimb = mostClimb;
+            Acceleration = acceleration;
+        }
+
+        /// <summary>Fastest flight through the air, m/s; faster wind carries the insect away.</summary>
+        public float TopSpeed { get; }
+
+        /// <summary>Fastest descent, m/s, below 0.</summary>
+        public float LeastClimb { get; }
+
+        /// <summary>Fastest climb, m/s. Slow flight may climb less.</summary>
+        public float MostClimb { get; }
+
+        /// <summary>Largest change of the wanted velocity that the insect follows, m/s².</summary>
+        public float Acceleration { get; }
+
+        /// <summary>Metres from a speed to standing in the air: v²/2a and what it flies before it answers; 0.6 m from 1.3 m/s for a monarch.</summary>
+        public float StoppingDistance(float speed) => speed * speed / (2f * Acceleration) + k_Response * math.abs(speed);
+
+        /// <summary>Metres of the tightest turn at a speed: v²/a; 0.7 m at 1.3 m/s for a monarch.</summary>
+        public float TurnRadius(float speed) => speed * speed / Acceleration;
+    }
+}
