@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Flight;
 using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
@@ -35,6 +36,9 @@ namespace Alate.Catalogue
 
         /// <summary>The body.</summary>
         public InsectBody Body { get; }
+
+        /// <summary>Parts of the body as the flight sees them, from the middle of the thorax.</summary>
+        public IReadOnlyList<BodyEllipsoid> FlightParts { get; internal set; } = System.Array.Empty<BodyEllipsoid>();
 
         /// <summary>Sources of the numbers.</summary>
         public IReadOnlyList<InsectSource> Sources { get; }

@@ -22,5 +22,8 @@ namespace Alate.Catalogue
         /// Softer wing with a larger lag, chosen by eye: tips cup and membranes flutter, and the surface still stretches by less than 8 %.
         /// </summary>
         Expressive,
+
+        /// <summary>Numbers with which the wings carry the insect: masses, lengths and frequencies of real animals where those of the paper do not fly.</summary>
+        Flight,
     }
 }

@@ -59,7 +59,8 @@ namespace Alate.Tests.Architecture
             ["Forces"] = ["Rig", "Soa", "State"],
             ["Elasticity"] = ["Rig", "Soa", "State"],
             ["Skinning"] = ["Rig", "Soa", "State"],
-            ["World"] = ["Elasticity", "Forces", "Motion", "Rig", "Skeleton", "Skinning", "Soa", "State"],
+            ["Body"] = ["Rig", "Soa", "State"],
+            ["World"] = ["Body", "Elasticity", "Forces", "Motion", "Rig", "Skeleton", "Skinning", "Soa", "State"],
         };
 
         private static readonly Regex s_Declaration = new Regex(

@@ -1,3 +1,4 @@
+using Alate.Flight;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -20,8 +21,15 @@ namespace Alate.Catalogue
                 ChainPaths = ChainPath.Straight(0.43, 0.53, 0.62, 0.69, 0.76),
                 Hinge = new Vector3(1.25e-3f, 0.75e-3f, -0.5e-3f),
                 Pattern = Pattern(outline.Smoothed()),
-            }.With(InsectVariant.Biological, Quicken).With(InsectVariant.Expressive, Soften);
-            return new InsectDefinition("firefly", "Firefly", new[] { wing }, FireflyBody.Create(wing), Sources());
+            }.With(InsectVariant.Biological, Quicken).With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Fly);
+            return new InsectDefinition("firefly", "Firefly", new[] { wing }, FireflyBody.Create(wing), Sources())
+            {
+                FlightParts = new[]
+                {
+                    BodyEllipsoid.Millimetres(0, 0, 0, 1.45, 1.1, 2.7, 0.5),
+                    BodyEllipsoid.Millimetres(0, -0.3, -5, 1.4, 0.75, 3.7, 0.5),
+                },
+            };
         }
 
         private static WingPattern Pattern(WingOutline outline)
@@ -67,6 +75,13 @@ namespace Alate.Catalogue
             preset.Stiffness.strongestWind = 0.65f;
             preset.Stiffness.springScale = 40f;
             preset.SubstepsPerBeat = 24;
+        }
+
+        private static void Fly(WingPreset species)
+        {
+            Quicken(species);
+            species.Beat.amplitudeFloor = 1f;
+            species.Size.insectMass = 17.5e-6f;
         }
 
         private static InsectSource[] Sources()

@@ -1,3 +1,4 @@
+using Alate.Flight;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -16,7 +17,15 @@ namespace Alate.Catalogue
         {
             var fore = ForeWing();
             var hind = HindWing();
-            return new InsectDefinition("fishfly", "Fishfly", new[] { fore, hind }, FishflyBody.Create(fore, hind), Sources());
+            return new InsectDefinition("fishfly", "Fishfly", new[] { fore, hind }, FishflyBody.Create(fore, hind), Sources())
+            {
+                FlightParts = new[]
+                {
+                    BodyEllipsoid.Millimetres(0, 0, 5, 2, 1.5, 2, 0.12),
+                    BodyEllipsoid.Millimetres(0, 0, 0, 2.4, 2.3, 5.5, 0.42),
+                    BodyEllipsoid.Millimetres(0, -0.9, -11.7, 1.6, 1.3, 8.3, 0.46),
+                },
+            };
         }
 
         private static WingDefinition ForeWing()
@@ -28,7 +37,7 @@ namespace Alate.Catalogue
                 ChainPaths = ChainPath.Straight(0.46, 0.516, 0.592, 0.703, 0.789),
                 Hinge = new Vector3(2.1e-3f, 1.3e-3f, 2.8e-3f),
                 Pattern = Pattern(outline.Smoothed()),
-            }.With(InsectVariant.Biological, Steady).With(InsectVariant.Expressive, Soften);
+            }.With(InsectVariant.Biological, Steady).With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Fly);
         }
 
         private static WingDefinition HindWing()
@@ -40,7 +49,7 @@ namespace Alate.Catalogue
                 ChainPaths = ChainPath.Straight(0.44, 0.498, 0.59, 0.68, 0.816),
                 Hinge = new Vector3(2.1e-3f, 1.2e-3f, -2.2e-3f),
                 Pattern = Pattern(outline.Smoothed()),
-            }.With(InsectVariant.Biological, SteadyAndLate).With(InsectVariant.Expressive, SoftenHind);
+            }.With(InsectVariant.Biological, SteadyAndLate).With(InsectVariant.Expressive, SoftenHind).With(InsectVariant.Flight, Fly);
         }
 
         private static WingPattern Pattern(WingOutline outline)
@@ -106,6 +115,12 @@ namespace Alate.Catalogue
         {
             Soften(preset);
             preset.Beat.phaseLead = -30f;
+        }
+
+        private static void Fly(WingPreset species)
+        {
+            species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
+            species.Beat.maxFrequency = 19.5f;
         }
 
         private static InsectSource[] Sources()

@@ -1,3 +1,4 @@
+using Alate.Flight;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -25,8 +26,16 @@ namespace Alate.Catalogue
                 LastTipSpan = k_LastTipSpan / (1000 * outline.Length),
                 Hinge = new Vector3(1.9e-3f, 1.0e-3f, 1.2e-3f),
                 Pattern = new MonarchPattern(outline.Smoothed()),
-            }.With(InsectVariant.Expressive, Soften);
-            return new InsectDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(wing), Sources());
+            }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Fly);
+            return new InsectDefinition("monarch", "Monarch", new[] { wing }, MonarchBody.Create(wing), Sources())
+            {
+                FlightParts = new[]
+                {
+                    BodyEllipsoid.Millimetres(0, 0, 5.4, 1.4, 1.4, 1.4, 0.08),
+                    BodyEllipsoid.Millimetres(0, 0, 0, 2.1, 2.4, 4.5, 0.38),
+                    BodyEllipsoid.Millimetres(0, -0.8, -12, 1.6, 1.7, 10, 0.54),
+                },
+            };
         }
 
         private static void Soften(WingPreset preset)
@@ -39,6 +48,8 @@ namespace Alate.Catalogue
             preset.Stiffness.springScale = 30f;
             preset.SubstepsPerBeat = 24;
         }
+
+        private static void Fly(WingPreset species) => species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
 
         private static InsectSource[] Sources()
         {

@@ -1,3 +1,4 @@
+using Alate.Flight;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -18,9 +19,16 @@ namespace Alate.Catalogue
                 ChainPaths = ChainPath.Straight(0.39, 0.425, 0.503, 0.594, 0.78),
                 Hinge = new Vector3(1.15e-3f, 0.6e-3f, 0.7e-3f),
                 Pattern = new LichenMothPattern(outline.Smoothed()),
-            }.With(InsectVariant.Expressive, Soften);
+            }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Fly);
             return new InsectDefinition(
-                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), Sources());
+                "painted-lichen-moth", "Painted lichen moth", new[] { wing }, PaintedLichenMothBody.Create(wing), Sources())
+            {
+                FlightParts = new[]
+                {
+                    BodyEllipsoid.Millimetres(0, 0, 0, 1.2, 1.15, 2.6, 0.5),
+                    BodyEllipsoid.Millimetres(0, -0.2, -4, 1, 0.9, 2.8, 0.5),
+                },
+            };
         }
 
         private static void Author(WingPreset preset)
@@ -44,6 +52,12 @@ namespace Alate.Catalogue
             preset.Stiffness.jointLimit = 40f;
             preset.Stiffness.springScale = 60f;
             preset.SubstepsPerBeat = 24;
+        }
+
+        private static void Fly(WingPreset species)
+        {
+            species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
+            species.Beat.maxFrequency = 39f;
         }
 
         private static InsectSource[] Sources()

@@ -1,3 +1,4 @@
+using Alate.Flight;
 using Alate.Geometry;
 using UnityEngine;
 
@@ -29,7 +30,15 @@ namespace Alate.Catalogue
         {
             var fore = ForeWing();
             var hind = HindWing();
-            return new InsectDefinition("swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), Sources());
+            return new InsectDefinition("swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), Sources())
+            {
+                FlightParts = new[]
+                {
+                    BodyEllipsoid.Millimetres(0, 0, 5.6, 1.4, 1.4, 1.4, 0.08),
+                    BodyEllipsoid.Millimetres(0, 0, 0, 2.2, 2.5, 4.8, 0.40),
+                    BodyEllipsoid.Millimetres(0, -0.8, -11, 1.75, 1.8, 8.6, 0.52),
+                },
+            };
         }
 
         private static WingDefinition ForeWing()
@@ -41,7 +50,7 @@ namespace Alate.Catalogue
                 ChainPaths = ChainPath.Straight(0.46, 0.52, 0.58, 0.64, 0.71),
                 Hinge = new Vector3(2.1e-3f, 1.3e-3f, 2.1e-3f),
                 Pattern = new SwallowtailForePattern(outline.Smoothed()),
-            }.With(InsectVariant.Expressive, Soften);
+            }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Fly);
         }
 
         private static WingDefinition HindWing()
@@ -58,7 +67,7 @@ namespace Alate.Catalogue
                 },
                 Hinge = new Vector3(2.1e-3f, 0.8e-3f, -1.4e-3f),
                 Pattern = new SwallowtailHindPattern(outline.Smoothed()),
-            }.With(InsectVariant.Expressive, SoftenHind);
+            }.With(InsectVariant.Expressive, SoftenHind).With(InsectVariant.Flight, Fly);
         }
 
         private static void AuthorFore(WingPreset preset)
@@ -99,6 +108,16 @@ namespace Alate.Catalogue
             Soften(preset);
             preset.Beat.meanFlap = 6.5f;
             preset.Beat.phaseLead = -27f;
+        }
+
+        private static void Fly(WingPreset species)
+        {
+            const float larger = 55f / 45f;
+            species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
+            species.Beat.maxFrequency = 14f;
+            species.Size.wingLength *= larger;
+            species.Size.wingMass *= larger * larger;
+            species.Size.insectMass = 0.34e-3f;
         }
 
         private static InsectSource[] Sources()

@@ -34,8 +34,11 @@ namespace Alate
                 moment += SoaFloat3.Cross(scratch.carriedPositions[joint], scratch.forces[joint]);
             }
 
+            moment += SoaFloat3.Cross(pack.surroundings->hinge, force);
             pack.readings->airForce += force;
-            pack.readings->airMoment += moment + SoaFloat3.Cross(pack.surroundings->hinge, force);
+            pack.readings->airMoment += moment;
+            pack.air->force = force;
+            pack.air->moment = moment;
         }
 
         // Eq. 5, 8 in the wing's own frame: the load of the driven motion, −κ m a; and m g of Eq. 4.

@@ -39,6 +39,8 @@ namespace Alate
             beat.amplitude2 = SoaFloat3.Select(beat.amplitude2, amplitude, lanes);
             beat.amplitude3 = SoaFloat3.Select(beat.amplitude3, amplitude, lanes);
             beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, amplitude, lanes);
+            beat.means = SoaFloat3.Select(beat.means, parameters.drive.means, lanes);
+            beat.means1 = SoaFloat3.Select(beat.means1, parameters.drive.means, lanes);
         }
 
         /// <summary>
@@ -62,6 +64,8 @@ namespace Alate
             beat.amplitude2 = SoaFloat3.Select(beat.amplitude2, beat.amplitude1, latch);
             beat.amplitude1 = SoaFloat3.Select(beat.amplitude1, beat.amplitude, latch);
             beat.amplitude = SoaFloat3.Select(beat.amplitude, amplitude, latch);
+            beat.means1 = SoaFloat3.Select(beat.means1, beat.means, latch);
+            beat.means = SoaFloat3.Select(beat.means, parameters.drive.means, latch);
         }
 
         /// <summary>ω(Φ): glides from the last cycle's frequency to this one's over the first half cycle, or steps.</summary>
@@ -74,7 +78,7 @@ namespace Alate
             return k_TwoPi * (beat.previousFrequency + (beat.frequency - beat.previousFrequency) * blend);
         }
 
-        // Eq. 6 and Eq. 7 for the wings that are at the start of a cycle; the others' results are not read.
+        // Eq. 6 and Eq. 7, or what a controller commands, for the wings that are at the start of a cycle; the others' results are not read.
         private static void Drive(
             ref BeatState beat, in LaneParameters parameters, in LaneSurroundings air, bool4 lanes,
             out float4 frequency, out SoaFloat3 amplitude)
@@ -84,8 +88,9 @@ namespace Alate
             beat.pitchedUp = math.select(beat.pitchedUp, pitchedUp, lanes);
 
             float4 slope = math.max(Slope(air.speed / parameters.numbers.maxSpeed), PitchedShare * beat.pitchedUp);
-            frequency = parameters.numbers.maxFrequency * math.max(slope, parameters.numbers.frequencyFloor);
-            amplitude = parameters.amplitude * math.max(slope, parameters.numbers.amplitudeFloor);
+            bool4 commanded = parameters.drive.commanded > 0f;
+            frequency = math.select(parameters.numbers.maxFrequency * math.max(slope, parameters.numbers.frequencyFloor), parameters.drive.frequency, commanded);
+            amplitude = parameters.amplitude * math.select(math.max(slope, parameters.numbers.amplitudeFloor), parameters.drive.amplitude, commanded);
         }
     }
 }

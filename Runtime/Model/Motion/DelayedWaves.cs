@@ -15,6 +15,7 @@ namespace Alate
         /// <summary>Fills angle, angleRate and angleCurvature of every bone: cumulative along its chain; derivatives per radian of Φ.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
+            GlidedMeans.Evaluate(pack, scratch);
             LocalPhases(pack, scratch);
             Waves(pack, scratch);
             Accumulate(pack, scratch);
@@ -113,8 +114,7 @@ namespace Alate
             for (int first = 0; first < pack.rig.boneCount; first += bonesPerChain)
             {
                 var share = new SoaFloat3(rootShare, 1f - freeSweep, rootShare);
-                SoaFloat3 angle = default, rate = default, curvature = default;
-                angle.x = pack.parameters->numbers.meanFlap;
+                SoaFloat3 angle = scratch.means->angle, rate = scratch.means->rate, curvature = scratch.means->curvature;
                 float sum = 0f;
                 for (int bone = first; bone < first + bonesPerChain; bone++)
                 {

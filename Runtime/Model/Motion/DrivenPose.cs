@@ -19,10 +19,10 @@ namespace Alate
             Chains(pack, scratch);
         }
 
-        // R_X(−tilt) R_Z(flap); the parameters hold sine and cosine of −tilt.
+        // R_X(−tilt) R_Z(flap); the means hold sine and cosine of half of −tilt.
         private static void Flap(in WingPack pack, in StepScratch scratch)
         {
-            float4 tiltSin = pack.parameters->tiltHalfSin, tiltCos = pack.parameters->tiltHalfCos;
+            float4 tiltSin = scratch.means->tiltHalfSin, tiltCos = scratch.means->tiltHalfCos;
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 SoaMath.SinCos(scratch.angle[bone].x * 0.5f, out float4 sin, out float4 cos);
@@ -61,7 +61,8 @@ namespace Alate
         {
             float4 rate = pack.beat->rate;
             float4 rate2 = rate * rate;
-            float4 tiltSin = pack.parameters->tiltSin, tiltCos = pack.parameters->tiltCos;
+            float4 tiltSin = scratch.means->tiltSin, tiltCos = scratch.means->tiltCos;
+            float4 tilting = scratch.means->tiltRate * rate, tiltingUp = scratch.means->tiltCurvature * rate2;
             var edge = new SoaFloat3(pack.rig.leadingEdge);
             var flapAxis = new SoaFloat3(0f, -tiltSin, tiltCos);
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
@@ -74,6 +75,8 @@ namespace Alate
                 scratch.angularVelocity[bone] = flapAxis * turning.x + sweepAxis * turning.y + featherAxis * turning.z;
                 scratch.angularAcceleration[bone] =
                     flapAxis * accelerating.x + sweepAxis * accelerating.y + featherAxis * accelerating.z;
+                scratch.angularVelocity[bone].x += tilting;
+                scratch.angularAcceleration[bone].x += tiltingUp;
             }
         }
 

@@ -35,6 +35,12 @@ namespace Alate
         /// <summary>Amplitudes four cycles back: the largest delays reach three cycles back, where the amplitude glides from the one before.</summary>
         public SoaFloat3 amplitude4;
 
+        /// <summary>Latched means of the commanded drive in this cycle, radians: x tilt, y sweep, z feather.</summary>
+        public SoaFloat3 means;
+
+        /// <summary>Means one cycle back.</summary>
+        public SoaFloat3 means1;
+
         /// <summary>ω, the angular rate of the phase now, rad/s.</summary>
         public float4 rate;
 

@@ -12,6 +12,9 @@ namespace Alate
         /// <summary>Steps that are due; 0 lets the wings of the clock stand.</summary>
         public int count;
 
+        /// <summary>Substeps of each step of wings that carry a body, for measurements; 0 lets the wings choose.</summary>
+        public int substeps;
+
         /// <summary>Time within the last step that is drawn, 0 its start, 1 its end.</summary>
         public float alpha;
 

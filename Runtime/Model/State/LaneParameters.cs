@@ -33,11 +33,7 @@ namespace Alate
         public SoaFloat3 phaseSin;
         public SoaFloat3 phaseCos;
 
-        /// <summary>Sine of the turn about +X, which is nose down: minus the tilt.</summary>
-        public float4 tiltSin;
-        public float4 tiltCos;
-        public float4 tiltHalfSin;
-        public float4 tiltHalfCos;
+        public float4 tilt;
 
         /// <summary>Amplitude of the flap as in the preset, whatever the steering makes of it, radians.</summary>
         public float4 wholeFlap;
@@ -74,6 +70,9 @@ namespace Alate
         public float4 anchorRate;
 
 
+        /// <summary>What a flight controller commands; no parameter changes it.</summary>
+        public LaneDrive drive;
+
         /// <summary>Writes one wing's parameters, which are in range.</summary>
         public void Set(int lane, in WingParameters p)
         {
@@ -82,10 +81,7 @@ namespace Alate
             wholeFlap[lane] = p.amplitude.x;
             phaseSin[lane] = math.sin(p.phase);
             phaseCos[lane] = math.cos(p.phase);
-            tiltSin[lane] = math.sin(-p.tilt);
-            tiltCos[lane] = math.cos(-p.tilt);
-            tiltHalfSin[lane] = math.sin(-0.5f * p.tilt);
-            tiltHalfCos[lane] = math.cos(-0.5f * p.tilt);
+            tilt[lane] = p.tilt;
             chordDelay[lane] = math.PI * p.chordDelay;
             spanDelay[lane] = math.PI * p.spanDelay;
             float lead = p.phaseLead / (2f * math.PI);

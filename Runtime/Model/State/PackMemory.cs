@@ -49,6 +49,7 @@ namespace Alate
             {
                 view.parameters->Set(l, parameters);
                 view.surroundings->Set(l, surroundings);
+                view.parameters->drive.Set(l, default, false);
             }
 
             view.readings->resets[lane] = 0f;
@@ -141,6 +142,7 @@ namespace Alate
             view.slotStride = 1;
             view.parameters = (LaneParameters*)carver.Take<LaneParameters>(1);
             view.surroundings = (LaneSurroundings*)carver.Take<LaneSurroundings>(1);
+            view.air = (LaneAir*)carver.Take<LaneAir>(1);
             view.readings = (PackReadings*)carver.Take<PackReadings>(1);
             view.beat = (BeatState*)carver.Take<BeatState>(1);
             view.bendStiffness = (float4*)carver.Take<float4>(bones);

@@ -5,6 +5,9 @@ namespace Alate
     /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
     internal unsafe struct StepScratch
     {
+        /// <summary>Middle of the stroke and tilt, once.</summary>
+        public StrokeMeans* means;
+
         // Waves, per bone.
         public float4* localPhase;
         public SoaFloat3* amplitude;
@@ -86,6 +89,7 @@ namespace Alate
         {
             int joints = size.joints, bones = size.bones, patches = size.patches;
             var carver = new BlockCarver(memory);
+            scratch.means = (StrokeMeans*)carver.Take<StrokeMeans>(1);
             scratch.localPhase = (float4*)carver.Take<float4>(bones);
             scratch.amplitude = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.amplitudeRate = (SoaFloat3*)carver.Take<SoaFloat3>(bones);

@@ -19,9 +19,15 @@ namespace Alate
         public WingUpdateMode clock;
         public WingDetail detail;
 
+        /// <summary>Whether a wing of the pack carries a flying body.</summary>
+        public bool carries;
+
         public LaneParameters* parameters;
         public LaneSurroundings* surroundings;
         public PackReadings* readings;
+
+        /// <summary>Air of the last substep.</summary>
+        public LaneAir* air;
         public BeatState* beat;
 
         /// <summary>Bending stiffness per bone, from the parameters and the rig.</summary>

@@ -17,6 +17,7 @@ namespace Alate
         /// </summary>
         private const int k_QuadsPerChunk = 512;
 
+        private readonly BodyTable m_Bodies;
         private NativeArray<WingPack> m_Packs;
         private NativeArray<SkinTarget> m_Targets;
         private NativeArray<SkinChunk> m_Chunks;
@@ -28,6 +29,8 @@ namespace Alate
         private RigSize m_ScratchSize;
         private long m_ScratchStride;
         private byte* m_Scratch;
+
+        public JobArrays(BodyTable bodies) => m_Bodies = bodies;
 
         /// <summary>Jobs scheduled so far.</summary>
         public long JobCount { get; private set; }
@@ -67,16 +70,19 @@ namespace Alate
             for (int k = 0; k < m_PackCount; k++)
             {
                 packs[k].index = k;
+                packs[k].view.carries = false;
                 m_Packs[k] = packs[k].view;
                 size = RigSize.Max(size, RigSize.Of(packs[k].view.rig));
             }
 
+            m_Bodies.Layout(packs);
             ReserveScratch(size);
             int chunks = 0, targets = 0;
             foreach (WingEntry entry in entries)
             {
                 if (entry == null)
                     continue;
+                MarkCarrier(entry);
                 targets++;
                 entry.chunkCount = (entry.rig.View.quadCount + k_QuadsPerChunk - 1) / k_QuadsPerChunk;
                 chunks += entry.chunkCount;
@@ -104,8 +110,10 @@ namespace Alate
                 scratchSize = m_ScratchSize,
                 scratchStride = m_ScratchStride,
                 scratch = m_Scratch,
+                groups = m_Bodies.Groups,
+                lists = m_Bodies.Lists(null),
                 packs = m_Packs,
-            }.ScheduleParallel(m_PackCount, 1, after);
+            }.ScheduleParallel(m_Bodies.GroupCount, 1, after);
         }
 
         public JobHandle ScheduleSkin(in ClockTimes clocks, JobHandle after)
@@ -150,13 +158,12 @@ namespace Alate
         public void StepNow(IReadOnlyList<PackMemory> packs, int owner, float dt)
         {
             Version++;
-            for (int k = 0; k < m_PackCount; k++)
+            GroupLists lists = m_Bodies.Lists((WingPack*)m_Packs.GetUnsafePtr());
+            for (int k = 0; k < m_Bodies.GroupCount; k++)
             {
-                if (packs[k].pacing.clock != WingUpdateMode.Manual || packs[k].pacing.owner != owner)
-                    continue;
-                WingPack pack = m_Packs[k];
-                PackStep.Run(ref pack, Scratch(packs[k]), dt);
-                m_Packs[k] = pack;
+                PackMemory pack = packs[lists.packList[m_Bodies.Groups[k].firstPack]];
+                if (pack.pacing.clock == WingUpdateMode.Manual && pack.pacing.owner == owner)
+                    GroupStep.Run(m_Bodies.Groups[k], lists, Scratch(pack), dt, 0);
             }
         }
 
@@ -226,6 +233,14 @@ namespace Alate
             for (int l = 0; l < WingPack.Lanes; l++)
                 lanes[l] = pack.Writes(lane, l);
             return lanes;
+        }
+
+        private void MarkCarrier(WingEntry entry)
+        {
+            if (entry.body == 0)
+                return;
+            entry.pack.view.carries = true;
+            m_Packs[entry.pack.index] = entry.pack.view;
         }
 
         private void Place(WingEntry entry, int index)

@@ -30,6 +30,7 @@ namespace Alate
             beat.amplitude2 = SoaFloat3.Select(beat.amplitude2, beat.amplitude, lanes);
             beat.amplitude3 = SoaFloat3.Select(beat.amplitude3, beat.amplitude, lanes);
             beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, beat.amplitude, lanes);
+            beat.means1 = SoaFloat3.Select(beat.means1, beat.means, lanes);
             beat.rate = math.select(beat.rate, 2f * math.PI * beat.frequency, lanes);
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);

@@ -23,6 +23,9 @@ namespace Alate
         /// <summary>Largest number of substeps that a beat takes for the speed of the air.</summary>
         private const float k_MostPerBeat = 192f;
 
+        /// <summary>Frequencies up to so many times the wing's own are flown with the same substeps.</summary>
+        private const float k_FlightFrequency = 1.3f;
+
         /// <summary>
         /// Number of times per beat that bends fade by e with waves alone: within a quarter of a beat, which is seen as a settling, not as
         /// a jump.
@@ -50,16 +53,21 @@ namespace Alate
             float h = dt / count;
             BeginStep(ref pack, count);
             for (int k = 1; k <= count; k++)
-            {
-                if (pack.detail == WingDetail.WavesOnly)
-                    WavesSubstep(pack, scratch, h);
-                else
-                    Substep(pack, scratch, h);
-                if (k % pack.slotStride == 0 || k == count)
-                    KeepPose(pack, (k + pack.slotStride - 1) / pack.slotStride);
-            }
-
+                Substep(ref pack, scratch, h, k, count);
             EndStep(pack, count);
+        }
+
+        /// <summary>Substep k of a step, 1 to its count.</summary>
+        public static void Substep(ref WingPack pack, in StepScratch scratch, float h, int k, int count)
+        {
+            if (pack.carries)
+                StrongestWind.Derive(pack);
+            if (pack.detail == WingDetail.WavesOnly)
+                WavesSubstep(pack, scratch, h);
+            else
+                Substep(pack, scratch, h);
+            if (k % pack.slotStride == 0 || k == count)
+                KeepPose(pack, (k + pack.slotStride - 1) / pack.slotStride);
         }
 
         /// <summary>
@@ -69,7 +77,9 @@ namespace Alate
         {
             float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
             float4 perBeat = SubstepsPerBeat(pack);
-            float4 rates = frequency * perBeat;
+            // What a controller commands changes from beat to beat, and with it the count must not.
+            bool4 commanded = pack.parameters->drive.commanded > 0f;
+            float4 rates = math.select(frequency, math.max(frequency, k_FlightFrequency * pack.parameters->numbers.maxFrequency), commanded) * perBeat;
             if (pack.detail != WingDetail.WavesOnly)
                 rates = math.max(rates, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->numbers.maxFrequency));
             float rate = math.cmax(rates);
@@ -86,6 +96,8 @@ namespace Alate
             ImplicitStep step = ImplicitStep.Of(pack, h);
             CarriedSurface.Evaluate(pack, scratch, h);
             JointLoads.Evaluate(pack, scratch);
+            if (pack.carries)
+                AirDamping.Evaluate(pack, scratch);
             Bending.Step(pack, scratch, step);
             Bending.Pose(pack, scratch);
             float4 iterations = ElasticStep.Step(pack, scratch, step);
@@ -133,7 +145,8 @@ namespace Alate
                 PackReset.Recover(pack, scratch, broken);
         }
 
-        private static void BeginStep(ref WingPack pack, int count)
+        /// <summary>Starts the readings of a step with so many substeps.</summary>
+        public static void BeginStep(ref WingPack pack, int count)
         {
             pack.substeps = count;
             pack.slotStride = (count + WingPack.PoseSlots - 2) / (WingPack.PoseSlots - 1);
@@ -143,7 +156,8 @@ namespace Alate
             pack.readings->newtonIterations = default;
         }
 
-        private static void EndStep(in WingPack pack, int count)
+        /// <summary>Ends the readings of a step.</summary>
+        public static void EndStep(in WingPack pack, int count)
         {
             float mean = 1f / count;
             pack.readings->airForce *= mean;

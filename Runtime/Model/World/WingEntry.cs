@@ -15,6 +15,9 @@ namespace Alate
         public PackKey pacing;
         public WingSurroundings surroundings;
 
+        /// <summary>Index of the body that the wing carries and 1; 0 for none.</summary>
+        public int body;
+
         /// <summary>Deformed vertices, mesh order.</summary>
         public NativeArray<SkinnedVertex> vertices;
 

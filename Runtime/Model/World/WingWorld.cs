@@ -20,15 +20,19 @@ namespace Alate
     /// NativeArray&lt;SkinnedVertex&gt; deformed = world.Vertices(wing);
     /// </code></example>
     [MovedFrom(true, null, "Alate")]
-    public sealed class WingWorld : IDisposable
+    public sealed partial class WingWorld : IDisposable
     {
         private readonly List<WingEntry> m_Entries = new List<WingEntry>();
         private readonly Stack<int> m_Free = new Stack<int>();
         private readonly PackTable m_Packs = new PackTable();
-        private readonly JobArrays m_Arrays = new JobArrays();
+        private readonly BodyTable m_Bodies = new BodyTable();
+        private readonly JobArrays m_Arrays;
         private JobHandle m_Pending;
         private int m_NextVersion = 1;
         private bool m_Disposed;
+
+        /// <summary>Creates an empty world.</summary>
+        public WingWorld() => m_Arrays = new JobArrays(m_Bodies);
 
         /// <summary>Number of wings in the world.</summary>
         public int Count { get; private set; }
@@ -77,6 +81,7 @@ namespace Alate
         {
             WingEntry entry = Entry(wing);
             m_Arrays.Download(m_Packs.Packs, m_Entries);
+            m_Bodies.Detach(entry);
             Detach(entry);
             m_Entries[wing.index] = null;
             m_Free.Push(wing.index);
@@ -276,6 +281,7 @@ namespace Alate
             foreach (WingEntry entry in m_Entries)
                 entry?.Dispose();
             m_Packs.Dispose();
+            m_Bodies.Dispose();
             m_Arrays.Dispose();
         }
 

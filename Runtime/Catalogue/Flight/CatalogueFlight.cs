@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using Alate.Flight;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Catalogue
+{
+    /// <summary>Insects of the catalogue as models that fly by their own wings.</summary>
+    public static class CatalogueFlight
+    {
+        /// <summary>Makes the flight model of an insect: all its wings on both sides, its body and their masses. Dispose it.</summary>
+        /// <param name="insect">The insect.</param>
+        /// <param name="variant">Which numbers; <see cref="InsectVariant.Flight"/> are those that fly.</param>
+        /// <exception cref="ArgumentException">The insect has no such variant, or no parts of the body.</exception>
+        public static FlightModel CreateModel(InsectDefinition insect, InsectVariant variant = InsectVariant.Flight)
+        {
+            var wings = new List<FlightWing>();
+            float mass = 0f, density = 0f, share = 0f;
+            foreach (var wing in insect.Wings)
+            {
+                WingPreset preset = wing.CreatePreset(ModelReading.Physical, variant);
+                mass = preset.Size.insectMass;
+                density = preset.Size.fluidDensity;
+                share = preset.Size.gravityShare;
+                Add(wings, wing, preset);
+                UnityEngine.Object.DestroyImmediate(preset);
+            }
+
+            var model = new FlightModel(wings, insect.FlightParts, mass, density, share);
+            for (int k = 0; k < wings.Count; k += 2)
+            {
+                wings[k].Rig.Release();
+            }
+
+            return model;
+        }
+
+        private static void Add(List<FlightWing> wings, WingDefinition wing, WingPreset preset)
+        {
+            SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
+            WingSkeleton skeleton = wing.CreateSkeleton(WingSide.Right);
+            WingRig rig = WingRig.Bake(skeleton, surface.ToWingSurface(wing.Name), WingRigSettings.Default);
+            UnityEngine.Object.DestroyImmediate(skeleton);
+            // Where the numbers have longer wings than the mesh, what lies between the body and the hinge grows with them.
+            float3 offset = rig.Frame.origin / rig.Frame.length * preset.WingLength;
+            foreach (float side in new[] { 1f, -1f })
+            {
+                wings.Add(new FlightWing
+                {
+                    Rig = rig,
+                    Parameters = preset.ToParameters(),
+                    Hinge = ((float3)wing.Hinge + offset) * new float3(side, 1f, 1f),
+                    Axes = new float3x3(new float3(side, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f)),
+                    Length = preset.WingLength,
+                    Mass = preset.Size.wingMass,
+                    GravityShare = preset.Size.gravityShare,
+                    IsLeft = side < 0f,
+                });
+            }
+        }
+    }
+}

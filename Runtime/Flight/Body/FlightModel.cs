@@ -1,0 +1,195 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>An insect as a body that flies: its wings, its mass and where the mass lies, its drag.</summary>
+    public sealed class FlightModel : IDisposable
+    {
+        /// <summary>Beats until the wings' mean places are steady, and beats that are averaged.</summary>
+        private const int k_SettledBeats = 4, k_MeanBeats = 1;
+
+        private const float k_Gravity = 9.81f;
+
+        /// <summary>Frontal area along the body counts for so much: a slender body drags less than its shadow.</summary>
+        private const float k_EndOnDrag = 0.4f;
+
+        /// <summary>Makes the model; flies the wings some beats on the spot to see where their mass lies on average.</summary>
+        /// <param name="wings">All wings, right and left.</param>
+        /// <param name="parts">Parts of the body.</param>
+        /// <param name="mass">Of the whole insect, kilograms.</param>
+        /// <param name="fluidDensity">kg/m³.</param>
+        /// <param name="gravityShare">Share of its weight that the insect has to carry, 0 to 1: 0 for a fish that floats.</param>
+        /// <exception cref="ArgumentException">No wings, no parts, a mass below that of the wings; names what and what is allowed.</exception>
+        public FlightModel(IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass, float fluidDensity, float gravityShare = 1f)
+        {
+            Check(wings, parts, mass);
+            foreach (FlightWing wing in wings)
+                wing.Rig.Retain();
+            Wings = wings;
+            Mass = mass;
+            GravityShare = gravityShare;
+            FluidDensity = fluidDensity;
+            foreach (FlightWing wing in wings)
+                Length = math.max(Length, wing.Length);
+            Frequency = wings[0].Parameters.maxFrequency;
+            var sum = new MassSum();
+            AddWings(sum);
+            AddParts(sum, parts, mass - sum.Mass);
+            Centre = sum.Centre;
+            Inertia = sum.Inertia;
+        }
+
+        /// <summary>All wings.</summary>
+        public IReadOnlyList<FlightWing> Wings { get; }
+
+        /// <summary>Of the whole insect, kilograms.</summary>
+        public float Mass { get; }
+
+        /// <summary>Share of its weight that the wings have to carry.</summary>
+        public float GravityShare { get; }
+
+        /// <summary>Of the air or water, kg/m³.</summary>
+        public float FluidDensity { get; }
+
+        /// <summary>Length of the longest wing, metres.</summary>
+        public float Length { get; }
+
+        /// <summary>F0: frequency of the parameters, hertz.</summary>
+        public float Frequency { get; }
+
+        /// <summary>Centre of mass from the middle of the thorax, metres.</summary>
+        public float3 Centre { get; }
+
+        /// <summary>About the centre of mass in body axes, kg m², wings at their mean places.</summary>
+        public float3x3 Inertia { get; }
+
+        /// <summary>½ρA along each axis, kg/m.</summary>
+        public float3 Drag { get; private set; }
+
+        /// <summary>Weight, N, as it would be in air.</summary>
+        public float Weight => Mass * k_Gravity;
+
+        /// <summary>Releases the rigs.</summary>
+        public void Dispose()
+        {
+            foreach (FlightWing wing in Wings)
+                wing.Rig.Release();
+        }
+
+        /// <summary>A body of this kind at rest.</summary>
+        internal FlyingBody CreateBody() => new FlyingBody
+        {
+            mass = Mass,
+            inertia = Inertia,
+            drag = Drag,
+            weight = new float3(0f, -k_Gravity * GravityShare, 0f),
+            gravity = new float3(0f, -k_Gravity, 0f),
+            frequency = Frequency,
+            length = Length,
+            rotation = quaternion.identity,
+        };
+
+        /// <summary>Adds a body with its wings to a world.</summary>
+        internal BodyHandle AddTo(WingWorld world, in FlyingBody body, List<WingHandle> handles)
+        {
+            BodyHandle handle = world.AddBody(body);
+            foreach (FlightWing wing in Wings)
+            {
+                WingHandle added = world.Add(wing.Rig, wing.Parameters);
+                world.Attach(added, handle, Place(wing));
+                handles.Add(added);
+            }
+
+            return handle;
+        }
+
+        /// <summary>How a wing sits on the body.</summary>
+        internal BodyWing Place(FlightWing wing) => new BodyWing
+        {
+            axes = wing.Axes,
+            handedness = wing.IsLeft ? -1f : 1f,
+            hinge = wing.Hinge - Centre,
+            length = wing.Length,
+            mass = wing.Mass,
+            gravityShare = wing.GravityShare,
+            side = wing.IsLeft ? -1f : 1f,
+        };
+
+        private void AddWings(MassSum sum)
+        {
+            using var world = new WingWorld();
+            var handles = new List<WingHandle>();
+            foreach (FlightWing wing in Wings)
+            {
+                handles.Add(world.Add(wing.Rig, wing.Parameters));
+                world.SetDrive(handles[handles.Count - 1], new WingDrive { frequency = wing.Parameters.maxFrequency, amplitude = 1f });
+            }
+
+            int substeps = Wings[0].Parameters.substepsPerBeat;
+            float h = 1f / (Frequency * substeps);
+            for (int k = 0; k < k_SettledBeats * substeps; k++)
+                world.Step(h);
+            int samples = k_MeanBeats * substeps;
+            for (int k = 0; k < samples; k++)
+            {
+                world.Step(h);
+                for (int wing = 0; wing < Wings.Count; wing++)
+                    Add(sum, Wings[wing], world.Read(handles[wing]), 1f / samples);
+            }
+        }
+
+        private static void Add(MassSum sum, FlightWing wing, in WingReading reading, float share)
+        {
+            for (int chain = 0; chain < reading.ChainCount; chain++)
+            {
+                for (int joint = 0; joint < reading.JointsPerChain; joint++)
+                {
+                    float3 place = wing.Hinge + wing.Length * math.mul(wing.Axes, reading.JointPosition(chain, joint));
+                    sum.Add(share * wing.Mass * wing.Rig.JointMasses[chain * reading.JointsPerChain + joint], place, default);
+                }
+            }
+        }
+
+        private void AddParts(MassSum sum, IReadOnlyList<BodyEllipsoid> parts, double mass)
+        {
+            double whole = 0.0;
+            foreach (BodyEllipsoid part in parts)
+                whole += part.share;
+            float3 area = default;
+            foreach (BodyEllipsoid part in parts)
+            {
+                float3 a = part.halfAxes;
+                sum.Add(mass * part.share / whole, part.centre, a);
+                area = math.max(area, new float3(0f, 0f, math.PI * a.x * a.y));
+                area += new float3(math.PI * a.y * a.z, math.PI * a.x * a.z, 0f);
+            }
+
+            // Parts stand behind one another seen from ahead, side by side seen from elsewhere.
+            Drag = 0.5f * FluidDensity * area * new float3(1f, 1f, k_EndOnDrag);
+        }
+
+        private static void Check(IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass)
+        {
+            if (wings == null || wings.Count == 0)
+                throw new ArgumentException("An insect without wings cannot fly: give it at least one right and one left wing.", nameof(wings));
+            if (parts == null || parts.Count == 0)
+                throw new ArgumentException("A body needs at least one part with mass.", nameof(parts));
+            float carried = 0f, shares = 0f;
+            foreach (FlightWing wing in wings)
+                carried += wing.Mass;
+            foreach (BodyEllipsoid part in parts)
+            {
+                shares += part.share;
+                if (!(part.share >= 0f) || !math.all((float3)part.halfAxes > 0f) || !math.all(math.isfinite((float3)part.centre)))
+                    throw new ArgumentException("A part of the body needs a finite centre, half axes above 0 and a share of at least 0.", nameof(parts));
+            }
+
+            if (!(shares > 0f))
+                throw new ArgumentException("The parts of the body have no mass: their shares must sum to more than 0.", nameof(parts));
+            if (!(mass > carried) || float.IsInfinity(mass))
+                throw new ArgumentException($"The insect's mass is {mass} kg; it must be finite and above that of its wings, {carried} kg.", nameof(mass));
+        }
+    }
+}

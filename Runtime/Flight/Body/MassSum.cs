@@ -1,0 +1,57 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>Sums masses to a total, a centre and an inertia, in double precision.</summary>
+    internal sealed class MassSum
+    {
+        private readonly double[] m_First = new double[3];
+        private readonly double[,] m_Second = new double[3, 3];
+
+        /// <summary>Kilograms so far.</summary>
+        public double Mass { get; private set; }
+
+        /// <summary>Adds an ellipsoid of even density; half axes of 0 are a point.</summary>
+        public void Add(double mass, float3 at, float3 halfAxes)
+        {
+            Mass += mass;
+            for (int i = 0; i < 3; i++)
+            {
+                m_First[i] += mass * at[i];
+                for (int j = 0; j < 3; j++)
+                    m_Second[i, j] += mass * at[i] * at[j];
+                m_Second[i, i] += mass * halfAxes[i] * halfAxes[i] / 5.0;
+            }
+        }
+
+        /// <summary>Centre of mass.</summary>
+        public float3 Centre => new float3((float)(m_First[0] / Mass), (float)(m_First[1] / Mass), (float)(m_First[2] / Mass));
+
+        /// <summary>Inertia about the centre of mass.</summary>
+        public float3x3 Inertia
+        {
+            get
+            {
+                var second = new double[3, 3];
+                double trace = 0.0;
+                for (int i = 0; i < 3; i++)
+                {
+                    for (int j = 0; j < 3; j++)
+                        second[i, j] = m_Second[i, j] - m_First[i] * m_First[j] / Mass;
+                    trace += second[i, i];
+                }
+
+                float3x3 inertia = default;
+                for (int j = 0; j < 3; j++)
+                {
+                    float3 column = default;
+                    for (int i = 0; i < 3; i++)
+                        column[i] = (float)((i == j ? trace : 0.0) - second[i, j]);
+                    inertia[j] = column;
+                }
+
+                return inertia;
+            }
+        }
+    }
+}

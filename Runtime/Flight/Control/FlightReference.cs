@@ -1,0 +1,135 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>
+    /// What the feedback follows, made of what a pilot wants: bounded acceleration, a filter, turns on an arc, a heading that crabs into the wind, speeds and climbs of the
+    /// table. Once a fixed step.
+    /// </summary>
+    public struct FlightReference
+    {
+        /// <summary>Largest change of velocity, m/s².</summary>
+        public const float Acceleration = 2.5f;
+
+        /// <summary>Seconds of the filters of velocity and wind.</summary>
+        private const float k_Filter = 0.1f;
+
+        /// <summary>Speed above which the insect looks along its way and turns on an arc, m/s.</summary>
+        private const float k_Cruising = 0.3f;
+
+        /// <summary>Fastest turn of the heading, rad/s, and rate at which it is approached, 1/s.</summary>
+        private const float k_MostTurning = 3f, k_Turning = 4f;
+
+        /// <summary>Fastest turn into a gust, rad/s, and seconds in which the heading of a fast insect gets to its course.</summary>
+        private const float k_MostCrabbing = 10f, k_Course = 0.03f;
+
+        /// <summary>Share of the table's top speed that the air speed may reach.</summary>
+        private const float k_Beyond = 1.1f;
+
+        private float3 m_Velocity, m_Rate;
+        private float m_Turning;
+
+        /// <summary>Velocity over ground, m/s.</summary>
+        public float3 Velocity => m_Velocity;
+
+        /// <summary>Heading, radians.</summary>
+        public float Heading { get; private set; }
+
+        /// <summary>Smoothed velocity of the air, m/s.</summary>
+        public float3 Wind { get; private set; }
+
+        /// <summary>Starts at a motion.</summary>
+        public FlightReference(float3 velocity, float heading, float3 wind)
+        {
+            m_Velocity = velocity;
+            m_Rate = default;
+            m_Turning = 0f;
+            Heading = heading;
+            Wind = wind;
+        }
+
+        /// <summary>Moves on by a step towards what is wanted.</summary>
+        /// <param name="wanted">Velocity over ground, m/s.</param>
+        /// <param name="heading">Wanted heading, radians; not a number follows the way.</param>
+        /// <param name="wind">Velocity of the air, m/s.</param>
+        /// <param name="table">Bounds of speed and climb.</param>
+        /// <param name="dt">Seconds.</param>
+        /// <returns>What the bodies' feedback follows within the step.</returns>
+        internal BodyReference Step(float3 wanted, float heading, float3 wind, TrimTable table, float dt)
+        {
+            if (!math.all(math.isfinite(wanted)))
+                wanted = default;
+            Wind += (1f - math.exp(-dt / k_Filter)) * (wind - Wind);
+            float3 target = Bounded(wanted, table);
+            target = OnAnArc(target);
+            float3 rate = (target - m_Velocity) * (1f / k_Filter);
+            float size = math.length(rate);
+            rate *= size > Acceleration ? Acceleration / size : 1f;
+            m_Rate = rate;
+            var reference = new BodyReference { velocity = m_Velocity, acceleration = rate };
+            Turn(heading, dt);
+            reference.heading = Heading;
+            reference.turning = m_Turning;
+            Heading += m_Turning * dt;
+            m_Velocity += rate * dt;
+
+            float3 air = m_Velocity - Wind;
+            math.sincos(Heading, out float sin, out float cos);
+            reference.airSpeed = air.x * sin + air.z * cos;
+            reference.climb = air.y;
+            return reference;
+        }
+
+        // Through the air the insect is not faster than its table, more wind carries it; climbs as far as the table closes.
+        private float3 Bounded(float3 wanted, TrimTable table)
+        {
+            float3 air = wanted - Wind;
+            float speed = math.length(air.xz);
+            float most = k_Beyond * table.TopSpeed;
+            if (speed > most)
+                air.xz *= most / speed;
+            table.Climbs(math.min(speed, most), out float least, out float fastest);
+            air.y = math.clamp(air.y, least, fastest);
+            return air + Wind;
+        }
+
+        // A fast insect does not fly sideways or backwards: its course turns no faster than its acceleration allows.
+        private float3 OnAnArc(float3 target)
+        {
+            float2 from = (m_Velocity - Wind).xz, to = (target - Wind).xz;
+            float speed = math.length(from), wanted = math.length(to);
+            if (speed < k_Cruising || wanted < 1e-3f)
+                return target;
+            float angle = math.atan2(from.y * to.x - from.x * to.y, math.dot(from, to));
+            float most = Acceleration / speed * k_Filter;
+            if (math.abs(angle) <= most)
+                return target;
+            math.sincos(math.clamp(angle, -most, most), out float sin, out float cos);
+            float2 along = from / speed;
+            float length = math.abs(angle) > 0.5f * math.PI ? math.max(wanted, k_Cruising) : wanted;
+            float2 turned = length * new float2(along.x * cos + along.y * sin, along.y * cos - along.x * sin);
+            return new float3(turned.x + Wind.x, target.y, turned.y + Wind.z);
+        }
+
+        private void Turn(float wanted, float dt)
+        {
+            float2 air = (m_Velocity - Wind).xz;
+            float speed = math.length(air);
+            float course = math.atan2(air.x, air.y);
+            if (speed > k_Cruising || (!math.isfinite(wanted) && speed > 0.5f * k_Cruising))
+                wanted = course;
+            float error = math.isfinite(wanted) ? Wrapped(wanted - Heading) : 0f;
+            if (speed > k_Cruising)
+            {
+                // The course is smooth already: a heading that lagged behind it would fly sideways through a gust.
+                m_Turning = math.clamp(error / math.max(dt, k_Course), -k_MostCrabbing, k_MostCrabbing);
+                return;
+            }
+
+            float turning = math.clamp(k_Turning * error, -k_MostTurning, k_MostTurning);
+            m_Turning += (1f - math.exp(-dt / k_Filter)) * (turning - m_Turning);
+        }
+
+        private static float Wrapped(float angle) => angle - 2f * math.PI * math.floor((angle + math.PI) / (2f * math.PI));
+    }
+}

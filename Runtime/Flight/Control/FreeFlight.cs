@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>One insect that flies by its own wings in a world of its own, step by step: for tools, tests and measurements. Metres, seconds, kilograms.</summary>
+    public sealed class FreeFlight : IDisposable
+    {
+        /// <summary>Attitude error beyond which the body tumbles.</summary>
+        private const float k_Tumbling = 70f * math.PI / 180f;
+
+        /// <summary>Beats until wings at rest are settled on the trim's beat.</summary>
+        private const int k_SettledBeats = 4;
+
+        private readonly FlightModel m_Model;
+        private readonly TrimTable m_Table;
+        private readonly WingWorld m_World = new WingWorld();
+        private readonly List<WingHandle> m_Wings = new List<WingHandle>();
+        private readonly BodyHandle m_Body;
+        private FlightReference m_Reference;
+
+        /// <summary>Starts in the trim of a condition, looking along a heading, at the origin.</summary>
+        /// <param name="model">The insect; must live as long as the flight.</param>
+        /// <param name="table">Its trims.</param>
+        /// <param name="start">Speed and climb to start with.</param>
+        /// <param name="heading">Radians about the world's up.</param>
+        public FreeFlight(FlightModel model, TrimTable table, FlightCondition start = default, float heading = 0f)
+        {
+            m_Model = model;
+            m_Table = table;
+            FlyingBody body = model.CreateBody();
+            body.mode = BodyMode.Held;
+            body.steered = 1;
+            body.table = table.View;
+            math.sincos(heading, out float sin, out float cos);
+            var velocity = new float3(sin * start.Speed, start.Climb, cos * start.Speed);
+            body.reference = new BodyReference { velocity = velocity, heading = heading, airSpeed = start.Speed, climb = start.Climb };
+            m_Reference = new FlightReference(velocity, heading, default);
+            m_Body = model.AddTo(m_World, body, m_Wings);
+            Settle();
+        }
+
+        /// <summary>Velocity of the air, m/s.</summary>
+        public float3 Wind { get; set; }
+
+        /// <summary>Outer help towards the wanted velocity and attitude, 0 to 1; 0 flies by the wings alone.</summary>
+        public float Aid { get; set; }
+
+        /// <summary>Seconds flown.</summary>
+        public double Time { get; private set; }
+
+        /// <summary>Centre of mass, metres.</summary>
+        public float3 Position => Body.position;
+
+        /// <summary>Rotation of the body, X right, Y up, Z ahead.</summary>
+        public quaternion Rotation => Body.rotation;
+
+        /// <summary>Velocity, m/s.</summary>
+        public float3 Velocity => Body.velocity;
+
+        /// <summary>Angular velocity about the world's axes, rad/s.</summary>
+        public float3 AngularVelocity => math.rotate(Body.rotation, Body.spin);
+
+        /// <summary>Force of air and aid on the insect, mean over the last step, N along the world's axes: rate of its momentum less its weight.</summary>
+        public float3 Force => Body.force;
+
+        /// <summary>Moment of the wings' air about the centre of mass, mean over the last step, N m in body axes.</summary>
+        public float3 Moment => Body.moment;
+
+        /// <summary>Power of the aid in the last substep, W.</summary>
+        public float AidPower => Body.aidPower;
+
+        /// <summary>Beats latched.</summary>
+        public int Beats => Body.beats;
+
+        /// <summary>Velocity less the bob, relative to the reference, at the last beat, m/s along the heading's axes.</summary>
+        public float3 VelocityError => Body.velocityError;
+
+        /// <summary>Commands that were clipped at the last beat.</summary>
+        public int ClippedCommands => Body.clipped;
+
+        /// <summary>What the feedback follows.</summary>
+        public FlightReference Reference => m_Reference;
+
+        /// <summary>What the insect does.</summary>
+        public FlightState State => math.length(Body.turnError) > k_Tumbling ? FlightState.Tumbling : FlightState.Flying;
+
+        /// <summary>What the insect can do.</summary>
+        public FlightLimits Limits => m_Table.Limits;
+
+        /// <summary>The wings' world, to read them.</summary>
+        public WingWorld World => m_World;
+
+        /// <summary>All wings, in the order of the model.</summary>
+        public IReadOnlyList<WingHandle> Wings => m_Wings;
+
+        private ref FlyingBody Body => ref m_World.Body(m_Body);
+
+        /// <summary>What a pilot is told.</summary>
+        /// <param name="dt">Seconds of the coming step.</param>
+        public FlightSituation Situation(float dt) => new FlightSituation
+        {
+            position = Position,
+            rotation = Rotation,
+            velocity = Velocity,
+            angularVelocity = AngularVelocity,
+            wind = m_Reference.Wind,
+            referenceVelocity = m_Reference.Velocity,
+            heading = m_Reference.Heading,
+            state = State,
+            limits = Limits,
+            time = Time,
+            deltaTime = dt,
+            wingLength = m_Model.Length,
+            unitsPerMetre = 1f,
+        };
+
+        /// <summary>Flies a step towards a command.</summary>
+        public void Step(in FlightCommand command, float dt)
+        {
+            ref FlyingBody body = ref Body;
+            body.wind = Wind;
+            body.aid = math.saturate(Aid);
+            body.reference = m_Reference.Step(command.velocity, command.heading, Wind, m_Table, dt);
+            m_World.Step(dt);
+            Time += dt;
+        }
+
+        /// <inheritdoc/>
+        public void Dispose() => m_World.Dispose();
+
+        private void Settle()
+        {
+            BodyReference reference = Body.reference;
+            float[] point = m_Table.PointNear(reference.airSpeed, reference.climb);
+            foreach (WingHandle wing in m_Wings)
+            {
+                m_World.SetDrive(wing, new WingDrive
+                {
+                    frequency = point[TrimPoint.Drive],
+                    amplitude = point[TrimPoint.Drive + 1],
+                    tilt = point[TrimPoint.Drive + 2],
+                    meanSweep = point[TrimPoint.Drive + 3],
+                });
+                m_World.Reset(wing);
+            }
+
+            float h = 1f / (20f * point[TrimPoint.Drive]);
+            for (int k = 0; k < 20 * k_SettledBeats; k++)
+                m_World.Step(h);
+            m_World.PlaceOnBob(m_Body);
+            Body.mode = BodyMode.Free;
+        }
+    }
+}

@@ -1,0 +1,187 @@
+using System;
+using System.Collections.Generic;
+
+namespace Alate.Flight
+{
+    /// <summary>Makes the trim table of an insect: trims, their bobs, the gains, and a second round from where the insect really flies by them.</summary>
+    public sealed class TrimBake
+    {
+        /// <summary>Speeds and climbs of a table, m/s.</summary>
+        public static readonly IReadOnlyList<float> DefaultSpeeds = new[] { 0f, 0.3f, 0.65f, 1f, 1.3f }, DefaultClimbs = new[] { -0.3f, 0f, 0.3f };
+
+        /// <summary>Rounds in which points that did not close are tried from neighbours that did.</summary>
+        private const int k_Rounds = 3;
+
+        /// <summary>Cost of a trim that needs no other one to be looked for.</summary>
+        private const double k_Fair = 6;
+
+        private static readonly (int, int)[] s_Neighbours = { (0, -1), (0, 1), (1, 0), (-1, 0) };
+
+        private readonly FlightModel m_Model;
+
+        /// <param name="model">The insect.</param>
+        public TrimBake(FlightModel model) => m_Model = model;
+
+        /// <summary>What is told while the table is made, a line a point; null tells nobody.</summary>
+        public Action<string> Log { get; set; }
+
+        /// <summary>Makes the table.</summary>
+        /// <returns>The table; null where no point closes, see <see cref="Problem"/>.</returns>
+        public TrimTable Bake(IReadOnlyList<float> speeds = null, IReadOnlyList<float> climbs = null)
+        {
+            var table = new TrimTable(Copy(speeds ?? DefaultSpeeds), Copy(climbs ?? DefaultClimbs));
+            using var solver = new TrimSolver(m_Model);
+            using var tunnel = new FlightTunnel(m_Model, BeatMap.Insects);
+            TrimState[,] trims = Trims(solver, table);
+            for (int s = 0; s < table.Speeds.Length; s++)
+            {
+                for (int c = 0; c < table.ClimbRates.Length; c++)
+                {
+                    if (trims[s, c] != null)
+                        Add(table, s, c, new FlightCondition(table.Speeds[s], table.ClimbRates[c]), trims[s, c], tunnel);
+                }
+            }
+
+            return table.Fill() ? table : null;
+        }
+
+        /// <summary>Trims over speeds and climbs, each also tried from its neighbours'; null where none closes.</summary>
+        internal TrimState[,] Trims(TrimSolver solver, TrimTable table)
+        {
+            int speeds = table.Speeds.Length, climbs = table.ClimbRates.Length;
+            var trims = new TrimState[speeds, climbs];
+            var problems = new string[speeds, climbs];
+            bool again = true;
+            for (int round = 0; round < k_Rounds && again; round++)
+            {
+                again = false;
+                for (int s = 0; s < speeds; s++)
+                {
+                    foreach (int c in FromLevel(table.ClimbRates))
+                    {
+                        if ((trims[s, c] == null || round == 1 && TrimSolver.Cost(trims[s, c], new FlightCondition(table.Speeds[s], table.ClimbRates[c])) > k_Fair) && Close(solver, table, trims, problems, s, c, round))
+                            again = true;
+                    }
+                }
+            }
+
+            foreach (string problem in problems)
+            {
+                Problem = problem ?? Problem;
+                if (problem != null)
+                    Log?.Invoke(problem);
+            }
+
+            return trims;
+        }
+
+        private static bool Close(TrimSolver solver, TrimTable table, TrimState[,] trims, string[,] problems, int s, int c, int round)
+        {
+            var condition = new FlightCondition(table.Speeds[s], table.ClimbRates[c]);
+            var starts = new List<TrimState>();
+            if (round == 0)
+            {
+                starts.Add(new TrimState());
+                starts.Add(TrimState.Tilted());
+            }
+
+            foreach ((int ds, int dc) in s_Neighbours)
+            {
+                int ns = s + ds, nc = c + dc;
+                if (ns >= 0 && nc >= 0 && ns < trims.GetLength(0) && nc < trims.GetLength(1) && trims[ns, nc] != null)
+                    starts.Add(trims[ns, nc]);
+            }
+
+            double least = trims[s, c] == null ? double.PositiveInfinity : TrimSolver.Cost(trims[s, c], condition);
+            foreach (TrimState start in starts)
+            {
+                TrimState trim = solver.Solve(condition, start, out double[] residual);
+                if (!(Norm(residual) < TrimSolver.Closed))
+                {
+                    problems[s, c] ??= Missing(condition, residual);
+                    continue;
+                }
+
+                double cost = TrimSolver.Cost(trim, condition);
+                if (!(cost < least))
+                    continue;
+                least = cost;
+                trims[s, c] = trim;
+                if (cost < k_Fair)
+                    break;
+            }
+
+            if (trims[s, c] != null)
+                problems[s, c] = null;
+            return trims[s, c] != null;
+        }
+
+        /// <summary>What is missing at a point that did not close; null where all did.</summary>
+        public string Problem { get; private set; }
+
+        private void Add(TrimTable table, int s, int c, in FlightCondition condition, TrimState trim, FlightTunnel tunnel)
+        {
+            float[] point = Gains(trim, condition, tunnel);
+            if (point == null)
+            {
+                Log?.Invoke($"{condition}: no gains hold the insect.");
+                return;
+            }
+
+            for (int round = 0; round < 2; round++)
+            {
+                TrimState flown = FlownTrim.Fly(m_Model, point, trim, condition, out string lost);
+                if (flown == null)
+                {
+                    Log?.Invoke($"{condition}: {lost}");
+                    if (round == 0)
+                        return;
+                    break;
+                }
+
+                float[] better = Gains(flown, condition, tunnel);
+                if (better == null)
+                    break;
+                trim = flown;
+                point = better;
+            }
+
+            table.Set(s, c, point);
+            Log?.Invoke(FormattableString.Invariant(
+                $"{condition}: pitch {Degrees(trim.Pitch):0.0}° ±{Degrees(trim.PitchBob):0.0}°, {trim.FrequencyScale * m_Model.Frequency:0.00} Hz, amplitude {trim.AmplitudeScale:0.000}, tilt {Degrees(trim.Tilt):0.0}°, sweep {Degrees(trim.MeanSweep):0.0}°"));
+        }
+
+        private float[] Gains(TrimState trim, in FlightCondition condition, FlightTunnel tunnel)
+        {
+            var point = new float[TrimPoint.Floats];
+            trim.Write(point, m_Model.Frequency);
+            return FlightGains.Write(BeatMap.Fly(tunnel, m_Model, trim, condition), point) ? point : null;
+        }
+
+        private static string Missing(in FlightCondition condition, double[] residual) => residual == null
+            ? $"{condition}: the trim does not settle."
+            : FormattableString.Invariant($"{condition}: does not close; lift is {1 + residual[0]:0.00} of the weight, thrust {residual[1]:0.00}, pitching moment {residual[2]:0.000} of weight times wing length.");
+
+        private static double Norm(double[] r) => r == null ? double.PositiveInfinity : Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
+
+        private static IEnumerable<int> FromLevel(float[] climbs)
+        {
+            var order = new List<int>();
+            for (int k = 0; k < climbs.Length; k++)
+                order.Add(k);
+            order.Sort((a, b) => Math.Abs(climbs[a]).CompareTo(Math.Abs(climbs[b])));
+            return order;
+        }
+
+        private static float[] Copy(IReadOnlyList<float> list)
+        {
+            var copy = new float[list.Count];
+            for (int k = 0; k < copy.Length; k++)
+                copy[k] = list[k];
+            Array.Sort(copy);
+            return copy;
+        }
+
+        private static double Degrees(double radians) => radians * 180 / Math.PI;
+    }
+}

@@ -1,0 +1,107 @@
+using System;
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>Attitude and beat that may carry an insect: pitch, frequency, amplitude, tilt and mean sweep, and the bob of the body in the beat.</summary>
+    public sealed class TrimState
+    {
+        internal const int Unknowns = 5;
+
+        private static readonly double[] s_Least = { Degrees(-20), 0.85, 0.55, Degrees(-40), Degrees(-30) };
+        private static readonly double[] s_Most = { Degrees(88), 1.20, 1.25, Degrees(60), Degrees(30) };
+
+        /// <summary>Pitch, radians; f/F0; factor of the amplitude; tilt and mean sweep, radians.</summary>
+        internal readonly double[] z = { Degrees(45), 1, 1, 0, 0 };
+
+        /// <summary>[coordinate][harmonic] cosine, sine, as in <see cref="TrimPoint"/>.</summary>
+        internal readonly double[] bob = new double[2 * TrimPoint.Harmonics * TrimPoint.Bobbing];
+
+        /// <summary>Pitch of the body, radians, nose up.</summary>
+        public double Pitch => z[0];
+
+        /// <summary>Frequency over that of the parameters.</summary>
+        public double FrequencyScale => z[1];
+
+        /// <summary>Factor on the amplitudes of the parameters.</summary>
+        public double AmplitudeScale => z[2];
+
+        /// <summary>Tilt of the stroke plane, radians, nose up.</summary>
+        public double Tilt => z[3];
+
+        /// <summary>Middle of the stroke ahead, radians.</summary>
+        public double MeanSweep => z[4];
+
+        /// <summary>Half of what the pitch bobs by in a beat, radians.</summary>
+        public double PitchBob
+        {
+            get
+            {
+                double least = 0, most = 0;
+                for (int step = 0; step < 90; step++)
+                {
+                    double sum = 0;
+                    for (int k = 0; k < TrimPoint.Harmonics; k++)
+                    {
+                        double at = 2 * Math.PI * step / 90 * (k + 1);
+                        int place = 2 * (2 * TrimPoint.Harmonics + k);
+                        sum += bob[place] * Math.Cos(at) + bob[place + 1] * Math.Sin(at);
+                    }
+
+                    least = Math.Min(least, sum);
+                    most = Math.Max(most, sum);
+                }
+
+                return 0.5 * (most - least);
+            }
+        }
+
+        /// <summary>A start for slow flight: steep, with a tilted stroke.</summary>
+        internal static TrimState Tilted()
+        {
+            var state = new TrimState();
+            state.z[0] = Degrees(58);
+            state.z[1] = 0.95;
+            state.z[2] = 0.9;
+            state.z[3] = Degrees(40);
+            return state;
+        }
+
+        /// <summary>A copy.</summary>
+        public TrimState Copy()
+        {
+            var copy = new TrimState();
+            Array.Copy(z, copy.z, z.Length);
+            Array.Copy(bob, copy.bob, bob.Length);
+            return copy;
+        }
+
+        /// <summary>Least and most of an unknown.</summary>
+        internal static double Least(int unknown) => s_Least[unknown];
+
+        internal static double Most(int unknown) => s_Most[unknown];
+
+        /// <summary>Writes the state into a point of a table.</summary>
+        internal void Write(float[] point, float frequency)
+        {
+            point[TrimPoint.Pitch] = (float)z[0];
+            point[TrimPoint.Drive] = (float)(z[1] * frequency);
+            point[TrimPoint.Drive + 1] = (float)z[2];
+            point[TrimPoint.Drive + 2] = (float)z[3];
+            point[TrimPoint.Drive + 3] = (float)z[4];
+            for (int k = 0; k < bob.Length; k++)
+                point[TrimPoint.Bob + k] = (float)bob[k];
+        }
+
+        /// <summary>The beat of a wing.</summary>
+        internal WingDrive Drive(float frequency) => new WingDrive
+        {
+            frequency = (float)(z[1] * frequency),
+            amplitude = (float)z[2],
+            tilt = (float)z[3],
+            meanSweep = (float)z[4],
+        };
+
+        private static double Degrees(double degrees) => degrees * math.PI / 180.0;
+    }
+}

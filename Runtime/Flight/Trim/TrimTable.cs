@@ -1,0 +1,168 @@
+using System;
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>Trims, bobs and gains of an insect over speeds and climbs: what its flight goes by. Points that do not close hold their nearest neighbour's numbers.</summary>
+    public sealed class TrimTable : IDisposable
+    {
+        private readonly float[][] m_Points;
+        private readonly bool[] m_Closed;
+        private TrimTableMemory m_Memory;
+
+        internal TrimTable(float[] speeds, float[] climbs)
+        {
+            Speeds = speeds;
+            ClimbRates = climbs;
+            m_Points = new float[speeds.Length * climbs.Length][];
+            m_Closed = new bool[m_Points.Length];
+        }
+
+        /// <summary>Speeds ahead, m/s, ascending. Do not change.</summary>
+        public float[] Speeds { get; }
+
+        /// <summary>Climbs, m/s, ascending. Do not change.</summary>
+        public float[] ClimbRates { get; }
+
+        /// <summary>Fastest speed at which some climb closes, m/s.</summary>
+        public float TopSpeed
+        {
+            get
+            {
+                float top = 0f;
+                for (int s = 0; s < Speeds.Length; s++)
+                {
+                    for (int c = 0; c < ClimbRates.Length; c++)
+                        top = m_Closed[At(s, c)] ? math.max(top, Speeds[s]) : top;
+                }
+
+                return top;
+            }
+        }
+
+        /// <summary>Whether the insect flies at a point.</summary>
+        public bool IsClosed(int speed, int climb) => m_Closed[At(speed, climb)];
+
+        /// <summary>Slowest and fastest climb at a speed, m/s.</summary>
+        public void Climbs(float speed, out float least, out float most)
+        {
+            int s = 0;
+            while (s < Speeds.Length - 2 && speed > Speeds[s + 1])
+                s++;
+            int next = math.min(s + 1, Speeds.Length - 1);
+            float width = Speeds[next] - Speeds[s];
+            float blend = width > 0f ? math.saturate((speed - Speeds[s]) / width) : 0f;
+            Ends(s, out float least0, out float most0);
+            Ends(next, out float least1, out float most1);
+            least = math.lerp(least0, least1, blend);
+            most = math.lerp(most0, most1, blend);
+        }
+
+        /// <summary>What the insect can do.</summary>
+        public FlightLimits Limits => new FlightLimits(TopSpeed, ClimbRates[0], ClimbRates[ClimbRates.Length - 1], FlightReference.Acceleration);
+
+        /// <summary>The point nearest to a speed and a climb.</summary>
+        internal float[] PointNear(float speed, float climb)
+        {
+            int s = 0, c = 0;
+            for (int k = 1; k < Speeds.Length; k++)
+                s = math.abs(Speeds[k] - speed) < math.abs(Speeds[s] - speed) ? k : s;
+            for (int k = 1; k < ClimbRates.Length; k++)
+                c = math.abs(ClimbRates[k] - climb) < math.abs(ClimbRates[c] - climb) ? k : c;
+            return m_Points[At(s, c)];
+        }
+
+        /// <summary>The table in native memory; made at the first use.</summary>
+        internal TrimTableView View
+        {
+            get
+            {
+                if (m_Memory == null)
+                {
+                    m_Memory = new TrimTableMemory(Speeds, ClimbRates);
+                    for (int s = 0; s < Speeds.Length; s++)
+                    {
+                        for (int c = 0; c < ClimbRates.Length; c++)
+                            m_Memory.Write(s, c, m_Points[At(s, c)]);
+                    }
+                }
+
+                return m_Memory.View;
+            }
+        }
+
+        /// <summary>A point's numbers, as <see cref="TrimPoint"/> says.</summary>
+        internal float[] Point(int speed, int climb) => m_Points[At(speed, climb)];
+
+        /// <summary>Takes a point that closes.</summary>
+        internal void Set(int speed, int climb, float[] point)
+        {
+            m_Points[At(speed, climb)] = point;
+            m_Closed[At(speed, climb)] = true;
+        }
+
+        /// <summary>Gives the points that do not close their nearest neighbour's numbers.</summary>
+        /// <returns>Whether any point closes.</returns>
+        internal bool Fill()
+        {
+            bool any = false;
+            for (int s = 0; s < Speeds.Length; s++)
+            {
+                for (int c = 0; c < ClimbRates.Length; c++)
+                {
+                    any |= m_Closed[At(s, c)];
+                    if (!m_Closed[At(s, c)])
+                        m_Points[At(s, c)] = Nearest(s, c);
+                }
+            }
+
+            return any;
+        }
+
+        /// <summary>Frees the native memory; a table that is used again makes it again.</summary>
+        public void Dispose()
+        {
+            m_Memory?.Dispose();
+            m_Memory = null;
+        }
+
+        private float[] Nearest(int speed, int climb)
+        {
+            float[] nearest = null;
+            float least = float.PositiveInfinity;
+            for (int s = 0; s < Speeds.Length; s++)
+            {
+                for (int c = 0; c < ClimbRates.Length; c++)
+                {
+                    float distance = 4f * math.abs(Speeds[s] - Speeds[speed]) + math.abs(ClimbRates[c] - ClimbRates[climb]);
+                    if (m_Closed[At(s, c)] && distance < least)
+                    {
+                        least = distance;
+                        nearest = m_Points[At(s, c)];
+                    }
+                }
+            }
+
+            return nearest;
+        }
+
+        private void Ends(int speed, out float least, out float most)
+        {
+            least = float.PositiveInfinity;
+            most = float.NegativeInfinity;
+            for (int c = 0; c < ClimbRates.Length; c++)
+            {
+                if (m_Closed[At(speed, c)])
+                {
+                    least = math.min(least, ClimbRates[c]);
+                    most = math.max(most, ClimbRates[c]);
+                }
+            }
+
+            if (least > most)
+                least = most = 0f;
+        }
+
+        private int At(int speed, int climb) => speed * ClimbRates.Length + climb;
+    }
+}

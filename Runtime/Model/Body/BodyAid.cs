@@ -1,0 +1,57 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// Help from outside for an insect that a gust has thrown about: towards the wanted velocity and attitude, only beyond 30° and 0.4 m/s, bounded by the weight, and
+    /// reported.
+    /// </summary>
+    internal static unsafe class BodyAid
+    {
+        /// <summary>Errors below which there is no aid, radians and m/s.</summary>
+        private const float k_Turn = math.PI / 6f, k_Velocity = 0.4f;
+
+        /// <summary>Stiffness and damping of the moment over the inertia, s⁻² and s⁻¹; rate of the force over the mass, s⁻¹.</summary>
+        private const float k_Stiffness = 144f, k_Damping = 24f, k_Rate = 4f;
+
+        /// <summary>Bounds over the weight (and a wing's length).</summary>
+        private const float k_MostMoment = 0.3f, k_MostForce = 0.5f;
+
+        private const float k_Gravity = 9.81f;
+
+        /// <summary>Fills force (world axes) and moment (body axes).</summary>
+        public static void Evaluate(ref FlyingBody body, float phase)
+        {
+            body.aidForce = body.aidMoment = default;
+            if (!(body.aid > 0f))
+                return;
+            float* point = stackalloc float[TrimPoint.Floats];
+            body.table.Read(body.reference.airSpeed, body.reference.climb, point);
+            FlyingBody seen = body;
+            BodyFeedback.Errors(ref seen, point, BodyBob.At(point, phase));
+            quaternion heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
+            float weight = body.mass * k_Gravity;
+            float3 dv = Beyond(seen.velocityError, k_Velocity), e = Beyond(seen.turnError, k_Turn);
+            body.aidForce = body.aid * Bounded(math.rotate(heading, dv) * (-k_Rate * body.mass), k_MostForce * weight);
+            if (math.any(e != 0f))
+            {
+                float3 turn = math.rotate(math.conjugate(body.rotation), math.rotate(heading, k_Stiffness * e + k_Damping * seen.rateError));
+                body.aidMoment = body.aid * Bounded(-math.mul(body.inertia, turn), k_MostMoment * weight * body.length);
+            }
+
+            body.aidPower += math.dot(body.aidForce, body.velocity) + math.dot(body.aidMoment, body.spin);
+        }
+
+        private static float3 Beyond(float3 error, float bound)
+        {
+            float size = math.length(error);
+            return size > bound ? error * (1f - bound / size) : default;
+        }
+
+        private static float3 Bounded(float3 value, float most)
+        {
+            float size = math.length(value);
+            return size > most ? value * (most / size) : value;
+        }
+    }
+}

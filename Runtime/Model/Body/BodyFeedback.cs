@@ -1,0 +1,107 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>
+    /// Feedback once a beat, sampled just before the wings latch the next one: errors of velocity, attitude and rates against the reference, less the periodic bob of this
+    /// phase, times gains of the trim table's point, make the commands of the next beat. Acts through the wings alone.
+    /// </summary>
+    internal static unsafe class BodyFeedback
+    {
+        /// <summary>Errors of velocity count no more than this, m/s.</summary>
+        private const float k_MostError = 0.5f;
+
+        /// <summary>Bound of the integral, metres.</summary>
+        private const float k_MostIntegral = 1f;
+
+        private const float k_Gravity = 9.81f;
+
+        /// <summary>Samples the body at a phase and makes the commands; writes the drive of each wing.</summary>
+        public static void Sample(ref FlyingBody body, float phase, float* point)
+        {
+            BodyBob bob = BodyBob.At(point, phase);
+            Errors(ref body, point, bob);
+            float speed = math.length(body.velocityError);
+            float3 dv = body.velocityError * (speed > k_MostError ? k_MostError / speed : 1f);
+            float3 lean = new float3(0f, 0f, -LateralAcceleration(body.reference) / k_Gravity);
+            float3 e = body.turnError - lean, w = body.rateError, i = body.integral;
+            if (body.clipped == 0 && speed < k_MostError)
+                body.integral = math.clamp(body.integral + dv * body.sinceSample, -k_MostIntegral, k_MostIntegral);
+            body.sinceSample = 0f;
+            float* states = stackalloc float[TrimPoint.LongStates];
+            states[0] = dv.y;
+            states[1] = dv.z;
+            states[2] = e.x;
+            states[3] = w.x;
+            states[4] = i.y;
+            states[5] = i.z;
+            for (int k = 0; k < TrimPoint.LongCommands; k++)
+                states[6 + k] = body.last[k];
+            float* side = stackalloc float[TrimPoint.SideStates];
+            side[0] = dv.x;
+            side[1] = e.y;
+            side[2] = e.z;
+            side[3] = w.y;
+            side[4] = w.z;
+            side[5] = i.x;
+            for (int k = 0; k < TrimPoint.SideCommands; k++)
+                side[6 + k] = body.last[TrimPoint.LongCommands + k];
+
+            body.clipped = 0;
+            Command(ref body, point + TrimPoint.LongGains, states, 0, TrimPoint.LongCommands, TrimPoint.LongStates);
+            Command(ref body, point + TrimPoint.SideGains, side, TrimPoint.LongCommands, TrimPoint.SideCommands, TrimPoint.SideStates);
+        }
+
+        /// <summary>Drive of a wing by the point's trim and the last commands.</summary>
+        public static WingDrive Drive(in FlyingBody body, float* point, float side)
+        {
+            fixed (float* last = body.last)
+            {
+                return new WingDrive
+                {
+                    frequency = math.clamp(point[TrimPoint.Drive] + last[0] * FlightCommands.Unit(0, body.frequency), 0.1f, 1000f),
+                    amplitude = math.clamp(point[TrimPoint.Drive + 1] + last[1] * FlightCommands.Unit(1, 0f) + side * last[4] * FlightCommands.Unit(4, 0f), 0f, 2f),
+                    tilt = point[TrimPoint.Drive + 2] + last[2] * FlightCommands.Unit(2, 0f),
+                    meanSweep = point[TrimPoint.Drive + 3] + last[3] * FlightCommands.Unit(3, 0f),
+                    meanFeather = side * last[5] * FlightCommands.Unit(5, 0f),
+                };
+            }
+        }
+
+        /// <summary>Errors along the heading's axes against reference, trim and bob.</summary>
+        public static void Errors(ref FlyingBody body, float* point, in BodyBob bob)
+        {
+            quaternion heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading), back = math.conjugate(heading);
+            quaternion trimmed = math.mul(heading, quaternion.AxisAngle(new float3(1f, 0f, 0f), -point[TrimPoint.Pitch]));
+            float3 turned = BodyMotion.Log(math.mul(body.rotation, math.conjugate(trimmed)));
+            body.velocityError = math.rotate(back, body.velocity - body.reference.velocity) - bob.velocity;
+            body.turnError = math.rotate(back, turned) - new float3(bob.turn, 0f, 0f);
+            body.rateError = math.rotate(back, math.rotate(body.rotation, body.spin)) - new float3(bob.rate, body.reference.turning, 0f);
+        }
+
+        /// <summary>Acceleration of the reference to the right of its heading, m/s².</summary>
+        private static float LateralAcceleration(in BodyReference reference)
+        {
+            math.sincos(reference.heading, out float sin, out float cos);
+            return reference.acceleration.x * cos - reference.acceleration.z * sin;
+        }
+
+        private static void Command(ref FlyingBody body, float* gains, float* states, int first, int commands, int count)
+        {
+            float* made = stackalloc float[TrimPoint.LongCommands];
+            for (int k = 0; k < commands; k++)
+            {
+                float sum = 0f;
+                for (int s = 0; s < count; s++)
+                    sum -= gains[k * count + s] * states[s];
+                float limit = FlightCommands.Limit(first + k);
+                made[k] = math.clamp(sum, -limit, limit);
+                if (made[k] != sum)
+                    body.clipped++;
+            }
+
+            for (int k = 0; k < commands; k++)
+                body.last[first + k] = made[k];
+        }
+    }
+}

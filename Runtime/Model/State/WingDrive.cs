@@ -1,0 +1,27 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>One beat of one wing as a flight controller commands it; takes effect at the next beat and is glided into over the first half of it.</summary>
+    public struct WingDrive
+    {
+        /// <summary>Frequency, hertz, 0.1 to 1000.</summary>
+        public float frequency;
+
+        /// <summary>Factor on the wing's amplitudes, 0 to 2.</summary>
+        public float amplitude;
+
+        /// <summary>Radians by which the middle of the stroke is swept ahead.</summary>
+        public float meanSweep;
+
+        /// <summary>Radians by which the wing is feathered in the middle of the stroke, nose down.</summary>
+        public float meanFeather;
+
+        /// <summary>Radians by which the stroke plane is tilted, nose up.</summary>
+        public float tilt;
+
+        /// <summary>Whether the wing can beat so.</summary>
+        internal bool IsValid => frequency >= 0.1f && frequency <= 1000f && amplitude >= 0f && amplitude <= 2f
+            && math.all(math.abs(new float3(meanSweep, meanFeather, tilt)) <= 0.5f * math.PI);
+    }
+}

@@ -1,0 +1,226 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>The flying bodies of a world in native memory, the wings that carry each, and the groups of packs that they tie together.</summary>
+    internal sealed unsafe class BodyTable : IDisposable
+    {
+        private readonly List<BodyEntry> m_Entries = new List<BodyEntry>();
+        private readonly Stack<int> m_Free = new Stack<int>();
+        private int m_NextVersion = 1, m_Capacity;
+        private FlyingBody* m_Bodies;
+        private NativeArray<BodyWing> m_Wings;
+        private NativeArray<PackGroup> m_Groups;
+        private NativeArray<int> m_Lists;
+        private int[] m_Parents = Array.Empty<int>();
+        private int m_PackCount;
+
+        /// <summary>Bodies in use.</summary>
+        public int Count => m_Entries.Count - m_Free.Count;
+
+        /// <summary>Groups of the last layout.</summary>
+        public int GroupCount { get; private set; }
+
+        /// <summary>Adds a body without wings.</summary>
+        public BodyHandle Add(in FlyingBody body)
+        {
+            int index = m_Free.Count > 0 ? m_Free.Pop() : m_Entries.Count;
+            if (index == m_Entries.Count)
+                m_Entries.Add(null);
+            Reserve(m_Entries.Count);
+            m_Entries[index] = new BodyEntry { version = m_NextVersion++ };
+            m_Bodies[index] = body;
+            m_Bodies[index].used = 1;
+            m_Bodies[index].wingCount = 0;
+            return new BodyHandle(index, m_Entries[index].version);
+        }
+
+        /// <summary>Lets a wing carry a body.</summary>
+        public void Attach(BodyHandle body, WingEntry wing, in BodyWing place)
+        {
+            m_Entries[body.index].wings.Add(wing);
+            m_Entries[body.index].places.Add(place);
+            wing.body = body.index + 1;
+        }
+
+        /// <summary>The wing whose beat a body's feedback goes by.</summary>
+        public WingEntry FirstWing(BodyHandle body) => m_Entries[body.index].wings[0];
+
+        /// <summary>Takes a body out; its wings carry nothing.</summary>
+        public void Remove(BodyHandle body)
+        {
+            foreach (WingEntry wing in m_Entries[body.index].wings)
+                wing.body = 0;
+            m_Entries[body.index] = null;
+            m_Bodies[body.index] = default;
+            m_Free.Push(body.index);
+        }
+
+        /// <summary>Takes a wing off the body that it carries.</summary>
+        public void Detach(WingEntry wing)
+        {
+            if (wing.body == 0)
+                return;
+            BodyEntry entry = m_Entries[wing.body - 1];
+            int at = entry.wings.IndexOf(wing);
+            entry.wings.RemoveAt(at);
+            entry.places.RemoveAt(at);
+            wing.body = 0;
+        }
+
+        /// <summary>Whether there is such a body.</summary>
+        public bool Contains(BodyHandle body) => !body.IsNone && body.index < m_Entries.Count && m_Entries[body.index]?.version == body.version;
+
+        /// <summary>A body; valid until the next one is added.</summary>
+        public ref FlyingBody this[BodyHandle body] => ref m_Bodies[body.index];
+
+        /// <summary>Joins packs and bodies to groups, after wings came, went or moved.</summary>
+        public void Layout(IReadOnlyList<PackMemory> packs)
+        {
+            m_PackCount = packs.Count;
+            int wings = 0;
+            foreach (BodyEntry entry in m_Entries)
+                wings += entry?.wings.Count ?? 0;
+            Reserve(ref m_Wings, math.max(wings, 1));
+            Reserve(ref m_Groups, math.max(packs.Count, 1));
+            Reserve(ref m_Lists, math.max(packs.Count + m_Entries.Count, 1));
+            if (m_Parents.Length < packs.Count)
+                m_Parents = new int[2 * packs.Count];
+            for (int k = 0; k < packs.Count; k++)
+                m_Parents[k] = k;
+            int next = 0;
+            for (int body = 0; body < m_Entries.Count; body++)
+                PlaceWings(body, ref next);
+            PlaceGroups(packs);
+        }
+
+        /// <summary>Lists for the job.</summary>
+        public GroupLists Lists(WingPack* packs) => new GroupLists
+        {
+            packs = packs,
+            bodies = m_Bodies,
+            wings = (BodyWing*)m_Wings.GetUnsafePtr(),
+            packList = (int*)m_Lists.GetUnsafePtr(),
+            bodyList = (int*)m_Lists.GetUnsafePtr() + m_PackCount,
+        };
+
+        /// <summary>Groups for the job.</summary>
+        public NativeArray<PackGroup> Groups => m_Groups;
+
+        public void Dispose()
+        {
+            if (m_Bodies != null)
+                UnsafeUtility.FreeTracked(m_Bodies, Allocator.Persistent);
+            m_Bodies = null;
+            Free(ref m_Wings);
+            Free(ref m_Groups);
+            Free(ref m_Lists);
+        }
+
+        private void PlaceWings(int body, ref int next)
+        {
+            BodyEntry entry = m_Entries[body];
+            if (entry == null)
+                return;
+            m_Bodies[body].firstWing = next;
+            m_Bodies[body].wingCount = entry.wings.Count;
+            for (int k = 0; k < entry.wings.Count; k++)
+            {
+                WingEntry wing = entry.wings[k];
+                BodyWing place = entry.places[k];
+                place.pack = wing.pack.index;
+                place.lane = wing.lane;
+                place.firstCopy = wing.lane == 0 ? wing.pack.Count : WingPack.Lanes;
+                place.endCopy = WingPack.Lanes;
+                m_Wings[next++] = place;
+                Join(entry.wings[0].pack.index, wing.pack.index);
+            }
+        }
+
+        private void PlaceGroups(IReadOnlyList<PackMemory> packs)
+        {
+            // Roots first come: groups in the order of their first pack, so that the order of packs is the order of work.
+            GroupCount = 0;
+            int nextPack = 0, nextBody = 0;
+            for (int root = 0; root < packs.Count; root++)
+            {
+                if (Root(root) != root)
+                    continue;
+                var group = new PackGroup { firstPack = nextPack, firstBody = nextBody };
+                for (int k = root; k < packs.Count; k++)
+                {
+                    if (Root(k) == root)
+                        m_Lists[nextPack++] = k;
+                }
+
+                for (int body = 0; body < m_Entries.Count; body++)
+                {
+                    BodyEntry entry = m_Entries[body];
+                    if (entry != null && entry.wings.Count > 0 && Root(entry.wings[0].pack.index) == root)
+                        m_Lists[packs.Count + nextBody++] = body;
+                }
+
+                group.packCount = nextPack - group.firstPack;
+                group.bodyCount = nextBody - group.firstBody;
+                m_Groups[GroupCount++] = group;
+            }
+        }
+
+        private int Root(int pack)
+        {
+            while (m_Parents[pack] != pack)
+                pack = m_Parents[pack];
+            return pack;
+        }
+
+        private void Join(int a, int b)
+        {
+            a = Root(a);
+            b = Root(b);
+            m_Parents[math.max(a, b)] = math.min(a, b);
+        }
+
+        private void Reserve(int count)
+        {
+            if (count <= m_Capacity)
+                return;
+            int grown = math.max(count, math.max(2 * m_Capacity, 8));
+            var bodies = (FlyingBody*)UnsafeUtility.MallocTracked((long)grown * sizeof(FlyingBody), 64, Allocator.Persistent, 0);
+            UnsafeUtility.MemClear(bodies, (long)grown * sizeof(FlyingBody));
+            if (m_Bodies != null)
+            {
+                UnsafeUtility.MemCpy(bodies, m_Bodies, (long)m_Capacity * sizeof(FlyingBody));
+                UnsafeUtility.FreeTracked(m_Bodies, Allocator.Persistent);
+            }
+
+            m_Bodies = bodies;
+            m_Capacity = grown;
+        }
+
+        private static void Reserve<T>(ref NativeArray<T> array, int count) where T : struct
+        {
+            if (array.IsCreated && array.Length >= count)
+                return;
+            int grown = math.max(count, 2 * array.Length);
+            Free(ref array);
+            array = new NativeArray<T>(grown, Allocator.Persistent);
+        }
+
+        private static void Free<T>(ref NativeArray<T> array) where T : struct
+        {
+            if (array.IsCreated)
+                array.Dispose();
+        }
+
+        private sealed class BodyEntry
+        {
+            public readonly List<WingEntry> wings = new List<WingEntry>();
+            public readonly List<BodyWing> places = new List<BodyWing>();
+            public int version;
+        }
+    }
+}

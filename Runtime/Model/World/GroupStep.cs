@@ -1,0 +1,148 @@
+using Unity.Mathematics;
+
+namespace Alate
+{
+    /// <summary>One fixed step of a group: the packs' substeps, and after each of them the bodies that the wings carry.</summary>
+    internal static unsafe class GroupStep
+    {
+        /// <summary>Substeps before the latch at which the feedback samples: at least a quarter of one stays between.</summary>
+        private const float k_SampleAhead = 1.25f;
+
+        /// <summary>Rate at which an insect whose wings are not computed follows its reference, 1/s.</summary>
+        private const float k_Following = 5f;
+
+        /// <summary>Steps all packs and bodies of a group.</summary>
+        /// <param name="group">What to step.</param>
+        /// <param name="lists">The job's lists.</param>
+        /// <param name="scratch">Of the worker.</param>
+        /// <param name="dt">Seconds.</param>
+        /// <param name="substeps">Substeps, for measurements; 0 lets the wings choose.</param>
+        public static void Run(in PackGroup group, in GroupLists lists, in StepScratch scratch, float dt, int substeps)
+        {
+            if (group.bodyCount == 0)
+            {
+                PackStep.Run(ref lists.Pack(group, 0), scratch, dt);
+                return;
+            }
+
+            if (!(dt > 0f))
+                return;
+            if (lists.Pack(group, 0).detail >= WingDetail.WavesOnly)
+            {
+                for (int k = 0; k < group.packCount; k++)
+                    PackStep.Run(ref lists.Pack(group, k), scratch, dt);
+                for (int k = 0; k < group.bodyCount; k++)
+                    Follow(ref lists.Body(group, k), dt);
+                return;
+            }
+
+            int count = substeps;
+            for (int k = 0; substeps == 0 && k < group.packCount; k++)
+                count = math.max(count, PackStep.SubstepCount(lists.Pack(group, k), ref dt));
+            float h = dt / count;
+            for (int k = 0; k < group.packCount; k++)
+                PackStep.BeginStep(ref lists.Pack(group, k), count);
+            for (int k = 0; k < group.bodyCount; k++)
+                Begin(ref lists.Body(group, k));
+            for (int step = 1; step <= count; step++)
+            {
+                for (int k = 0; k < group.bodyCount; k++)
+                    Prepare(ref lists.Body(group, k), lists, h);
+                for (int k = 0; k < group.packCount; k++)
+                    PackStep.Substep(ref lists.Pack(group, k), scratch, h, step, count);
+                for (int k = 0; k < group.bodyCount; k++)
+                    Carry(ref lists.Body(group, k), lists, h);
+            }
+
+            for (int k = 0; k < group.packCount; k++)
+                PackStep.EndStep(lists.Pack(group, k), count);
+            for (int k = 0; k < group.bodyCount; k++)
+                End(ref lists.Body(group, k), count);
+        }
+
+        private static void Begin(ref FlyingBody body)
+        {
+            body.force = body.moment = default;
+            body.damping = default;
+            body.aidPower = 0f;
+        }
+
+        private static void End(ref FlyingBody body, int count)
+        {
+            body.force /= count;
+            body.moment /= count;
+            body.damping = body.damping * (1f / count);
+            body.aidPower /= count;
+        }
+
+        // Before the wings' substep: the reference moves on, the feedback samples where the next beat is about to be latched, and the wings are told what they meet.
+        private static void Prepare(ref FlyingBody body, in GroupLists lists, float h)
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            BeatState* beat = lists.Beat(body, out int lane);
+            float phase = beat->phase[lane];
+            bool due = phase + k_SampleAhead * beat->rate[lane] * h >= 2f * math.PI;
+            body.sinceSample += h;
+            if (body.mode == BodyMode.Held)
+            {
+                body.table.Read(body.reference.airSpeed, body.reference.climb, point);
+                if (!due)
+                    body.latched = 0;
+                BodyMotion.Place(ref body, point, BodyBob.At(point, phase + 0.5f * h * beat->rate[lane]), body.reference.velocity);
+            }
+            else if (body.mode == BodyMode.Free)
+            {
+                if (due && body.latched == 0)
+                {
+                    body.latched = 1;
+                    body.beats++;
+                    body.table.Read(body.reference.airSpeed, body.reference.climb, point);
+                    if (body.steered != 0)
+                        BodyFeedback.Sample(ref body, phase, point);
+                    for (int k = 0; k < body.wingCount; k++)
+                        lists.Command(lists.wings[body.firstWing + k], BodyFeedback.Drive(body, point, lists.wings[body.firstWing + k].side));
+                }
+                else if (!due)
+                    body.latched = 0;
+                BodyAid.Evaluate(ref body, phase);
+                BodyMotion.Predict(ref body, h);
+            }
+
+            for (int k = 0; k < body.wingCount; k++)
+                BodyAir.Surround(body, lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
+        }
+
+        // After the wings' substep: their forces move the body.
+        private static void Carry(ref FlyingBody body, in GroupLists lists, float h)
+        {
+            BodyAir air = default;
+            for (int k = 0; k < body.wingCount; k++)
+                air.Add(lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
+            if (body.mode == BodyMode.Free)
+                BodyMotion.Step(ref body, air, h);
+            else
+                BodyMotion.Read(ref body, air);
+
+            body.reference.velocity += h * body.reference.acceleration;
+            body.reference.heading += h * body.reference.turning;
+        }
+
+        // Far away nobody computes the wings' forces: the body follows its reference in the trimmed attitude.
+        private static void Follow(ref FlyingBody body, float dt)
+        {
+            if (body.mode != BodyMode.Free)
+                return;
+            float* point = stackalloc float[TrimPoint.Floats];
+            body.table.Read(body.reference.airSpeed, body.reference.climb, point);
+            float3 before = body.velocity;
+            quaternion turned = body.rotation;
+            BodyMotion.Place(ref body, point, default, body.reference.velocity);
+            float share = 1f - math.exp(-k_Following * dt);
+            body.velocity = before + share * (body.velocity - before);
+            body.rotation = math.slerp(turned, body.rotation, share);
+            body.Move(dt * 0.5f * (before + body.velocity));
+            body.reference.velocity += dt * body.reference.acceleration;
+            body.reference.heading += dt * body.reference.turning;
+        }
+    }
+}
