@@ -36,6 +36,31 @@ namespace Alate.Catalogue
             return model;
         }
 
+        /// <summary>Trim table of an insect with its flight numbers. Dispose it after the flights that go by it.</summary>
+        /// <param name="insect">The insect.</param>
+        /// <param name="model">Its model.</param>
+        /// <returns>The table; null where none is made for these numbers: <see cref="TrimBake"/> makes one.</returns>
+        public static TrimTable CreateTable(InsectDefinition insect, FlightModel model) => TrimTableText.Read(TrimTables.Of(insect.Name), model.Key);
+
+        /// <summary>Lets an insect that was made with <see cref="InsectVariant.Flight"/> fly by its own wings.</summary>
+        /// <param name="wings">The insect.</param>
+        /// <param name="insect">Its species.</param>
+        /// <exception cref="ArgumentException">There is no trim table of the species.</exception>
+        public static InsectFlight AddTo(InsectWings wings, InsectDefinition insect)
+        {
+            string text = TrimTables.Of(insect.Name);
+            if (text == null)
+            {
+                throw new ArgumentException($"The {insect.DisplayName} has no trim table: it does not fly.", nameof(insect));
+            }
+
+            var flight = wings.gameObject.AddComponent<InsectFlight>();
+            flight.Trims = FlightTrims.Create(text);
+            flight.Trims.hideFlags = HideFlags.DontSave;
+            flight.Parts.AddRange(insect.FlightParts);
+            return flight;
+        }
+
         private static void Add(List<FlightWing> wings, WingDefinition wing, WingPreset preset)
         {
             SurfaceMesh surface = wing.CreateSurface(WingSide.Right);

@@ -15,6 +15,9 @@ namespace Alate.Flight
         /// <summary>Frontal area along the body counts for so much: a slender body drags less than its shadow.</summary>
         private const float k_EndOnDrag = 0.4f;
 
+        /// <summary>[key] What was measured before: all insects of a swarm are alike.</summary>
+        private static readonly Dictionary<uint, MassSum> s_Sums = new Dictionary<uint, MassSum>();
+
         /// <summary>Makes the model; flies the wings some beats on the spot to see where their mass lies on average.</summary>
         /// <param name="wings">All wings, right and left.</param>
         /// <param name="parts">Parts of the body.</param>
@@ -34,9 +37,16 @@ namespace Alate.Flight
             foreach (FlightWing wing in wings)
                 Length = math.max(Length, wing.Length);
             Frequency = wings[0].Parameters.maxFrequency;
-            var sum = new MassSum();
-            AddWings(sum);
-            AddParts(sum, parts, mass - sum.Mass);
+            Key = KeyOf(parts);
+            Drag = DragOf(parts);
+            if (!s_Sums.TryGetValue(Key, out MassSum sum))
+            {
+                sum = new MassSum();
+                AddWings(sum);
+                AddParts(sum, parts, mass - sum.Mass);
+                s_Sums.Add(Key, sum);
+            }
+
             Centre = sum.Centre;
             Inertia = sum.Inertia;
         }
@@ -66,7 +76,10 @@ namespace Alate.Flight
         public float3x3 Inertia { get; }
 
         /// <summary>½ρA along each axis, kg/m.</summary>
-        public float3 Drag { get; private set; }
+        public float3 Drag { get; }
+
+        /// <summary>Number that changes with anything that a trim table of this insect depends on.</summary>
+        internal uint Key { get; }
 
         /// <summary>Weight, N, as it would be in air.</summary>
         public float Weight => Mass * k_Gravity;
@@ -117,6 +130,24 @@ namespace Alate.Flight
             side = wing.IsLeft ? -1f : 1f,
         };
 
+        private uint KeyOf(IReadOnlyList<BodyEllipsoid> parts)
+        {
+            FlightKey key = FlightKey.Empty;
+            key.Add(Mass);
+            key.Add(GravityShare);
+            key.Add(FluidDensity);
+            foreach (BodyEllipsoid part in parts)
+            {
+                key.Add(part.centre);
+                key.Add(part.halfAxes);
+                key.Add(part.share);
+            }
+
+            foreach (FlightWing wing in Wings)
+                key.Add(wing);
+            return key.Value;
+        }
+
         private void AddWings(MassSum sum)
         {
             using var world = new WingWorld();
@@ -157,17 +188,22 @@ namespace Alate.Flight
             double whole = 0.0;
             foreach (BodyEllipsoid part in parts)
                 whole += part.share;
+            foreach (BodyEllipsoid part in parts)
+                sum.Add(mass * part.share / whole, part.centre, part.halfAxes);
+        }
+
+        private float3 DragOf(IReadOnlyList<BodyEllipsoid> parts)
+        {
             float3 area = default;
             foreach (BodyEllipsoid part in parts)
             {
                 float3 a = part.halfAxes;
-                sum.Add(mass * part.share / whole, part.centre, a);
                 area = math.max(area, new float3(0f, 0f, math.PI * a.x * a.y));
                 area += new float3(math.PI * a.y * a.z, math.PI * a.x * a.z, 0f);
             }
 
             // Parts stand behind one another seen from ahead, side by side seen from elsewhere.
-            Drag = 0.5f * FluidDensity * area * new float3(1f, 1f, k_EndOnDrag);
+            return 0.5f * FluidDensity * area * new float3(1f, 1f, k_EndOnDrag);
         }
 
         private static void Check(IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass)

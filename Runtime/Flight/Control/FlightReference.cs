@@ -48,6 +48,17 @@ namespace Alate.Flight
             Wind = wind;
         }
 
+        /// <summary>Reference turned about the world's up, radians.</summary>
+        internal FlightReference Turned(float by)
+        {
+            quaternion turn = quaternion.AxisAngle(new float3(0f, 1f, 0f), by);
+            FlightReference turned = this;
+            turned.m_Velocity = math.rotate(turn, m_Velocity);
+            turned.m_Rate = math.rotate(turn, m_Rate);
+            turned.Heading += by;
+            return turned;
+        }
+
         /// <summary>Moves on by a step towards what is wanted.</summary>
         /// <param name="wanted">Velocity over ground, m/s.</param>
         /// <param name="heading">Wanted heading, radians; not a number follows the way.</param>

@@ -29,6 +29,9 @@ namespace Alate.Flight
         /// <summary>The world of the insects.</summary>
         public WingWorld World => m_World;
 
+        /// <summary>Wings of an insect, in the order of its model.</summary>
+        public IReadOnlyList<WingHandle> Wings(int insect) => m_Subjects[insect].wings;
+
         /// <summary>The body of an insect.</summary>
         public BodyHandle Body(int insect) => m_Subjects[insect].body;
 

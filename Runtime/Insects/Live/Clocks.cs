@@ -65,7 +65,7 @@ namespace Alate
             }
 
             foreach (LiveInsect live in insects)
-                times[live.Clock].inUse |= live.Detail != WingDetail.Frozen;
+                times[live.Clock].inUse |= live.Detail != WingDetail.Frozen || live.insect.Flyer != null;
         }
 
         private void Step(WingUpdateMode mode, float length, int count)

@@ -58,6 +58,7 @@ namespace Alate
                 ApplyParameters(physics: true);
                 UpdateSurroundings(physics: true);
                 m_Clocks.FixedStep(dt, Insects);
+                PrepareFlights(physics: true);
                 Schedule();
                 JobHandle.ScheduleBatchedJobs();
             }
@@ -81,6 +82,7 @@ namespace Alate
                 ChooseDetail();
                 UpdateSurroundings(physics: false);
                 m_Clocks.Frame(dt, unscaledDt, Insects);
+                PrepareFlights(physics: false);
                 Schedule();
                 Draw();
                 m_Calls.RaiseBeatEvents(Insects, World);
@@ -103,6 +105,7 @@ namespace Alate
             SampleMotion(live, dt);
             m_WindZones.Read(Time.time);
             UpdateSurroundings(live, Physics.gravity);
+            live.insect.Flyer?.Prepare(live, World, live.flight.wind, Physics.gravity, dt);
             int steps = math.clamp((int)math.ceil(dt / Clocks.FrameStep - 1e-3f), 1, Clocks.MostSteps);
             float length = math.min(dt / steps, Clocks.FrameStep);
             for (int step = 0; step < steps; step++)
@@ -197,6 +200,17 @@ namespace Alate
                 live.insect.Report(InsectProblem.NoSize);
         }
 
+        private void PrepareFlights(bool physics)
+        {
+            float3 gravity = Physics.gravity;
+            foreach (LiveInsect live in Insects)
+            {
+                ClockTime clock = m_Clocks.times[live.Clock];
+                if (clock.IsDue && Clocks.Advances(physics, live.Clock) && live.insect.Flyer is { } flyer)
+                    flyer.Prepare(live, World, live.flight.wind, gravity, clock.length * clock.count);
+            }
+        }
+
         private void Schedule()
         {
             if (!m_Clocks.times.AnyDue())
@@ -214,6 +228,12 @@ namespace Alate
 
         private void Draw()
         {
+            foreach (LiveInsect live in Insects)
+            {
+                if (live.insect.Flyer is { } flyer)
+                    flyer.Show(live, World, m_Clocks.times[live.Clock].alpha);
+            }
+
             if (!m_Clocks.times.AnyDrawn())
                 return;
             using (SystemMarkers.schedule.Auto())

@@ -151,6 +151,8 @@ namespace Alate
             {
                 wing.Place();
                 valid &= wing.placed.isValid;
+                if (insect.Flyer != null)
+                    continue;
                 WingSurroundings around = wing.Surroundings(flight);
                 if (wing.placed.isValid && around.IsFinite)
                     world.SetSurroundings(wing.handle, around);

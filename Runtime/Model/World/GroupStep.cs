@@ -108,6 +108,12 @@ namespace Alate
                 BodyMotion.Predict(ref body, h);
             }
 
+            else
+            {
+                body.middleRotation = body.rotation;
+                body.middleVelocity = body.middleSpin = default;
+            }
+
             for (int k = 0; k < body.wingCount; k++)
                 BodyAir.Surround(body, lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
         }

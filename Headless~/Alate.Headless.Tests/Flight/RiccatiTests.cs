@@ -1,0 +1,68 @@
+using System;
+using Alate.Flight;
+using MathNet.Numerics.LinearAlgebra;
+using NUnit.Framework;
+using Complex = System.Numerics.Complex;
+
+namespace Alate.Tests.FreeFlights
+{
+    public sealed class RiccatiTests
+    {
+        [Test]
+        public void Gains_AreThoseOfTheStableEigenvectors([Range(1, 20)] int seed)
+        {
+            var random = new Random(seed);
+            int n = 2 + seed % 9, m = 1 + seed % 4;
+            Matrix<double> a = Fill(random, n, n) * 0.9, b = Fill(random, n, m);
+            double[] q = new double[n];
+            for (int k = 0; k < n; k++)
+                q[k] = 0.1 + random.NextDouble();
+
+            double[,] gains = Riccati.Gains(a.ToArray(), b.ToArray(), q);
+
+            Matrix<double> p = Stable(a, b, Matrix<double>.Build.DenseOfDiagonalArray(q));
+            Matrix<double> expected = (Matrix<double>.Build.DenseIdentity(m) + b.Transpose() * p * b).Solve(b.Transpose() * p * a);
+            Assert.That((Matrix<double>.Build.DenseOfArray(gains) - expected).L2Norm(), Is.LessThan(1e-6 * (1 + expected.L2Norm())));
+            foreach (Complex value in (a - b * expected).Evd().EigenValues)
+                Assert.That(value.Magnitude, Is.LessThan(1));
+        }
+
+        [Test]
+        public void AnUnstableStateThatNoCommandReaches_HasNoGains()
+        {
+            Assert.That(Riccati.Gains(new double[,] { { 2, 0 }, { 0, 0.5 } }, new double[,] { { 0 }, { 1 } }, new double[] { 1, 1 }), Is.Null);
+        }
+
+        // P of the invariant subspace inside the unit circle of the pencil x' = …: independent of the doubling.
+        private static Matrix<double> Stable(Matrix<double> a, Matrix<double> b, Matrix<double> q)
+        {
+            int n = a.RowCount;
+            Matrix<double> g = b * b.Transpose(), inverse = a.Transpose().Inverse();
+            Matrix<double> symplectic = (a + g * inverse * q).Append(-g * inverse).Stack((-inverse * q).Append(inverse));
+            var parts = symplectic.Evd();
+            Matrix<Complex> basis = Matrix<Complex>.Build.Dense(2 * n, n);
+            // Complex eigenvectors come in pairs of columns, real and imaginary part.
+            int column = 0;
+            for (int k = 0; k < 2 * n; k++)
+            {
+                Complex value = parts.EigenValues[k];
+                if (value.Magnitude >= 1)
+                    continue;
+                Matrix<Complex> shifted = symplectic.ToComplex() - Matrix<Complex>.Build.DenseDiagonal(2 * n, 2 * n, value + 1e-9);
+                Vector<Complex> vector = Vector<Complex>.Build.Dense(2 * n, i => new Complex(1 + i % 3, i % 2));
+                for (int round = 0; round < 4; round++)
+                {
+                    vector = shifted.Solve(vector);
+                    vector /= vector.L2Norm();
+                }
+
+                basis.SetColumn(column++, vector);
+            }
+
+            Matrix<Complex> upper = basis.SubMatrix(0, n, 0, n), lower = basis.SubMatrix(n, n, 0, n);
+            return (lower * upper.Inverse()).Map(value => value.Real);
+        }
+
+        private static Matrix<double> Fill(Random random, int rows, int columns) => Matrix<double>.Build.Dense(rows, columns, (_, _) => 2 * random.NextDouble() - 1);
+    }
+}

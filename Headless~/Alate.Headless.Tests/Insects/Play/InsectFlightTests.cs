@@ -1,0 +1,132 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using Alate.Catalogue;
+using Alate.Flight;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play
+{
+    public sealed class InsectFlightTests : PlayFixture
+    {
+        [UnityTest]
+        public IEnumerator AMonarch_FliesWhereItIsWanted_AtAnyScale([Values(1f, 0.1f)] float scale)
+        {
+            InsectFlight flight = Hatch();
+            flight.transform.localScale = scale * Vector3.one;
+            flight.Velocity = new Vector3(0f, 0f, 1f);
+            yield return Frames(240);
+
+            Assert.That(flight.Problem, Is.EqualTo(FlightProblem.None));
+            Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
+            Vector3 before = flight.Position;
+            yield return Frames(60);
+            Vector3 way = (flight.Position - before) / (InsectDefinition.UnitsPerMetre * scale);
+            Assert.That(way.z, Is.EqualTo(60f * Time.deltaTime).Within(0.15f));
+            Assert.That(Math.Abs(way.x), Is.LessThan(0.1f));
+            Assert.That(Math.Abs(way.y), Is.LessThan(0.2f));
+        }
+
+        [UnityTest]
+        public IEnumerator AMovedInsect_FliesOnFromThere()
+        {
+            InsectFlight flight = Hatch();
+            yield return Frames(60);
+            flight.transform.position = new Vector3(100f, 20f, -50f);
+            yield return Frames(5);
+            Assert.That((flight.transform.position - new Vector3(100f, 20f, -50f)).magnitude, Is.LessThan(1.5f));
+        }
+
+        [UnityTest]
+        public IEnumerator APerchedInsect_Sits_UntilItTakesOff()
+        {
+            InsectFlight flight = Hatch();
+            var pilot = new Percher();
+            flight.Pilot = pilot;
+            int landed = 0, off = 0;
+            flight.Landed += _ => landed++;
+            flight.TookOff += _ => off++;
+            yield return Frames(30);
+            pilot.sits = true;
+            yield return Frames(60);
+            Assert.That(flight.State, Is.EqualTo(FlightState.Perched));
+            Vector3 place = flight.transform.position;
+            yield return Frames(30);
+            Assert.That(flight.transform.position, Is.EqualTo(place));
+            pilot.sits = false;
+            yield return Frames(60);
+            Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
+            Assert.That((landed, off), Is.EqualTo((1, 1)));
+        }
+
+        [UnityTest]
+        public IEnumerator WithoutTrims_ItSaysSo_AndBeatsOn()
+        {
+            InsectWings wings = Keep(InsectFactory.Create("monarch", InsectVariant.Flight).gameObject).GetComponent<InsectWings>();
+            InsectFlight flight = wings.gameObject.AddComponent<InsectFlight>();
+            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("has no trims"));
+            yield return Frames(30);
+            Assert.That(flight.Problem, Is.EqualTo(FlightProblem.NoTrims));
+            Assert.That(wings.Frequency, Is.GreaterThan(0f));
+        }
+
+        [UnityTest]
+        public IEnumerator SwitchedOffAndOn_InAnyOrder_ItLivesOn()
+        {
+            var flights = new List<InsectFlight> { Hatch(), Hatch(), Hatch() };
+            yield return Frames(20);
+            flights[0].enabled = false;
+            flights[1].GetComponent<InsectWings>().enabled = false;
+            UnityEngine.Object.Destroy(flights[2].gameObject);
+            yield return Frames(20);
+            flights[0].enabled = true;
+            flights[1].GetComponent<InsectWings>().enabled = true;
+            yield return Frames(60);
+            Assert.That(flights[0].State, Is.EqualTo(FlightState.Flying));
+            Assert.That(flights[1].State, Is.EqualTo(FlightState.Flying));
+            Assert.That(flights[1].BodyVelocity.magnitude, Is.LessThan(1f));
+        }
+
+        [UnityTest]
+        public IEnumerator AFrame_AllocatesNothing()
+        {
+            for (int k = 0; k < 12; k++)
+                Hatch();
+            yield return Frames(60);
+            FrameLoop crowd = WingSystem.Crowd;
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int round = 0; round < 10; round++)
+            {
+                crowd.FixedStep(0.02f);
+                crowd.Frame(0.02f, 0.02f);
+            }
+
+            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+        }
+
+        private InsectFlight Hatch()
+        {
+            InsectDefinition monarch = InsectCatalogue.Find("monarch");
+            InsectWings wings = Keep(InsectFactory.Create(monarch, InsectVariant.Flight).gameObject).GetComponent<InsectWings>();
+            wings.Quality.culling = WingCulling.AlwaysSimulate;
+            InsectFlight flight = CatalogueFlight.AddTo(wings, monarch);
+            Keep(flight.Trims);
+            return flight;
+        }
+
+        private sealed class Percher : IFlightPilot
+        {
+            public bool sits;
+
+            public FlightCommand Command(in FlightSituation situation)
+            {
+                FlightCommand command = FlightCommand.Fly(default);
+                command.wish = sits ? FlightWish.Perch : FlightWish.Fly;
+                command.spot = new PerchSpot { position = new Vector3(1f, 2f, 3f), normal = Vector3.up, heading = 1f };
+                return command;
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+namespace Alate.Catalogue
+{
+    /// <summary>Trim table of the firefly, made by the command line: trim firefly --bake.</summary>
+    internal static class FireflyTrims
+    {
+        public const string Text =
+            "AQAAAMGgj+AFAwAAAACamZk+ZmYmPwAAgD9mZqY/mpmZvgAAAACamZk+AZVQMz+m0WpClvJnPyHnTj8OAFu9dGt4u/O8BjnNovM6O6JevJdHtjmqv6i4qWhguOBXD7kd3p433NFYtyaNerfYUK84M+" +
+            "MjPdwbNzvovfq6muvJuZWCLrvoPjW5j51fOK2cnbdVvNu4juBWuFV43jf3aL022sTEvARQxDuasOQ40T/WuRHBQjtliQ85LVQyuEsNITife1a4S9lUt7DMJzYjMRE2tXMOQGy5DkG7V52+87qqvevp" +
+            "Ij5wSWDAS6d/PTT1kT24G868x2vlPZb6wztavuG78n+AP+X9LD1RWWw9AsGVuQCuE0DVTk69AI/jO2u28TtgH/y7664KPG4tjz+uEsC+TcTIv8V7ir3RNzJA1qHGv4DJJzyV21C+Vwq2PRa5Hj6uR5" +
+            "W/BLb2vZGD2L92X/y9OtwEwDf5C8DPqtq7+VnSvh1YRD6jaYw+2qzQPixrAL8ehO2/InUqvD/XjD9X+7u/DVvPO9KOcLyzcck7HfKQO/GP579Qc9i+TmPWP3vxBr0mSBI9xjN7vydWFz6+kwU+N3p1" +
+            "vbZVq78WzeM+FX2evGhkiDyRDRS/xnuCPcX1fj0BV6Q4P5SLbkKzWnI/C95OP9SYAb1gNhi73vkgOX1t9zrtP1q8YZuROZfgkriYvV24vrsnuSdbjDeOJIy36pOQtY5WgDjj9Bk9tjcfO2EM+rqwrq" +
+            "u5rXw6uwfMXLk6N504bLcmtjdZs7grOWG4pmfvN0HQBzculc68CHD6O2qhIznZ+La59dhHOzWkyji3D1O4zX0WOIJHPbieoCC3ooQdNu05ETbckDhAAjkYQY+Fib4TM/W9UM/sPRLaacBVQXg9Ojeu" +
+            "PbN+tLwgfdM9j2e8O2fM5ruI3pQ/ZhqGvFJkxLw5OfS6SCggQFFlBb68XgU8NwVVO0qIl7s0lTs87hWaP4G/+L4VnOC/kOWLvaHHKEB8Lsy/g5YaPAC/S77Bhbg9GoYKPivsjb/1BR49g3byv1Ke+7" +
+            "3sIAbAih8GwCGAIbwVJMq+yi4+PqsfcT5Qavk+gTQqv0dK7r+TSO27/JWDP+eTxL8Pqvg7G89ru6Y4pjoQpj+7vqz0v0bSIb+SQLo/AT4QvYMRHj3vtoa/ffXuPdV2Cz5DiNc9SYq1v7su0j43JJu8" +
+            "+7iKPCEl5r6jBBs9fPOZPQF/1Do/DqlzQk/UfD8XTE8/Q9BbvA9u5rqOXko5RfINO+9dU7xHn4E5TDR/uATtkLgLC0C5VSGFN2ylbrfnWle31AQzOHksFD1R7x071nj/ugOUo7mLfUO7P4yFue2SmT" +
+            "i+4RS0SeA2uGCSh7iBfdA3/dG7NrkM1bzkrh488MJCObJHzbnq5Eg7mMDLONtGari+kBA4Fy4quE2FcbfT/9Y16HIENjblbkAGXiBBHjCdvvuhFL6H7/Y9fRlwwPZEeT129sQ9ZWEGvTyAwD0kZr07" +
+            "CjmRu8c1lT8lICe9Fyu6vWA8H7tt1DBAJ04gvpsbBzwtZ4k6qEQbuzjUOjxfAos/FKIJv0jC+r+Kj4y9/VghQD1Cz7++gBw8eAlEvjcGyT17t+Y9Us9zvzpWQj58rg3Aer7+vfsQAsChZwHA87joux" +
+            "tDwb6h7Ec+slRKPuXB9D4K+ke/JgD5v3rPBLx4xXI/HK3Nv/jU8jvHpdS7kh1ZOxtxH7tdsgDAQwtYvyjyoz+zgR29tw0pPafqlL8mh88903f7PfoBnD5+5rq/+KTaPuaVk7wZ2IU8HaSmvvUDHT22" +
+            "Sac9AcooMT/cqGZCbSZdP3XFEz9RnBk+iKDFvJexPbu9G1o7wwBavM2pvjpaHhQ6lT+puI2nRLguXsM4PDkbOFjbDLjqm0s4zgkNPcKMyjuO7Oy6aFezurY2BLtIlYq65+Q2OBwCszUESnS40NK0uA" +
+            "eqCzecZjs4Vy3WvJoVzDy9ZSQ64iI5u2JvQzvWYwc2rm2vuDKmMjmCWim4hu7ot4hvobZxUBo3ZlARQZeDGEEuYQbA/P/uvknqDzvr5VvAG4+MPrZDCT6TdXK9LcOxPZHZ1Dx/1Fo87VyjP/bHq77d" +
+            "vRo+EUDTPABJL0CvCMa+V7MUPCMB8z3iQG+9A96/veQitT9PfMC/gODwvykIsLz4KUJAZLV0v3Oefjy9CX69Xm8NPVpGYD0RoWy/VlyVP29klL9P/tG9/3dQPS2dN8C8u7W7MIzcvmY1Vz5OiME+Jw" +
+            "xSvz4Faz8ujBvABLylvS45Zr4/M4y/olGsuo6BpL7zCBs+pSuJPiDzvb+//Xi+IfTxP4VPI71TpCU9InJ8v9m3Nj7ao10+2jNcP3eR4r8byY+//NQGOu374bvEObA+ADDCverm27sBlicvP1ICa0LS" +
+            "tGs/28wrP/Pw8z2jG5K8VtnNusJHODvIBlq8fgGiOgfGmjkl8W64b7p5uD3JiDiZS6039dvYtwPGXDgNBg89h1amO3tJ8LqugEe6DyUhuxABcbq7xIA4cFmAuIHJQbjrWaa4m066N0A3ADitPty8uI" +
+            "SwPNU+zDk7exi7Yv9KO50qeLiL73+4s9YeOfQGObgiTJm3eTMTtkBT7TZAJwBBh+AfQXEX4r+mE5e+42mPvXcYasD9IYE+y7vQPYAcLL3v6ck9oVK0PG3myTuPm6Y/K0pgvpHBBT7gPIw865MzQInb" +
+            "ZL425Bs8FV2YPfFaFb2Nrj29FvusP4J1c7+qR/W/xmI3vXFuQ0AfiZe/Pap1POczFb5xJZs9OaHwPRSpWb+5gbI/AQzyv0b4/b1YOkW/dYQYwIXMjbtLKe6+GwhnPmC1tz4r4MS+bd/APuVNKMDLMo" +
+            "K9JgaIvkQBib++TBw7aKthvnze1T0aASE+BuzBv6mJDL8iJtg/sQsuvdu+Kz0nwYO/KQ8SPtWBQT7Jhjo/AGTNv9rNDL8s+9i7Ic+vOm6TCj5LpqW8XWI7PQGTxjA/X65wQk9keD9HZTU/f2rWPTnf" +
+            "abxx2Iy6wAM/O8YyVLxarI46JLdFOWSvZ7hXZOG4Iw8yOKCTpjcFJxO4De39N9ufDT25cJc7tq3tulQPDrodly+7f8RauqZ2gzhRr9C4+j2+tw1LpbhUNtM3DV6sN6Gz4LzIoqY8ztSyOWtxA7vFkE" +
+            "07rSCFtzPvc7jLhQ85veghuEllm7emrdG1nB+tNnfI90CFDidBOJLHv4ulh77mcJ289K9ywIV+bj6hZ8s9kQsvvWletT32G3g8xGeZO0YDoj/OFyu+944VPeFcLDwbGUBA5i3HvXbMFDzVFzg9u4zB" +
+            "vL3Opbyu36I/j2g/v3OgAsAxrVW9F3E+QABRl7+JFG88oAQkvnDUuj2DqOg9b70hv/DypT8liB/Avx0BvupBh7+V9AfAkXs9OtAL276ccWo+hiaUPlkoy70F9p49+/4wwGJSXr0wW0G+dPWSvyn7mz" +
+            "v4/iq+JSmzPYOj0D3kPMS/kRRUv2mJ1D9jCD+9I+87PRDJkL+LaPw9AegvPqE1TT95l8K/21WYvkbZCbxkCIQ734oLPhfhiTpbHYk9AUfeMj/Mo2BC0B9XPyLNlD760xw+lkogvZivxrs0z4U79vlI" +
+            "vCIlCTumN4c64tDWuEtJBrhvZO84WD+TODUki7eJR7M3uhWlPC8wuTtII5i6wp8PuwuMirqBHU66CSnZt9uGLbha3Y82DmhIuPPe77Y+z3A4FZjIvG8bpDyNLow60mCNu7bQLDvSUCQ5sLnZuA0sgj" +
+            "nnjwW47cXYt/tVKLeRFjo3N5HjQAwhC0FC9kfAZ2xGvwNAND5UWT3AILDGPqZCKD4kuGS9wN2GPRZp/TwFies8/GadPz3FCL3At4Q8h6W7PJ+EREB78Qm/fn5iPAqT8j2zOXG9xpy1vVlysD/n49a+" +
+            "u3V7v6ILajsTjzdAfQC8vemkWTzx1xo99liJvHxo7by1xlG+JlbMvpkYn7/9FVu9hCJRP8VXLMAqFCy87dV7vs1iAj6VE0U+7e35vrJZiz/68BDAwS27vews8D78Bmq/OIuTvPXb0L4uQ0w+zkSnPj" +
+            "vvJMARJc8/0cwUQCOYwLxH0uk8Jj+GvxbVPj5D3b09ZFU2QNwihMBMFgzAeC/9vBxNZTxlfUc/H2S6vBQsiT4BbE84P6WPaULvW2U/v3HSPubPKj5YsQO9ZcuUu7EwgDu020y8ewgAO4fFWzr6Gua4" +
+            "OZoAuPMQvziUXHk4MY0XuK7C6zcqztY8M2rDO+g+u7o4ksa6LbDXuhVrgrp+afA3moDXuN7pdLbuYYS4az3tNAUFOjgjWde8/EXBPGf8WDrM4Xa75/o7O7eUnjhCjrK4z1p0Odz2B7gEceu3bWjitu" +
+            "S8GzehXQtBo0UbQUFmNcBAXR+/moi0PRwgVsDVt8I+3oMOPuc+er31VpE9Op3ZPJVGpjwQ36I/urcyvgeyAj746MA8oCNAQN4iu76K0mE8cLzePXC/ZL0l4Z695IuyP6R3O79WDY+/H0atu7aDQUD7" +
+            "qe6+/UpJPE6RkLv7pO07iKaDO6cNMr4f8o8+SxjXv4qsn71TYRA/XOEkwJfHW7y7KqW+Q/gwPurzfj7PeLC+1WqlP6nxLcDah7i9wfbQPbkyYr/cFWu8Cl63vq2sOj4Xmow+irUGwDQxBz+53xBAs0" +
+            "oyvS7bPT1KxaS/ddxOPvJdRD7MSwhApC8SwJq1B8DHXY87CIBYvPqXjD/CNMS9UdNtPQFX8zg/NKNxQqTHcz+TKP4+x3wrPpyW27xZn1u786J4O6eRTLwaDPE6I+sfOvDhmbgDYB+441x4OLmkbzhk" +
+            "H0244qVkNwNr7Tx2Zr47bhXHugf4ibqcPAi7JB6JurDugjjX6De519fyNoDHi7hX4oQ3W2rnN0Ye3bxXc8w8cN4kOjiLWbvOSUM7FQSvNynof7hatWg5BLECuH1tuLdiyLG2zsHiNpGdGEGPCiVBPN" +
+            "IlwPYt+74FLs883n1nwMIMwj5eGNQ9qxxNvRjclD18bKE8mMx+PM0HnT8RuT6+6EVIPgnjqTwpiEdATToFvprKLTyMIrM9sndGvQJSYr12LaY/K7tFv1Auor9Fx4G88DtFQB81GL8lkS08pXM9vcD5" +
+            "Bj2P3gg9ZWs1vSyeQT+k/hXAMNnCvUJtkz5xjBfAzFHJu2a6tr7BblQ+aeqBPilKCr4kuKI/hY5HwD36rL3QP+29ExZVv2RYi7vojZq+BhArPlZTVz5w+Mm/TZnYvtrdGUAIXmi95YhuPUWpsr9U+D" +
+            "Y+H35ePsirtj8zv6u/I7Dcv7RnNzxnfoq8uxlwP2nRdL2JwA49AbgCHj//IlhCDFZTP6WcDT6qzNQ9U8cyvY55CrzzaYo7xC8yvEhADDsjsos6n8OsuBF2XjciP6o4phRrOA9+B7fzNYs2gxPNO0XN" +
+            "lTuRBv04/U05u9QBq7nfe8+5xjaAuIirDLmGPkg47iwMtxrvVrcfTwo4CWuxvMF9Nzzlzq86+Sicu9HyEjuS6dE58Py7uBzzizn1Fra3bdy8twekAbfYORc3pcB0QKaj7ED291PAo4puvzQ73D6CNB" +
+            "rAt7DMPiA7Cj6cODi93+4sPZZOwjwlVK48S0SJP1gjqz5sIjO+cV2DPO0vX0AEJ8K8/aluPCL3oT3ZFBK9QfB3vb8Gaz8ZgJw+NKQjv6LAYjvqZyZAItZKPwVOHjwYO+48mdJgvFWcrLx20JY+Z7Tk" +
+            "vhJPX7+OfBy9eDGPPy2RFcAafj+8h0ckvkHOnz04MgY+bwi5PRNXlT8LOdG/5g6wvU9oPj93HTi/oJXsvHm3tL7gryE+HBSbPgkTQsBGJB5AuIwZQO0gJrzDgIQ8p4N/v0bR2z1Ka5K93tMYQK4+ls" +
+            "DPOsC/YxaFvbPmED2jLOk9aQMgPrCbCT8Bie8nP9SsZkLXbWM/BaCFPpDv/T0IiyO9Xbnbu6wYjTtyijy8TtEUO1u6ejpjWsC4svqAN3qLpDi12444Jp7wt1ZQGDd3Z3U8PjOvO5x2uLk4DxC7FNN5" +
+            "uorJMbort563qKtLuaizBDhSEei3CmWKtptFCDhvdMG8FTeNPNxHijqoFI+7dI0lOyhAljntppG4ELuKOaGEyLdvoM+3XO33thefBjchHclAuMMJQQy3T8Bk4ki/+yapPkpNOsB1pdo+n5jkPZa/V7" +
+            "18MFM9J8u8PGpxrzycX48/rGUaPlUaXb05vps8BiZSQC3uBT669348LuGwPbdCK72We4C9V9OJPwqBXL02bz+/RacTO14ZNkC63vo+kscrPKM4uDwutBu8BjaFvAbcoz4Qo7y9grmSv06wUr2COog/" +
+            "lTgTwMCKeLy30lG+yVLZPakHJT5UnBI+vVitPyzLD8BO0LW9MQ4kP1BYS7/vo928YzmvvkJRKT6z0ow+jw1KwL+HJkBBFQZApVORvLknuDxsn5q/WxnzPb0ycbwiiT1AUu6OwATIyL9hKiq94uu2PN" +
+            "72Pj/plmg90hG/PgGaoC8/lI5yQlqKcz+3mLE+qEUQPnHJEL2pc7C7Wn2RO8k8Qbx74hc77tpTOt2NgbjlIAQ4t1o1OJoYszhTPGG4eGfJtkt2qDzjtLo7Z54fus5o3boEDcO62sJiuuaHqTetg4y5" +
+            "exkZOEe0OLi4vpc2e3/NNwkmy7z8ya48CXZdOsLFgLtxhTI71fpsOdTKVLgsz4k5Zijdt4i6vLc31u62R7CgNqv1AkHZMRhBM/lEwO15Kb/EGI0+XF1UwKA95j4N8LI9t1dXvS3NdD113IM8WRGuPH" +
+            "oHjD8BMbE8yF5vPdouoDwqIFNAA+OyPj8Pbzwe26A9Jj0yvWCZV73GRYc/R56hvsYqUr9RRJm6K+E6QLFqpD56ChM8WlbDO1EVZLnFvoe7ogTSPj4dgz650cq/ERyEvZMzdj982Q3AkL6FvHEVbb5e" +
+            "tQw+G7swPucJhD5eB7w/QN8zwP0Lt71fZfU+ZrdQv/EEurwq152+e2QwPtEzbD6vvS7AoTmpP/nzHkClGj69tbM/PV+R0b8/jw0+cEbLPZkdHEBsGyfAwWr4v+EcILtHYci790efPwJKY7zGjDY+AZ" +
+            "BsAT+mmlRCTj1aP9SvsT1ThVk9A48svQf4Kby8aoE7XvEfvKs/CzuIeIE6vNkluCmS4zhA5jY47uorOG+ua7dZ5qg2kYBpuwSNgDt8Pcg6Q/NOu5ag6bbAKJW5Y1yDuNCZVbm6nnY4tHTRNunpP7eW" +
+            "hV83d7KcvGkbyDtpYME6c5Keu6aVBjusox86N4F+uMuYjzl65oa3GgSwt/QAu7bQscE2TDgDQIqAzUDZUFPAf9mAvwEQJD9dSwrAkNrMPkyztT3fxCW97S8APYcPbzyJuWY8xOVhPxFZBT+R8au+70" +
+            "VjPDzTZkDsHZE/JIqRPKzHbT3/t628FCRDvdt95z4ChLA+DDkbv/VOWDv4pO8/wxXIP1gAADzO1rA8oHIgvG0VlbwlCSY/IPgbvmSfCb+/uuO8oLTSP2Qw6b8DrmW8yK3HvRsdKj2+JLQ9iF0BP8iH" +
+            "tD+Uz4q/JvqmvfiXgj8noxi/81VHve/Bj77VtdQ9bjmIPr1CdMAmhEhAshhCQCYiQrzJxoY89T2lvzwCLz1hyTG+0AsbQPH+ksDD9+u/QP+MvRyQ6DzHvXg+aflHPkVhFz8BqSwOP4JnZ0KFkmg/bY" +
+            "FPPue0mz2cTCq98cUHvFB6jTu8bi28p88dO7LpbTqq2g+418PVODBuNjiGGJI4PJsOuLHlDrRjFL47suChO6vpeTrPdzC7/JUSukIVDLrTHEa4CN+KuZZdVDhWySi1CO2MtjW6YDdbbau8sxNQPN9W" +
+            "ljpEF5K7LSEXO7Y0+jnYGD24QayPOT/JqLcsQLi3RzDgtprcqza9pJRAV/H0QCbCVMBCC1u/XEsNPyKXKsDE9uI+URuWPdFKQ70gMDA9yKh1PMn6nTz48HE/qHOlPpNpUL4zCYY89L5ZQIf8gj/7X5" +
+            "Q8FU6EPVhy6LyY8Ui9810xP6SSDD67uiy/XheCO9P9FUA8lKM/8lYbPNuZwDyshi+8EBObvANoHj9P5cC8xgVLvzlWHb3ICLw/xMnzv6gHlrxPFwe+0gyFPSsM4z0JNfU+/P67Pyol678mV7C9XaJ9" +
+            "P/9OKb9/ETi9m9ySvpj/Aj4tMn4+6E55wOXuekBxlw1AsWOJu6wZPjwVuqS/1EIJPSNID77D4zpAoouhwCqStb8e1IC9aY78PLwwEj9MqxM+z8j8PgECgRo/6gt3Qu4ceT9jj5E+VXTNPfIwH73mS9" +
+            "W7YKuWO8whN7xoey47jQpLOoFTgrdMkB451hrttvHs3DhalnS4snMUuGNvUjxKybA7PPkPOu+/Drtmq5O6q5lIuvxDF7iXi6+581B4OPJsf7eREq+1Rks1N3XetLxgBpI8DiBkOih5hLswDiQ7AmK9" +
+            "OWdt2Lc3F5E53mLEt4wkxrfoMAC3bhkBNqcA30BkGwpBxwRPwCM5Mr9Fduc+bShIwOR2+j5Sxjs9LgVovcYpaz1Mh8I7UmDHPC/3cD+CMTg+jVqcvfjMjDzKHldA2a6LP4alhjw48Ho9qvMJvftbLL" +
+            "3N6UM/sU3OvU0oMr/6QmI7bXchQCgShD/ZJhM8GYObPMUPH7wL03K8m5UjP6UHHj535ZG/iphEvckrrD8hHvW/TKudvO6JHL4cbrw92DPzPY5eBD9dTsI/cLUgwIVftb1wOGQ/juc7v3xWGb2jGYu+" +
+            "mnUbPnkDWz64d3HAuWlNQJc+DkBWNN28mQThPPmQ4L8kTIE9gGdvvRYzNEBbhXHAc6TEvzhB37x33D48u1mTPwingD3U/6c+";
+    }
+}

@@ -1,0 +1,21 @@
+namespace Alate.Catalogue
+{
+    /// <summary>Trim tables of the insects as text; written by the command line: trim SPECIES --bake.</summary>
+    internal static class TrimTables
+    {
+        /// <summary>Table of an insect; null where there is none.</summary>
+        public static string Of(string name)
+        {
+            switch (name)
+            {
+                case "monarch": return MonarchTrims.Text;
+                case "swallowtail": return SwallowtailTrims.Text;
+                case "firefly": return FireflyTrims.Text;
+                case "fishfly": return FishflyTrims.Text;
+                case "painted-lichen-moth": return PaintedLichenMothTrims.Text;
+                case "snailfish": return SnailfishTrims.Text;
+                default: return null;
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Flight
+{
+    /// <summary>
+    /// Lets an insect fly by its own wings: beside <see cref="InsectWings"/>, it moves the object by the forces that the wings feel, and steers through the wings alone.
+    /// A pilot says where to.
+    /// </summary>
+    [AddComponentMenu("Alate/Insect Flight")]
+    [RequireComponent(typeof(InsectWings))]
+    [DisallowMultipleComponent]
+    public sealed partial class InsectFlight : MonoBehaviour
+    {
+        [SerializeField]
+        [Tooltip("Trims and gains of this kind of insect.")]
+        private FlightTrims m_Trims;
+
+        [SerializeField]
+        [Tooltip("Parts of the body with their shares of its mass, metres of the real insect.")]
+        private List<BodyEllipsoid> m_Parts = new List<BodyEllipsoid>();
+
+        [SerializeField]
+        [Range(0f, 1f)]
+        [Tooltip("Help from outside after a tumble, towards the wanted velocity and attitude: 0 none, 1 enough for 2 m/s gusts.")]
+        private float m_Aid;
+
+        [SerializeField]
+        [Tooltip("Metres from the centre of mass down to the feet.")]
+        private float m_FootHeight = 0.003f;
+
+        private IFlightPilot m_Pilot;
+
+        /// <summary>Trims and gains; null does not fly. Taken over when the component is enabled.</summary>
+        public FlightTrims Trims
+        {
+            get => m_Trims;
+            set => m_Trims = value;
+        }
+
+        /// <summary>Parts of the body. Taken over when the component is enabled.</summary>
+        public List<BodyEllipsoid> Parts => m_Parts;
+
+        /// <summary>Outer help towards wanted velocity and attitude, 0 to 1 (clamped); 0 flies by the wings alone.</summary>
+        public float Aid
+        {
+            get => m_Aid;
+            set => m_Aid = float.IsNaN(value) ? 0f : math.saturate(value);
+        }
+
+        /// <summary>Metres of the real insect from its centre of mass down to its feet, at least 0.</summary>
+        public float FootHeight
+        {
+            get => m_FootHeight;
+            set => m_FootHeight = math.isfinite(value) ? math.max(value, 0f) : 0f;
+        }
+
+        /// <summary>Who says where to fly; null takes the <see cref="FlightPilot"/> on this object, and <see cref="Velocity"/> where there is none.</summary>
+        public IFlightPilot Pilot
+        {
+            get => m_Pilot;
+            set => m_Pilot = value;
+        }
+
+        /// <summary>Wanted velocity without a pilot, m/s of the real insect along the world's axes.</summary>
+        public Vector3 Velocity { get; set; }
+
+        /// <summary>Wanted heading without a pilot, radians about the world's up; not a number follows the way.</summary>
+        public float Heading { get; set; } = float.NaN;
+
+        /// <summary>What the insect does.</summary>
+        public FlightState State { get; private set; }
+
+        /// <summary>Why it does not fly.</summary>
+        public FlightProblem Problem { get; private set; }
+
+        /// <summary>What the insect can do; all 0 until it flies.</summary>
+        public FlightLimits Limits { get; private set; }
+
+        /// <summary>Centre of mass, world units.</summary>
+        public Vector3 Position { get; private set; }
+
+        /// <summary>Velocity of the centre of mass, m/s of the real insect; bobs with the beat.</summary>
+        public Vector3 BodyVelocity { get; private set; }
+
+        /// <summary>Power of the aid in the last step, watts of the real insect.</summary>
+        public float AidPower { get; private set; }
+
+        /// <summary>Raised when the insect has landed.</summary>
+        public event Action<InsectFlight> Landed;
+
+        /// <summary>Raised when the insect takes off.</summary>
+        public event Action<InsectFlight> TookOff;
+
+        private void OnEnable()
+        {
+            m_Wings = GetComponent<InsectWings>();
+            if (m_Wings != null)
+                m_Wings.Flyer = m_Link ??= new Link(this);
+        }
+
+        private void OnDisable()
+        {
+            if (m_Wings != null && ReferenceEquals(m_Wings.Flyer, m_Link))
+                m_Wings.Flyer = null;
+            Detach();
+        }
+
+        private void OnDestroy() => Detach();
+
+        private void OnValidate()
+        {
+            Aid = m_Aid;
+            FootHeight = m_FootHeight;
+        }
+
+        private void Fail(FlightProblem problem, string why)
+        {
+            if (Problem == problem)
+                return;
+            Problem = problem;
+            Debug.LogWarning($"'{name}' does not fly: {why}", this);
+        }
+    }
+}

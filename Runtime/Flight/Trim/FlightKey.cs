@@ -1,0 +1,51 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>Number that changes with the numbers that a trim table depends on: all but where the hinges lie on the mesh, which differs by rounding.</summary>
+    internal struct FlightKey
+    {
+        private uint m_Hash;
+
+        /// <summary>Key so far.</summary>
+        public readonly uint Value => m_Hash;
+
+        /// <summary>Key without anything.</summary>
+        public static FlightKey Empty => new FlightKey { m_Hash = 2166136261 };
+
+        /// <summary>Takes in a number.</summary>
+        /// <remarks>Less its last bits: libraries of mathematics differ there.</remarks>
+        public void Add(float value) => Add((math.asuint(value) + 128) >> 8);
+
+        /// <summary>Takes in a number.</summary>
+        public void Add(uint value)
+        {
+            // Fowler, Noll and Vo, byte by byte.
+            for (int k = 0; k < 32; k += 8)
+                m_Hash = (m_Hash ^ (value >> k & 255)) * 16777619;
+        }
+
+        /// <summary>Takes in a vector.</summary>
+        public void Add(float3 value)
+        {
+            Add(value.x);
+            Add(value.y);
+            Add(value.z);
+        }
+
+        /// <summary>Takes in a wing.</summary>
+        public void Add(FlightWing wing)
+        {
+            WingParameters parameters = wing.Parameters;
+            foreach (WingParameterRange range in WingParameterRange.s_All)
+                Add(range.Of(ref parameters));
+            Add((uint)parameters.substepsPerBeat);
+            ModelOptions o = parameters.options;
+            Add((uint)o.coefficients * 1024 + (uint)o.tangent * 256 + (o.clampLift ? 128u : 0u) + (uint)o.cycleChange * 64
+                + (uint)o.torqueArm * 16 + (uint)o.springUnits * 8 + (uint)o.coupling * 4 + (uint)o.timeScheme);
+            Add(wing.Length);
+            Add(wing.Mass);
+            Add(wing.GravityShare);
+        }
+    }
+}
