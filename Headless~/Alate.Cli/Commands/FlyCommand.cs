@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
+using Alate.Cli.FreeFlights;
 
 namespace Alate.Cli.Commands;
 
@@ -21,9 +22,17 @@ internal static class FlyCommand
         var options = new FlyOptions();
         var command = new Command("fly", "Flies an insect and writes pictures, a 3D file and numbers of its last beat.") { species };
         options.AddTo(command);
+        var free = new FreeOptions();
+        free.AddTo(command);
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
+            if (free.IsFree(parsed))
+            {
+                FreeReport.Run(free.Plan(parsed, parsed.GetValue(species), options.Seconds(parsed), options.Folder(parsed)), output);
+                return 0;
+            }
+
             var plan = options.Plan(parsed, parsed.GetValue(species));
             FlightReport.Run(plan, output);
             return 0;
@@ -46,11 +55,14 @@ internal static class FlyCommand
         + "  fly monarch\n"
         + "  fly firefly --variant biological\n"
         + "  fly monarch --speed 0.8 --climb 0.5 --pitch 30 --elasticity 0.5 --out climbing\n"
+        + "  fly monarch --free --to 1,0.5,4 --gust 1,0,0 --seconds 12\n"
         + "  fly --mesh wing.obj --skeleton wing.json --species monarch --out mine\n\n"
         + "Writes into the output folder:\n"
         + "  strip.svg     twelve phases of the last beat, seen from the side of --view\n"
         + "  wings.glb     that beat as a looped 3D animation (glTF 2.0), metres\n"
+        + "  forces.csv    force and moment of the air over that beat, N and N m\n"
         + "  joints.csv    every joint of the skeleton over that beat, metres\n"
-        + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift and cost\n\n"
+        + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift and cost\n"
+        + "With --free: trajectory.csv, forces.csv, path.png (from above and from the side), flight.glb.\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

@@ -91,6 +91,12 @@ internal sealed class FlyOptions
             command.Options.Add(option);
     }
 
+    /// <summary>Simulated time; null is the default.</summary>
+    public double? Seconds(ParseResult parsed) => parsed.GetValue(m_Seconds);
+
+    /// <summary>Where the files go; null is the default.</summary>
+    public string Folder(ParseResult parsed) => parsed.GetValue(m_Out);
+
     /// <summary>Makes the plan that the user asked for.</summary>
     /// <exception cref="UserException">Options that exclude or need each other.</exception>
     public FlightPlan Plan(ParseResult parsed, string species)

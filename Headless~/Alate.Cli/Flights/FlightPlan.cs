@@ -46,6 +46,9 @@ internal sealed record FlightPlan
     public bool IsVersion01 { get; init; }
     public InsectVariant Variant { get; init; }
 
+    /// <summary>A beat in place of the one that follows the speed; null is that one.</summary>
+    public WingDrive? Drive { get; init; }
+
     /// <summary>A number of the species at another value; null changes none.</summary>
     public ParameterChange Change { get; init; }
 

@@ -9,7 +9,7 @@ namespace Alate.Cli.Flights;
 /// <summary>Flies a plan, shows how it gets on, and writes what came of it: all of the files or none.</summary>
 internal static class FlightReport
 {
-    private const string k_Strip = "strip.svg", k_Glb = "wings.glb", k_Joints = "joints.csv", k_Summary = "summary.json";
+    private const string k_Strip = "strip.svg", k_Glb = "wings.glb", k_Joints = "joints.csv", k_Forces = "forces.csv", k_Summary = "summary.json";
 
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(FlightPlan plan, TextWriter output)
@@ -18,7 +18,7 @@ internal static class FlightReport
         PlanRange.CheckElasticity(plan, plan.Elasticity);
         using var flight = new TetheredFlight(plan, insect);
         string path = plan.Folder ?? Path.Combine("out", insect.Name);
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Summary);
+        using OutputFolder folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Forces, k_Summary);
         var terminal = new Terminal(output);
         FlightSummary summary = null;
         terminal.ShowProgress(flight.Steps, (steps, stage) =>
@@ -31,9 +31,10 @@ internal static class FlightReport
             stage("writing");
             folder.Write(k_Glb, stream => WingsGlb.Write(record, stream));
             folder.Write(k_Joints, stream => JointTable.Write(record, stream));
+            folder.Write(k_Forces, stream => CsvTable.Write(stream, ForceTable.Of(record)));
             folder.Write(k_Summary, stream => SummaryJson.Write(summary, stream));
         });
         folder.Commit();
-        terminal.ShowSummary(summary, path, k_Strip, k_Glb, k_Joints, k_Summary);
+        terminal.ShowSummary(summary, path, k_Strip, k_Glb, k_Joints, k_Forces, k_Summary);
     }
 }

@@ -109,6 +109,12 @@ internal sealed class TetheredFlight : IDisposable
             WingSurroundings surroundings = m_Plan.SurroundingsOf(wing.Preset, side);
             surroundings.hinge = placement.Hinge / wing.Preset.WingLength;
             m_Handles.Add(m_World.Add(rig, parameters, surroundings));
+            if (m_Plan.Drive is WingDrive drive)
+            {
+                m_World.SetDrive(m_Handles[^1], drive);
+                m_World.Reset(m_Handles[^1]);
+            }
+
             m_Frames.Add(rig.Frame);
             m_Wings.Add(new RecordedWing
             {

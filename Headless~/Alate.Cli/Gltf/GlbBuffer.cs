@@ -47,6 +47,19 @@ internal sealed class GlbBuffer
         return Add(accessor);
     }
 
+    /// <summary>Rotations of an animation.</summary>
+    public int AddQuadruples(IReadOnlyList<float4> values)
+    {
+        int view = BeginView(null);
+        foreach (float4 value in values)
+        {
+            for (int k = 0; k < 4; k++)
+                m_Writer.Write(value[k]);
+        }
+
+        return Add(EndView(view, k_Float, "VEC4", values.Count));
+    }
+
     /// <summary>Texture coordinates, from the upper left.</summary>
     public int AddPairs(IReadOnlyList<float2> values)
     {

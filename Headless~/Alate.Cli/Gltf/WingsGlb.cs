@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json.Nodes;
 using Alate.Cli.Flights;
+using Alate.Cli.FreeFlights;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Gltf;
@@ -24,13 +25,17 @@ internal sealed class WingsGlb
     private readonly Dictionary<(bool IsPainted, bool IsGlass), int> m_MaterialOfLook = [];
     private readonly List<int> m_WingNodes = [];
 
-    public static void Write(FlightRecord flight, Stream stream)
+    /// <summary>Writes the file.</summary>
+    /// <param name="flight">The beat.</param>
+    /// <param name="stream">Where to.</param>
+    /// <param name="path">A free flight along which the insect moves, beating; null beats on the spot.</param>
+    public static void Write(FlightRecord flight, Stream stream, FreeRecord path = null)
     {
         var glb = new WingsGlb();
         glb.AddBody(flight.Insect.Body);
         foreach (RecordedWing wing in flight.Wings)
             glb.AddWing(wing);
-        GlbWriter.Write(glb.Finish(flight), glb.m_Buffer.ToArray(), stream);
+        GlbWriter.Write(glb.Finish(flight, path), glb.m_Buffer.ToArray(), stream);
     }
 
     // What light passes is a part of its own: a viewer that sorts it against the rest would else spoil the solid part too.
@@ -99,13 +104,13 @@ internal sealed class WingsGlb
         return m_Nodes.Count - 1;
     }
 
-    private JsonObject Finish(FlightRecord flight)
+    private JsonObject Finish(FlightRecord flight, FreeRecord path)
     {
         int parts = m_Nodes.Count;
         var children = new JsonArray(Enumerable.Range(0, parts).Select(k => (JsonNode)k).ToArray());
         m_Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = children });
         double period = 1.0 / flight.Wings[0].Frequency;
-        JsonArray animations = [Animation(period)];
+        JsonArray animations = [path == null ? Animation(period) : Animation(path, parts)];
         return new JsonObject
         {
             ["asset"] = new JsonObject { ["version"] = "2.0", ["generator"] = "Alate Insect Wings" },
@@ -144,6 +149,41 @@ internal sealed class WingsGlb
             channels.Add(new JsonObject { ["sampler"] = 0, ["target"] = new JsonObject { ["node"] = node, ["path"] = "weights" } });
         return new JsonObject { ["name"] = "beat", ["samplers"] = new JsonArray(sampler), ["channels"] = channels };
     }
+
+    // The whole flight: where the body is, and between which two shapes of the beat its wings are.
+    private JsonObject Animation(FreeRecord path, int root)
+    {
+        int count = path.Moments.Count;
+        var weights = new float[count * (k_KeyFrames - 1)];
+        for (int k = 0; k < count; k++)
+        {
+            double at = path.Moments[k].Phase / (2.0 * Math.PI) * k_KeyFrames;
+            int before = (int)at % k_KeyFrames, after = (before + 1) % k_KeyFrames;
+            float blend = (float)(at - Math.Floor(at));
+            if (before > 0)
+                weights[k * (k_KeyFrames - 1) + before - 1] = 1f - blend;
+            if (after > 0)
+                weights[k * (k_KeyFrames - 1) + after - 1] = blend;
+        }
+
+        int times = m_Buffer.AddScalars(path.Moments.Select(at => (float)at.Time).ToArray());
+        var samplers = new JsonArray
+        {
+            Sampler(times, m_Buffer.AddScalars(weights)),
+            Sampler(times, m_Buffer.AddVectors(path.Moments.Select(at => ToGltf(path.Thorax(at))).ToList())),
+            // A mirror image in x turns the other way about y and z.
+            Sampler(times, m_Buffer.AddQuadruples(path.Moments.Select(at => at.Rotation.value * new float4(1f, -1f, -1f, 1f)).ToList())),
+        };
+        var channels = new JsonArray { Channel(1, root, "translation"), Channel(2, root, "rotation") };
+        foreach (int node in m_WingNodes)
+            channels.Add(Channel(0, node, "weights"));
+        return new JsonObject { ["name"] = "flight", ["samplers"] = samplers, ["channels"] = channels };
+    }
+
+    private static JsonObject Sampler(int input, int output) => new() { ["input"] = input, ["output"] = output, ["interpolation"] = "LINEAR" };
+
+    private static JsonObject Channel(int sampler, int node, string path) =>
+        new() { ["sampler"] = sampler, ["target"] = new JsonObject { ["node"] = node, ["path"] = path } };
 
     // Vertex colours multiply the material's, so that it is white under them; a membrane without any is pale.
     private int MaterialOf(bool isPainted, bool isGlass)

@@ -42,7 +42,9 @@ namespace Alate.Tests.FreeFlights
                 beat.Enqueue(error);
                 sum += error;
                 double period = 1 / flight.World.Read(flight.Wings[0]).Frequency;
-                while (beat.Count > Math.Max(1, Math.Round(Math.Ceiling(0.04 / period) * period / dt)))
+                // A beat; where steps catch it only once or twice, several, so that the bob does not count.
+                double whole = period > 3 * dt ? period : Math.Ceiling(0.1 / period) * period;
+                while (beat.Count > Math.Max(1, Math.Round(whole / dt)))
                     sum -= beat.Dequeue();
                 double mean = math.length(sum) / beat.Count;
                 foreach ((string name, double from, double to) in parts)

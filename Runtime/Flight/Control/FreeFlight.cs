@@ -68,6 +68,9 @@ namespace Alate.Flight
         /// <summary>Moment of the wings' air about the centre of mass, mean over the last step, N m in body axes.</summary>
         public float3 Moment => Body.moment;
 
+        /// <summary>Power that the wings give to the air, mean over the last step, W.</summary>
+        public float Power => Body.power;
+
         /// <summary>Power of the aid in the last substep, W.</summary>
         public float AidPower => Body.aidPower;
 

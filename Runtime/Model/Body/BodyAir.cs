@@ -8,6 +8,9 @@ namespace Alate
         /// <summary>Force, N, and moment about the centre of mass, N m, of the wings.</summary>
         public float3 force, moment;
 
+        /// <summary>Power that the wings give to the air, W.</summary>
+        public float power;
+
         /// <summary>K of all wings.</summary>
         public Symmetric6 damping;
 
@@ -34,6 +37,7 @@ namespace Alate
             LaneAir* air = pack.air;
             float unit = wing.mass * wing.length;
             force += wing.ToBody(air->force[wing.lane]) * unit;
+            power += air->power[wing.lane] * (unit * wing.length);
             moment += wing.ToBody(air->moment[wing.lane]) * (unit * wing.length * wing.handedness);
 
             // K in the wing's frame: blocks of velocity and of turning carry over with the frame's axes, those of turning with its handedness.

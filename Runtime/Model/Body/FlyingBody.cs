@@ -79,6 +79,9 @@ namespace Alate
         public float3 force, moment, aidForce, aidMoment;
         public float aidPower;
 
+        /// <summary>Mean power that the wings give to the air over the last step, W.</summary>
+        public float power;
+
         /// <summary>Of a held body: mean damping of velocities up and ahead and of turning about X over the last step; columns are what they are damped by.</summary>
         public float3x3 damping;
 

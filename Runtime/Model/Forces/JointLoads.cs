@@ -39,6 +39,17 @@ namespace Alate
             pack.readings->airMoment += moment;
             pack.air->force = force;
             pack.air->moment = moment;
+            if (pack.carries)
+                pack.air->power = Power(pack, scratch);
+        }
+
+        // What the wing gives to the air: less force times velocity, the driven one and that of the deformation.
+        private static float4 Power(in WingPack pack, in StepScratch scratch)
+        {
+            float4 power = 0f;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                power -= SoaFloat3.Dot(scratch.forces[joint], scratch.drivenVelocities[joint] + pack.motions[joint].velocity);
+            return power;
         }
 
         // Eq. 5, 8 in the wing's own frame: the load of the driven motion, −κ m a; and m g of Eq. 4.

@@ -65,6 +65,7 @@ namespace Alate
             body.force = body.moment = default;
             body.damping = default;
             body.aidPower = 0f;
+            body.power = 0f;
         }
 
         private static void End(ref FlyingBody body, int count)
@@ -73,6 +74,7 @@ namespace Alate
             body.moment /= count;
             body.damping = body.damping * (1f / count);
             body.aidPower /= count;
+            body.power /= count;
         }
 
         // Before the wings' substep: the reference moves on, the feedback samples where the next beat is about to be latched, and the wings are told what they meet.
@@ -124,6 +126,7 @@ namespace Alate
             BodyAir air = default;
             for (int k = 0; k < body.wingCount; k++)
                 air.Add(lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
+            body.power += air.power;
             if (body.mode == BodyMode.Free)
                 BodyMotion.Step(ref body, air, h);
             else
