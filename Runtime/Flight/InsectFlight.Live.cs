@@ -32,7 +32,7 @@ namespace Alate.Flight
             PlacedWing placed = live.wings[0].placed;
             if (!placed.isValid)
                 return;
-            m_Units = live.insect.MotionSettings.metresPerUnit > 0f ? 1f / live.insect.MotionSettings.metresPerUnit : placed.length / live.wings[0].values.wingLength;
+            m_Units = live.insect.MotionSettings.metresPerUnit > 0f ? 1f / live.insect.MotionSettings.metresPerUnit : placed.length / live.wings[0].values.size.wingLength;
             ref FlyingBody body = ref world.Body(m_Body);
             TakeOver(ref body);
             body.wind = wind / m_Units;
@@ -229,10 +229,10 @@ namespace Alate.Flight
             }
 
             PlacedWing first = live.wings[0].placed;
-            m_Units = first.isValid ? first.length / live.wings[0].values.wingLength : 1f;
+            m_Units = first.isValid ? first.length / live.wings[0].values.size.wingLength : 1f;
             try
             {
-                m_Model = new FlightModel(WingsOf(live), m_Parts, live.wings[0].values.insectMass, DensityOf(live), live.wings[0].values.gravityShare);
+                m_Model = new FlightModel(WingsOf(live), m_Parts, live.wings[0].values.size.insectMass, live.wings[0].values.size.fluidDensity, live.wings[0].values.size.gravityShare);
             }
             catch (ArgumentException problem)
             {
@@ -253,12 +253,6 @@ namespace Alate.Flight
             return false;
         }
 
-        private static float DensityOf(LiveInsect live)
-        {
-            PresetValues values = live.wings[0].values;
-            return values.parameters.airDensity * values.wingMass / (values.wingLength * values.wingLength * values.wingLength);
-        }
-
         private List<FlightWing> WingsOf(LiveInsect live)
         {
             var wings = new List<FlightWing>();
@@ -273,9 +267,9 @@ namespace Alate.Flight
                     Parameters = wing.values.parameters,
                     Hinge = math.rotate(back, placed.hinge - (float3)live.root.position) / m_Units,
                     Axes = axes,
-                    Length = wing.values.wingLength,
-                    Mass = wing.values.wingMass,
-                    GravityShare = wing.values.gravityShare,
+                    Length = wing.values.size.wingLength,
+                    Mass = wing.values.size.wingMass,
+                    GravityShare = wing.values.size.gravityShare,
                     IsLeft = math.dot(math.cross(axes.c0, axes.c1), axes.c2) < 0f,
                 });
             }

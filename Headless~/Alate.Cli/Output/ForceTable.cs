@@ -29,7 +29,7 @@ internal static class ForceTable
             float3 force = default, moment = default;
             foreach (RecordedWing wing in flight.Wings)
             {
-                PresetSize size = wing.Wing.Species.Size;
+                PresetSize size = wing.Wing.Preset.Size;
                 float unit = size.wingMass * size.wingLength;
                 force += unit * wing.Placement.DirectionToBody(wing.Frames[k].AirForce);
                 moment += unit * size.wingLength * wing.Placement.AxisToBody(wing.Frames[k].AirMoment);

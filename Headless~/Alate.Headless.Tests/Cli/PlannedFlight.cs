@@ -17,7 +17,7 @@ namespace Alate.Tests.Cli
             options.AddTo(command);
             ParseResult parsed = command.Parse(arguments);
             Assert.That(parsed.Errors, Is.Empty);
-            return Flight.Fly(options.Plan(parsed, parsed.GetValue(species)));
+            return TetheredFlight.Fly(options.Plan(parsed, parsed.GetValue(species)));
         }
     }
 }

@@ -37,7 +37,7 @@ namespace Alate.Flight
         public void Add(FlightWing wing)
         {
             WingParameters parameters = wing.Parameters;
-            foreach (WingParameterRange range in WingParameterRange.s_All)
+            foreach (WingParameterRange range in WingParameters.s_Ranges)
                 Add(range.Of(ref parameters));
             Add((uint)parameters.substepsPerBeat);
             ModelOptions o = parameters.options;
