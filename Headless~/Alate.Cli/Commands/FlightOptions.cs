@@ -30,6 +30,7 @@ internal static class FlightOptions
             ["standard"] = InsectVariant.Standard,
             ["biological"] = InsectVariant.Biological,
             ["expressive"] = InsectVariant.Expressive,
+            ["flight"] = InsectVariant.Flight,
         });
 
     public static Option<PictureView?> View() => Choice.Optional(

@@ -29,9 +29,9 @@ namespace Alate.Tests.Cli
         public void RemoveFolder() => m_Run.Dispose();
 
         [Test]
-        public void Folder_HoldsTheFourFiles_AndNothingElse() => Assert.That(
+        public void Folder_HoldsTheFiveFiles_AndNothingElse() => Assert.That(
             Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName),
-            Is.EquivalentTo(new[] { "strip.svg", "wings.glb", "joints.csv", "summary.json" }));
+            Is.EquivalentTo(new[] { "strip.svg", "wings.glb", "joints.csv", "forces.csv", "summary.json" }));
 
         [TestCase("frequency_hz", 10.085, 10.086)] // 11 / (1 + exp(-16 (1.3 / 2 - 0.5))), Eq. 6 at its cruise of 1.3 m/s
         [TestCase("twist_pp_deg", 19, 29)]
@@ -166,7 +166,7 @@ namespace Alate.Tests.Cli
             Assert.That(run.Run("fly", "monarch", "--seconds", "0.2", "--speed", "0", "--out", run.Out), Is.Zero);
 
             Assert.That(Summary(run.Out).GetProperty("frequency_hz").GetDouble(), Is.EqualTo(8.8).Within(1e-3));
-            Assert.That(Directory.GetFileSystemEntries(run.Out), Has.Length.EqualTo(4));
+            Assert.That(Directory.GetFileSystemEntries(run.Out), Has.Length.EqualTo(5));
         }
 
         private static double Fly(string key, params string[] options)

@@ -5,11 +5,11 @@ namespace Alate.Tests.Cli
     /// <summary>A word that is no command is named, with the commands there are.</summary>
     public sealed class UnknownCommandTests
     {
-        [TestCase("swim")]
-        [TestCase("swim", "--help")]
-        [TestCase("swim", "monarch", "--speed", "1")]
+        [TestCase("glide")]
+        [TestCase("glide", "--help")]
+        [TestCase("glide", "monarch", "--speed", "1")]
         public void UnknownCommand_IsNamed_WithThoseThereAre(params string[] arguments) =>
-            AssertRefused("Unknown command 'swim'. Commands: fly, ", arguments);
+            AssertRefused("Unknown command 'glide'. Commands: fly, ", arguments);
 
         [TestCase("flu", "fly")]
         [TestCase("specie", "species")]
@@ -21,7 +21,7 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void UnknownCommandOfACommand_IsNamed_WithThoseThereAre() =>
-            AssertRefused("Unknown command 'swim'. Commands: fit, from-image.", "skeleton", "swim", "wing.obj");
+            AssertRefused("Unknown command 'glide'. Commands: fit, from-image.", "skeleton", "glide", "wing.obj");
 
         [Test]
         public void CommandWithoutItsCommand_ListsThoseThereAre() =>

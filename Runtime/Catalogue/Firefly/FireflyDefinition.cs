@@ -104,6 +104,8 @@ namespace Alate.Catalogue
                 new InsectSource("chord delay λ", "0.09", "chosen: as above, at the faster beat", biological),
                 new InsectSource("strongest wind", "0.75", "chosen: a firefly's tip bends half again as far in 5 m/s as in still air"),
                 new InsectSource("k_e, λ, μ, w_0, κ, strongest wind", "0.7, 0.18, 0.35, 0.6, 40, 0.65", "chosen for the eye: a membrane that flutters like a flag, as in the paper's Fig. 11", expressive),
+                new InsectSource("MAX_f", "62 Hz", "as biological", InsectVariant.Flight),
+                new InsectSource("insect mass", "17.5 mg", "chosen: half of the other variants', which these wings do not carry", InsectVariant.Flight),
                 new InsectSource("veins, colours", "six veins and three forks", "drawn by us"),
             };
         }

@@ -148,6 +148,7 @@ namespace Alate.Catalogue
                 new InsectSource("chord delay λ", "0.08", "chosen: a lag of some 12° on a narrow, soft wing"),
                 new InsectSource("k_e, λ, μ, w_0, κ", "0.2, 0.12, 0.5, 0.55, 60", "chosen for the eye: wings that flutter like flags, as in the paper's Fig. 13", expressive),
                 new InsectSource("phase of the hind wing", "30° later", "chosen for the eye: the flutter runs on from wing to wing", expressive),
+                new InsectSource("MAX_f", "19.5 Hz", "chosen: the beat at which these wings carry 0.2 g; 11 Hz carry a third of it", InsectVariant.Flight),
                 new InsectSource("veins, colours", "nine veins, six forks, cross veins", "drawn by us"),
             };
         }

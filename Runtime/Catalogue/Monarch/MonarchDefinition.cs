@@ -68,6 +68,7 @@ namespace Alate.Catalogue
                 new InsectSource("chord delay λ", "0.15", "chosen so that the trailing edge lags by some 27°, within the 10 to 40° measured on butterflies"),
                 new InsectSource("k_e, λ, μ, w_0, decay, κ", "0.35, 0.22, 0.25, 0.65, 0.5, 30", "chosen for the eye: wings that bow and roll", InsectVariant.Expressive),
                 new InsectSource("last chain's tip", "span 26.9 mm", "chosen: the rearmost point of the hind wing"),
+                new InsectSource("body", "ellipsoids of head, thorax and abdomen, 8, 38 and 54 % of its mass", "chosen: proportions of a monarch", InsectVariant.Flight),
                 new InsectSource("body, colours", "29 mm long, thorax 4.5 mm wide", "proportions chosen by us"),
             };
         }

@@ -78,6 +78,7 @@ namespace Alate.Catalogue
                 new InsectSource(
                     "k_e, λ, μ, w_0, decay, joint limit, κ", "0.28, 0.28, 0.35, 0.55, 0.35, 40°, 60",
                     "chosen for the eye: tips that cup, as in the paper's Fig. 12", expressive),
+                new InsectSource("MAX_f", "39 Hz", "chosen: the beat at which these wings carry 25 mg; small moths beat at 30 to 60 Hz", InsectVariant.Flight),
                 new InsectSource("colours", "grey stripes on yellow and red, a pink hind wing", "after descriptions of the species, drawn by us"),
             };
         }

@@ -140,6 +140,9 @@ namespace Alate.Catalogue
                 new InsectSource("chord delay λ", "0.1", "chosen: over both wings the rear edge lags by some 40°, the upper end of what was measured on butterflies"),
                 new InsectSource("k_e, λ, μ, w_0, decay, κ", "0.45, 0.14, 0.2, 0.7, 0.6, 30", "chosen for the eye: wings that bow and tails that trail", expressive),
                 new InsectSource("hind wing's middle and phase", "6.5°, 27° later", "chosen: the softer edges stay together with these", expressive),
+                new InsectSource("MAX_f", "14 Hz", "chosen: the beat at which these wings carry the insect", InsectVariant.Flight),
+                new InsectSource("wing lengths", "fore 55 mm, hind 41.6 mm; masses with the square of the length", "chosen: a large Papilio", InsectVariant.Flight),
+                new InsectSource("insect mass", "0.34 g", "chosen: a slender male", InsectVariant.Flight),
                 new InsectSource("colours", "yellow and black", "drawn by us"),
             };
         }
