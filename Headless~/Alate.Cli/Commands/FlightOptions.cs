@@ -25,7 +25,7 @@ internal static class FlightOptions
         "Substeps of a beat, 12 to 480. [default: the species']");
 
     public static Option<InsectVariant?> Variant() => Choice.Optional<InsectVariant>(
-        "--variant", "Which numbers of the species: the tables', measured ones where there are any, or softer ones. [default: standard]", new()
+        "--variant", "Which numbers of the species: the tables', measured ones where there are any, softer ones, or those with which its wings carry it. [default: standard]", new()
         {
             ["standard"] = InsectVariant.Standard,
             ["biological"] = InsectVariant.Biological,

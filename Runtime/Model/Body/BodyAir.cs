@@ -40,31 +40,14 @@ namespace Alate
             power += air->power[wing.lane] * (unit * wing.length);
             moment += wing.ToBody(air->moment[wing.lane]) * (unit * wing.length * wing.handedness);
 
-            // K in the wing's frame: blocks of velocity and of turning carry over with the frame's axes, those of turning with its handedness.
-            float3x3 uu = Block(air, wing.lane, 0, 0), uw = Block(air, wing.lane, 0, 3), ww = Block(air, wing.lane, 3, 3);
+            // Blocks of velocity and of turning carry over with the frame's axes, those between them with its handedness.
+            float mass = wing.mass, arm = unit * wing.handedness, turn = unit * wing.length;
             float3x3 back = math.transpose(wing.axes);
-            uu = math.mul(math.mul(wing.axes, uu), back);
-            uw = math.mul(math.mul(wing.axes, uw), back) * wing.handedness;
-            ww = math.mul(math.mul(wing.axes, ww), back);
-            float mass = wing.mass, arm = mass * wing.length, turn = arm * wing.length;
-            for (int i = 0, entry = 0; i < 6; i++)
-            {
-                for (int j = i; j < 6; j++, entry++)
-                    damping[entry] += i >= 3 ? ww[j - 3][i - 3] * turn : j >= 3 ? uw[j - 3][i] * arm : uu[j][i] * mass;
-            }
+            damping.uu += math.mul(math.mul(wing.axes, Block(air->uu, wing.lane, mass)), back);
+            damping.uw += math.mul(math.mul(wing.axes, Block(air->uw, wing.lane, arm)), back);
+            damping.ww += math.mul(math.mul(wing.axes, Block(air->ww, wing.lane, turn)), back);
         }
 
-        private static unsafe float3x3 Block(LaneAir* air, int lane, int row, int column)
-        {
-            float3x3 block = default;
-            for (int j = 0; j < 3; j++)
-            {
-                block[j] = new float3(
-                    air->Damping(Symmetric6.At(row, column + j), lane), air->Damping(Symmetric6.At(row + 1, column + j), lane),
-                    air->Damping(Symmetric6.At(row + 2, column + j), lane));
-            }
-
-            return block;
-        }
+        private static float3x3 Block(in SoaFloat3x3 all, int lane, float unit) => new float3x3(all.c0[lane] * unit, all.c1[lane] * unit, all.c2[lane] * unit);
     }
 }

@@ -26,16 +26,11 @@ namespace Alate
             float3 moment = air.moment - math.cross(spin, math.mul(body.inertia, spin)) + body.aidMoment;
 
             // Midpoint: the forces were taken where the body was predicted to be; K carries them to where it gets.
-            Symmetric6 system = air.damping;
-            for (int entry = 0; entry < LaneAir.Entries; entry++)
-                system[entry] *= 0.5f * h;
-            for (int i = 0; i < 3; i++)
-            {
-                int at = Symmetric6.At(i, i);
-                system[at] += body.mass + 0.5f * h * 2f * body.drag[i] * speed;
-                for (int j = i; j < 3; j++)
-                    system[Symmetric6.At(3 + i, 3 + j)] += body.inertia[j][i];
-            }
+            var system = new Symmetric6 { uu = air.damping.uu * (0.5f * h), uw = air.damping.uw * (0.5f * h), ww = air.damping.ww * (0.5f * h) + body.inertia };
+            float3 own = body.mass + h * speed * body.drag;
+            system.uu.c0.x += own.x;
+            system.uu.c1.y += own.y;
+            system.uu.c2.z += own.z;
 
             float3 hullGiven = body.drag * (2f * speed) * (0.5f * h * body.acceleration);
             system.Solve(h * (force + givenForce + hullGiven), h * (moment + givenMoment), out float3 du, out float3 dw);
