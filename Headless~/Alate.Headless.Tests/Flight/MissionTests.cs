@@ -12,7 +12,15 @@ namespace Alate.Tests.FreeFlights
         /// <summary>Largest errors of the five species, m/s; a tumble would be above 1.</summary>
         private static readonly Dictionary<string, double> s_Bounds = new Dictionary<string, double>
         {
-            ["hover"] = 0.06, ["step"] = 0.21, ["cruise"] = 0.06, ["turn"] = 0.19, ["climb"] = 0.07, ["side gust"] = 0.34, ["head gust"] = 0.36, ["stop"] = 0.21, ["rest"] = 0.06,
+            ["hover"] = 0.06,
+            ["step"] = 0.21,
+            ["cruise"] = 0.06,
+            ["turn"] = 0.19,
+            ["climb"] = 0.07,
+            ["side gust"] = 0.34,
+            ["head gust"] = 0.36,
+            ["stop"] = 0.21,
+            ["rest"] = 0.06,
         };
 
         [Test]

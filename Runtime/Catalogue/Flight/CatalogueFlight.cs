@@ -9,6 +9,9 @@ namespace Alate.Catalogue
     /// <summary>Insects of the catalogue as models that fly by their own wings.</summary>
     public static class CatalogueFlight
     {
+        /// <summary>[species] Shared by all insects that were made.</summary>
+        private static readonly Dictionary<string, FlightTrims> s_Trims = new Dictionary<string, FlightTrims>();
+
         /// <summary>Makes the flight model of an insect: all its wings on both sides, its body and their masses. Dispose it.</summary>
         /// <param name="insect">The insect.</param>
         /// <param name="variant">Which numbers; <see cref="InsectVariant.Flight"/> are those that fly.</param>
@@ -55,8 +58,14 @@ namespace Alate.Catalogue
             }
 
             var flight = wings.gameObject.AddComponent<InsectFlight>();
-            flight.Trims = FlightTrims.Create(text);
-            flight.Trims.hideFlags = HideFlags.DontSave;
+            if (!s_Trims.TryGetValue(insect.Name, out FlightTrims trims) || trims == null)
+            {
+                trims = FlightTrims.Create(text);
+                trims.hideFlags = HideFlags.HideAndDontSave;
+                s_Trims[insect.Name] = trims;
+            }
+
+            flight.Trims = trims;
             flight.Parts.AddRange(insect.FlightParts);
             return flight;
         }

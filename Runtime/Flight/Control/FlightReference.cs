@@ -23,11 +23,14 @@ namespace Alate.Flight
         /// <summary>Fastest turn into a gust, rad/s, and seconds in which the heading of a fast insect gets to its course.</summary>
         private const float k_MostCrabbing = 10f, k_Course = 0.03f;
 
+        /// <summary>Heading from which on a hovering insect sets off, radians off its way, and share of the cruising speed that it creeps with before.</summary>
+        private const float k_Aligned = 0.6f, k_Slow = 0.5f;
+
         /// <summary>Share of the table's top speed that the air speed may reach.</summary>
         private const float k_Beyond = 1.1f;
 
         private float3 m_Velocity, m_Rate;
-        private float m_Turning;
+        private float m_Turning, m_Aim;
 
         /// <summary>Velocity over ground, m/s.</summary>
         public float3 Velocity => m_Velocity;
@@ -44,6 +47,7 @@ namespace Alate.Flight
             m_Velocity = velocity;
             m_Rate = default;
             m_Turning = 0f;
+            m_Aim = float.NaN;
             Heading = heading;
             Wind = wind;
         }
@@ -109,10 +113,22 @@ namespace Alate.Flight
         {
             float2 from = (m_Velocity - Wind).xz, to = (target - Wind).xz;
             float speed = math.length(from), wanted = math.length(to);
+            m_Aim = float.NaN;
+            if (speed < k_Cruising && wanted > k_Cruising)
+            {
+                // From hovering it turns first, then goes.
+                float aim = math.atan2(to.x, to.y);
+                if (math.abs(Wrapped(aim - Heading)) < k_Aligned)
+                    return target;
+                m_Aim = aim;
+                float2 slow = to * (k_Cruising * k_Slow / wanted);
+                return new float3(slow.x + Wind.x, target.y, slow.y + Wind.z);
+            }
+
             if (speed < k_Cruising || wanted < 1e-3f)
                 return target;
             float angle = math.atan2(from.y * to.x - from.x * to.y, math.dot(from, to));
-            float most = Acceleration / speed * k_Filter;
+            float most = math.min(Acceleration / speed, k_MostTurning) * k_Filter;
             if (math.abs(angle) <= most)
                 return target;
             math.sincos(math.clamp(angle, -most, most), out float sin, out float cos);
@@ -127,7 +143,9 @@ namespace Alate.Flight
             float2 air = (m_Velocity - Wind).xz;
             float speed = math.length(air);
             float course = math.atan2(air.x, air.y);
-            if (speed > k_Cruising || (!math.isfinite(wanted) && speed > 0.5f * k_Cruising))
+            if (speed <= k_Cruising && math.isfinite(m_Aim))
+                wanted = m_Aim;
+            else if (speed > k_Cruising || (!math.isfinite(wanted) && speed > 0.5f * k_Cruising))
                 wanted = course;
             float error = math.isfinite(wanted) ? Wrapped(wanted - Heading) : 0f;
             if (speed > k_Cruising)

@@ -7,7 +7,7 @@ namespace Alate.Flight
     /// <summary>One insect that flies by its own wings in a world of its own, step by step: for tools, tests and measurements. Metres, seconds, kilograms.</summary>
     public sealed class FreeFlight : IDisposable
     {
-        /// <summary>Attitude error beyond which the body tumbles.</summary>
+        /// <summary>Error of pitch and roll beyond which the body tumbles.</summary>
         private const float k_Tumbling = 70f * math.PI / 180f;
 
         /// <summary>Beats until wings at rest are settled on the trim's beat.</summary>
@@ -87,7 +87,7 @@ namespace Alate.Flight
         public FlightReference Reference => m_Reference;
 
         /// <summary>What the insect does.</summary>
-        public FlightState State => math.length(Body.turnError) > k_Tumbling ? FlightState.Tumbling : FlightState.Flying;
+        public FlightState State => math.length(Body.turnError.xz) > k_Tumbling ? FlightState.Tumbling : FlightState.Flying;
 
         /// <summary>What the insect can do.</summary>
         public FlightLimits Limits => m_Table.Limits;

@@ -42,11 +42,8 @@ namespace Alate
             body.aidPower += math.dot(body.aidForce, body.velocity) + math.dot(body.aidMoment, body.spin);
         }
 
-        private static float3 Beyond(float3 error, float bound)
-        {
-            float size = math.length(error);
-            return size > bound ? error * (1f - bound / size) : default;
-        }
+        // All of the error from half as much again as the bound on, nothing below it.
+        private static float3 Beyond(float3 error, float bound) => error * math.saturate(2f * (math.length(error) / bound - 1f));
 
         private static float3 Bounded(float3 value, float most)
         {

@@ -112,7 +112,6 @@ namespace Alate.Tests.Play
             InsectWings wings = Keep(InsectFactory.Create(monarch, InsectVariant.Flight).gameObject).GetComponent<InsectWings>();
             wings.Quality.culling = WingCulling.AlwaysSimulate;
             InsectFlight flight = CatalogueFlight.AddTo(wings, monarch);
-            Keep(flight.Trims);
             return flight;
         }
 
