@@ -80,7 +80,6 @@ namespace Alate.Catalogue
         private static void Fly(WingPreset species)
         {
             Quicken(species);
-            species.Beat.amplitudeFloor = 1f;
             species.Size.insectMass = 17.5e-6f;
         }
 

@@ -74,7 +74,7 @@ namespace Alate.Catalogue
         {
             SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
             WingSkeleton skeleton = wing.CreateSkeleton(WingSide.Right);
-            WingRig rig = WingRig.Bake(skeleton, surface.ToWingSurface(wing.Name), WingRigSettings.Default);
+            WingRig rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
             UnityEngine.Object.DestroyImmediate(skeleton);
             // Where the numbers have longer wings than the mesh, what lies between the body and the hinge grows with them.
             float3 offset = rig.Frame.origin / rig.Frame.length * preset.WingLength;

@@ -4,7 +4,7 @@ namespace Alate.Catalogue
     internal static class FireflyTrims
     {
         public const string Text =
-            "AQAAAMGgj+AFAwAAAACamZk+ZmYmPwAAgD9mZqY/mpmZvgAAAACamZk+AS9dMz+az2pCzfFnPxHnTj8Xwlq9gE53u7acBzknkvM68aJevD6XtTl1Ham42thcuJFtD7m3Q6A3d7VXt5QFgLfj/q84Tu" +
+            "AQAAAMHijPEFAwAAAACamZk+ZmYmPwAAgD9mZqY/mpmZvgAAAACamZk+AS9dMz+az2pCzfFnPxHnTj8Xwlq9gE53u7acBzknkvM68aJevD6XtTl1Ham42thcuJFtD7m3Q6A3d7VXt5QFgLfj/q84Tu" +
             "4jPXQHNzv27fq6IbjJuXiXLrswlzS56VJiOJY0nreqCdy4G8FXuOMP3DcMC8k267fEvFOGxDtep+I4JWLTuaeZQjuv6Q05cPgtuOW/GTjLBFG4YSo8tx5HtzUIMUI2oY8OQKa5DkGt2py+O5uqvefy" +
             "Ij5QSGDAa0p/PWDTkT3CN828+7LlPXihwjvhDOK7KIOAP4EJMD3jQG89eBePuWWwE0COY0e9lMPjOysw8zs5Xfy7VF4KPKI5jz+NWcC+z7DIv7J+ir3rPzJA5bfGv2ZJKDwU11C+P+u1PV/NHj6i4J" +
             "S/N+7yvRQW2L+jpvy9MMMEwBvvC8Dlt9i755DSvi5cRD5Zq4w+rp3QPvp/AL93bu2/QNkpvJzgjD8A87u/esLOO+90brzeBcg7zriNOwGE579jfNi+U1XWP3f0Br2dYxI95zp7v0vOFj7DtAU+3w90" +
