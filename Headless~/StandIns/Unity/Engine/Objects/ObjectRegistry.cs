@@ -26,6 +26,13 @@ internal static class ObjectRegistry
             s_Alive.Remove(destroyed.GetInstanceID() / -2);
     }
 
+    /// <summary>The living object with an instance's number; null for none.</summary>
+    public static Object Get(int instance)
+    {
+        lock (s_Gate)
+            return s_Alive.GetValueOrDefault(instance / -2);
+    }
+
     /// <summary>All living objects of a type, oldest first.</summary>
     public static List<T> Find<T>(Type type, Predicate<T> chosen = null) where T : Object
     {

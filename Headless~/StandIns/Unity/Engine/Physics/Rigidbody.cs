@@ -147,8 +147,3 @@ public enum RigidbodyInterpolation
     Interpolate = 1,
     Extrapolate = 2,
 }
-
-public class Physics
-{
-    public static Vector3 gravity { get; set; } = new(0f, -9.81f, 0f);
-}
