@@ -35,6 +35,13 @@ namespace Alate.Flight
         /// <summary>Metres from a speed to standing in the air: v²/2a and what it flies before it answers; 0.6 m from 1.3 m/s for a monarch.</summary>
         public float StoppingDistance(float speed) => speed * speed / (2f * Acceleration) + k_Response * math.abs(speed);
 
+        /// <summary>Fastest speed, m/s, from which <see cref="StoppingDistance"/> is no longer than a distance, metres; 0 where there is none left.</summary>
+        public float SpeedToStopWithin(float distance)
+        {
+            float answer = k_Response * Acceleration;
+            return distance > 0f ? math.sqrt(answer * answer + 2f * Acceleration * distance) - answer : 0f;
+        }
+
         /// <summary>Metres of the tightest turn at a speed: v²/a; 0.7 m at 1.3 m/s for a monarch.</summary>
         public float TurnRadius(float speed) => speed * speed / Acceleration;
     }

@@ -1,0 +1,30 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Flight
+{
+    /// <summary>How a pilot avoids colliders in its way.</summary>
+    [Serializable]
+    public struct ObstacleSettings
+    {
+        /// <summary>Whether obstacles are avoided; needs colliders.</summary>
+        [Tooltip("Whether the insect looks for colliders in its way and flies round them.")]
+        public bool avoid;
+
+        /// <summary>Layers of the colliders that are obstacles.</summary>
+        [Tooltip("Layers of the colliders that are obstacles. Leave out the insect's own.")]
+        public LayerMask layers;
+
+        /// <summary>Distance to keep from a surface, wing lengths, 0 to 20; 1.5.</summary>
+        [Range(0f, 20f)]
+        [Tooltip("Wing lengths to keep from a surface, 0 to 20; 1.5.")]
+        public float clearance;
+
+        /// <summary>All layers that rays meet, 1.5 wing lengths away.</summary>
+        public static ObstacleSettings Default => new ObstacleSettings { avoid = true, layers = Physics.DefaultRaycastLayers, clearance = 1.5f };
+
+        /// <summary>Distance to keep, metres of the insect.</summary>
+        internal float Metres(float wingLength) => (math.isnan(clearance) ? Default.clearance : math.clamp(clearance, 0f, 20f)) * wingLength;
+    }
+}
