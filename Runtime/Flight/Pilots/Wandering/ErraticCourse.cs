@@ -1,0 +1,118 @@
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Alate.Flight
+{
+    /// <summary>
+    /// The track of a butterfly: straight stretches of random length with random turns between, drawn back to the middle of a volume, and a height that climbs and sinks
+    /// over many beats. One seed gives one track.
+    /// </summary>
+    public sealed class ErraticCourse
+    {
+        /// <summary>Part of the tightest turn that is asked for, so that the insect follows.</summary>
+        private const float k_TurnShare = 0.8f;
+
+        /// <summary>Room before the rim in turn radii, at which the insect turns back.</summary>
+        private const float k_Room = 1.5f;
+
+        /// <summary>Largest angle off the way to the middle of a turn back from the rim, radians.</summary>
+        private const float k_Homeward = 1f;
+
+        /// <summary>Range of the speed about its mean, a share.</summary>
+        private const float k_SpeedSpread = 0.3f;
+
+        private Random m_Random;
+        private float m_Course, m_WantedCourse, m_Left, m_Pace, m_Climb;
+        private bool m_Begun, m_TurnsBack;
+
+        /// <param name="seed">Any number; insects with different ones fly different tracks.</param>
+        public ErraticCourse(int seed) => m_Random = Random.CreateFromIndex((uint)(seed & int.MaxValue));
+
+        /// <summary>Course now, radians about the world's up; 0 is along +Z, π/2 along +X.</summary>
+        public float Course => m_Course;
+
+        /// <summary>Velocity for the next step, m/s along the world's axes.</summary>
+        /// <param name="situation">The insect now.</param>
+        /// <param name="volume">Where it stays.</param>
+        /// <param name="settings">How it flies.</param>
+        public float3 Next(in FlightSituation situation, in FlightVolume volume, WanderSettings settings)
+        {
+            settings = settings.Clamped();
+            float dt = situation.deltaTime;
+            Begin(situation);
+            float speed = math.min(m_Pace * settings.speed, situation.limits.TopSpeed);
+            Turn(situation, volume, settings, speed);
+            Climb(situation.limits, settings, dt);
+
+            float rate = k_TurnShare * situation.limits.Acceleration / math.max(speed, 0.1f);
+            m_Course = Wrap(m_Course + math.clamp(Wrap(m_WantedCourse - m_Course), -rate * dt, rate * dt));
+            float3 wanted = speed * Along(m_Course) + new float3(0f, m_Climb, 0f);
+            return volume.Hold(wanted, situation.position, situation.limits, situation.unitsPerMetre);
+        }
+
+        /// <summary>Forgets where the insect was; the random numbers go on.</summary>
+        public void Restart() => m_Begun = false;
+
+        private void Begin(in FlightSituation situation)
+        {
+            if (m_Begun)
+                return;
+            m_Begun = true;
+            m_Course = m_WantedCourse = situation.heading;
+            m_Left = 0f;
+            m_Pace = 1f;
+            m_Climb = 0f;
+        }
+
+        // At the end of a stretch, or where the way leads out: once, until the insect is on its new way.
+        private void Turn(in FlightSituation situation, in FlightVolume volume, in WanderSettings settings, float speed)
+        {
+            m_Left -= situation.deltaTime;
+            float3 home = (float3)volume.centre - situation.position;
+            float homeward = math.atan2(home.x, home.z);
+            float room = (k_Room * situation.limits.TurnRadius(speed) + situation.limits.StoppingDistance(speed)) * situation.unitsPerMetre;
+            float3 ahead = situation.position + room * Along(m_WantedCourse);
+            ahead.y = volume.centre.y;
+            bool leadsOut = !volume.Contains(ahead);
+            m_TurnsBack &= leadsOut && math.abs(Wrap(m_WantedCourse - homeward)) <= k_Homeward + 0.5f;
+            if (leadsOut && !m_TurnsBack)
+            {
+                m_TurnsBack = true;
+                m_WantedCourse = Wrap(homeward + m_Random.NextFloat(-k_Homeward, k_Homeward));
+                Stretch(settings);
+            }
+            else if (m_Left <= 0f)
+            {
+                float course = m_WantedCourse + math.radians(settings.turnSpread) * Normal();
+                float3 biased = Along(course) + settings.homing * math.saturate(math.length(home.xz) / (0.5f * math.cmin(math.abs(((float3)volume.size).xz)))) * Along(homeward);
+                m_WantedCourse = math.atan2(biased.x, biased.z);
+                Stretch(settings);
+            }
+        }
+
+        // Straight stretches of exponential length: turns that come at random.
+        private void Stretch(in WanderSettings settings)
+        {
+            m_Left = -settings.straightTime * math.log(1f - m_Random.NextFloat());
+            m_Pace = 1f + k_SpeedSpread * m_Random.NextFloat(-1f, 1f);
+        }
+
+        // An Ornstein-Uhlenbeck process, exact for any step.
+        private void Climb(in FlightLimits limits, in WanderSettings settings, float dt)
+        {
+            float kept = math.exp(-dt / settings.bobTime);
+            m_Climb = kept * m_Climb + settings.bob * math.sqrt(1f - kept * kept) * Normal();
+            m_Climb = math.clamp(m_Climb, limits.LeastClimb, limits.MostClimb);
+        }
+
+        private float Normal() => math.sqrt(-2f * math.log(1f - m_Random.NextFloat())) * math.cos(2f * math.PI * m_Random.NextFloat());
+
+        private static float3 Along(float course)
+        {
+            math.sincos(course, out float sin, out float cos);
+            return new float3(sin, 0f, cos);
+        }
+
+        private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
+    }
+}

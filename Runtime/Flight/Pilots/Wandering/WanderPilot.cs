@@ -1,0 +1,85 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Flight
+{
+    /// <summary>Flies the erratic track of a butterfly within a volume.</summary>
+    [AddComponentMenu("Alate/Wander Pilot")]
+    [DisallowMultipleComponent]
+    public sealed class WanderPilot : FlightPilot
+    {
+        [SerializeField]
+        [Tooltip("Where the insect stays.")]
+        private FlightVolume m_Volume = new FlightVolume(VolumeShape.Box, new Vector3(0f, 10f, 0f), new Vector3(40f, 16f, 40f));
+
+        [SerializeField]
+        [Tooltip("The volume goes with this object; none keeps it in the world.")]
+        private Transform m_Around;
+
+        [SerializeField]
+        [Tooltip("How the insect wanders.")]
+        private WanderSettings m_Settings = WanderSettings.Default;
+
+        [SerializeField]
+        [Tooltip("Number of the track: one number always gives one track. 0 takes another track for each insect.")]
+        private int m_Seed;
+
+        [SerializeField]
+        private ObstacleSettings m_Obstacles = ObstacleSettings.Default;
+
+        private ErraticCourse m_Course;
+
+        /// <summary>Where the insect stays, world units; relative to <see cref="Around"/> where there is one.</summary>
+        public FlightVolume Volume
+        {
+            get => m_Volume;
+            set => m_Volume = value;
+        }
+
+        /// <summary>The object with which the volume goes; null keeps the volume in the world.</summary>
+        public Transform Around
+        {
+            get => m_Around;
+            set => m_Around = value;
+        }
+
+        /// <summary>How the insect wanders.</summary>
+        public ref WanderSettings Settings => ref m_Settings;
+
+        /// <summary>How the insect avoids what is in its way.</summary>
+        public ref ObstacleSettings Obstacles => ref m_Obstacles;
+
+        /// <summary>Number of the track; 0 takes another one for each insect. A new number starts a new track.</summary>
+        public int Seed
+        {
+            get => m_Seed;
+            set
+            {
+                m_Seed = value;
+                m_Course = null;
+            }
+        }
+
+        /// <summary>The volume in the world.</summary>
+        internal FlightVolume WorldVolume
+        {
+            get
+            {
+                FlightVolume volume = m_Volume;
+                if (m_Around != null)
+                    volume.centre += m_Around.position;
+                return volume;
+            }
+        }
+
+        /// <inheritdoc/>
+        public override FlightCommand Command(in FlightSituation situation)
+        {
+            m_Course ??= new ErraticCourse(m_Seed != 0 ? m_Seed : GetHashCode());
+            float3 wanted = m_Course.Next(situation, WorldVolume, m_Settings);
+            return FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles));
+        }
+
+        private void OnEnable() => m_Course?.Restart();
+    }
+}
