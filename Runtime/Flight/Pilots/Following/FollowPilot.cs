@@ -1,0 +1,185 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Flight
+{
+    /// <summary>Flies after an object or along points; without either stays where the insect is.</summary>
+    [AddComponentMenu("Alate/Follow Pilot")]
+    [DisallowMultipleComponent]
+    public sealed class FollowPilot : FlightPilot
+    {
+        /// <summary>Time over which the target's velocity is smoothed, seconds.</summary>
+        private const float k_Smoothing = 0.2f;
+
+        [SerializeField]
+        [Tooltip("The object to follow; none flies along the points.")]
+        private Transform m_Target;
+
+        [SerializeField]
+        [Tooltip("Where the insect flies beside the target, world units along the world's axes.")]
+        private Vector3 m_Offset;
+
+        [SerializeField]
+        [Tooltip("Points to fly along, world units; relative to the object below where there is one.")]
+        private List<Vector3> m_Points = new List<Vector3>();
+
+        [SerializeField]
+        [Tooltip("The points go with this object; none keeps them in the world.")]
+        private Transform m_Origin;
+
+        [SerializeField]
+        [Tooltip("Whether the first point follows the last; otherwise the insect stays at the last.")]
+        private bool m_Loop;
+
+        [SerializeField]
+        [Range(0.05f, 5f)]
+        [Tooltip("Metres per second of the insect, 0.05 to 5; 1. Its own limits hold besides.")]
+        private float m_Speed = 1f;
+
+        [SerializeField]
+        private ObstacleSettings m_Obstacles = ObstacleSettings.Default;
+
+        private readonly PathFollower m_Path = new PathFollower();
+        private readonly List<Vector3> m_World = new List<Vector3>();
+        private float3 m_Seen, m_TargetVelocity, m_Home;
+        private bool m_HasSeen, m_HasHome;
+
+        /// <summary>The object to follow; null flies along <see cref="Points"/>.</summary>
+        public Transform Target
+        {
+            get => m_Target;
+            set
+            {
+                m_Target = value;
+                m_HasSeen = false;
+            }
+        }
+
+        /// <summary>Where the insect flies beside the target, world units.</summary>
+        public Vector3 Offset
+        {
+            get => m_Offset;
+            set => m_Offset = value;
+        }
+
+        /// <summary>Points to fly along, world units, relative to <see cref="Origin"/> where there is one. May be changed at any time; <see cref="Restart"/> begins with the first.</summary>
+        public List<Vector3> Points => m_Points;
+
+        /// <summary>The object with which the points go; null keeps them in the world.</summary>
+        public Transform Origin
+        {
+            get => m_Origin;
+            set => m_Origin = value;
+        }
+
+        /// <summary>Whether the first point follows the last.</summary>
+        public bool Loop
+        {
+            get => m_Loop;
+            set => m_Loop = value;
+        }
+
+        /// <summary>Most, m/s of the insect, 0.05 to 5 (clamped).</summary>
+        public float Speed
+        {
+            get => m_Speed;
+            set => m_Speed = float.IsNaN(value) ? 1f : Mathf.Clamp(value, 0.05f, 5f);
+        }
+
+        /// <summary>How the insect avoids what is in its way.</summary>
+        public ref ObstacleSettings Obstacles => ref m_Obstacles;
+
+        /// <summary>Whether the insect has come to the last point.</summary>
+        public bool HasArrived => m_Path.HasArrived;
+
+        /// <summary>Flies to a point, world units, and stays there.</summary>
+        public void GoTo(Vector3 point)
+        {
+            m_Target = null;
+            m_Points.Clear();
+            m_Points.Add(m_Origin == null ? point : m_Origin.InverseTransformPoint(point));
+            Restart();
+        }
+
+        /// <summary>Begins the path with its first point.</summary>
+        public void Restart()
+        {
+            m_Path.Restart();
+            m_HasHome = m_HasSeen = false;
+        }
+
+        /// <inheritdoc/>
+        public override FlightCommand Command(in FlightSituation situation)
+        {
+            float3 wanted = Wanted(situation, out float3 goal);
+            float left = math.distance(goal, situation.position) / situation.unitsPerMetre;
+            float3 velocity = Avoid(wanted, situation, m_Obstacles, left);
+            if (IsBlocked && left < 2f * m_Obstacles.Metres(situation.wingLength) && IsWithinWall(goal))
+                Warn($"The goal of '{name}' at {(Vector3)goal} lies within a collider: the insect stays before it. Move the goal out.");
+            return FlightCommand.Fly(velocity);
+        }
+
+        /// <summary>The points in the world; a point that is not finite is left out with a warning.</summary>
+        internal IReadOnlyList<Vector3> WorldPoints()
+        {
+            m_World.Clear();
+            foreach (Vector3 point in m_Points)
+            {
+                Vector3 place = m_Origin == null ? point : m_Origin.TransformPoint(point);
+                if (math.all(math.isfinite((float3)place)))
+                    m_World.Add(place);
+                else
+                    Warn($"Point {m_Points.IndexOf(point)} of '{name}' is {point}: points must be finite. It is left out.");
+            }
+
+            return m_World;
+        }
+
+        private float3 Wanted(in FlightSituation situation, out float3 goal)
+        {
+            if (m_Target != null)
+                return AfterTarget(situation, out goal);
+            IReadOnlyList<Vector3> points = WorldPoints();
+            if (points.Count == 0)
+                return Stay(situation, out goal);
+            m_HasHome = false;
+            float3 wanted = m_Path.Along(situation, points, m_Loop, m_Speed);
+            goal = points[m_Path.Next];
+            return wanted;
+        }
+
+        private float3 AfterTarget(in FlightSituation situation, out float3 goal)
+        {
+            goal = (float3)(m_Target.position + m_Offset);
+            if (!math.all(math.isfinite(goal)))
+            {
+                Warn($"The target of '{name}' is at {(Vector3)goal}: it must be finite. The insect stays where it is.");
+                m_HasSeen = false;
+                return Stay(situation, out goal);
+            }
+
+            m_HasHome = false;
+            float3 moved = m_HasSeen ? (goal - m_Seen) / (math.max(situation.deltaTime, 1e-4f) * situation.unitsPerMetre) : default;
+            m_TargetVelocity = m_HasSeen ? math.lerp(m_TargetVelocity, moved, 1f - math.exp(-situation.deltaTime / k_Smoothing)) : default;
+            m_Seen = goal;
+            m_HasSeen = true;
+            return PathFollower.Towards(situation, goal, m_TargetVelocity, m_Speed);
+        }
+
+        private float3 Stay(in FlightSituation situation, out float3 goal)
+        {
+            if (!m_HasHome)
+                m_Home = situation.position;
+            m_HasHome = true;
+            goal = m_Home;
+            return PathFollower.Towards(situation, m_Home, default, m_Speed);
+        }
+
+        private bool IsWithinWall(float3 goal) => Physics.CheckSphere(goal, 1e-3f, m_Obstacles.layers, QueryTriggerInteraction.Ignore);
+
+        private void OnEnable() => Restart();
+
+        private void OnValidate() => Speed = m_Speed;
+    }
+}
