@@ -34,6 +34,9 @@ namespace Alate
         private int m_SubstepsPerBeat = WingParameters.DefaultSubsteps;
 
         [SerializeField]
+        private PresetRest m_Rest = PresetRest.Default;
+
+        [SerializeField]
         private ModelOptions m_Options = ModelOptions.Physical;
 
         /// <summary>Sizes and masses of the real insect, and the fluid.</summary>
@@ -47,6 +50,9 @@ namespace Alate
 
         /// <summary>The resistance to bending.</summary>
         public ref PresetStiffness Stiffness => ref m_Stiffness;
+
+        /// <summary>How the insect sits, with its wings folded.</summary>
+        public ref PresetRest Rest => ref m_Rest;
 
         /// <summary>Substeps of one beat, 12 to 480.</summary>
         public ref int SubstepsPerBeat => ref m_SubstepsPerBeat;

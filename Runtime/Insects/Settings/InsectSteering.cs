@@ -33,37 +33,25 @@ namespace Alate
         [Tooltip("Degrees by which the plane of the stroke is tilted, nose up positive, -60 to 60; 0 is the preset's. Tilts the force forwards and back.")]
         public float tilt;
 
+        /// <summary>How far the wings are folded, 0 to 1; 0. 1 holds them still as the preset's rest has them. Followed over the next beats.</summary>
+        [Range(0f, 1f)]
+        [Tooltip("How far the wings are folded, 0 to 1; 0 beats. Above 0 they are held still, at 1 as the preset's rest has them.")]
+        public float fold;
+
         /// <summary>Default steering: the preset's beat unchanged.</summary>
         public static InsectSteering Default => new InsectSteering { frequencyScale = 1f, amplitudeScale = 1f };
 
         /// <inheritdoc/>
         public bool Equals(InsectSteering other) =>
-            frequencyScale == other.frequencyScale && amplitudeScale == other.amplitudeScale && meanFlap == other.meanFlap && tilt == other.tilt;
+            frequencyScale == other.frequencyScale && amplitudeScale == other.amplitudeScale && meanFlap == other.meanFlap && tilt == other.tilt && fold == other.fold;
 
         /// <inheritdoc/>
         public override bool Equals(object other) => other is InsectSteering steering && Equals(steering);
 
         /// <inheritdoc/>
-        public override int GetHashCode() => HashCode.Combine(frequencyScale, amplitudeScale, meanFlap, tilt);
+        public override int GetHashCode() => HashCode.Combine(frequencyScale, amplitudeScale, meanFlap, tilt, fold);
 
         /// <summary>Steering with every value moved into its range; a value that is no number becomes its default.</summary>
         internal InsectSteering Clamped() => new InsectSteering
         {
-            frequencyScale = Clamp(frequencyScale, k_LeastFrequency, k_MostFrequency, 1f),
-            amplitudeScale = Clamp(amplitudeScale, 0f, Wing.MostAmplitude, 1f),
-            meanFlap = Clamp(meanFlap, -k_MostTilt, k_MostTilt, 0f),
-            tilt = Clamp(tilt, -k_MostTilt, k_MostTilt, 0f),
-        };
-
-        /// <summary>Changes a preset's parameters.</summary>
-        internal void Apply(ref WingParameters parameters)
-        {
-            parameters.maxFrequency *= frequencyScale;
-            parameters.amplitudeScale *= amplitudeScale;
-            parameters.meanFlap += math.radians(meanFlap);
-            parameters.tilt += math.radians(tilt);
-        }
-
-        private static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
-    }
-}
+            fold = Clamp(fold, 0f, 1f, 0f),

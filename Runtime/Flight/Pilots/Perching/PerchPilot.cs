@@ -1,0 +1,172 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Flight
+{
+    /// <summary>
+    /// Lands now and then: on a mark (<see cref="PerchMark"/>) or on a surface below, folds the wings as the species does, basks, and takes off when its time is up or something
+    /// comes near. Between landings the pilot below this one on the object flies; without one the insect stays where it is.
+    /// </summary>
+    [AddComponentMenu("Alate/Perch Pilot")]
+    [DisallowMultipleComponent]
+    public sealed class PerchPilot : FlightPilot
+    {
+        /// <summary>Seconds between two looks for a spot, or at what is watched.</summary>
+        private const float k_LookTime = 0.2f;
+
+        [SerializeField]
+        private PerchSettings m_Settings = PerchSettings.Default;
+
+        [SerializeField]
+        [Tooltip("What the insect flees from: cameras, animals, hands.")]
+        private List<Transform> m_Watched = new List<Transform>();
+
+        [SerializeField]
+        [Tooltip("Number that the lengths of flights and stays are drawn with. 0 takes another for each insect.")]
+        private int m_Seed;
+
+        private PerchPlan m_Plan;
+        private PerchMark m_Mark, m_Left;
+        private WingRest m_Rest;
+        private InsectWings m_Wings;
+        private float m_SinceLook;
+        private float3 m_Threat = float.NaN;
+
+        /// <summary>When the insect lands and what it does there.</summary>
+        public ref PerchSettings Settings => ref m_Settings;
+
+        /// <summary>What the insect flees from.</summary>
+        public List<Transform> Watched => m_Watched;
+
+        /// <summary>Number that lengths of flights and stays are drawn with; 0 takes another for each insect.</summary>
+        public int Seed
+        {
+            get => m_Seed;
+            set => m_Seed = value;
+        }
+
+        /// <summary>What the insect does.</summary>
+        public PerchStage Stage => m_Plan?.Stage ?? PerchStage.Between;
+
+        /// <summary>How far the wings are folded, 0 to 1.</summary>
+        public float Fold => m_Rest.Fold;
+
+        private PerchPlan Plan => m_Plan ??= new PerchPlan(m_Seed != 0 ? m_Seed : GetHashCode());
+
+        /// <summary>Goes for a spot now. A spot that is not finite is refused with a warning.</summary>
+        /// <returns>Whether the insect goes there.</returns>
+        public bool LandOn(PerchSpot spot)
+        {
+            if (!math.all(math.isfinite(spot.position)) || !math.all(math.isfinite(spot.normal)))
+            {
+                Warn($"'{name}' cannot land at {(Vector3)spot.position} with the normal {(Vector3)spot.normal}: both must be finite. It flies on.");
+                return false;
+            }
+
+            if (!math.isfinite(spot.heading))
+                spot.heading = float.NaN;
+            Leave();
+            Plan.Land(spot, Stand);
+            return true;
+        }
+
+        /// <summary>Takes off, or gives up landing.</summary>
+        public void TakeOff() => Plan.TakeOff(m_Settings.Clamped());
+
+        /// <inheritdoc/>
+        public override FlightCommand Command(in FlightSituation situation)
+        {
+            PerchSettings settings = m_Settings.Clamped();
+            m_SinceLook += situation.deltaTime;
+            if (m_SinceLook >= k_LookTime)
+                Look(situation, settings);
+            FlightCommand between = default;
+            if (Plan.Stage == PerchStage.Between)
+                between = Below() is { } below && below != null ? below.Command(situation) : FlightCommand.Fly(default);
+            FlightCommand command = Plan.Next(situation, settings, m_Threat, between);
+            if (Plan.Stage == PerchStage.Between || Plan.Stage == PerchStage.TakingOff)
+                Leave();
+            FoldWings(situation, settings);
+            return command;
+        }
+
+        /// <summary>Height of the centre of mass over the feet, metres of the insect.</summary>
+        private float Stand => -(Wings == null || Wings.Preset == null ? PresetRest.Default : Wings.Preset.Rest).feet.y;
+
+        private InsectWings Wings
+        {
+            get
+            {
+                if (m_Wings == null)
+                    m_Wings = GetComponentInParent<InsectWings>();
+                return m_Wings;
+            }
+        }
+
+        private void Look(in FlightSituation situation, in PerchSettings settings)
+        {
+            m_SinceLook = 0f;
+            m_Threat = float.NaN;
+            foreach (Transform watched in m_Watched)
+            {
+                if (watched != null && math.distance(watched.position, situation.position) < settings.fleeDistance)
+                    m_Threat = watched.position;
+            }
+
+            if (Plan.WantsSpot)
+                LookForSpot(situation, settings);
+        }
+
+        private void LookForSpot(in FlightSituation situation, in PerchSettings settings)
+        {
+            PerchMark mark = PerchMark.FindNearest(situation.position, settings.searchDistance, m_Left);
+            if (mark != null && LandOn(mark.Spot))
+            {
+                m_Mark = mark;
+                mark.Guest = this;
+            }
+            else if (mark == null && settings.landsOnSurfaces && FindSurface(situation, settings, out PerchSpot spot))
+            {
+                LandOn(spot);
+            }
+        }
+
+        // Ahead and down: a place that the insect can turn to.
+        private static bool FindSurface(in FlightSituation situation, in PerchSettings settings, out PerchSpot spot)
+        {
+            var ahead = new Vector3(math.sin(situation.heading), -1f, math.cos(situation.heading));
+            spot = default;
+            if (!Physics.Raycast(situation.position, ahead, out RaycastHit hit, settings.searchDistance, settings.surfaces, QueryTriggerInteraction.Ignore))
+                return false;
+            spot = new PerchSpot { position = hit.point, normal = hit.normal, heading = situation.heading };
+            return Vector3.Angle(hit.normal, Vector3.up) <= settings.steepest;
+        }
+
+        private void FoldWings(in FlightSituation situation, in PerchSettings settings)
+        {
+            m_Rest.Step(situation.deltaTime, situation.state == FlightState.Perched && Plan.Stage == PerchStage.Perched, settings);
+            if (Wings != null)
+                Wings.Steering.fold = m_Rest.Fold;
+        }
+
+        private void Leave()
+        {
+            if (m_Mark == null)
+                return;
+            m_Left = m_Mark;
+            if (m_Mark.Guest == this)
+                m_Mark.Guest = null;
+            m_Mark = null;
+        }
+
+        private void OnDisable()
+        {
+            Leave();
+            m_Plan = null;
+            m_Rest = default;
+            if (m_Wings != null)
+                m_Wings.Steering.fold = 0f;
+        }
+    }
+}

@@ -1,0 +1,137 @@
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Alate.Flight
+{
+    /// <summary>An insect's day: it flies, lands on a spot, sits, and takes off when its time is up or something comes near.</summary>
+    public sealed class PerchPlan
+    {
+        /// <summary>Seconds of taking off.</summary>
+        private const float k_TakeOffTime = 0.8f;
+
+        /// <summary>Speed of taking off ahead, m/s; many species cannot climb while they hover.</summary>
+        private const float k_TakeOffSpeed = 0.65f;
+
+        /// <summary>Attempts before a spot is given up.</summary>
+        private const int k_Attempts = 3;
+
+        private Random m_Random;
+        private float m_Left;
+        private float3 m_Away;
+        private bool m_Begun;
+
+        /// <param name="seed">Any number: lengths of stays and flights.</param>
+        public PerchPlan(int seed) => m_Random = Random.CreateFromIndex((uint)(seed & int.MaxValue));
+
+        /// <summary>What the insect does.</summary>
+        public PerchStage Stage { get; private set; }
+
+        /// <summary>The landing under way, or the last one; null before the first.</summary>
+        public Landing Landing { get; private set; }
+
+        /// <summary>Whether the insect flies and it is time to look for a spot.</summary>
+        public bool WantsSpot { get; private set; }
+
+        /// <summary>Goes for a spot.</summary>
+        /// <param name="spot">Where.</param>
+        /// <param name="stand">Height of the centre of mass over the feet, metres.</param>
+        public void Land(in PerchSpot spot, float stand)
+        {
+            Landing = new Landing(spot, stand);
+            Stage = PerchStage.Approaching;
+            WantsSpot = false;
+            m_Begun = true;
+        }
+
+        /// <summary>Leaves the spot, or gives up landing.</summary>
+        public void TakeOff(in PerchSettings settings)
+        {
+            if (Stage == PerchStage.Perched)
+            {
+                Stage = PerchStage.TakingOff;
+                m_Left = k_TakeOffTime;
+            }
+            else if (Stage != PerchStage.TakingOff)
+            {
+                FlyOn(settings);
+            }
+        }
+
+        /// <summary>Command for the next step.</summary>
+        /// <param name="situation">The insect now.</param>
+        /// <param name="settings">How it lives.</param>
+        /// <param name="threat">Place of what it flees from, world units; not a number for none.</param>
+        /// <param name="between">What flies between landings wants.</param>
+        public FlightCommand Next(in FlightSituation situation, in PerchSettings settings, float3 threat, in FlightCommand between)
+        {
+            if (!m_Begun)
+                FlyOn(settings);
+            m_Begun = true;
+            bool isThreatened = math.all(math.isfinite(threat));
+            switch (Stage)
+            {
+                case PerchStage.Approaching:
+                case PerchStage.Flaring:
+                    return isThreatened || Landing.Attempts >= k_Attempts ? GiveUp(settings, between) : Descend(situation, settings);
+                case PerchStage.Perched:
+                    return Sit(situation, settings, threat, isThreatened);
+                case PerchStage.TakingOff:
+                    return Leave(situation, settings);
+                default:
+                    m_Left -= situation.deltaTime;
+                    WantsSpot = m_Left <= 0f && !isThreatened;
+                    return between;
+            }
+        }
+
+        private FlightCommand GiveUp(in PerchSettings settings, in FlightCommand between)
+        {
+            FlyOn(settings);
+            return between;
+        }
+
+        private FlightCommand Descend(in FlightSituation situation, in PerchSettings settings)
+        {
+            FlightCommand command = Landing.Next(situation);
+            Stage = Landing.IsFlaring ? PerchStage.Flaring : PerchStage.Approaching;
+            if (command.wish == FlightWish.Perch)
+            {
+                Stage = PerchStage.Perched;
+                m_Left = settings.stayTime * m_Random.NextFloat(0.5f, 1.5f);
+            }
+
+            return command;
+        }
+
+        private FlightCommand Sit(in FlightSituation situation, in PerchSettings settings, float3 threat, bool isThreatened)
+        {
+            m_Left -= situation.deltaTime;
+            if (m_Left > 0f && !isThreatened)
+                return new FlightCommand { wish = FlightWish.Perch, spot = Landing.Spot, heading = Landing.Spot.heading };
+            float3 ahead = new float3(math.sin(situation.heading), 0f, math.cos(situation.heading));
+            float3 out3 = Landing.Spot.normal * new float3(1f, 0f, 1f);
+            float3 from = isThreatened ? math.normalizesafe((situation.position - threat) * new float3(1f, 0f, 1f)) : default;
+
+            // Off the surface first: ahead where the slope allows.
+            m_Away = math.normalizesafe(ahead + 1.5f * out3 + 0.7f * from, ahead);
+            TakeOff(settings);
+            return Leave(situation, settings);
+        }
+
+        private FlightCommand Leave(in FlightSituation situation, in PerchSettings settings)
+        {
+            m_Left -= situation.deltaTime;
+            if (m_Left <= 0f)
+                FlyOn(settings);
+            float3 velocity = math.min(k_TakeOffSpeed, situation.limits.TopSpeed) * m_Away + new float3(0f, situation.limits.MostClimb, 0f);
+            return FlightCommand.Fly(velocity);
+        }
+
+        private void FlyOn(in PerchSettings settings)
+        {
+            Stage = PerchStage.Between;
+            WantsSpot = false;
+            m_Left = settings.flightTime * m_Random.NextFloat(0.5f, 1.5f);
+        }
+    }
+}

@@ -1,0 +1,38 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>How far the wings are folded while an insect sits: closed at first, then open and closed slowly, spread again before it flies.</summary>
+    public struct WingRest
+    {
+        private float m_Time;
+
+        /// <summary>Share of the folded posture, 0 (spread) to 1 (folded).</summary>
+        public float Fold { get; private set; }
+
+        /// <summary>Lets time go by.</summary>
+        /// <param name="dt">Seconds.</param>
+        /// <param name="sits">Whether the insect sits; otherwise the wings are spread at once: they beat.</param>
+        /// <param name="settings">How it rests.</param>
+        public void Step(float dt, bool sits, in PerchSettings settings)
+        {
+            if (!sits)
+            {
+                this = default;
+                return;
+            }
+
+            m_Time += dt;
+            float since = m_Time - settings.foldTime;
+            float wanted = 1f;
+            if (since > 0f && settings.bask > 0f)
+            {
+                float turns = since * settings.fanRate / 60f;
+                wanted = 1f - settings.bask * (settings.fanRate > 0f ? 0.5f - 0.5f * math.cos(2f * math.PI * turns) : 1f);
+            }
+
+            float most = dt / settings.foldTime;
+            Fold += math.clamp(wanted - Fold, -most, most);
+        }
+    }
+}

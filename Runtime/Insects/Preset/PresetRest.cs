@@ -1,0 +1,37 @@
+using System;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <summary>How the insect sits: where its feet are, and how the wing is held when it is folded. Angles of the drive, with no beat.</summary>
+    [Serializable]
+    public struct PresetRest
+    {
+        /// <summary>The middle of the feet, metres from the insect's origin: X right, Y up, Z ahead.</summary>
+        [Tooltip("The middle of the feet, metres of the real insect from its origin: X right, Y up, Z ahead.")]
+        public Vector3 feet;
+
+        /// <summary>Flap of the folded wing, degrees above level, −90 to 90.</summary>
+        [Range(-90f, 90f)]
+        [Tooltip("Degrees by which the folded wing is raised above level, -90 to 90; butterflies close theirs above the back: 88.")]
+        public float flap;
+
+        /// <summary>Sweep of the folded wing, degrees ahead, −90 to 90.</summary>
+        [Range(-90f, 90f)]
+        [Tooltip("Degrees by which the folded wing is swept ahead, -90 to 90; moths sweep theirs back: -85.")]
+        public float sweep;
+
+        /// <summary>Feather of the folded wing, degrees, −90 to 90.</summary>
+        [Range(-90f, 90f)]
+        [Tooltip("Degrees by which the folded wing is turned about its leading edge, -90 to 90; the sides of a moth's roof: 60.")]
+        public float feather;
+
+        /// <summary>Tilt of the folded wing about the span of the body, degrees nose up, −90 to 90.</summary>
+        [Range(-90f, 90f)]
+        [Tooltip("Degrees by which the folded wing is tilted nose up, -90 to 90; below 0 lifts the tip of a wing that is swept back.")]
+        public float tilt;
+
+        /// <summary>A monarch's.</summary>
+        internal static PresetRest Default => new PresetRest { feet = new Vector3(0f, -6.1e-3f, 0f), flap = 88f, sweep = -10f };
+    }
+}

@@ -1,0 +1,124 @@
+using System;
+using Alate.Flight;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using Random = Unity.Mathematics.Random;
+
+namespace Alate.Tests.Flight
+{
+    /// <summary>Landing, sitting and taking off, flown by a point.</summary>
+    public sealed class LandingTests
+    {
+        private const float k_Stand = 6e-3f;
+
+        [Test]
+        public void Points_ComeDownSlowly_OnRandomSlopes([NUnit.Framework.Range(1, 40)] int seed)
+        {
+            var random = Random.CreateFromIndex((uint)seed);
+            PerchSpot spot = RandomSpot(ref random);
+            var flyer = new PointFlyer();
+            var way = new float3(random.NextFloat(-20f, 20f), random.NextFloat(5f, 20f), random.NextFloat(-20f, 20f));
+            flyer.situation.position = spot.position + (math.dot(way, spot.normal) > 0f ? way : way - 2f * math.dot(way, spot.normal) * spot.normal) + 2f * spot.normal;
+            flyer.situation.referenceVelocity = flyer.situation.velocity = new float3(random.NextFloat(-1f, 1f), 0f, random.NextFloat(-1f, 1f));
+            var landing = new Landing(spot, k_Stand);
+            for (int step = 0; step < 40 * 50; step++)
+            {
+                FlightCommand command = landing.Next(flyer.situation);
+                if (command.wish == FlightWish.Perch)
+                {
+                    float3 off = (flyer.situation.position - spot.position) / 10f;
+                    Assert.That(math.length(flyer.situation.velocity), Is.LessThan(0.3f));
+                    Assert.That(math.length(off - k_Stand * spot.normal), Is.LessThan(0.2f * flyer.situation.wingLength), "the feet reach the spot");
+                    return;
+                }
+
+                Assert.That(command.wish, Is.EqualTo(FlightWish.Land));
+                Assert.That(math.dot(flyer.situation.position - spot.position, spot.normal), Is.GreaterThan(-0.05f), "the body stays above the surface");
+                flyer.Fly(command);
+            }
+
+            Assert.Fail($"not down after 40 s, at {(flyer.situation.position - spot.position) / 10f} m, {landing.Attempts} attempts");
+        }
+
+        [Test]
+        public void AnInsect_LandsSitsAndLeaves_WhenItsTimeIsUp()
+        {
+            PerchSettings settings = PerchSettings.Default;
+            settings.flightTime = settings.stayTime = 2f;
+            var plan = new PerchPlan(3);
+            var flyer = new PointFlyer();
+            flyer.situation.position = new float3(0f, 20f, -10f);
+            float sat = 0f;
+            int landings = 0;
+            PerchStage last = PerchStage.Between;
+            for (int step = 0; step < 100 * 50; step++)
+            {
+                if (plan.WantsSpot)
+                    plan.Land(new PerchSpot { position = new float3(0f, 5f, 0f), normal = new float3(0f, 1f, 0f) }, k_Stand);
+                flyer.Fly(plan.Next(flyer.situation, settings, float.NaN, FlightCommand.Fly(new float3(0f, 0f, 0.2f))));
+                sat += plan.Stage == PerchStage.Perched ? 0.02f : 0f;
+                landings += plan.Stage == PerchStage.Perched && last != PerchStage.Perched ? 1 : 0;
+                if (last == PerchStage.TakingOff && plan.Stage == PerchStage.Between)
+                    Assert.That(flyer.situation.position.y, Is.GreaterThan(5.5f), "forward and up");
+                last = plan.Stage;
+            }
+
+            Assert.That(landings, Is.GreaterThan(6));
+            Assert.That(sat / landings, Is.InRange(1f, 3f));
+        }
+
+        [Test]
+        public void AnInsectThatSits_FleesFromWhatComesNear()
+        {
+            PerchSettings settings = PerchSettings.Default;
+            settings.flightTime = 0f;
+            settings.stayTime = 600f;
+            var plan = new PerchPlan(1);
+            var flyer = new PointFlyer();
+            flyer.situation.position = new float3(0f, 9f, 0f);
+            plan.Land(new PerchSpot { position = new float3(0f, 5f, 0f), normal = new float3(0f, 1f, 0f) }, k_Stand);
+            for (int step = 0; step < 30 * 50 && plan.Stage != PerchStage.Perched; step++)
+                flyer.Fly(plan.Next(flyer.situation, settings, float.NaN, default));
+            Assert.That(plan.Stage, Is.EqualTo(PerchStage.Perched));
+            var threat = new float3(0f, 5f, 3f);
+            for (int step = 0; step < 60; step++)
+                flyer.Fly(plan.Next(flyer.situation, settings, threat, default));
+            Assert.That(plan.Stage, Is.EqualTo(PerchStage.Between));
+            Assert.That(math.distance(flyer.situation.position, threat), Is.GreaterThan(3f));
+            Assert.That(plan.WantsSpot, Is.False, "not while the threat is near");
+        }
+
+        [Test]
+        public void Wings_FoldFirst_ThenOpenAndCloseSlowly()
+        {
+            PerchSettings settings = PerchSettings.Default;
+            var rest = new WingRest();
+            float before = 0f, least = 1f;
+            for (int step = 0; step < 500; step++)
+            {
+                rest.Step(0.02f, true, settings);
+                Assert.That(math.abs(rest.Fold - before), Is.LessThan(0.02f / settings.foldTime + 1e-5f));
+                before = rest.Fold;
+                if (step == 25)
+                    Assert.That(rest.Fold, Is.EqualTo(1f).Within(1e-3f));
+                least = step > 25 ? math.min(least, rest.Fold) : least;
+            }
+
+            Assert.That(least, Is.EqualTo(1f - settings.bask).Within(0.02f));
+            rest.Step(0.02f, false, settings);
+            Assert.That(rest.Fold, Is.Zero);
+        }
+
+        private static PerchSpot RandomSpot(ref Random random)
+        {
+            float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI);
+            return new PerchSpot
+            {
+                position = random.NextFloat3(-50f, 50f),
+                normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way)),
+                heading = random.NextFloat(-math.PI, math.PI),
+            };
+        }
+    }
+}
