@@ -51,6 +51,7 @@ namespace Alate.Catalogue
             preset.Size.wingLength = 0.010f;
             preset.Size.wingMass = 0.139e-6f;
             preset.Size.insectMass = 35e-6f;
+            preset.Rest = new PresetRest { feet = new Vector3(0f, -3.3e-3f, -0.6e-3f), flap = -20f, sweep = -85f, feather = 60f };
             preset.Beat.flapRange = 156f;
             preset.Beat.featherRange = 78f;
             preset.Beat.sweepRange = 0f;

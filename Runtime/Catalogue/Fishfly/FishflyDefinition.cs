@@ -78,6 +78,7 @@ namespace Alate.Catalogue
             preset.Size.wingLength = 0.0376f;
             preset.Size.wingMass = 3.62e-6f;
             preset.Size.insectMass = 0.2e-3f;
+            preset.Rest = new PresetRest { feet = new Vector3(0f, -6.5e-3f, -1e-3f), flap = -20f, sweep = -84f, feather = 66f, tilt = -10f };
             preset.Beat.flapRange = 120f;
             preset.Beat.featherRange = 24f;
             preset.Beat.sweepRange = 0f;
@@ -90,6 +91,10 @@ namespace Alate.Catalogue
             Author(preset);
             preset.Size.wingLength = 0.034f;
             preset.Size.wingMass = 3.77e-6f;
+            preset.Rest.flap = -5f;
+            preset.Rest.sweep = -75f;
+            preset.Rest.feather = 88f;
+            preset.Rest.tilt = 0f;
         }
 
         private static void Steady(WingPreset preset) => preset.Beat.frequencyFloor = 1f;

@@ -36,6 +36,7 @@ namespace Alate.Catalogue
             preset.Size.wingLength = 0.014f;
             preset.Size.wingMass = 0.84e-6f;
             preset.Size.insectMass = 25e-6f;
+            preset.Rest = new PresetRest { feet = new Vector3(0f, -3.2e-3f, -0.4e-3f), flap = -25f, sweep = -80f, feather = 80f, tilt = -10f };
             preset.Beat.flapRange = 126f;
             preset.Beat.featherRange = 37f;
             preset.Beat.sweepRange = 37f;

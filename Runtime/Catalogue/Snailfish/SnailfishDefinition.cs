@@ -56,6 +56,7 @@ namespace Alate.Catalogue
             preset.Size.insectMass = 15e-3f;
             preset.Size.fluidDensity = 998f;
             preset.Size.gravityShare = 0f;
+            preset.Rest = new PresetRest { feet = new Vector3(0f, -11e-3f, -30e-3f), flap = 25f, tilt = -20f };
             preset.Beat.maxFrequency = 2.5f;
             preset.Beat.maxSpeed = 0.2f;
             preset.Beat.flapRange = 80f;

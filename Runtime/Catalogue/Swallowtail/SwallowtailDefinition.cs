@@ -75,6 +75,7 @@ namespace Alate.Catalogue
             preset.Size.wingLength = 0.045f;
             preset.Size.wingMass = 12.4e-6f;
             preset.Size.insectMass = 0.45e-3f;
+            preset.Rest = new PresetRest { feet = new Vector3(0f, -6.5e-3f, 0f), flap = 88.5f, sweep = -10f };
             preset.Beat.flapRange = 116f;
             preset.Beat.featherRange = 16f;
             preset.Beat.meanFlap = 12f;
@@ -86,6 +87,7 @@ namespace Alate.Catalogue
             AuthorFore(preset);
             preset.Size.wingLength = 0.034f;
             preset.Size.wingMass = 18.4e-6f;
+            preset.Rest.flap = 86f;
             preset.Beat.flapRange = 110f;
             preset.Beat.featherRange = 10f;
             preset.Beat.meanFlap = 7f;

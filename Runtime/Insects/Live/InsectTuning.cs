@@ -17,7 +17,12 @@ namespace Alate
             m_Substeps = insect.SubstepsPerBeat;
             m_Steering = insect.Steering.Clamped();
             m_Steering.amplitudeScale *= fade;
+            Fold = m_Steering.fold;
+            m_Steering.fold = 0f;
         }
+
+        /// <summary>How far the wings are folded, 0 to 1; they are commanded so, no parameter changes.</summary>
+        public float Fold { get; }
 
         /// <summary>Returns true where two change parameters alike.</summary>
         public bool SameAs(in InsectTuning other) => m_Substeps == other.m_Substeps && m_Steering.Equals(other.m_Steering);

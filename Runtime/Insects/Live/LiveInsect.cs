@@ -102,6 +102,7 @@ namespace Alate
             {
                 if (wing.ApplyParameters(presets, tuning, out WingParameters parameters))
                     world.SetParameters(wing.handle, parameters);
+                wing.Fold(world, tuning.Fold);
             }
         }
 

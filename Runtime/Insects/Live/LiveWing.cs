@@ -22,8 +22,8 @@ namespace Alate
         private Wing m_Wing;
         private WingPreset m_OwnPreset;
         private InsectTuning m_Tuning;
-        private int m_Stamp;
-        private float m_Amplitude, m_Lead;
+        private int m_Stamp, m_FoldStamp;
+        private float m_Amplitude, m_Lead, m_Fold;
         private readonly TemplateKey.WingKey m_Key;
         private readonly SkeletonValue m_Skeleton;
 
@@ -64,6 +64,21 @@ namespace Alate
         /// <summary>Surroundings of the wing in the body's flight, at its last frame in the world.</summary>
         public WingSurroundings Surroundings(in BodyFlight flight) =>
             placed.isValid ? flight.Around(placed, values.size.wingLength, values.size.gravityShare) : default;
+
+        /// <summary>Folds the wing, or lets it beat again.</summary>
+        /// <param name="world">Where the wing is.</param>
+        /// <param name="fold">0 to 1.</param>
+        public void Fold(WingWorld world, float fold)
+        {
+            if (fold == m_Fold && (fold == 0f || m_Stamp == m_FoldStamp))
+                return;
+            m_Fold = fold;
+            m_FoldStamp = m_Stamp;
+            if (fold > 0f)
+                world.SetDrive(handle, values.Folded(fold));
+            else
+                world.ReleaseDrive(handle);
+        }
 
         /// <summary>Takes over values of preset and sliders.</summary>
         /// <param name="presets">The presets in use.</param>

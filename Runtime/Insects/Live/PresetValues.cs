@@ -20,7 +20,10 @@ namespace Alate
         /// <summary>The preset's sizes, in their ranges.</summary>
         public PresetSize size = PresetSize.Default;
 
-        /// <summary>Number of changes of <see cref="parameters"/>.</summary>
+        /// <summary>How the insect sits, degrees.</summary>
+        private PresetRest m_Rest = PresetRest.Default;
+
+        /// <summary>Number of changes of <see cref="parameters"/> and of the folded wing.</summary>
         public int Stamp
         {
             get
@@ -37,10 +40,27 @@ namespace Alate
                 return;
             size = m_Preset.Size.Clamped();
             WingParameters now = m_Preset.ToParameters();
-            if (now.SameAs(parameters))
+            PresetRest rest = m_Preset.Rest;
+            if (now.SameAs(parameters) && rest.Equals(m_Rest))
                 return;
             parameters = now;
+            m_Rest = rest;
             m_Stamp++;
+        }
+
+        /// <summary>Drive of a wing that is held still, folded to a share.</summary>
+        public WingDrive Folded(float fold)
+        {
+            float4 rest = math.radians(math.clamp(new float4(m_Rest.flap, m_Rest.sweep, m_Rest.feather, m_Rest.tilt), -90f, 90f));
+            rest = math.select(rest, 0f, math.isnan(rest));
+            return new WingDrive
+            {
+                frequency = parameters.maxFrequency,
+                meanFlap = fold * (rest.x - parameters.meanFlap),
+                meanSweep = fold * rest.y,
+                meanFeather = fold * rest.z,
+                tilt = fold * (rest.w - parameters.tilt),
+            };
         }
     }
 }

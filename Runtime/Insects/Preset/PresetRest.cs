@@ -5,7 +5,7 @@ namespace Alate
 {
     /// <summary>How the insect sits: where its feet are, and how the wing is held when it is folded. Angles of the drive, with no beat.</summary>
     [Serializable]
-    public struct PresetRest
+    public struct PresetRest : IEquatable<PresetRest>
     {
         /// <summary>The middle of the feet, metres from the insect's origin: X right, Y up, Z ahead.</summary>
         [Tooltip("The middle of the feet, metres of the real insect from its origin: X right, Y up, Z ahead.")]
@@ -33,5 +33,15 @@ namespace Alate
 
         /// <summary>A monarch's.</summary>
         internal static PresetRest Default => new PresetRest { feet = new Vector3(0f, -6.1e-3f, 0f), flap = 88f, sweep = -10f };
+
+        /// <inheritdoc/>
+        public bool Equals(PresetRest other) =>
+            feet.Equals(other.feet) && flap == other.flap && sweep == other.sweep && feather == other.feather && tilt == other.tilt;
+
+        /// <inheritdoc/>
+        public override bool Equals(object other) => other is PresetRest rest && Equals(rest);
+
+        /// <inheritdoc/>
+        public override int GetHashCode() => HashCode.Combine(feet, flap, sweep, feather, tilt);
     }
 }

@@ -54,4 +54,8 @@ namespace Alate
         /// <summary>Steering with every value moved into its range; a value that is no number becomes its default.</summary>
         internal InsectSteering Clamped() => new InsectSteering
         {
+            frequencyScale = Clamp(frequencyScale, k_LeastFrequency, k_MostFrequency, 1f),
+            amplitudeScale = Clamp(amplitudeScale, 0f, Wing.MostAmplitude, 1f),
+            meanFlap = Clamp(meanFlap, -k_MostTilt, k_MostTilt, 0f),
+            tilt = Clamp(tilt, -k_MostTilt, k_MostTilt, 0f),
             fold = Clamp(fold, 0f, 1f, 0f),

@@ -41,6 +41,8 @@ namespace Alate
             beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, amplitude, lanes);
             beat.means = SoaFloat3.Select(beat.means, parameters.drive.means, lanes);
             beat.means1 = SoaFloat3.Select(beat.means1, parameters.drive.means, lanes);
+            beat.meanFlap = math.select(beat.meanFlap, parameters.drive.meanFlap, lanes);
+            beat.meanFlap1 = math.select(beat.meanFlap1, parameters.drive.meanFlap, lanes);
         }
 
         /// <summary>
@@ -66,6 +68,8 @@ namespace Alate
             beat.amplitude = SoaFloat3.Select(beat.amplitude, amplitude, latch);
             beat.means1 = SoaFloat3.Select(beat.means1, beat.means, latch);
             beat.means = SoaFloat3.Select(beat.means, parameters.drive.means, latch);
+            beat.meanFlap1 = math.select(beat.meanFlap1, beat.meanFlap, latch);
+            beat.meanFlap = math.select(beat.meanFlap, parameters.drive.meanFlap, latch);
         }
 
         /// <summary>ω(Φ): glides from the last cycle's frequency to this one's over the first half cycle, or steps.</summary>

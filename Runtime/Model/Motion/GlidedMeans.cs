@@ -26,9 +26,11 @@ namespace Alate
             SoaMath.SinCos(0.5f * turn, out means->tiltHalfSin, out means->tiltHalfCos);
             means->tiltRate = -rate.x;
             means->tiltCurvature = -curvature.x;
-            means->angle = new SoaFloat3(pack.parameters->numbers.meanFlap, now.y, now.z);
-            means->rate = new SoaFloat3(0f, rate.y, rate.z);
-            means->curvature = new SoaFloat3(0f, curvature.y, curvature.z);
+            float4 raised = beat.meanFlap - beat.meanFlap1, share = x * x * (3f - 2f * x);
+            float4 bent = math.select(k_InversePi * k_InversePi * (6f - 12f * x), 0f, (x <= 0f) | (x >= 1f));
+            means->angle = new SoaFloat3(pack.parameters->numbers.meanFlap + beat.meanFlap1 + raised * share, now.y, now.z);
+            means->rate = new SoaFloat3(raised * (6f * k_InversePi * x * (1f - x)), rate.y, rate.z);
+            means->curvature = new SoaFloat3(raised * bent, curvature.y, curvature.z);
         }
     }
 }

@@ -41,6 +41,9 @@ namespace Alate
         /// <summary>Means one cycle back.</summary>
         public SoaFloat3 means1;
 
+        /// <summary>Latched mean flap of the commanded drive in this cycle and one cycle back, radians.</summary>
+        public float4 meanFlap, meanFlap1;
+
         /// <summary>ω, the angular rate of the phase now, rad/s.</summary>
         public float4 rate;
 

@@ -17,12 +17,16 @@ namespace Alate
         /// <summary>Added to the middle of the stroke, radians: x tilt (nose up), y sweep (ahead), z feather.</summary>
         public SoaFloat3 means;
 
+        /// <summary>Added to the middle of the stroke, radians up.</summary>
+        public float4 meanFlap;
+
         /// <summary>Writes one wing's command, or releases the wing.</summary>
         public void Set(int lane, in WingDrive drive, bool isCommanded)
         {
             commanded[lane] = isCommanded ? 1f : 0f;
             frequency[lane] = drive.frequency;
             amplitude[lane] = drive.amplitude;
+            meanFlap[lane] = drive.meanFlap;
             means[lane] = new float3(drive.tilt, drive.meanSweep, drive.meanFeather);
         }
     }

@@ -11,6 +11,9 @@ namespace Alate
         /// <summary>Factor on the wing's amplitudes, 0 to 2.</summary>
         public float amplitude;
 
+        /// <summary>Radians by which the middle of the stroke is raised.</summary>
+        public float meanFlap;
+
         /// <summary>Radians by which the middle of the stroke is swept ahead.</summary>
         public float meanSweep;
 
@@ -22,6 +25,6 @@ namespace Alate
 
         /// <summary>Whether the wing can beat so.</summary>
         internal bool IsValid => frequency >= 0.1f && frequency <= 1000f && amplitude >= 0f && amplitude <= 2f
-            && math.all(math.abs(new float3(meanSweep, meanFeather, tilt)) <= 0.5f * math.PI);
+            && math.all(math.abs(new float4(meanFlap, meanSweep, meanFeather, tilt)) <= math.PI);
     }
 }

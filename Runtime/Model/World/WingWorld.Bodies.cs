@@ -13,7 +13,7 @@ namespace Alate
         public unsafe void SetDrive(WingHandle wing, in WingDrive drive)
         {
             if (!drive.IsValid)
-                throw new ArgumentException($"A drive of {drive.frequency} Hz, {drive.amplitude} times the amplitude, sweep {drive.meanSweep}, feather {drive.meanFeather}, tilt {drive.tilt} radians is out of range: 0.1 to 1000 Hz, 0 to 2, −π/2 to π/2.", nameof(drive));
+                throw new ArgumentException($"A drive of {drive.frequency} Hz, {drive.amplitude} times the amplitude, flap {drive.meanFlap}, sweep {drive.meanSweep}, feather {drive.meanFeather}, tilt {drive.tilt} radians is out of range: 0.1 to 1000 Hz, 0 to 2, −π to π.", nameof(drive));
             WriteDrive(Entry(wing), drive, true);
         }
 
