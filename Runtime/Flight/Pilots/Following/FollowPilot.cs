@@ -12,6 +12,9 @@ namespace Alate.Flight
         /// <summary>Time over which the target's velocity is smoothed, seconds.</summary>
         private const float k_Smoothing = 0.2f;
 
+        /// <summary>Seconds between two looks whether a goal that is not reached lies within a wall.</summary>
+        private const float k_LookTime = 0.5f;
+
         [SerializeField]
         [Tooltip("The object to follow; none flies along the points.")]
         private Transform m_Target;
@@ -43,6 +46,7 @@ namespace Alate.Flight
         private readonly PathFollower m_Path = new PathFollower();
         private readonly List<Vector3> m_World = new List<Vector3>();
         private float3 m_Seen, m_TargetVelocity, m_Home;
+        private float m_SinceLook;
         private bool m_HasSeen, m_HasHome;
 
         /// <summary>The object to follow; null flies along <see cref="Points"/>.</summary>
@@ -115,7 +119,8 @@ namespace Alate.Flight
             float3 wanted = Wanted(situation, out float3 goal);
             float left = math.distance(goal, situation.position) / situation.unitsPerMetre;
             float3 velocity = Avoid(wanted, situation, m_Obstacles, left);
-            if (IsBlocked && left < 2f * m_Obstacles.Metres(situation.wingLength) && IsWithinWall(goal))
+            m_SinceLook += situation.deltaTime;
+            if (IsBlocked && m_SinceLook > k_LookTime && IsWithinWall(goal))
                 Warn($"The goal of '{name}' at {(Vector3)goal} lies within a collider: the insect stays before it. Move the goal out.");
             return FlightCommand.Fly(velocity);
         }
@@ -124,13 +129,13 @@ namespace Alate.Flight
         internal IReadOnlyList<Vector3> WorldPoints()
         {
             m_World.Clear();
-            foreach (Vector3 point in m_Points)
+            for (int k = 0; k < m_Points.Count; k++)
             {
-                Vector3 place = m_Origin == null ? point : m_Origin.TransformPoint(point);
+                Vector3 point = m_Points[k], place = m_Origin == null ? point : m_Origin.TransformPoint(point);
                 if (math.all(math.isfinite((float3)place)))
                     m_World.Add(place);
                 else
-                    Warn($"Point {m_Points.IndexOf(point)} of '{name}' is {point}: points must be finite. It is left out.");
+                    Warn($"Point {k} of '{name}' is {point}: points must be finite. It is left out.");
             }
 
             return m_World;
@@ -176,7 +181,11 @@ namespace Alate.Flight
             return PathFollower.Towards(situation, m_Home, default, m_Speed);
         }
 
-        private bool IsWithinWall(float3 goal) => Physics.CheckSphere(goal, 1e-3f, m_Obstacles.layers, QueryTriggerInteraction.Ignore);
+        private bool IsWithinWall(float3 goal)
+        {
+            m_SinceLook = 0f;
+            return Physics.CheckSphere(goal, 1e-3f, m_Obstacles.layers, QueryTriggerInteraction.Ignore);
+        }
 
         private void OnEnable() => Restart();
 

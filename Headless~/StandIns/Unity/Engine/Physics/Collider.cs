@@ -26,17 +26,15 @@ public class Collider : Component, IStateful
 
     public bool isTrigger { get; set; }
 
-    /// <summary>Shapes of all colliders that are on, where they are now.</summary>
-    internal static PhysicsShape[] Shapes()
+    /// <summary>Writes the shapes of all colliders that are on, where they are now.</summary>
+    internal static void Shapes(List<PhysicsShape> shapes)
     {
-        var shapes = new List<PhysicsShape>();
+        shapes.Clear();
         foreach (Collider collider in s_All)
         {
             if (collider._enabled && collider.Owner is { ActiveFlag: true } && collider.Shape is { } shape)
                 shapes.Add(shape);
         }
-
-        return [.. shapes];
     }
 
     void IStateful.CopyStateTo(Component copy)

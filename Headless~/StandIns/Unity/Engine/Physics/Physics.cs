@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace UnityEngine;
 
 /// <summary>Rays and spheres against the colliders of the scene. Colliders are where their transforms are, without a step between.</summary>
@@ -6,15 +8,21 @@ public class Physics
     public const int DefaultRaycastLayers = -5;
     public const int AllLayers = -1;
 
+    private static readonly List<PhysicsShape> s_Shapes = [];
+
     public static Vector3 gravity { get; set; } = new(0f, -9.81f, 0f);
 
     public static bool Raycast(
-        Vector3 origin, Vector3 direction, out RaycastHit hitInfo, float maxDistance, int layerMask, QueryTriggerInteraction queryTriggerInteraction) =>
-        Nearest(Collider.Shapes(), origin, direction, maxDistance, layerMask, queryTriggerInteraction, out hitInfo);
+        Vector3 origin, Vector3 direction, out RaycastHit hitInfo, float maxDistance, int layerMask, QueryTriggerInteraction queryTriggerInteraction)
+    {
+        Collider.Shapes(s_Shapes);
+        return Nearest(s_Shapes, origin, direction, maxDistance, layerMask, queryTriggerInteraction, out hitInfo);
+    }
 
     public static bool CheckSphere(Vector3 position, float radius, int layerMask, QueryTriggerInteraction queryTriggerInteraction)
     {
-        foreach (PhysicsShape shape in Collider.Shapes())
+        Collider.Shapes(s_Shapes);
+        foreach (PhysicsShape shape in s_Shapes)
         {
             if (shape.IsMet(layerMask, queryTriggerInteraction) && shape.Touches(position, radius))
                 return true;
@@ -24,7 +32,7 @@ public class Physics
     }
 
     internal static bool Nearest(
-        PhysicsShape[] shapes, Vector3 origin, Vector3 direction, float maxDistance, int layerMask, QueryTriggerInteraction triggers, out RaycastHit hit)
+        List<PhysicsShape> shapes, Vector3 origin, Vector3 direction, float maxDistance, int layerMask, QueryTriggerInteraction triggers, out RaycastHit hit)
     {
         hit = default;
         float length = direction.magnitude;

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Jobs;
 
@@ -24,13 +25,13 @@ public struct RaycastCommand
         NativeArray<RaycastCommand> commands, NativeArray<RaycastHit> results, int minCommandsPerJob, JobHandle dependsOn = default)
     {
         // Transforms belong to the main thread: where colliders are is noted as the rays are scheduled.
-        CastRays.Shapes = Collider.Shapes();
+        Collider.Shapes(CastRays.Shapes);
         return new CastRays { commands = commands, results = results }.ScheduleParallel(commands.Length, minCommandsPerJob, dependsOn);
     }
 
     private struct CastRays : IJobFor
     {
-        public static PhysicsShape[] Shapes;
+        public static readonly List<PhysicsShape> Shapes = [];
 
         [ReadOnly]
         public NativeArray<RaycastCommand> commands;
