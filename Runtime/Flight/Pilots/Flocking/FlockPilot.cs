@@ -56,7 +56,7 @@ namespace Alate.Flight
             }
 
             wanted = math.normalizesafe(wanted) * math.min(math.length(wanted), k_Hurry * speed);
-            return FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles));
+            return NoseFirst.Limit(FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles)), situation);
         }
 
         private static float3 Ahead(float heading) => new float3(math.sin(heading), 0f, math.cos(heading));

@@ -15,13 +15,16 @@ namespace Alate.Flight
         private const float k_TouchSpeed = 0.12f;
 
         /// <summary>Fastest way along the line, m/s.</summary>
-        private const float k_LineSpeed = 0.3f;
+        private const float k_LineSpeed = 0.18f;
 
         /// <summary>Rate of the speed along the line, 1/s.</summary>
         private const float k_FlareRate = 1.2f;
 
         /// <summary>Rate at which the insect gets back to the line, 1/s.</summary>
         private const float k_LineRate = 1.5f;
+
+        /// <summary>Rate at which a steady drift off the line is learned, 1/s², and the fastest drift, m/s.</summary>
+        private const float k_DriftRate = 1f, k_MostDrift = 0.08f;
 
         /// <summary>Length of the line, metres, where the insect can stop within.</summary>
         private const float k_LineLength = 0.25f;
@@ -30,15 +33,19 @@ namespace Alate.Flight
         private const float k_Reach = 0.12f;
 
         /// <summary>How far beside the spot the insect may be when it comes down, wing lengths.</summary>
-        private const float k_Beside = 0.12f;
+        private const float k_Beside = 0.15f;
+
+        /// <summary>Growth of that distance with the height above the spot.</summary>
+        private const float k_Funnel = 0.3f;
 
         /// <summary>Seconds after which a line is flown again.</summary>
-        private const float k_Patience = 6f;
+        private const float k_Patience = 8f;
 
         private PerchSpot m_Spot;
         private readonly float3 m_Line;
         private readonly float m_Stand;
         private float m_LineTime;
+        private float3 m_Drift;
 
         /// <param name="spot">Where to land.</param>
         /// <param name="stand">Height of the centre of mass over the feet, metres of the insect.</param>
@@ -77,33 +84,36 @@ namespace Alate.Flight
             {
                 if (!math.isfinite(m_Spot.heading))
                     m_Spot.heading = situation.heading;
-                return Wish(FlightWish.Perch, default);
+                return Wish(FlightWish.Perch, default, situation);
             }
 
             if (m_LineTime > k_Patience || gap < -2f * reach || math.length(beside) > 4f * near + 0.1f)
             {
                 IsFlaring = false;
                 Attempts++;
-                return Wish(FlightWish.Land, LineTop(situation, seat));
+                return Wish(FlightWish.Land, LineTop(situation, seat), situation);
             }
 
             // Beside the line the insect waits above the spot.
-            float straight = math.saturate(2f - math.length(beside) / near);
+            float straight = math.saturate(2f - math.length(beside) / (near + k_Funnel * math.max(gap, 0f)));
             float down = gap > 0f ? math.clamp(k_FlareRate * along, k_TouchSpeed, k_LineSpeed) * straight : -0.1f;
-            float3 back = math.min(k_LineRate * math.length(beside), k_LineSpeed) * math.normalizesafe(beside);
-            return Wish(FlightWish.Land, -down * m_Line - back);
+            m_Drift += k_DriftRate * situation.deltaTime * beside;
+            m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
+            float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.k_Aside) * math.normalizesafe(beside) + m_Drift;
+            return Wish(FlightWish.Land, -down * m_Line - back, situation);
         }
 
         private FlightCommand Approach(in FlightSituation situation, float3 seat, float3 off)
         {
             float3 top = m_Line * Length(situation.limits);
-            if (math.distance(off, top) < 0.1f && math.length(situation.referenceVelocity) < k_LineSpeed + 0.05f)
+            if (math.distance(off, top) < 0.1f && math.length(situation.referenceVelocity) < k_LineSpeed)
             {
                 IsFlaring = true;
                 m_LineTime = 0f;
+                m_Drift = default;
             }
 
-            return Wish(FlightWish.Land, LineTop(situation, seat));
+            return Wish(FlightWish.Land, LineTop(situation, seat), situation);
         }
 
         private float3 LineTop(in FlightSituation situation, float3 seat) =>
@@ -111,7 +121,7 @@ namespace Alate.Flight
 
         private static float Length(in FlightLimits limits) => math.max(k_LineLength, limits.StoppingDistance(k_LineSpeed));
 
-        private FlightCommand Wish(FlightWish wish, float3 velocity) =>
-            new FlightCommand { velocity = velocity, heading = m_Spot.heading, wish = wish, spot = m_Spot };
+        private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation) =>
+            NoseFirst.Limit(new FlightCommand { velocity = velocity, heading = m_Spot.heading, wish = wish, spot = m_Spot }, situation);
     }
 }

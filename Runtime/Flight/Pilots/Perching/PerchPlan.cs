@@ -6,8 +6,8 @@ namespace Alate.Flight
     /// <summary>An insect's day: it flies, lands on a spot, sits, and takes off when its time is up or something comes near.</summary>
     public sealed class PerchPlan
     {
-        /// <summary>Seconds of taking off.</summary>
-        private const float k_TakeOffTime = 0.8f;
+        /// <summary>Longest time of taking off, seconds, and how far it goes, metres.</summary>
+        private const float k_TakeOffTime = 2.5f, k_TakeOffWay = 0.5f;
 
         /// <summary>Speed of taking off ahead, m/s; many species cannot climb while they hover.</summary>
         private const float k_TakeOffSpeed = 0.65f;
@@ -41,6 +41,14 @@ namespace Alate.Flight
             Stage = PerchStage.Approaching;
             WantsSpot = false;
             m_Begun = true;
+        }
+
+        /// <summary>Sits on a spot from the start.</summary>
+        public void Sit(in PerchSpot spot)
+        {
+            Land(spot, 0f);
+            Stage = PerchStage.Perched;
+            m_Left = float.PositiveInfinity;
         }
 
         /// <summary>Leaves the spot, or gives up landing.</summary>
@@ -121,10 +129,10 @@ namespace Alate.Flight
         private FlightCommand Leave(in FlightSituation situation, in PerchSettings settings)
         {
             m_Left -= situation.deltaTime;
-            if (m_Left <= 0f)
+            if (m_Left <= 0f || math.distance(situation.position, Landing.Spot.position) > k_TakeOffWay * situation.unitsPerMetre)
                 FlyOn(settings);
             float3 velocity = math.min(k_TakeOffSpeed, situation.limits.TopSpeed) * m_Away + new float3(0f, situation.limits.MostClimb, 0f);
-            return FlightCommand.Fly(velocity);
+            return NoseFirst.Limit(FlightCommand.Fly(velocity), situation);
         }
 
         private void FlyOn(in PerchSettings settings)

@@ -77,7 +77,7 @@ namespace Alate.Flight
         {
             m_Course ??= new ErraticCourse(m_Seed != 0 ? m_Seed : GetHashCode());
             float3 wanted = m_Course.Next(situation, WorldVolume, m_Settings);
-            return FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles));
+            return NoseFirst.Limit(FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles)), situation);
         }
 
         private void OnEnable() => m_Course?.Restart();

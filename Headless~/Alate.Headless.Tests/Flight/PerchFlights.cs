@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Concurrent;
+using Alate.Catalogue;
+using Alate.Flight;
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Alate.Tests.Flight
+{
+    /// <summary>Landings of a species on small pads, flown by its own wings.</summary>
+    internal sealed class PerchFlights
+    {
+        private const float k_Step = 0.02f, k_Patience = 40f, k_LeavingTime = 3f;
+
+        private static readonly ConcurrentDictionary<string, PerchFlights> s_Known = new ConcurrentDictionary<string, PerchFlights>();
+
+        private readonly FlightModel m_Model;
+        private readonly TrimTable m_Table;
+        private readonly float m_Stand;
+
+        private PerchFlights(string name)
+        {
+            InsectDefinition species = InsectCatalogue.Find(name);
+            m_Model = CatalogueFlight.CreateModel(species);
+            m_Table = new TrimBake(m_Model).Bake([0f, 0.3f, 0.65f], [-0.3f, 0f, 0.3f]);
+            m_Stand = -species.Wings[0].CreatePreset().Rest.feet.y;
+        }
+
+        public float WingLength => m_Model.Length;
+
+        /// <summary>The species' flights; its trims up to 0.65 m/s are made once.</summary>
+        public static PerchFlights Of(string name) => s_Known.GetOrAdd(name, _ => new PerchFlights(name));
+
+        /// <summary>Flies from above to a random spot of a slope up to 45°, and off again.</summary>
+        public PerchFlight Fly(int seed)
+        {
+            var random = Random.CreateFromIndex((uint)seed);
+            float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI), from = random.NextFloat(0f, 2f * math.PI);
+            float3 normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way));
+            float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, 1.2f) + new float3(0f, random.NextFloat(0.35f, 0.8f), 0f);
+            off -= math.min(math.dot(off, normal) - 0.3f, 0f) * normal;
+            var spot = new PerchSpot { position = -off, normal = normal, heading = random.NextFloat(-math.PI, math.PI) };
+            var record = new PerchFlight();
+            float heading = Down(spot, record);
+            if (record.Landed)
+                Leave(spot, heading, record);
+            return record;
+        }
+
+        private float Down(in PerchSpot spot, PerchFlight record)
+        {
+            using var flight = new FreeFlight(m_Model, m_Table);
+            var landing = new Landing(spot, m_Stand);
+            while (flight.Time < k_Patience)
+            {
+                FlightSituation situation = flight.Situation(k_Step);
+                FlightCommand command = landing.Next(situation);
+                float3 place = situation.position - spot.position;
+                if (command.wish == FlightWish.Perch)
+                {
+                    record.Landed = true;
+                    record.ContactSpeed = math.length(situation.velocity);
+                    record.MeanSpeed = math.length(situation.referenceVelocity);
+                    record.Gap = math.dot(place, spot.normal) - m_Stand;
+                    record.Beside = math.length(place - math.dot(place, spot.normal) * spot.normal);
+                    break;
+                }
+
+                flight.Step(command, k_Step);
+                record.Tumbled |= flight.State == FlightState.Tumbling;
+                record.Below = math.min(record.Below, math.dot(flight.Position - spot.position, spot.normal));
+            }
+
+            record.Seconds = (float)flight.Time;
+            record.Attempts = landing.Attempts;
+            return landing.Spot.heading;
+        }
+
+        // As a legged start: the wings beat in the trim of hovering.
+        private void Leave(in PerchSpot spot, float heading, PerchFlight record)
+        {
+            using var flight = new FreeFlight(m_Model, m_Table, default, heading);
+            var plan = new PerchPlan(1);
+            PerchSettings settings = PerchSettings.Default;
+            var seat = new PerchSpot { position = flight.Position - m_Stand * spot.normal, normal = spot.normal, heading = heading };
+            plan.Sit(seat);
+            float least = float.PositiveInfinity;
+            while (flight.Time < k_LeavingTime)
+            {
+                flight.Step(plan.Next(flight.Situation(k_Step), settings, flight.Position + spot.normal, FlightCommand.Fly(default)), k_Step);
+                least = math.min(least, math.dot(flight.Position - seat.position, spot.normal));
+                record.Tumbled |= flight.State == FlightState.Tumbling;
+            }
+
+            record.LeastHeight = least;
+            record.LeftBehind = math.distance(flight.Position, seat.position);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Flight;
+using NUnit.Framework;
+
+namespace Alate.Tests.Flight
+{
+    /// <summary>Insects that fly by their own wings land on random spots and slopes and leave them again.</summary>
+    public sealed class PerchTests
+    {
+        [TestCase("monarch", 40)]
+        public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
+
+        [Category("Long")]
+        [TestCase("monarch")]
+        public void AThousandLandings(string name) => FlyAll(name, 1000);
+
+        private static void FlyAll(string name, int count)
+        {
+            PerchFlights flights = PerchFlights.Of(name);
+            List<PerchFlight> all = Enumerable.Range(1, count).Select(flights.Fly).ToList();
+            List<PerchFlight> down = all.Where(flight => flight.Landed).ToList();
+            TestContext.Progress.WriteLine(FormattableString.Invariant(
+                $"{name}: {down.Count} of {count} down, {all.Count(flight => flight.Tumbled)} tumbled, {all.Sum(flight => flight.Attempts)} new attempts, {all.Average(flight => flight.Seconds):0.0} s on average"));
+            if (down.Count > 0)
+            {
+                TestContext.Progress.WriteLine(FormattableString.Invariant(
+                    $"  contact {down.Max(flight => flight.ContactSpeed):0.000} m/s at most, {down.Average(flight => flight.ContactSpeed):0.000} on average, reference {down.Max(flight => flight.MeanSpeed):0.000}; feet {down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and {down.Max(flight => flight.Beside) * 1000:0.0} mm beside the spot at most; lowest on the way {down.Min(flight => flight.Below) * 1000:0.0} mm; lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, {down.Min(flight => flight.LeftBehind):0.00} m away at least"));
+            }
+
+            Assert.That(down, Has.Count.EqualTo(count));
+            Assert.That(all.Where(flight => flight.Tumbled), Is.Empty);
+            Assert.That(down.Max(flight => flight.ContactSpeed), Is.LessThan(0.3f));
+            Assert.That(down.Max(flight => Math.Abs(flight.Gap)), Is.LessThan(0.25f * flights.WingLength), "what the legs reach");
+            Assert.That(down.Max(flight => flight.Beside), Is.LessThan(0.25f * flights.WingLength), "what the legs reach");
+            Assert.That(down.Min(flight => flight.LeastHeight), Is.GreaterThan(0f), "off the surface at once");
+            Assert.That(down.Min(flight => flight.LeftBehind), Is.GreaterThan(0.3f));
+        }
+    }
+}
