@@ -22,13 +22,13 @@ namespace Alate.Tests.Flight
         {
             InsectDefinition species = InsectCatalogue.Find(name);
             m_Model = CatalogueFlight.CreateModel(species);
-            m_Table = new TrimBake(m_Model).Bake([0f, 0.3f, 0.65f], [-0.3f, 0f, 0.3f]);
+            m_Table = CatalogueFlight.CreateTable(species, m_Model);
             m_Stand = -species.Wings[0].CreatePreset().Rest.feet.y;
         }
 
         public float WingLength => m_Model.Length;
 
-        /// <summary>The species' flights; its trims up to 0.65 m/s are made once.</summary>
+        /// <summary>The species' flights.</summary>
         public static PerchFlights Of(string name) => s_Known.GetOrAdd(name, _ => new PerchFlights(name));
 
         /// <summary>Flies from above to a random spot of a slope up to 45°, and off again.</summary>

@@ -9,16 +9,22 @@ namespace Alate.Flight
     internal static class NoseFirst
     {
         /// <summary>Fastest flight across the nose, backwards, and straight down, m/s.</summary>
-        public const float k_Aside = 0.12f, k_Back = 0.06f, k_Sink = 0.2f;
+        public const float k_Aside = 0.12f, k_Back = 0.06f, k_Sink = 0.15f;
 
         /// <summary>Fastest climb of a slow insect, and fastest flight while the nose turns, m/s: hovering leaves no power for more.</summary>
-        private const float k_SlowClimb = 0.05f, k_TurningSpeed = 0.05f;
+        private const float k_SlowClimb = 0.03f, k_TurningSpeed = 0.05f;
+
+        /// <summary>Growth of climb and sink with the speed beyond slow flight.</summary>
+        private const float k_MoreClimb = 0.6f, k_MoreSink = 0.5f;
 
         /// <summary>Speed above which the insect flies where it flies, whatever its nose, m/s.</summary>
         private const float k_Slow = 0.25f;
 
         /// <summary>Speed wanted aside from which the nose is turned, m/s, and the angle of it, radians.</summary>
-        private const float k_Turning = 0.1f, k_TurningAngle = 0.6f;
+        private const float k_Turning = 0.2f, k_TurningAngle = 0.5f;
+
+        /// <summary>Angle by which the wanted heading of a slow insect is ahead of its heading, radians: it turns at little more than 1 rad/s.</summary>
+        private const float k_Ahead = 0.3f;
 
         /// <summary>Largest angle between the way and the wanted way, radians: an arc; and that from which the insect brakes.</summary>
         private const float k_Arc = 1f, k_Brake = 1.6f;
@@ -30,14 +36,24 @@ namespace Alate.Flight
             if (!math.all(math.isfinite(velocity)))
                 return command;
             float speed = math.length(velocity.xz), flown = math.length(situation.referenceVelocity.xz);
-            velocity.y = math.clamp(velocity.y, -k_Sink - 0.3f * math.max(flown - k_Slow, 0f), k_SlowClimb + 2f * math.max(flown - 0.5f * k_Slow, 0f));
             if (speed > 0.02f && flown > k_Slow)
                 velocity.xz = OnTheWay(velocity.xz, situation.referenceVelocity.xz, speed, flown);
             else if (speed > 0.02f)
                 command.heading = Turn(ref velocity, command.heading, situation.heading, speed);
+            bool turns = flown <= k_Slow && math.abs(Wrap(command.heading - situation.heading)) > k_TurningAngle;
+            if (turns)
+                velocity.xz *= math.min(1f, k_TurningSpeed / math.max(math.length(velocity.xz), 1e-6f));
+            float turn = Wrap(command.heading - situation.heading);
+            if (flown <= k_Slow && math.abs(turn) > k_Ahead)
+                command.heading = situation.heading + k_Ahead * math.sign(turn);
+            velocity.y = math.clamp(velocity.y, -Sink(flown, turns), k_SlowClimb + k_MoreClimb * math.max(flown - k_Slow, 0f));
             command.velocity = velocity;
             return command;
         }
+
+        // Straight down, or ahead and down: slow flight between them sinks hardly.
+        private static float Sink(float flown, bool turns) =>
+            turns ? k_SlowClimb : math.max(k_Sink * math.saturate(2f - flown / k_TurningSpeed * 0.5f), math.max(k_SlowClimb, k_MoreSink * (flown - 2f * k_Slow)));
 
         private static float2 OnTheWay(float2 wanted, float2 way, float speed, float flown)
         {
@@ -62,7 +78,7 @@ namespace Alate.Flight
             aside = math.clamp(aside, -most, most);
             velocity.x = ahead * sin + aside * cos;
             velocity.z = ahead * cos - aside * sin;
-            return speed > k_Turning && (turns || speed > k_Aside) ? course : wantedHeading;
+            return speed > k_Turning ? course : wantedHeading;
         }
 
         private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));

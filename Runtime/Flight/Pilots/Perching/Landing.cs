@@ -15,7 +15,7 @@ namespace Alate.Flight
         private const float k_TouchSpeed = 0.12f;
 
         /// <summary>Fastest way along the line, m/s.</summary>
-        private const float k_LineSpeed = 0.18f;
+        private const float k_LineSpeed = 0.15f;
 
         /// <summary>Rate of the speed along the line, 1/s.</summary>
         private const float k_FlareRate = 1.2f;
@@ -38,14 +38,20 @@ namespace Alate.Flight
         /// <summary>Growth of that distance with the height above the spot.</summary>
         private const float k_Funnel = 0.3f;
 
+        /// <summary>Distance beside the spot from which it is near, metres.</summary>
+        private const float k_Near = 0.3f;
+
+        /// <summary>Seconds and speed, m/s, of flying on for another try.</summary>
+        private const float k_RoundTime = 1.6f, k_RoundSpeed = 0.65f;
+
         /// <summary>Seconds after which a line is flown again.</summary>
         private const float k_Patience = 8f;
 
         private PerchSpot m_Spot;
         private readonly float3 m_Line;
         private readonly float m_Stand;
-        private float m_LineTime;
-        private float3 m_Drift;
+        private float m_LineTime, m_RoundTime;
+        private float3 m_Drift, m_Round;
 
         /// <param name="spot">Where to land.</param>
         /// <param name="stand">Height of the centre of mass over the feet, metres of the insect.</param>
@@ -87,12 +93,8 @@ namespace Alate.Flight
                 return Wish(FlightWish.Perch, default, situation);
             }
 
-            if (m_LineTime > k_Patience || gap < -2f * reach || math.length(beside) > 4f * near + 0.1f)
-            {
-                IsFlaring = false;
-                Attempts++;
-                return Wish(FlightWish.Land, LineTop(situation, seat), situation);
-            }
+            if (m_LineTime > k_Patience || gap < -2f * reach || math.length(beside) > 4f * near + 0.1f + 0.6f * math.max(along, 0f))
+                return GoRound(situation);
 
             // Beside the line the insect waits above the spot.
             float straight = math.saturate(2f - math.length(beside) / (near + k_Funnel * math.max(gap, 0f)));
@@ -105,15 +107,39 @@ namespace Alate.Flight
 
         private FlightCommand Approach(in FlightSituation situation, float3 seat, float3 off)
         {
-            float3 top = m_Line * Length(situation.limits);
-            if (math.distance(off, top) < 0.1f && math.length(situation.referenceVelocity) < k_LineSpeed)
+            if (m_RoundTime > 0f)
+            {
+                m_RoundTime -= situation.deltaTime;
+                return Wish(FlightWish.Land, m_Round, situation);
+            }
+
+            float along = math.dot(off, m_Line);
+            if (math.length(off.xz) < k_Near && math.dot(off, m_Spot.normal) < 0f)
+                return GoRound(situation);
+            if (along > 0f && math.length(off - along * m_Line) < math.max(0.05f, 0.4f * along) && math.length(situation.referenceVelocity) < k_LineSpeed)
             {
                 IsFlaring = true;
-                m_LineTime = 0f;
+                m_LineTime = -along / (0.5f * k_LineSpeed);
                 m_Drift = default;
             }
 
-            return Wish(FlightWish.Land, LineTop(situation, seat), situation);
+            // Hovering insects hardly climb: near the spot the height that there is has to do.
+            float3 velocity = LineTop(situation, seat);
+            if (math.length(off.xz) < k_Near)
+                velocity.y = math.min(velocity.y, 0f);
+            return Wish(FlightWish.Land, velocity, situation);
+        }
+
+        // Ahead and up for another try.
+        private FlightCommand GoRound(in FlightSituation situation)
+        {
+            IsFlaring = false;
+            Attempts++;
+            m_RoundTime = k_RoundTime;
+            math.sincos(situation.heading, out float sin, out float cos);
+            float3 ahead = new float3(sin, 0f, cos);
+            m_Round = math.min(k_RoundSpeed, situation.limits.TopSpeed) * math.normalizesafe(ahead + m_Spot.normal * new float3(1f, 0f, 1f)) + new float3(0f, situation.limits.MostClimb, 0f);
+            return Wish(FlightWish.Land, m_Round, situation);
         }
 
         private float3 LineTop(in FlightSituation situation, float3 seat) =>

@@ -12,6 +12,9 @@ namespace Alate.Flight
         /// <summary>Speed of taking off ahead, m/s; many species cannot climb while they hover.</summary>
         private const float k_TakeOffSpeed = 0.65f;
 
+        /// <summary>How much a start from a slope goes down it.</summary>
+        private const float k_Downhill = 1.2f;
+
         /// <summary>Attempts before a spot is given up.</summary>
         private const int k_Attempts = 3;
 
@@ -117,11 +120,14 @@ namespace Alate.Flight
             if (m_Left > 0f && !isThreatened)
                 return new FlightCommand { wish = FlightWish.Perch, spot = Landing.Spot, heading = Landing.Spot.heading };
             float3 ahead = new float3(math.sin(situation.heading), 0f, math.cos(situation.heading));
-            float3 out3 = Landing.Spot.normal * new float3(1f, 0f, 1f);
+            float3 downhill = Landing.Spot.normal * new float3(1f, 0f, 1f);
             float3 from = isThreatened ? math.normalizesafe((situation.position - threat) * new float3(1f, 0f, 1f)) : default;
+            float3 away = ahead + 0.7f * from;
 
-            // Off the surface first: ahead where the slope allows.
-            m_Away = math.normalizesafe(ahead + 1.5f * out3 + 0.7f * from, ahead);
+            // Not into the slope: along it, and a little down.
+            float3 down = math.normalizesafe(downhill);
+            away += (k_Downhill * math.length(downhill) - math.min(math.dot(away, down), 0f)) * down;
+            m_Away = math.normalizesafe(away, ahead);
             TakeOff(settings);
             return Leave(situation, settings);
         }
