@@ -19,6 +19,7 @@ namespace Alate.Flight
         private FlightModel m_Model;
         private TrimTable m_Table;
         private FlightReference m_Reference;
+        private Perching m_Perching;
         private double m_Time;
         private float m_Units;
         private Vector3 m_ShownPosition;
@@ -80,8 +81,13 @@ namespace Alate.Flight
             if (State == FlightState.Perched)
             {
                 if (command.wish == FlightWish.Perch)
+                    m_Perching.Sit(ref body, dt);
+                else if (m_Perching.Start(ref body, m_World, m_Body, TrimDrive(default), m_Live, dt))
+                    TakeOff(ref body);
+                m_From = m_Perching.Centre(body.rotation, Legs);
+                Show(body.rotation, m_From);
+                if (State == FlightState.Perched)
                     return;
-                TakeOff(ref body, command);
             }
             else if (command.wish == FlightWish.Perch)
             {
@@ -118,17 +124,12 @@ namespace Alate.Flight
             unitsPerMetre = m_Units,
         };
 
+        private float3 Legs => ((float3)m_Live.wings[0].values.Feet - m_Model.Centre) * m_Units;
+
         private void Perch(ref FlyingBody body, in PerchSpot spot)
         {
-            body.mode = BodyMode.Resting;
-            body.velocity = body.spin = body.acceleration = body.spinRate = default;
-            float3 up = math.normalizesafe(spot.normal, new float3(0f, 1f, 0f));
-            math.sincos(spot.heading, out float sin, out float cos);
-            var ahead = new float3(sin, 0f, cos);
-            ahead = math.normalizesafe(ahead - up * math.dot(ahead, up), math.normalizesafe(math.cross(up, new float3(1f, 0f, 0f)), new float3(0f, 0f, 1f)));
-            body.rotation = Quaternion.LookRotation(ahead, up);
+            m_Perching = new Perching(ref body, spot, m_From, Legs);
             m_FromRotation = body.rotation;
-            m_From = (Vector3)(spot.position + up * (m_FootHeight * m_Units));
             foreach (LiveWing wing in m_Live.wings)
                 m_World.SetDrive(wing.handle, new WingDrive { frequency = m_Model.Frequency, amplitude = 0f });
             State = FlightState.Perched;
@@ -136,7 +137,7 @@ namespace Alate.Flight
             Landed?.Invoke(this);
         }
 
-        private void TakeOff(ref FlyingBody body, in FlightCommand command)
+        private void TakeOff(ref FlyingBody body)
         {
             float heading = HeadingOf(body.rotation);
             m_Reference = new FlightReference(default, heading, body.wind);
@@ -200,16 +201,21 @@ namespace Alate.Flight
             return true;
         }
 
-        private void StartBeat(LiveInsect live, WingWorld world, in BodyReference reference)
+        private WingDrive TrimDrive(in BodyReference reference)
         {
             float[] point = m_Table.PointNear(reference.airSpeed, reference.climb);
-            var drive = new WingDrive
+            return new WingDrive
             {
                 frequency = point[TrimPoint.Drive],
                 amplitude = point[TrimPoint.Drive + 1],
                 tilt = point[TrimPoint.Drive + 2],
                 meanSweep = point[TrimPoint.Drive + 3],
             };
+        }
+
+        private void StartBeat(LiveInsect live, WingWorld world, in BodyReference reference)
+        {
+            WingDrive drive = TrimDrive(reference);
             foreach (LiveWing wing in live.wings)
             {
                 world.SetDrive(wing.handle, drive);

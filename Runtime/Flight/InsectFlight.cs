@@ -27,10 +27,6 @@ namespace Alate.Flight
         [Tooltip("Help from outside after a tumble, towards the wanted velocity and attitude: 0 none, 1 enough for 2 m/s gusts.")]
         private float m_Aid;
 
-        [SerializeField]
-        [Tooltip("Metres from the centre of mass down to the feet.")]
-        private float m_FootHeight = 0.003f;
-
         private IFlightPilot m_Pilot;
 
         /// <summary>Trims and gains; null does not fly. Taken over when the component is enabled.</summary>
@@ -48,13 +44,6 @@ namespace Alate.Flight
         {
             get => m_Aid;
             set => m_Aid = float.IsNaN(value) ? 0f : math.saturate(value);
-        }
-
-        /// <summary>Metres of the real insect from its centre of mass down to its feet, at least 0.</summary>
-        public float FootHeight
-        {
-            get => m_FootHeight;
-            set => m_FootHeight = math.isfinite(value) ? math.max(value, 0f) : 0f;
         }
 
         /// <summary>Who says where to fly; null takes the <see cref="FlightPilot"/> on this object, and <see cref="Velocity"/> where there is none.</summary>
@@ -113,7 +102,6 @@ namespace Alate.Flight
         private void OnValidate()
         {
             Aid = m_Aid;
-            FootHeight = m_FootHeight;
         }
 
         private void Fail(FlightProblem problem, string why)

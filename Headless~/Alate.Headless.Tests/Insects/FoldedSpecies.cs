@@ -31,7 +31,7 @@ namespace Alate.Tests.Insects
                 WingRig rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
                 foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
                 {
-                    handles.Add(world.Add(rig, plan.ParametersOf(wing.Species), plan.SurroundingsOf(wing.Species, side)));
+                    handles.Add(world.Add(rig, plan.ParametersOf(wing.Preset), plan.SurroundingsOf(wing.Preset, side)));
                     frames.Add(rig.Frame);
                     wings.Add(new RecordedWing
                     {
@@ -47,7 +47,7 @@ namespace Alate.Tests.Insects
 
             Wings = wings;
             Record = new FlightRecord { Plan = plan, Insect = insect, Wings = wings };
-            PresetValues[] values = wings.Select(wing => new PresetValues(wing.Wing.Species)).ToArray();
+            PresetValues[] values = wings.Select(wing => new PresetValues(wing.Wing.Preset)).ToArray();
             var rest = new WingRest();
             PerchSettings settings = PerchSettings.Default;
             for (int step = 0; step < k_Beating + k_Sitting; step++)

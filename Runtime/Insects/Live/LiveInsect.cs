@@ -102,7 +102,7 @@ namespace Alate
             {
                 if (wing.ApplyParameters(presets, tuning, out WingParameters parameters))
                     world.SetParameters(wing.handle, parameters);
-                wing.Fold(world, tuning.Fold);
+                wing.Fold(world, tuning.Fold, insect.Flyer != null);
             }
         }
 

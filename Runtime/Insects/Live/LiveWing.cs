@@ -68,7 +68,8 @@ namespace Alate
         /// <summary>Folds the wing, or lets it beat again.</summary>
         /// <param name="world">Where the wing is.</param>
         /// <param name="fold">0 to 1.</param>
-        public void Fold(WingWorld world, float fold)
+        /// <param name="flies">Whether a flight drives the wings once they are spread.</param>
+        public void Fold(WingWorld world, float fold, bool flies)
         {
             if (fold == m_Fold && (fold == 0f || m_Stamp == m_FoldStamp))
                 return;
@@ -76,7 +77,7 @@ namespace Alate
             m_FoldStamp = m_Stamp;
             if (fold > 0f)
                 world.SetDrive(handle, values.Folded(fold));
-            else
+            else if (!flies)
                 world.ReleaseDrive(handle);
         }
 

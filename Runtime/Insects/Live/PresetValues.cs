@@ -1,3 +1,6 @@
+using Unity.Mathematics;
+using UnityEngine;
+
 namespace Alate
 {
     /// <summary>Values of a preset in the units of the model; compared once a step, however many insects share the preset.</summary>
@@ -47,6 +50,9 @@ namespace Alate
             m_Rest = rest;
             m_Stamp++;
         }
+
+        /// <summary>Middle of the feet from the insect's origin, metres.</summary>
+        public Vector3 Feet => m_Rest.feet;
 
         /// <summary>Drive of a wing that is held still, folded to a share.</summary>
         public WingDrive Folded(float fold)

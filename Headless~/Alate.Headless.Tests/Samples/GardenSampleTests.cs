@@ -1,0 +1,60 @@
+using System.Collections;
+using System.Linq;
+using Alate.Flight;
+using Alate.Samples;
+using NUnit.Framework;
+using StandIns;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play.Samples;
+
+public sealed class GardenSampleTests : SampleFixture<GardenSample>
+{
+    [UnityTest]
+    public IEnumerator Butterflies_FlyLandAndSit_WithTheirWingsFolded()
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 4f);
+        yield return Frames(30);
+        bool sat = false;
+        for (int frame = 0; frame < 3000 && !sat; frame++)
+        {
+            foreach (InsectFlight flight in Sample.GetComponentsInChildren<InsectFlight>())
+            {
+                Assert.That(flight.Problem, Is.EqualTo(FlightProblem.None), flight.name);
+                Assert.That(float.IsFinite(flight.Position.sqrMagnitude), Is.True);
+                sat |= flight.State == FlightState.Perched && flight.GetComponent<PerchPilot>().Fold > 0.9f;
+            }
+
+            yield return null;
+        }
+
+        Assert.That(sat, Is.True, "no butterfly sat within 50 s");
+    }
+
+    [UnityTest]
+    public IEnumerator TheSlider_MakesAndEndsButterflies([Values(0, 5)] int count)
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", count);
+        yield return Frames(20);
+        Assert.That(Sample.GetComponentsInChildren<PerchPilot>().Length, Is.EqualTo(count));
+    }
+
+    [UnityTest]
+    public IEnumerator Fireflies_BlinkAtDusk_NotByDay([Values(0f, 1f)] float dusk)
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 0f);
+        DrawnScreen.Slide("Dusk", dusk);
+        float brightest = 0f;
+        for (int frame = 0; frame < 360; frame++)
+        {
+            brightest = Mathf.Max(brightest, Sample.GetComponentsInChildren<Light>().Where(light => light.type == LightType.Point).Max(light => light.intensity));
+            yield return null;
+        }
+
+        Assert.That(brightest, dusk > 0f ? Is.GreaterThan(1f) : Is.Zero);
+    }
+}
