@@ -2,7 +2,6 @@ using System.Collections;
 using System.Collections.Generic;
 using System.Text.RegularExpressions;
 using Alate.Flight;
-using Alate.Tests.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;

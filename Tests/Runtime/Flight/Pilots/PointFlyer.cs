@@ -1,7 +1,7 @@
 using Alate.Flight;
 using Unity.Mathematics;
 
-namespace Alate.Tests.Flight
+namespace Alate.Tests
 {
     /// <summary>
     /// A point that obeys an insect's limits: its reference changes no faster than the acceleration, above 0.3 m/s its course turns no faster than a/v, and the point follows
