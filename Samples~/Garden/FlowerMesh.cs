@@ -87,7 +87,10 @@ namespace Alate.Samples
 
         private Mesh ToMesh(string name) => new SurfaceMesh
         {
-            positions = m_Positions.ToArray(), normals = m_Normals.ToArray(), colours = m_Colours.ToArray(), triangles = m_Triangles.ToArray(),
+            positions = m_Positions.ToArray(),
+            normals = m_Normals.ToArray(),
+            colours = m_Colours.ToArray(),
+            triangles = m_Triangles.ToArray(),
         }.ToMesh(name);
     }
 }

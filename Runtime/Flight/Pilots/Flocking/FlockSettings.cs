@@ -45,7 +45,12 @@ namespace Alate.Flight
         /// <summary>A loose swarm.</summary>
         public static FlockSettings Default => new FlockSettings
         {
-            speed = 0.9f, sight = 20f, room = 5f, separation = 1.5f, alignment = 0.4f, cohesion = 0.3f,
+            speed = 0.9f,
+            sight = 20f,
+            room = 5f,
+            separation = 1.5f,
+            alignment = 0.4f,
+            cohesion = 0.3f,
         };
 
         /// <summary>Settings with every value moved into its range; what is no number is the default.</summary>

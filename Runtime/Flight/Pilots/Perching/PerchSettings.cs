@@ -59,8 +59,15 @@ namespace Alate.Flight
         /// <summary>A butterfly on flowers.</summary>
         public static PerchSettings Default => new PerchSettings
         {
-            flightTime = 10f, stayTime = 8f, foldTime = 0.5f, bask = 0.7f, fanRate = 12f, searchDistance = 30f,
-            surfaces = Physics.DefaultRaycastLayers, steepest = 45f, fleeDistance = 5f,
+            flightTime = 10f,
+            stayTime = 8f,
+            foldTime = 0.5f,
+            bask = 0.7f,
+            fanRate = 12f,
+            searchDistance = 30f,
+            surfaces = Physics.DefaultRaycastLayers,
+            steepest = 45f,
+            fleeDistance = 5f,
         };
 
         /// <summary>Settings with every value moved into its range; what is no number is the default.</summary>

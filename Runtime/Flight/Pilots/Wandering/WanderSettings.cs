@@ -45,7 +45,12 @@ namespace Alate.Flight
         /// <summary>A butterfly that looks for food.</summary>
         public static WanderSettings Default => new WanderSettings
         {
-            speed = 1f, straightTime = 0.7f, turnSpread = 55f, homing = 0.25f, bob = 0.25f, bobTime = 0.6f,
+            speed = 1f,
+            straightTime = 0.7f,
+            turnSpread = 55f,
+            homing = 0.25f,
+            bob = 0.25f,
+            bobTime = 0.6f,
         };
 
         /// <summary>Settings with every value moved into its range; what is no number is the default.</summary>

@@ -49,7 +49,11 @@ namespace Alate.Tests.Flight
             {
                 swarm[k] = new FlockMember
                 {
-                    position = random.NextFloat3(-20f, 20f), velocity = random.NextFloat3(-1f, 1f), sight = random.NextFloat(2f, 9f), room = 3f, group = k % 2,
+                    position = random.NextFloat3(-20f, 20f),
+                    velocity = random.NextFloat3(-1f, 1f),
+                    sight = random.NextFloat(2f, 9f),
+                    room = 3f,
+                    group = k % 2,
                 };
             }
 
