@@ -1,0 +1,57 @@
+using Alate.Flight;
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Editor
+{
+    /// <summary>Inspector of Insect Flight: what the insect does or why it does not fly, a pilot at the press of a button, and the fields.</summary>
+    [CustomEditor(typeof(InsectFlight))]
+    internal sealed class InsectFlightEditor : UnityEditor.Editor
+    {
+        private static class Content
+        {
+            public const string NoTrims = "Does not fly: it has no trims, or they were made for other numbers of preset or body. Take an insect of the catalogue with the variant Flight, or bake trims.";
+            public const string BadBody = "Does not fly: its masses or the parts of its body are not possible; see the console.";
+            public const string NoWings = "Does not fly: there are no Insect Wings on the object.";
+            public const string NoPilot = "No pilot: the insect keeps the velocity that a script sets. Add a Wander Pilot to let it fly about.";
+
+            public static readonly GUIContent AddPilot = new GUIContent("Add Wander Pilot", "Adds a pilot that flies the erratic track of a butterfly around the insect.");
+        }
+
+        /// <inheritdoc/>
+        public override void OnInspectorGUI()
+        {
+            var flight = (InsectFlight)target;
+            if (flight.Problem != FlightProblem.None)
+                EditorGUILayout.HelpBox(MessageOf(flight.Problem), MessageType.Warning);
+            else if (Application.isPlaying)
+                EditorGUILayout.HelpBox($"{flight.State}, {flight.BodyVelocity.magnitude:0.00} m/s, aid {1000f * flight.AidPower:0.00} mW", MessageType.Info);
+            if (flight.Pilot == null && !flight.TryGetComponent(out FlightPilot _))
+            {
+                EditorGUILayout.HelpBox(Content.NoPilot, MessageType.Info);
+                if (GUILayout.Button(Content.AddPilot))
+                    AddPilot(flight);
+            }
+
+            DrawDefaultInspector();
+        }
+
+        private static void AddPilot(InsectFlight flight)
+        {
+            var pilot = Undo.AddComponent<WanderPilot>(flight.gameObject);
+            FlightVolume volume = pilot.Volume;
+            volume.centre = flight.transform.position;
+            pilot.Volume = volume;
+        }
+
+        private static string MessageOf(FlightProblem problem)
+        {
+            switch (problem)
+            {
+                case FlightProblem.NoWings: return Content.NoWings;
+                case FlightProblem.BadBody: return Content.BadBody;
+                default: return Content.NoTrims;
+            }
+        }
+    }
+}
