@@ -52,7 +52,7 @@ namespace Alate.Tests.Flight
             float sat = 0f;
             int landings = 0;
             PerchStage last = PerchStage.Between;
-            for (int step = 0; step < 100 * 50; step++)
+            for (int step = 0; step < 150 * 50; step++)
             {
                 if (plan.WantsSpot)
                     plan.Land(new PerchSpot { position = new float3(0f, 5f, 0f), normal = new float3(0f, 1f, 0f) }, k_Stand);

@@ -193,7 +193,8 @@ namespace Alate.Tests.Play.Flight
             {
                 FlockPilot pilot = Made<FlockPilot>();
                 pilot.Obstacles.avoid = false;
-                pilot.Settings.sight = 60f;
+                pilot.Settings.sight = 100f;
+                pilot.Settings.cohesion = 0.8f;
                 pilots.Add(pilot);
                 var flyer = new PointFlyer();
                 flyer.situation.position = random.NextFloat3(-8f, 8f);

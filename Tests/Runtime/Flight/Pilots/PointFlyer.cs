@@ -9,7 +9,7 @@ namespace Alate.Tests
     /// </summary>
     internal sealed class PointFlyer
     {
-        private const float k_Filter = 0.1f, k_SlowSpeed = 0.3f;
+        private const float k_Filter = 0.1f, k_SlowSpeed = 0.3f, k_TurnRate = 4f, k_MostTurning = 3f;
 
         public FlightSituation situation;
 
@@ -67,8 +67,10 @@ namespace Alate.Tests
             situation.referenceVelocity = reference + change;
             situation.velocity += (situation.referenceVelocity - situation.velocity) * (1f - math.exp(-dt / k_Filter));
             situation.position += situation.velocity * (dt * situation.unitsPerMetre);
-            if (math.length(situation.referenceVelocity.xz) > 0.05f)
-                situation.heading = math.atan2(situation.referenceVelocity.x, situation.referenceVelocity.z);
+            float heading = math.length(situation.referenceVelocity.xz) > k_SlowSpeed || !math.isfinite(command.heading) && math.length(situation.referenceVelocity.xz) > 0.1f
+                ? math.atan2(situation.referenceVelocity.x, situation.referenceVelocity.z) : command.heading;
+            if (math.isfinite(heading))
+                situation.heading += math.clamp(k_TurnRate * Wrap(heading - situation.heading), -k_MostTurning, k_MostTurning) * dt;
             situation.time += dt;
         }
 
