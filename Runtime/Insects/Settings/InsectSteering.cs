@@ -59,3 +59,17 @@ namespace Alate
             meanFlap = Clamp(meanFlap, -k_MostTilt, k_MostTilt, 0f),
             tilt = Clamp(tilt, -k_MostTilt, k_MostTilt, 0f),
             fold = Clamp(fold, 0f, 1f, 0f),
+        };
+
+        /// <summary>Changes a preset's parameters.</summary>
+        internal void Apply(ref WingParameters parameters)
+        {
+            parameters.maxFrequency *= frequencyScale;
+            parameters.amplitudeScale *= amplitudeScale;
+            parameters.meanFlap += math.radians(meanFlap);
+            parameters.tilt += math.radians(tilt);
+        }
+
+        private static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
+    }
+}
