@@ -4,6 +4,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate")]
 [assembly: InternalsVisibleTo("Alate.Catalogue")]
 [assembly: InternalsVisibleTo("Alate.Flight")]
+[assembly: InternalsVisibleTo("Alate.Crowds")]
 [assembly: InternalsVisibleTo("Alate.Authoring")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
 [assembly: InternalsVisibleTo("Alate.Tests")]

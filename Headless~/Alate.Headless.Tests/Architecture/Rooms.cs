@@ -29,9 +29,10 @@ namespace Alate.Tests.Architecture
             ["Alate.Fitting"] = ["Alate.Geometry", "Alate.Model"],
             ["Alate"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
             ["Alate.Flight"] = ["Alate", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Crowds"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Catalogue"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
-            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Fitting", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
         };
 
         /// <summary>Folders of the sources of each assembly.</summary>
@@ -42,6 +43,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Fitting"] = "Runtime/Fitting",
             ["Alate"] = "Runtime/Insects",
             ["Alate.Flight"] = "Runtime/Flight",
+            ["Alate.Crowds"] = "Runtime/Crowds",
             ["Alate.Catalogue"] = "Runtime/Catalogue",
             ["Alate.Authoring"] = "Editor/Authoring",
             ["Alate.Editor"] = "Editor",

@@ -1,0 +1,37 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate.Crowds
+{
+    /// <summary>A loop of a baked insect: frames at even phases, the last of which is followed by the first.</summary>
+    public sealed class BakedClip
+    {
+        /// <summary>Name of the motion.</summary>
+        public string Name { get; internal set; }
+
+        /// <summary>Loops a second, hertz.</summary>
+        public float Frequency { get; internal set; }
+
+        /// <summary>[frame] The insect at phase frame / number of frames.</summary>
+        public IReadOnlyList<BakedFrame> Frames { get; internal set; }
+
+        /// <summary>What the bake differs from the flown wings by.</summary>
+        public BakeError Error { get; internal set; }
+
+        /// <summary>The insect at a phase, between the two frames that enclose it, as shaders blend them.</summary>
+        /// <param name="phase">Loops; any number.</param>
+        /// <param name="positions">[vertex] Position.</param>
+        /// <param name="normals">[vertex] Unit normal.</param>
+        public void Evaluate(float phase, float3[] positions, float3[] normals)
+        {
+            float frame = (phase - math.floor(phase)) * Frames.Count;
+            int before = math.min((int)frame, Frames.Count - 1);
+            BakedFrame from = Frames[before], to = Frames[(before + 1) % Frames.Count];
+            for (int vertex = 0; vertex < positions.Length; vertex++)
+            {
+                positions[vertex] = math.lerp(from.Positions[vertex], to.Positions[vertex], frame - before);
+                normals[vertex] = math.normalizesafe(math.lerp(from.Normals[vertex], to.Normals[vertex], frame - before));
+            }
+        }
+    }
+}
