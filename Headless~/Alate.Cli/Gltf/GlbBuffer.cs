@@ -27,10 +27,10 @@ internal sealed class GlbBuffer
 
     public byte[] ToArray() => m_Bytes.ToArray();
 
-    /// <summary>Vertex attributes, with their bounds.</summary>
-    public int AddVectors(IReadOnlyList<float3> values)
+    /// <summary>Vertex attributes or values of an animation, with their bounds.</summary>
+    public int AddVectors(IReadOnlyList<float3> values, bool isVertexData = true)
     {
-        int view = BeginView(k_ArrayBuffer);
+        int view = BeginView(isVertexData ? k_ArrayBuffer : null);
         float3 min = float.PositiveInfinity, max = float.NegativeInfinity;
         foreach (float3 value in values)
         {
@@ -48,9 +48,9 @@ internal sealed class GlbBuffer
     }
 
     /// <summary>Rotations of an animation.</summary>
-    public int AddQuadruples(IReadOnlyList<float4> values)
+    public int AddQuadruples(IReadOnlyList<float4> values, bool isVertexData = false)
     {
-        int view = BeginView(null);
+        int view = BeginView(isVertexData ? k_ArrayBuffer : null);
         foreach (float4 value in values)
         {
             for (int k = 0; k < 4; k++)
@@ -88,6 +88,33 @@ internal sealed class GlbBuffer
         JsonObject accessor = EndView(view, k_UnsignedShort, "VEC4", colours.Count);
         accessor["normalized"] = true;
         return Add(accessor);
+    }
+
+    /// <summary>Joints that move a vertex, in 16 bits.</summary>
+    public int AddJoints(IReadOnlyList<int4> values)
+    {
+        int view = BeginView(k_ArrayBuffer);
+        foreach (int4 value in values)
+        {
+            for (int c = 0; c < 4; c++)
+                m_Writer.Write((ushort)value[c]);
+        }
+
+        return Add(EndView(view, k_UnsignedShort, "VEC4", values.Count));
+    }
+
+    /// <summary>Matrices that only move.</summary>
+    public int AddTranslations(IReadOnlyList<float3> values)
+    {
+        int view = BeginView(null);
+        foreach (float3 value in values)
+        {
+            float[] columns = [1f, 0f, 0f, 0f, 0f, 1f, 0f, 0f, 0f, 0f, 1f, 0f, value.x, value.y, value.z, 1f];
+            foreach (float entry in columns)
+                m_Writer.Write(entry);
+        }
+
+        return Add(EndView(view, k_Float, "MAT4", values.Count));
     }
 
     /// <summary>Corners of triangles; 16 bits where they suffice.</summary>

@@ -185,23 +185,11 @@ internal sealed class WingsGlb
     private static JsonObject Channel(int sampler, int node, string path) =>
         new() { ["sampler"] = sampler, ["target"] = new JsonObject { ["node"] = node, ["path"] = path } };
 
-    // Vertex colours multiply the material's, so that it is white under them; a membrane without any is pale.
     private int MaterialOf(bool isPainted, bool isGlass)
     {
         if (m_MaterialOfLook.TryGetValue((isPainted, isGlass), out int material))
             return material;
-        m_Materials.Add(new JsonObject
-        {
-            ["name"] = isGlass ? "glass" : isPainted ? "painted" : "membrane",
-            ["doubleSided"] = true,
-            ["alphaMode"] = isGlass ? "BLEND" : "OPAQUE",
-            ["pbrMetallicRoughness"] = new JsonObject
-            {
-                ["baseColorFactor"] = isPainted ? new JsonArray(1.0, 1.0, 1.0, 1.0) : new JsonArray(0.62, 0.57, 0.41, 1.0),
-                ["metallicFactor"] = 0.0,
-                ["roughnessFactor"] = 0.75,
-            },
-        });
+        m_Materials.Add(GltfMaterial.Of(isPainted, isGlass, isGlass ? "glass" : isPainted ? "painted" : "membrane"));
         m_MaterialOfLook.Add((isPainted, isGlass), m_Materials.Count - 1);
         return m_Materials.Count - 1;
     }

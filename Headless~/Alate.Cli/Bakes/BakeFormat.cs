@@ -1,0 +1,14 @@
+namespace Alate.Cli.Bakes;
+
+/// <summary>What a baked insect is written as.</summary>
+internal enum BakeFormat
+{
+    /// <summary>A folder of textures that hold where each vertex is, with a mesh.</summary>
+    OpenVat,
+
+    /// <summary>A glTF file with joints.</summary>
+    GltfSkin,
+
+    /// <summary>A glTF file with a shape a key frame.</summary>
+    GltfMorph,
+}

@@ -1,0 +1,72 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using Alate.Cli.Flights;
+using Alate.Cli.Gltf;
+using Alate.Cli.Output;
+using Alate.Crowds;
+
+namespace Alate.Cli.Bakes;
+
+/// <summary>Bakes a plan, writes all of its files or none, and shows what the bake differs from the flown wings by.</summary>
+internal static class BakeReport
+{
+    /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
+    public static void Run(BakePlan plan, TextWriter output)
+    {
+        using OutputFolder folder = OutputFolder.Prepare(plan.Folder);
+        InsectBake bake = plan.Bake();
+        string[] files = plan.Format switch
+        {
+            BakeFormat.GltfSkin => [Write(folder, $"{bake.Name}-skin.glb", stream => SkinGlb.Write(bake, stream))],
+            BakeFormat.GltfMorph => [Write(folder, $"{bake.Name}-morph.glb", stream => MorphGlb.Write(bake, stream))],
+            _ => WriteOpenVat(folder, plan, bake),
+        };
+        folder.Commit();
+        var terminal = new Terminal(output);
+        terminal.ShowTable($"{plan.Species.DisplayName}: {bake.Surface.VertexCount} vertices, {bake.Surface.TriangleCount} triangles", Rows(bake));
+        terminal.ShowFiles(plan.Folder, files);
+    }
+
+    private static string[] WriteOpenVat(OutputFolder folder, BakePlan plan, InsectBake bake)
+    {
+        OpenVat vat;
+        try
+        {
+            vat = new OpenVat(bake, plan.MaxSize, plan.Normals == BakeNormals.Packed);
+        }
+        catch (BakeException problem)
+        {
+            throw new UserException(problem.Message);
+        }
+
+        string stem = Path.Combine($"{bake.Name}_vat", bake.Name);
+        var files = new List<string> { Write(folder, stem + ".png", vat.Positions.Write) };
+        if (plan.Normals == BakeNormals.Separate)
+            files.Add(Write(folder, stem + "-vnrm.png", vat.Normals.Write));
+        files.Add(Write(folder, stem + "-remap_info.json", vat.WriteJson));
+        files.Add(Write(folder, stem + ".glb", vat.WriteMesh));
+        return files.ToArray();
+    }
+
+    private static string Write(OutputFolder folder, string name, System.Action<Stream> write)
+    {
+        folder.Write(name, write);
+        return name;
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Rows(InsectBake bake)
+    {
+        yield return ["clip", "frames", "loop Hz", "between frames %", "normals °", "loop end %", "linear skin %"];
+        foreach (BakedClip clip in bake.Clips)
+        {
+            yield return
+            [
+                clip.Name, clip.Frames.Count.ToString(CultureInfo.InvariantCulture), Number(clip.Frequency), Number(100f * clip.Error.between),
+                Number(clip.Error.normalBetween), Number(100f * clip.Error.closure), Number(100f * clip.Error.linearSkin),
+            ];
+        }
+    }
+
+    private static string Number(float value) => value.ToString("0.00", CultureInfo.InvariantCulture);
+}

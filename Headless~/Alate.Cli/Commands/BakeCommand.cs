@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli.Bakes;
+using Alate.Crowds;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>bake SPECIES</c>: writes loops of an insect in formats that other programs read.</summary>
+internal static class BakeCommand
+{
+    public static Command Create(TextWriter output)
+    {
+        var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
+        var clips = new Option<string>("--clips")
+        {
+            HelpName = "NAMES",
+            DefaultValueFactory = _ => "cruise",
+            Description = $"What to bake, joined by commas: {string.Join(", ", BakeMotion.Names)}.",
+        };
+        Option<BakeFormat?> format = Choice.Optional<BakeFormat>("--format", "What to write. [default: openvat]", new()
+        {
+            ["openvat"] = BakeFormat.OpenVat,
+            ["gltf-skin"] = BakeFormat.GltfSkin,
+            ["gltf-morph"] = BakeFormat.GltfMorph,
+        });
+        Option<int?> frames = Numbers.OptionalCount(
+            "--frames", "N", BakeSettings.MinFrames, BakeSettings.MaxFrames, $"Frames of a loop, {BakeSettings.MinFrames} to {BakeSettings.MaxFrames}. [default: {BakeSettings.DefaultFrames}]");
+        Option<BakeNormals?> normals = Choice.Optional<BakeNormals>("--normals", "Normals in a texture of their own, or in the lower half. [default: separate]", new()
+        {
+            ["separate"] = BakeNormals.Separate,
+            ["packed"] = BakeNormals.Packed,
+        });
+        Option<int?> size = Numbers.OptionalCount(
+            "--max-size", "N", BakeLayout.MinMaxSize, BakeLayout.MaxMaxSize, $"Longest side of a texture, pixels, {BakeLayout.MinMaxSize} to {BakeLayout.MaxMaxSize}. [default: {BakeLayout.DefaultMaxSize}]");
+        Option<InsectVariant?> variant = FlightOptions.Variant();
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/bake-SPECIES]" };
+        var command = new Command("bake", "Bakes loops of an insect for other programs: OpenVAT textures, or glTF with joints or shapes.")
+        {
+            species, clips, format, frames, normals, size, variant, folder,
+        };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            InsectVariant chosen = parsed.GetValue(variant) ?? InsectVariant.Standard;
+            InsectDefinition definition = FlightOptions.Find(parsed.GetValue(species), chosen);
+            BakeReport.Run(
+                new BakePlan
+                {
+                    Species = definition,
+                    Variant = chosen,
+                    Motions = Motions(parsed.GetValue(clips)),
+                    Format = parsed.GetValue(format) ?? BakeFormat.OpenVat,
+                    Frames = parsed.GetValue(frames) ?? BakeSettings.DefaultFrames,
+                    Normals = parsed.GetValue(normals) ?? BakeNormals.Separate,
+                    MaxSize = parsed.GetValue(size) ?? BakeLayout.DefaultMaxSize,
+                    Folder = parsed.GetValue(folder) ?? Path.Combine("out", "bake-" + definition.Name),
+                },
+                output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static List<BakeMotion> Motions(string names)
+    {
+        try
+        {
+            return names.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries).Select(BakeMotion.Find).ToList();
+        }
+        catch (ArgumentException problem)
+        {
+            throw new UserException(problem.Message);
+        }
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  bake monarch --clips cruise,hover,rest\n"
+        + "  bake firefly --format gltf-skin --out blender\n"
+        + "  bake swallowtail --clips cruise --format gltf-morph --frames 24\n\n"
+        + "Writes into the output folder:\n"
+        + "  openvat     SPECIES_vat/ with SPECIES.png, SPECIES-vnrm.png, SPECIES-remap_info.json and SPECIES.glb\n"
+        + "  gltf-skin   SPECIES-skin.glb, joints that turn and move the wings\n"
+        + "  gltf-morph  SPECIES-morph.glb, a shape for each frame\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

@@ -1,0 +1,71 @@
+using System.Collections.Generic;
+using System.IO;
+using Alate.Catalogue;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests.Bakes
+{
+    /// <summary>glTF files that <c>bake</c> writes, played as the specification says, beside the live wings.</summary>
+    public sealed class BakedGltfTests
+    {
+        private readonly BakedFiles m_Files = new BakedFiles();
+
+        private static IEnumerable<string> Species => InsectCatalogue.Names;
+
+        [OneTimeTearDown]
+        public void RemoveFiles() => m_Files.Dispose();
+
+        [TestCaseSource(nameof(Species))]
+        public void Joints_MoveTheWingsAsTheLiveOnes(string species)
+        {
+            // Linear blends of joints differ from the live wings' dual quaternions by up to 0.06 %, see crowds.md.
+            AssertLive(species, "gltf-skin", "skin", atFrames: 1.5e-3);
+        }
+
+        [TestCase("monarch")]
+        [TestCase("fishfly")]
+        public void Shapes_AreThoseOfTheLiveWings(string species) => AssertLive(species, "gltf-morph", "morph", atFrames: 1e-3);
+
+        [Test]
+        public void ASecondClip_IsAnAnimationOfItsOwn()
+        {
+            foreach (string form in new[] { "skin", "morph" })
+            {
+                string folder = m_Files.Folder($"monarch --clips cruise,rest --frames 16 --format gltf-{form}");
+                var file = new GltfPlayer(File.ReadAllBytes(Path.Combine(folder, $"monarch-{form}.glb")));
+                float3[] early = file.Play("rest", 0.0).Positions, late = file.Play("rest", 0.5 * file.Length("rest")).Positions;
+                float3[] top = file.Play("cruise", 0.0).Positions, bottom = file.Play("cruise", 0.5 * file.Length("cruise")).Positions;
+
+                Assert.That(Farthest(early, late), Is.LessThan(1e-5f), "at rest nothing moves");
+                Assert.That(Farthest(top, bottom), Is.GreaterThan(0.03f), "metres from the top of the beat to the bottom");
+            }
+        }
+
+        private void AssertLive(string species, string format, string ending, double atFrames)
+        {
+            string folder = m_Files.Folder($"{species} --clips cruise --format {format}");
+            var file = new GltfPlayer(File.ReadAllBytes(Path.Combine(folder, $"{species}-{ending}.glb")));
+            LiveWings live = LiveWings.Of(species);
+            double length = file.Length("cruise");
+
+            Assert.That(length, Is.EqualTo(1.0 / live.Frequency).Within(1e-5));
+            for (int half = 0; half < 2 * LiveWings.Frames; half += 5)
+            {
+                double turns = half / (2.0 * LiveWings.Frames);
+                (float3[] positions, float3[] normals) = file.Play("cruise", turns * length);
+                (double distance, double angle) = live.Compare(turns, positions, normals);
+                Assert.That(distance, Is.LessThan(half % 2 == 0 ? atFrames : 5e-3), $"at {turns} of the beat");
+                Assert.That(angle, Is.LessThan(2.0), $"at {turns} of the beat");
+            }
+        }
+
+        private static float Farthest(float3[] a, float3[] b)
+        {
+            float farthest = 0f;
+            for (int k = 0; k < a.Length; k++)
+                farthest = math.max(farthest, math.distance(a[k], b[k]));
+            return farthest;
+        }
+    }
+}

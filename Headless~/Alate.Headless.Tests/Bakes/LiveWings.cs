@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Concurrent;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli.Flights;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests.Bakes
+{
+    /// <summary>A species in level flight, flown by the command line's own flight with twice as many substeps as a bake has frames: what bakes are measured against.</summary>
+    internal sealed class LiveWings
+    {
+        public const int Frames = 48;
+
+        private static readonly ConcurrentDictionary<string, LiveWings> s_Flown = new ConcurrentDictionary<string, LiveWings>();
+        private readonly FlightRecord m_Flight;
+
+        private LiveWings(string species)
+        {
+            InsectDefinition definition = InsectCatalogue.Find(species);
+            m_Flight = TetheredFlight.Fly(FlightPlan.Cruise(definition, InsectVariant.Standard) with { Substeps = 2 * Frames });
+        }
+
+        public static LiveWings Of(string species) => s_Flown.GetOrAdd(species, name => new LiveWings(name));
+
+        public double Frequency => m_Flight.Wings[0].Frequency;
+
+        /// <summary>Compares an insect in glTF's axes, body first and then the wings, with the live one.</summary>
+        /// <returns>Largest distance of a wing's vertex over the wing length, and largest angle of a normal, degrees.</returns>
+        public (double Distance, double Angle) Compare(double turns, float3[] positions, float3[] normals)
+        {
+            int next = m_Flight.Insect.Body.VertexCount;
+            for (int vertex = 0; vertex < next; vertex++)
+                Assert.That(math.distance(positions[vertex], ToGltf(m_Flight.Insect.Body.positions[vertex])), Is.LessThan(1e-6f), "the body stands still");
+            double distance = 0.0, angle = 0.0;
+            foreach (RecordedWing wing in m_Flight.Wings)
+            {
+                var flown = new float3[wing.Rest.Length];
+                var flownNormals = new float3[wing.Rest.Length];
+                wing.At(turns, flown, flownNormals);
+                for (int vertex = 0; vertex < flown.Length; vertex++, next++)
+                {
+                    distance = Math.Max(distance, math.distance(positions[next], ToGltf(flown[vertex])) / wing.Placement.Length);
+                    angle = Math.Max(angle, math.degrees(math.acos(math.min(1f, math.dot(normals[next], ToGltf(flownNormals[vertex]))))));
+                }
+            }
+
+            Assert.That(next, Is.EqualTo(positions.Length));
+            return (distance, angle);
+        }
+
+        private static float3 ToGltf(float3 body) => new float3(-body.x, body.y, body.z);
+    }
+}
