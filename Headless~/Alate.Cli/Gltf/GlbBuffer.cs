@@ -47,7 +47,7 @@ internal sealed class GlbBuffer
         return Add(accessor);
     }
 
-    /// <summary>Rotations of an animation.</summary>
+    /// <summary>Rotations of an animation, or weights of joints.</summary>
     public int AddQuadruples(IReadOnlyList<float4> values, bool isVertexData = false)
     {
         int view = BeginView(isVertexData ? k_ArrayBuffer : null);

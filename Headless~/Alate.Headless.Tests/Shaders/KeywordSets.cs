@@ -55,7 +55,7 @@ internal static class KeywordSets
     {
         foreach (Match pragma in Regex.Matches(program, @"#pragma multi_compile(_\w+)?([^\n]*)"))
         {
-            string suffix = pragma.Groups[1].Value.TrimStart('_');
+            string suffix = Regex.Replace(pragma.Groups[1].Value.TrimStart('_'), "^local_?", "");
             string[] words = pragma.Groups[2].Value.Split(' ', StringSplitOptions.RemoveEmptyEntries);
             if (suffix is "" || suffix == stage)
             {

@@ -21,6 +21,7 @@ namespace Alate.Crowds
         private readonly BakedSurface m_Surface;
         private readonly BakeMotion m_Motion;
         private readonly float m_MaxSpeed;
+        private readonly float3 m_Velocity;
 
         /// <exception cref="BakeException">Parameters out of range, or wings that beat at different rates.</exception>
         public BakeFlight(
@@ -31,6 +32,7 @@ namespace Alate.Crowds
             m_Surface = surface;
             m_Motion = motion;
             m_MaxSpeed = new PresetValues(insect.Preset).parameters.maxSpeed;
+            m_Velocity = motion.FlightOf(m_MaxSpeed, 0f, metresPerUnit).velocity;
             try
             {
                 foreach (DrawnWing wing in drawn)
@@ -49,14 +51,17 @@ namespace Alate.Crowds
 
         /// <summary>Records one loop.</summary>
         /// <exception cref="BakeException">No beat is like the one before.</exception>
-        public BakedClip Record(int frames)
+        public BakedClip Record(in BakeSettings settings)
         {
-            int steps = k_Fineness * frames;
-            BakedFrame start = Settle(steps);
+            int frames = settings.Frames, steps = k_Fineness * frames;
             var flown = new BakedFrame[steps + 1];
-            flown[0] = start;
+            flown[0] = Settle(steps);
             for (int step = 1; step <= steps; step++)
-                flown[step] = Advance(steps);
+            {
+                Advance(steps);
+                flown[step] = Capture();
+            }
+
             float closure = Distance(flown[0], flown[steps]);
             if (!(closure < k_Closed))
             {
@@ -69,7 +74,7 @@ namespace Alate.Crowds
             error.closure = closure;
             BakedFrame[] kept = IsStill(flown) ? new[] { flown[0] } : Every(flown, k_Fineness, frames);
             MeasureBetween(flown, kept, ref error);
-            return new BakedClip { Name = m_Motion.Name, Frequency = Frequency, Frames = kept, Error = error };
+            return new BakedClip { Motion = m_Motion, Frequency = Frequency, Velocity = m_Velocity, Frames = kept, Error = error };
         }
 
         /// <summary>Frees the world.</summary>
@@ -111,7 +116,7 @@ namespace Alate.Crowds
             for (int beat = 1; ; beat++)
             {
                 for (int step = 0; step < steps; step++)
-                    m_World.Step((float)(1.0 / ((double)Frequency * steps)));
+                    Advance(steps);
                 BakedFrame now = Capture();
                 if (beat >= k_MostBeats || (beat >= k_LeastBeats && Distance(before, now) < k_Settled))
                     return now;
@@ -119,11 +124,7 @@ namespace Alate.Crowds
             }
         }
 
-        private BakedFrame Advance(int steps)
-        {
-            m_World.Step((float)(1.0 / ((double)Frequency * steps)));
-            return Capture();
-        }
+        private void Advance(int steps) => m_World.Step((float)(1.0 / ((double)Frequency * steps)));
 
         private BakedFrame Capture()
         {

@@ -6,11 +6,17 @@ namespace Alate.Crowds
     /// <summary>A loop of a baked insect: frames at even phases, the last of which is followed by the first.</summary>
     public sealed class BakedClip
     {
+        /// <summary>What was flown.</summary>
+        public BakeMotion Motion { get; internal set; }
+
         /// <summary>Name of the motion.</summary>
-        public string Name { get; internal set; }
+        public string Name => Motion.Name;
 
         /// <summary>Loops a second, hertz.</summary>
         public float Frequency { get; internal set; }
+
+        /// <summary>Velocity of the body, units of the insect's space per second, in its own axes.</summary>
+        public float3 Velocity { get; internal set; }
 
         /// <summary>[frame] The insect at phase frame / number of frames.</summary>
         public IReadOnlyList<BakedFrame> Frames { get; internal set; }

@@ -27,7 +27,7 @@ namespace Alate.Crowds
             if (motions == null)
                 throw new ArgumentNullException(nameof(motions));
             Check(motions);
-            int frames = settings.Frames == 0 ? BakeSettings.DefaultFrames : settings.Frames;
+            BakeSettings chosen = settings.Frames == 0 ? BakeSettings.Default : settings;
             using var drawn = new DrawnInsect(insect);
             BakedSurface surface = drawn.Surface();
             if (surface.VertexCount > MaxVertices)
@@ -45,7 +45,7 @@ namespace Alate.Crowds
             foreach (BakeMotion motion in motions)
             {
                 using var flight = new BakeFlight(insect, drawn.Wings, wings, surface, motion, metresPerUnit);
-                clips.Add(flight.Record(frames));
+                clips.Add(flight.Record(chosen));
             }
 
             return new InsectBake

@@ -13,6 +13,18 @@ static uint unity_InstanceID;
 #define UNITY_TRANSFER_INSTANCE_ID(input, output)
 #endif
 
+#if defined(INSTANCING_ON)
+#define UNITY_INSTANCING_BUFFER_START(name) cbuffer UnityInstancing_##name { struct name##Members {
+#define UNITY_DEFINE_INSTANCED_PROP(type, name) type name;
+#define UNITY_INSTANCING_BUFFER_END(name) } name##Array[2]; };
+#define UNITY_ACCESS_INSTANCED_PROP(buffer, name) buffer##Array[unity_InstanceID].name
+#else
+#define UNITY_INSTANCING_BUFFER_START(name)
+#define UNITY_DEFINE_INSTANCED_PROP(type, name) type name;
+#define UNITY_INSTANCING_BUFFER_END(name)
+#define UNITY_ACCESS_INSTANCED_PROP(buffer, name) name
+#endif
+
 #if defined(UNITY_STEREO_INSTANCING_ENABLED)
 static uint unity_StereoEyeIndex;
 #define UNITY_VERTEX_OUTPUT_STEREO uint stereoEye : STEREO0;

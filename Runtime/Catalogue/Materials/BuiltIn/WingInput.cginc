@@ -12,12 +12,18 @@ float4 _MainTex_ST;
 half4 _Color;
 half _VertexColours, _Through, _Gloss, _Shine, _Cull, _Translucent;
 
+sampler2D _BakeMap;
+float4 _BakeMap_TexelSize;
+#define ALATE_BAKE_SAMPLE(coordinates) tex2Dlod(_BakeMap, float4(coordinates, 0, 0)).xyz
+#include "../WingBaked.hlsl"
+
 struct Attributes
 {
     float4 vertex : POSITION;
     float3 normal : NORMAL;
     float2 uv : TEXCOORD0;
     half4 colour : COLOR;
+    ALATE_BAKED_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -51,6 +57,8 @@ Varyings ToVaryings(Attributes v)
     UNITY_SETUP_INSTANCE_ID(v);
     UNITY_TRANSFER_INSTANCE_ID(v, o);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
+    ALATE_BAKE_POSITION(v, vertex)
+    ALATE_BAKE_NORMAL(v)
     o.pos = UnityObjectToClipPos(v.vertex);
     o.place = mul(unity_ObjectToWorld, v.vertex).xyz;
     o.normal = UnityObjectToWorldNormal(v.normal);

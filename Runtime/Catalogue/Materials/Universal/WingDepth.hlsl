@@ -7,6 +7,7 @@
 struct Attributes
 {
     float4 position : POSITION;
+    ALATE_BAKED_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -21,6 +22,7 @@ Varyings Vertex(Attributes corner)
     Varyings v = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
+    ALATE_BAKE_POSITION(corner, position)
     v.position = OnScreen(PlaceOf(corner.position));
     return v;
 }

@@ -9,6 +9,7 @@ struct Attributes
 {
     float4 position : POSITION;
     float3 normal : NORMAL;
+    ALATE_BAKED_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -25,6 +26,8 @@ Varyings Vertex(Attributes corner)
     Varyings v = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
+    ALATE_BAKE_POSITION(corner, position)
+    ALATE_BAKE_NORMAL(corner)
     v.place = PlaceOf(corner.position);
     v.position = OnScreen(v.place);
     v.normal = TransformObjectToWorldNormal(corner.normal);

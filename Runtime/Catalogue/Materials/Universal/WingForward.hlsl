@@ -18,6 +18,7 @@ struct Attributes
     float3 normal : NORMAL;
     float2 uv : TEXCOORD0;
     half4 colour : COLOR;
+    ALATE_BAKED_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -39,6 +40,8 @@ Varyings Vertex(Attributes corner)
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_TRANSFER_INSTANCE_ID(corner, v);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
+    ALATE_BAKE_POSITION(corner, position)
+    ALATE_BAKE_NORMAL(corner)
     v.place = PlaceOf(corner.position);
     v.position = OnScreen(v.place);
     v.normal = TransformObjectToWorldNormal(corner.normal);
@@ -60,7 +63,7 @@ half4 Fragment(Varyings v) : SV_Target
     UNITY_SETUP_INSTANCE_ID(v);
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(v);
     half4 paint = Paint(v.colour, v.uv);
-    half3 colour = paint.rgb * paint.a;
+    half3 colour = paint.rgb * paint.a * AlateTint();
     float3 toEye = GetWorldSpaceNormalizeViewDir(v.place);
     float3 normal = FacingNormal(v.normal, toEye);
     float3 sum = colour * lerp(SampleSH(normal), SampleSH(-normal), 0.5 * _Through);

@@ -19,10 +19,15 @@ CBUFFER_START(UnityPerMaterial)
     half _SrcBlend;
     half _DstBlend;
     half _ZWrite;
+    float4 _BakeMap_TexelSize;
 CBUFFER_END
 
 TEXTURE2D(_MainTex);
 SAMPLER(sampler_MainTex);
+TEXTURE2D(_BakeMap);
+SAMPLER(sampler_BakeMap);
+#define ALATE_BAKE_SAMPLE(coordinates) SAMPLE_TEXTURE2D_LOD(_BakeMap, sampler_BakeMap, coordinates, 0).xyz
+#include "../WingBaked.hlsl"
 
 half4 Paint(half4 vertexColour, float2 uv)
 {

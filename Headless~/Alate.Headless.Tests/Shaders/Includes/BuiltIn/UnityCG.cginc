@@ -7,6 +7,7 @@
 #define sampler2D Texture2D
 SamplerState standin_sampler;
 #define tex2D(name, uv) name.Sample(standin_sampler, uv)
+#define tex2Dlod(name, place) name.SampleLevel(standin_sampler, (place).xy, (place).w)
 #define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
 #define TRANSFORM_TEX(uv, name) ((uv).xy * name##_ST.xy + name##_ST.zw)
 

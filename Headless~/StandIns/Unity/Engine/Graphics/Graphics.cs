@@ -1,3 +1,7 @@
+using Unity.Collections;
+using Unity.StandIns;
+using UnityEngine.Rendering;
+
 namespace UnityEngine;
 
 /// <summary>Checks calls of drawing and draws nothing: there is no screen.</summary>
@@ -8,6 +12,45 @@ public class Graphics
         if (mesh == null)
             throw new System.ArgumentNullException(nameof(mesh));
     }
+
+    public static void RenderMeshInstanced<T>(
+        RenderParams rparams, Mesh mesh, int submeshIndex, NativeArray<T> instanceData, int instanceCount = -1, int startInstance = 0) where T : unmanaged
+    {
+        if (mesh == null)
+            throw new System.ArgumentNullException(nameof(mesh));
+        if (rparams.material == null)
+            throw new System.ArgumentNullException(nameof(rparams), "There is no material.");
+        if (!rparams.material.enableInstancing)
+            throw new System.InvalidOperationException("Material needs to enable instancing for use with RenderMeshInstanced.");
+        if (submeshIndex < 0 || submeshIndex >= mesh.subMeshCount)
+            throw new System.IndexOutOfRangeException("submeshIndex out of range");
+        int count = instanceCount < 0 ? instanceData.Length - startInstance : instanceCount;
+        if (startInstance < 0 || startInstance + count > instanceData.Length)
+            throw new System.ArgumentOutOfRangeException(nameof(startInstance));
+        if (count > 1023)
+            throw new System.ArgumentOutOfRangeException(nameof(instanceCount), "At most 1023 instances are drawn by one call.");
+        DrawnInstances.Note(rparams, mesh, submeshIndex, instanceData, count, startInstance);
+    }
+}
+
+public struct RenderParams
+{
+    public RenderParams(Material mat)
+    {
+        material = mat;
+        layer = 0;
+        worldBounds = default;
+        matProps = null;
+        shadowCastingMode = ShadowCastingMode.Off;
+        receiveShadows = false;
+    }
+
+    public Material material { get; set; }
+    public int layer { get; set; }
+    public Bounds worldBounds { get; set; }
+    public MaterialPropertyBlock matProps { get; set; }
+    public ShadowCastingMode shadowCastingMode { get; set; }
+    public bool receiveShadows { get; set; }
 }
 
 public sealed class GL

@@ -117,7 +117,10 @@ public sealed class MaterialPropertyBlock
     public void SetVector(string name, Vector4 value) => _values.Set(name, value);
     public void SetVector(int nameID, Vector4 value) => _values.Set(nameID, value);
     public Vector4 GetVector(string name) => _values.Get<Vector4>(name);
+    public void SetVectorArray(int nameID, Vector4[] values) => _values.SetVectors(nameID, values);
     public void Clear() => _values.Clear();
+
+    internal System.Collections.Generic.Dictionary<string, Vector4[]> CopyVectors() => _values.CopyVectors();
 
     internal void TakeFrom(MaterialPropertyBlock other) => _values.TakeFrom(other?._values);
 

@@ -11,6 +11,27 @@ internal sealed class PropertyValues
 
     public void Set(string name, object value) => Set(Shader.PropertyToID(name), value);
     public void Set(int id, object value) => _values[id] = value;
+
+    /// <summary>Copies an array into one that is kept, as the engine does: its length cannot grow afterwards.</summary>
+    public void SetVectors(int id, Vector4[] values)
+    {
+        if (!_values.TryGetValue(id, out object kept))
+            _values.Add(id, kept = new Vector4[values.Length]);
+        System.Array.Copy(values, (Vector4[])kept, System.Math.Min(values.Length, ((Vector4[])kept).Length));
+    }
+
+    public Dictionary<string, Vector4[]> CopyVectors()
+    {
+        var copies = new Dictionary<string, Vector4[]>();
+        foreach (var (id, value) in _values)
+        {
+            if (value is Vector4[] vectors)
+                copies.Add(Shader.NameOf(id), (Vector4[])vectors.Clone());
+        }
+
+        return copies;
+    }
+
     public T Get<T>(string name) => Get<T>(Shader.PropertyToID(name));
     public T Get<T>(int id) => _values.TryGetValue(id, out object value) && value is T t ? t : default;
     public bool Has(string name) => _values.ContainsKey(Shader.PropertyToID(name));

@@ -39,6 +39,17 @@ public sealed class Shader : Object
         return id;
     }
 
+    internal static string NameOf(int id)
+    {
+        foreach (var (name, known) in s_Ids)
+        {
+            if (known == id)
+                return name;
+        }
+
+        return null;
+    }
+
     internal static Shader Create(string name, IReadOnlyCollection<string> properties = null) =>
         new() { name = name, Properties = properties ?? ShaderProperties.Of(name) };
 }

@@ -21,7 +21,7 @@ internal static class ShaderProperties
         ],
         ["Alate/Wing"] =
         [
-            "_MainTex", "_Color", "_VertexColours", "_Through", "_Gloss", "_Shine", "_Cull", "_Translucent", "_SrcBlend", "_DstBlend", "_ZWrite",
+            "_MainTex", "_Color", "_VertexColours", "_Through", "_Gloss", "_Shine", "_Cull", "_Translucent", "_SrcBlend", "_DstBlend", "_ZWrite", "_BakeMap",
         ],
     };
 

@@ -14,6 +14,14 @@ public enum TextureFormat
     RGB24 = 3,
     RGBA32 = 4,
     ARGB32 = 5,
+    RGBAHalf = 17,
+}
+
+public enum FilterMode
+{
+    Point = 0,
+    Bilinear = 1,
+    Trilinear = 2,
 }
 
 /// <summary>A size without pixels.</summary>
@@ -27,4 +35,5 @@ public class Texture : Object
     public virtual int height { get; set; }
     public virtual bool isReadable => true;
     public TextureWrapMode wrapMode { get; set; }
+    public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
 }

@@ -23,6 +23,11 @@ public sealed class Texture2D : Texture
         format = textureFormat;
     }
 
+    public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear)
+        : this(width, height, textureFormat, mipChain)
+    {
+    }
+
     public TextureFormat format { get; }
 
     public override bool isReadable => _isReadable;
@@ -31,6 +36,12 @@ public sealed class Texture2D : Texture
     {
         CheckReadable();
         return _pixels[Place(x, y)];
+    }
+
+    public Color[] GetPixels()
+    {
+        CheckReadable();
+        return (Color[])_pixels.Clone();
     }
 
     public Color32[] GetPixels32()

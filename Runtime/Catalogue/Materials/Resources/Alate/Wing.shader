@@ -12,6 +12,7 @@ Shader "Alate/Wing"
         _Shine ("Shine", Range(4, 128)) = 24
         [Enum(UnityEngine.Rendering.CullMode)] _Cull ("Cull", Float) = 0
         [ToggleUI] _Translucent ("Translucent", Float) = 0
+        [NoScaleOffset] _BakeMap ("Baked Loops", 2D) = "black" {}
         [HideInInspector] _SrcBlend ("Source Blend", Float) = 1
         [HideInInspector] _DstBlend ("Destination Blend", Float) = 0
         [HideInInspector] _ZWrite ("Depth Write", Float) = 1
@@ -46,6 +47,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fragment _ _SHADOWS_SOFT
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../Universal/WingForward.hlsl"
             ENDHLSL
         }
@@ -62,6 +64,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #include "../../Universal/WingShadow.hlsl"
             ENDHLSL
@@ -79,6 +82,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../Universal/WingDepth.hlsl"
             ENDHLSL
         }
@@ -95,6 +99,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
@@ -129,6 +134,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fragment _ _SHADOWS_SOFT
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../Universal/WingForward.hlsl"
             ENDHLSL
         }
@@ -145,6 +151,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #include "../../Universal/WingShadow.hlsl"
             ENDHLSL
@@ -162,6 +169,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../Universal/WingDepth.hlsl"
             ENDHLSL
         }
@@ -178,6 +186,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
@@ -202,6 +211,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fwdbase
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
@@ -210,7 +220,7 @@ Shader "Alate/Wing"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
                 half4 paint = Paint(i.colour, i.uv);
-                half3 colour = paint.rgb * paint.a;
+                half3 colour = paint.rgb * paint.a * AlateTint();
                 float3 toEye = normalize(UnityWorldSpaceViewDir(i.place));
                 float3 normal = AlateFacing(normalize(i.normal), toEye, _Cull < 0.5);
                 float3 sum = colour * lerp(ShadeSH9(half4(normal, 1)), ShadeSH9(half4(-normal, 1)), 0.5 * _Through);
@@ -235,15 +245,17 @@ Shader "Alate/Wing"
             #pragma multi_compile_fwdadd_fullshadows
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
             {
+                UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
                 half4 paint = Paint(i.colour, i.uv);
                 float3 toEye = normalize(UnityWorldSpaceViewDir(i.place));
                 float3 normal = AlateFacing(normalize(i.normal), toEye, _Cull < 0.5);
-                float3 sum = LightOf(i, paint.rgb * paint.a, normal, toEye);
+                float3 sum = LightOf(i, paint.rgb * paint.a * AlateTint(), normal, toEye);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, sum, half4(0, 0, 0, 0));
                 return half4(sum, 0);
             }
@@ -262,6 +274,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_shadowcaster
             #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
             #include "../../BuiltIn/WingInput.cginc"
 
             struct Shadow
@@ -278,6 +291,8 @@ Shader "Alate/Wing"
                 UNITY_INITIALIZE_OUTPUT(Shadow, o);
                 UNITY_SETUP_INSTANCE_ID(v);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
+                ALATE_BAKE_POSITION(v, vertex)
+                ALATE_BAKE_NORMAL(v)
 
                 // A wing lit from below is lit: the bias must lead away from the light on either side.
                 float3 toLight = UnityWorldSpaceLightDir(mul(unity_ObjectToWorld, v.vertex).xyz);

@@ -31,6 +31,7 @@
 #define TEXTURE2D(name) Texture2D name
 #define SAMPLER(name) SamplerState name
 #define SAMPLE_TEXTURE2D(name, sampled, uv) name.Sample(sampled, uv)
+#define SAMPLE_TEXTURE2D_LOD(name, sampled, uv, level) name.SampleLevel(sampled, uv, level)
 #define TRANSFORM_TEX(uv, name) ((uv).xy * name##_ST.xy + name##_ST.zw)
 #define UNITY_REVERSED_Z 1
 #define UNITY_NEAR_CLIP_VALUE 1.0

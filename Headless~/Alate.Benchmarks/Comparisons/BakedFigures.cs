@@ -1,0 +1,66 @@
+using System;
+using Alate.Catalogue;
+using Alate.Crowds;
+using Unity.Collections;
+using Unity.Mathematics;
+using Unity.StandIns;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Alate.Benchmarks;
+
+/// <summary>
+/// What a crowd of baked monarchs costs a frame, its job on the calling thread included, what it allocates, and how large its meshes are. Drawing itself is a stand-in.
+/// </summary>
+internal static class BakedFigures
+{
+    private const int k_Frames = 20;
+    private const float k_FrameTime = 1f / 60f;
+
+    private static readonly int[] s_Crowds = [1, 100, 1000, 10000];
+
+    public static void Run(Report report)
+    {
+        PlayerLoop.EnterPlayMode();
+        ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+        InsectWings insect = InsectFactory.Create("monarch");
+        InsectBake bake = InsectBaker.Bake(insect, [BakeMotion.Find("cruise"), BakeMotion.Find("rest")], BakeSettings.Default);
+        BakedInsect baked = BakedInsect.Create(bake);
+        insect.gameObject.SetActive(false);
+        var eye = new GameObject("eye").AddComponent<Camera>();
+        eye.transform.position = new Vector3(0f, 0f, -60f);
+        report.Figure("baked_texture_kb", "texture of two loops", "kB", baked.TextureBytes / 1024.0);
+        foreach (CrowdSize size in baked.Sizes)
+            report.Figure("baked_size_error_percent", $"{size.triangles}", $"mesh of {size.triangles} triangles", "% of wing", 100.0 * size.error);
+        foreach (int count in s_Crowds)
+            Measure(report, baked, eye, count);
+        baked.DestroyParts();
+        Object.DestroyImmediate(baked);
+        ProjectShaders.Clear();
+        PlayerLoop.ExitPlayMode();
+    }
+
+    private static void Measure(Report report, BakedInsect baked, Camera eye, int count)
+    {
+        InsectCrowd crowd = new GameObject("crowd").AddComponent<InsectCrowd>();
+        crowd.Insect = baked;
+        crowd.Count = count;
+        crowd.Camera = eye;
+        NativeArray<CrowdPose> poses = crowd.Poses;
+        for (int k = 0; k < count; k++)
+            poses[k] = CrowdPose.At(new float3(k % 100 - 50f, k / 100 % 10 - 5f, k / 1000), quaternion.RotateY(k), k / (float)count);
+        var frame = new Contestant($"{count} baked", 1000.0, () => crowd.RunFrame(k_FrameTime));
+        double time = Race.Run(frame)[0];
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        for (int k = 0; k < k_Frames; k++)
+            crowd.RunFrame(k_FrameTime);
+        long garbage = GC.GetAllocatedBytesForCurrentThread() - before;
+
+        string title = $"frame of {count} baked insects, {crowd.DrawnCount} in sight";
+        report.Figure("baked_frame_us", $"{count}", title, "us", time);
+        report.Figure("baked_bytes_per_frame", $"{count}", "  allocated", "bytes", garbage / (double)k_Frames);
+        report.Figure("baked_draw_calls", $"{count}", "  drawn by", "calls", crowd.DrawCalls);
+        report.Figure("baked_triangles", $"{count}", "  triangles", "thousands", crowd.Triangles / 1000.0);
+        Object.DestroyImmediate(crowd.gameObject);
+    }
+}

@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+/// <summary>A device that can do what a desktop computer's can.</summary>
+public sealed class SystemInfo
+{
+    public static bool supportsInstancing => !Unity.StandIns.PlainDevice.IsInUse;
+}

@@ -1,0 +1,48 @@
+// Wings of baked insects: a texture holds where each vertex is at each frame, normals in its upper half. An instance says which rows are shown, of two loops that are blended,
+// and its tint. Needs _BakeMap, _BakeMap_TexelSize and ALATE_BAKE_SAMPLE(coordinates).
+#ifndef ALATE_WING_BAKED
+#define ALATE_WING_BAKED
+
+#if defined(_BAKED)
+
+UNITY_INSTANCING_BUFFER_START(AlateBaked)
+    UNITY_DEFINE_INSTANCED_PROP(float4, _BakeRows)
+    UNITY_DEFINE_INSTANCED_PROP(float4, _BakeNextRows)
+    UNITY_DEFINE_INSTANCED_PROP(float4, _BakeTint)
+UNITY_INSTANCING_BUFFER_END(AlateBaked)
+
+// Rows before and after, and how far the phase lies between them.
+float3 AlateBakedLoop(float2 first, float3 rows)
+{
+    float2 before = first + float2(0, rows.x * _BakeMap_TexelSize.y), after = first + float2(0, rows.y * _BakeMap_TexelSize.y);
+    return lerp(ALATE_BAKE_SAMPLE(before), ALATE_BAKE_SAMPLE(after), rows.z);
+}
+
+float3 AlateBaked(float2 first)
+{
+    float4 rows = UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeRows);
+    float3 value = AlateBakedLoop(first, rows.xyz);
+    if (rows.w > 0)
+        value = lerp(value, AlateBakedLoop(first, UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeNextRows).xyz), rows.w);
+    return value;
+}
+
+#define ALATE_BAKED_INPUT float2 baked : TEXCOORD1;
+#define ALATE_BAKE_POSITION(corner, field) corner.field = float4(AlateBaked(corner.baked), 1);
+#define ALATE_BAKE_NORMAL(corner) corner.normal = normalize(AlateBaked(corner.baked + float2(0, 0.5)));
+#else
+#define ALATE_BAKED_INPUT
+#define ALATE_BAKE_POSITION(corner, field)
+#define ALATE_BAKE_NORMAL(corner)
+#endif
+
+half3 AlateTint()
+{
+    #if defined(_BAKED) && defined(INSTANCING_ON)
+    return half3(UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeTint).rgb);
+    #else
+    return half3(1, 1, 1);
+    #endif
+}
+
+#endif

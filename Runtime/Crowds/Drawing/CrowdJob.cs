@@ -1,0 +1,154 @@
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace Alate.Crowds
+{
+    /// <summary>Advances the phases of a crowd, leaves out what no camera sees, chooses meshes, and writes what the shader reads, one mesh's insects behind the other's.</summary>
+    [BurstCompile]
+    internal struct CrowdJob : IJob
+    {
+        /// <summary>Most meshes of an insect.</summary>
+        public const int MaxSizes = 4;
+
+        private const byte k_Unseen = 255;
+
+        // Input
+        public float seconds;
+        public float radius;
+        public float3 centre;
+        public float3 eye;
+
+        /// <summary>World units across half the screen's height at a distance of one; 0 for a camera without perspective.</summary>
+        public float halfHeight;
+
+        /// <summary>World units of half the screen's height without perspective.</summary>
+        public float flatHeight;
+
+        /// <summary>Whether there is a camera to cull for.</summary>
+        public bool culls;
+
+        /// <summary>Heights on the screen down to which the meshes are drawn.</summary>
+        public float4 screenHeights;
+
+        public int sizeCount;
+        [ReadOnly] public NativeArray<float4> planes;
+        [ReadOnly] public NativeArray<LoopRows> loops;
+
+        /// <summary>Insects that are drawn otherwise.</summary>
+        [ReadOnly] public NativeArray<int> hidden;
+        public int hiddenCount;
+
+        // Input and output
+        public NativeArray<CrowdPose> poses;
+
+        // Output
+        public NativeArray<byte> sizes;
+        public NativeArray<int> counts;
+        public NativeArray<float4x4> matrices;
+        public NativeArray<float4> rows;
+        public NativeArray<float4> nextRows;
+        public NativeArray<float4> tints;
+
+        /// <summary>Insects in sight that are nearest to the camera, the nearest first; as many as there is room for, or −1.</summary>
+        public NativeArray<int> nearest;
+        public NativeArray<float> nearestDistances;
+
+        public void Execute()
+        {
+            int4 found = 0;
+            for (int place = 0; place < nearest.Length; place++)
+            {
+                nearest[place] = -1;
+                nearestDistances[place] = float.PositiveInfinity;
+            }
+
+            for (int insect = 0; insect < poses.Length; insect++)
+            {
+                CrowdPose pose = poses[insect];
+                float phase = pose.phase + seconds * pose.rate * math.lerp(loops[pose.loop].frequency, loops[pose.nextLoop].frequency, pose.blend);
+                pose.phase = phase - math.floor(phase);
+                poses[insect] = pose;
+                byte size = SizeOf(pose);
+                sizes[insect] = size;
+                if (size == k_Unseen)
+                    continue;
+                found[size]++;
+                Rank(insect, math.distancesq(eye, pose.position));
+            }
+
+            for (int k = 0; k < hiddenCount; k++)
+            {
+                byte size = sizes[hidden[k]];
+                if (size == k_Unseen)
+                    continue;
+                found[size]--;
+                sizes[hidden[k]] = k_Unseen;
+            }
+
+            int4 next = 0;
+            for (int size = 0; size < MaxSizes; size++)
+            {
+                counts[size] = found[size];
+                next[size] = size == 0 ? 0 : next[size - 1] + found[size - 1];
+            }
+
+            for (int insect = 0; insect < poses.Length; insect++)
+            {
+                byte size = sizes[insect];
+                if (size != k_Unseen)
+                    Write(poses[insect], next[size]++);
+            }
+        }
+
+        private void Rank(int insect, float distance)
+        {
+            int place = nearest.Length;
+            while (place > 0 && distance < nearestDistances[place - 1])
+            {
+                place--;
+                if (place + 1 < nearest.Length)
+                {
+                    nearest[place + 1] = nearest[place];
+                    nearestDistances[place + 1] = nearestDistances[place];
+                }
+            }
+
+            if (place == nearest.Length)
+                return;
+            nearest[place] = insect;
+            nearestDistances[place] = distance;
+        }
+
+        private byte SizeOf(in CrowdPose pose)
+        {
+            float reach = radius * math.abs(pose.scale);
+            if (!(reach > 0f))
+                return k_Unseen;
+            float3 middle = pose.position + math.rotate(pose.rotation, centre * pose.scale);
+            if (!culls)
+                return 0;
+            for (int plane = 0; plane < planes.Length; plane++)
+            {
+                if (math.dot(planes[plane].xyz, middle) + planes[plane].w < -reach)
+                    return k_Unseen;
+            }
+
+            float height = reach / math.max(flatHeight + halfHeight * math.distance(eye, middle), 1e-6f);
+            byte size = 0;
+            while (size < sizeCount - 1 && height < screenHeights[size])
+                size++;
+            return size;
+        }
+
+        private void Write(in CrowdPose pose, int at)
+        {
+            float3x3 turn = new float3x3(pose.rotation) * pose.scale;
+            matrices[at] = new float4x4(new float4(turn.c0, 0f), new float4(turn.c1, 0f), new float4(turn.c2, 0f), new float4(pose.position, 1f));
+            rows[at] = new float4(loops[pose.loop].At(pose.phase), pose.blend);
+            nextRows[at] = new float4(loops[pose.nextLoop].At(pose.phase), 0f);
+            tints[at] = new float4(pose.tint & 0xFF, (pose.tint >> 8) & 0xFF, (pose.tint >> 16) & 0xFF, 255f) * (1f / 255f);
+        }
+    }
+}

@@ -1,0 +1,102 @@
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Crowds
+{
+    /// <summary>One live insect that stands for a baked one.</summary>
+    internal sealed class CrowdTwin
+    {
+        /// <summary>Substeps of a beat that bring live wings within 0.5 % of their length to baked ones, which are flown with 96.</summary>
+        private const int k_Substeps = 64;
+
+        private readonly Renderer[] m_Renderers;
+        private float m_Beats;
+
+        /// <param name="prefab">What it is a copy of.</param>
+        public CrowdTwin(InsectWings prefab)
+        {
+            Wings = Object.Instantiate(prefab);
+            Wings.gameObject.hideFlags = HideFlags.DontSave;
+            m_Renderers = Wings.GetComponentsInChildren<Renderer>(true);
+            Wings.UpdateMode = WingUpdateMode.Update;
+            Wings.Motion.source = VelocitySource.Script;
+            Wings.Motion.onTeleport = TeleportResponse.Ignore;
+            Wings.Quality.culling = WingCulling.AlwaysSimulate;
+            Wings.Quality.levelOfDetail = false;
+            Wings.Quality.substepsPerBeat = k_Substeps;
+            Wings.gameObject.SetActive(true);
+            Leave();
+        }
+
+        /// <summary>The live insect.</summary>
+        public InsectWings Wings { get; }
+
+        /// <summary>For which of the crowd it stands; −1 for none.</summary>
+        public int Insect { get; private set; }
+
+        /// <summary>Whether it is seen instead of the baked one.</summary>
+        public bool IsShown { get; private set; }
+
+        /// <summary>Starts to stand for an insect of the crowd, unseen as yet.</summary>
+        public void Take(int insect, in CrowdPose pose)
+        {
+            Insect = insect;
+            m_Beats = 0f;
+            Wings.StartPhase = 360f * pose.phase;
+            Wings.ResetState();
+        }
+
+        /// <summary>Stands for none.</summary>
+        public void Leave()
+        {
+            Insect = -1;
+            Show(false);
+        }
+
+        /// <summary>Goes where the insect is, and keeps the baked one to the beat of the live wings.</summary>
+        /// <param name="baked">The loops.</param>
+        /// <param name="poses">The crowd, before its phases are advanced.</param>
+        /// <param name="seconds">Time of the frame.</param>
+        /// <param name="beatsToSettle">Beats before it is shown.</param>
+        public void Follow(BakedInsect baked, NativeArray<CrowdPose> poses, float seconds, float beatsToSettle)
+        {
+            CrowdPose pose = poses[Insect];
+            CrowdLoop loop = baked.Loops[pose.blend < 0.5f ? pose.loop : pose.nextLoop];
+            Transform body = Wings.transform;
+            body.SetPositionAndRotation(pose.position, pose.rotation);
+            body.localScale = Vector3.one * pose.scale;
+            Wings.Velocity = math.rotate(pose.rotation, (float3)loop.velocity) * pose.scale;
+            Wings.Steering = loop.steering;
+            Wings.Steering.frequencyScale *= pose.rate;
+            float frequency = Wings.Frequency;
+            if (!(frequency > 0f))
+                return;
+
+            // The picture of this frame is this frame's time ahead of the last one; the crowd's job adds its own.
+            float live = Wings.Phase / 360f + frequency * (seconds - Clocks.FrameStep * (1f - WingSystem.Crowd.DrawnAlpha(WingUpdateMode.Update))), own = seconds * pose.rate * math.lerp(baked.Loops[pose.loop].frequency, baked.Loops[pose.nextLoop].frequency, pose.blend);
+            pose.phase = live - own;
+            poses[Insect] = pose;
+            m_Beats += frequency * seconds;
+            if (m_Beats >= beatsToSettle)
+                Show(true);
+        }
+
+        /// <summary>Destroys the live insect.</summary>
+        public void Destroy()
+        {
+            if (Wings != null)
+                Object.Destroy(Wings.gameObject);
+        }
+
+        private void Show(bool shown)
+        {
+            IsShown = shown;
+            foreach (Renderer renderer in m_Renderers)
+            {
+                if (renderer != null)
+                    renderer.enabled = shown;
+            }
+        }
+    }
+}

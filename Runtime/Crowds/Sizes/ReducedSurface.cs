@@ -1,0 +1,155 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate.Crowds
+{
+    /// <summary>A smaller mesh of a baked insect, of some of its vertices, and how far it is from the whole one over all frames.</summary>
+    internal sealed class ReducedSurface
+    {
+        /// <summary>Extent of pieces that are dropped from a mesh of one triangle, wing lengths; it falls with the root of their number, as edges do: hairs and feet.</summary>
+        private const float k_Piece = 2.5f;
+
+        /// <summary>Every so many frames are measured.</summary>
+        private const int k_Stride = 4;
+
+        private ReducedSurface(int[][] parts, int[] vertices, float error)
+        {
+            Parts = parts;
+            Vertices = vertices;
+            Error = error;
+        }
+
+        /// <summary>[part] Three vertices of the whole surface a triangle.</summary>
+        public int[][] Parts { get; }
+
+        /// <summary>Vertices in use, ascending.</summary>
+        public int[] Vertices { get; }
+
+        /// <summary>Distance of the vertices of the wings from the smaller mesh over the frames, root of the mean square, wing lengths.</summary>
+        public float Error { get; }
+
+        /// <summary>Number of triangles.</summary>
+        public int TriangleCount
+        {
+            get
+            {
+                int corners = 0;
+                foreach (int[] part in Parts)
+                    corners += part.Length;
+                return corners / 3;
+            }
+        }
+
+        /// <summary>Makes smaller meshes, each of vertices of the one before.</summary>
+        /// <param name="bake">The insect.</param>
+        /// <param name="triangles">[size] Triangles wanted, descending.</param>
+        public static ReducedSurface[] Of(InsectBake bake, IReadOnlyList<int> triangles)
+        {
+            var reducer = new TriangleReducer(bake.Surface);
+            var sizes = new ReducedSurface[triangles.Count];
+            for (int size = 0; size < sizes.Length; size++)
+            {
+                reducer.DropPieces(k_Piece * bake.WingLength / math.sqrt(triangles[size]), triangles[size]);
+                reducer.ReduceTo(triangles[size]);
+                int[][] parts = reducer.Parts(bake.Surface.Parts.Count);
+                sizes[size] = new ReducedSurface(parts, Used(parts), Measure(bake, parts));
+            }
+
+            return sizes;
+        }
+
+        private static int[] Used(int[][] parts)
+        {
+            var used = new SortedSet<int>();
+            foreach (int[] part in parts)
+                used.UnionWith(part);
+            var vertices = new int[used.Count];
+            used.CopyTo(vertices);
+            return vertices;
+        }
+
+        private static float Measure(InsectBake bake, int[][] parts)
+        {
+            double sum = 0.0;
+            long count = 0;
+            foreach (BakedWing wing in bake.Wings)
+            {
+                List<int3> triangles = TrianglesOf(wing, parts);
+                foreach (int vertex in wing.Vertices)
+                {
+                    (int3 corners, float3 shares) = Nearest(bake.Surface, triangles, bake.Surface.Positions[vertex]);
+                    foreach (BakedClip clip in bake.Clips)
+                    {
+                        for (int frame = 0; frame < clip.Frames.Count; frame += k_Stride)
+                        {
+                            float3[] places = clip.Frames[frame].Positions;
+                            float3 carried = shares.x * places[corners.x] + shares.y * places[corners.y] + shares.z * places[corners.z];
+                            sum += math.distancesq(carried, places[vertex]) / (wing.Length * wing.Length);
+                            count++;
+                        }
+                    }
+                }
+            }
+
+            return (float)Math.Sqrt(sum / Math.Max(count, 1));
+        }
+
+        private static List<int3> TrianglesOf(BakedWing wing, int[][] parts)
+        {
+            var vertices = new HashSet<int>(wing.Vertices);
+            var triangles = new List<int3>();
+            foreach (int[] part in parts)
+            {
+                for (int k = 0; k < part.Length; k += 3)
+                {
+                    if (vertices.Contains(part[k]))
+                        triangles.Add(new int3(part[k], part[k + 1], part[k + 2]));
+                }
+            }
+
+            return triangles;
+        }
+
+        // The place on the triangles that is nearest to a point at rest, by its shares in the corners.
+        private static (int3 Corners, float3 Shares) Nearest(BakedSurface surface, List<int3> triangles, float3 point)
+        {
+            var nearest = (Corners: int3.zero, Shares: float3.zero);
+            float least = float.PositiveInfinity;
+            foreach (int3 triangle in triangles)
+            {
+                float3 a = surface.Positions[triangle.x], b = surface.Positions[triangle.y], c = surface.Positions[triangle.z];
+                float3 shares = NearestShares(point, a, b, c);
+                float distance = math.distancesq(point, shares.x * a + shares.y * b + shares.z * c);
+                if (distance < least)
+                    (least, nearest) = (distance, (triangle, shares));
+            }
+
+            return nearest;
+        }
+
+        private static float3 NearestShares(float3 point, float3 a, float3 b, float3 c)
+        {
+            float3 ab = b - a, ac = c - a, ap = point - a;
+            float xx = math.dot(ab, ab), xy = math.dot(ab, ac), yy = math.dot(ac, ac), px = math.dot(ap, ab), py = math.dot(ap, ac);
+            float area = xx * yy - xy * xy;
+            float u = area > 0f ? (yy * px - xy * py) / area : 0f, v = area > 0f ? (xx * py - xy * px) / area : 0f;
+            if (u >= 0f && v >= 0f && u + v <= 1f)
+                return new float3(1f - u - v, u, v);
+            float3 onAb = OnEdge(px, xx, 1), onAc = OnEdge(py, yy, 2);
+            float t = math.saturate(math.dot(point - b, c - b) / math.max(math.lengthsq(c - b), 1e-20f));
+            var onBc = new float3(0f, 1f - t, t);
+            float toAb = Away(point, onAb, a, b, c), toAc = Away(point, onAc, a, b, c), toBc = Away(point, onBc, a, b, c);
+            return toAb <= toAc && toAb <= toBc ? onAb : toAc <= toBc ? onAc : onBc;
+        }
+
+        private static float3 OnEdge(float along, float length2, int corner)
+        {
+            float t = math.saturate(along / math.max(length2, 1e-20f));
+            return corner == 1 ? new float3(1f - t, t, 0f) : new float3(1f - t, 0f, t);
+        }
+
+        private static float Away(float3 point, float3 shares, float3 a, float3 b, float3 c) =>
+            math.distancesq(point, shares.x * a + shares.y * b + shares.z * c);
+    }
+}

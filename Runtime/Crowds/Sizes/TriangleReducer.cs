@@ -1,0 +1,296 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Crowds
+{
+    /// <summary>
+    /// Takes vertices out of a surface one by one, the least missed first: a vertex moves onto a neighbour, so that those that remain are vertices of the surface and
+    /// keep their places in its textures. Margins stay where they are; parts too small to matter go as a whole.
+    /// </summary>
+    internal sealed class TriangleReducer
+    {
+        /// <summary>Weight of margins against areas; weight of the way that a vertex moves, which spreads those that remain evenly over flat parts; least cosine between old and new triangles.</summary>
+        private const double k_Margin = 10.0, k_Way = 0.02, k_Flip = 0.2;
+
+        private readonly float3[] m_Places;
+        private readonly List<int3> m_Triangles = new List<int3>();
+        private readonly List<int> m_Parts = new List<int>();
+        private readonly List<bool> m_Alive = new List<bool>();
+        private readonly List<int>[] m_Around;
+        private readonly Quadric[] m_Quadrics;
+        private readonly bool[] m_Locked;
+        private readonly (double Cost, int To)[] m_Best;
+        private readonly SortedSet<(double Cost, int Vertex)> m_Queue = new SortedSet<(double, int)>();
+        private int m_Count;
+
+        /// <param name="surface">The surface at rest.</param>
+        public TriangleReducer(BakedSurface surface)
+        {
+            m_Places = Array.ConvertAll(surface.Positions, place => (float3)place);
+            m_Around = new List<int>[m_Places.Length];
+            m_Quadrics = new Quadric[m_Places.Length];
+            m_Locked = Doubles(surface.Positions);
+            m_Best = new (double, int)[m_Places.Length];
+            for (int vertex = 0; vertex < m_Around.Length; vertex++)
+                m_Around[vertex] = new List<int>();
+            for (int part = 0; part < surface.Parts.Count; part++)
+                AddPart(surface.Parts[part].Triangles, part);
+            m_Count = m_Triangles.Count;
+            AddMargins();
+            for (int vertex = 0; vertex < m_Places.Length; vertex++)
+                Update(vertex);
+        }
+
+        /// <summary>Triangles that remain.</summary>
+        public int Count => m_Count;
+
+        /// <summary>Takes vertices out until so many triangles remain, or none can go.</summary>
+        public void ReduceTo(int triangles)
+        {
+            while (m_Count > triangles && m_Queue.Count > 0)
+            {
+                (double _, int vertex) = m_Queue.Min;
+                int to = m_Best[vertex].To;
+                if (CanMove(vertex, to))
+                    Move(vertex, to);
+                else
+                    Unlist(vertex);
+            }
+        }
+
+        /// <summary>Drops pieces that hang together and whose extent is below a length, the smallest first, while more than so many triangles remain.</summary>
+        public void DropPieces(float extent, int triangles)
+        {
+            var pieces = new List<(float Extent, List<int> Triangles)>();
+            var seen = new bool[m_Triangles.Count];
+            for (int first = 0; first < seen.Length; first++)
+            {
+                if (!seen[first] && m_Alive[first])
+                    pieces.Add(Piece(first, seen));
+            }
+
+            pieces.Sort((a, b) => a.Extent.CompareTo(b.Extent));
+            foreach ((float size, List<int> piece) in pieces)
+            {
+                if (size >= extent || m_Count <= triangles)
+                    return;
+                foreach (int triangle in piece)
+                    Kill(triangle);
+            }
+        }
+
+        /// <summary>[part] Corners of the triangles that remain.</summary>
+        public int[][] Parts(int count)
+        {
+            var parts = new List<int>[count];
+            for (int part = 0; part < count; part++)
+                parts[part] = new List<int>();
+            for (int triangle = 0; triangle < m_Triangles.Count; triangle++)
+            {
+                if (!m_Alive[triangle])
+                    continue;
+                int3 corners = m_Triangles[triangle];
+                parts[m_Parts[triangle]].AddRange(new[] { corners.x, corners.y, corners.z });
+            }
+
+            return Array.ConvertAll(parts, part => part.ToArray());
+        }
+
+        // Vertices that share their place with another one, as along seams: moving one of them would open the surface.
+        private static bool[] Doubles(Vector3[] positions)
+        {
+            var first = new Dictionary<Vector3, int>();
+            var doubles = new bool[positions.Length];
+            for (int vertex = 0; vertex < positions.Length; vertex++)
+            {
+                if (!first.TryGetValue(positions[vertex], out int other))
+                    first.Add(positions[vertex], vertex);
+                else
+                    doubles[vertex] = doubles[other] = true;
+            }
+
+            return doubles;
+        }
+
+        private void AddPart(int[] corners, int part)
+        {
+            for (int k = 0; k < corners.Length; k += 3)
+            {
+                var triangle = new int3(corners[k], corners[k + 1], corners[k + 2]);
+                float3 normal = Area(triangle);
+                float area = math.length(normal);
+                if (!(area > 0f))
+                    continue;
+                normal /= area;
+                float d = -math.dot(normal, m_Places[triangle.x]);
+                for (int c = 0; c < 3; c++)
+                {
+                    m_Around[triangle[c]].Add(m_Triangles.Count);
+                    m_Quadrics[triangle[c]].Add(normal.x, normal.y, normal.z, d, area);
+                }
+
+                m_Triangles.Add(triangle);
+                m_Parts.Add(part);
+                m_Alive.Add(true);
+            }
+        }
+
+        // Planes that stand on the edges of single triangles.
+        private void AddMargins()
+        {
+            foreach (int3 triangle in m_Triangles)
+            {
+                float3 normal = math.normalizesafe(Area(triangle));
+                for (int c = 0; c < 3; c++)
+                {
+                    int a = triangle[c], b = triangle[(c + 1) % 3];
+                    if (Shared(a, b) != 1)
+                        continue;
+                    float3 along = m_Places[b] - m_Places[a], across = math.normalizesafe(math.cross(along, normal));
+                    float d = -math.dot(across, m_Places[a]);
+                    double weight = k_Margin * math.lengthsq(along);
+                    m_Quadrics[a].Add(across.x, across.y, across.z, d, weight);
+                    m_Quadrics[b].Add(across.x, across.y, across.z, d, weight);
+                }
+            }
+        }
+
+        private float3 Area(int3 triangle) =>
+            math.cross(m_Places[triangle.y] - m_Places[triangle.x], m_Places[triangle.z] - m_Places[triangle.x]);
+
+        // Triangles on an edge.
+        private int Shared(int a, int b)
+        {
+            int count = 0;
+            foreach (int triangle in m_Around[a])
+                count += math.any(m_Triangles[triangle] == b) ? 1 : 0;
+            return count;
+        }
+
+        private HashSet<int> Neighbours(int vertex)
+        {
+            var around = new HashSet<int>();
+            foreach (int triangle in m_Around[vertex])
+            {
+                for (int c = 0; c < 3; c++)
+                    around.Add(m_Triangles[triangle][c]);
+            }
+
+            around.Remove(vertex);
+            return around;
+        }
+
+        private void Unlist(int vertex) => m_Queue.Remove((m_Best[vertex].Cost, vertex));
+
+        private void Update(int vertex)
+        {
+            Unlist(vertex);
+            if (m_Locked[vertex] || m_Around[vertex].Count == 0)
+                return;
+            var best = (Cost: double.PositiveInfinity, To: -1);
+            foreach (int to in Neighbours(vertex))
+            {
+                float3 place = m_Places[to];
+                double cost = m_Quadrics[vertex].At(place.x, place.y, place.z) + k_Way * math.pow((double)math.lengthsq(place - m_Places[vertex]), 2.0);
+                if (cost < best.Cost && CanMove(vertex, to))
+                    best = (cost, to);
+            }
+
+            m_Best[vertex] = best;
+            if (best.To >= 0)
+                m_Queue.Add((best.Cost, vertex));
+        }
+
+        private bool CanMove(int vertex, int to)
+        {
+            int shared = Shared(vertex, to);
+            if (shared == 0 || shared > 2)
+                return false;
+            HashSet<int> around = Neighbours(vertex), others = Neighbours(to);
+            bool onMargin = false;
+            int common = 0;
+            foreach (int neighbour in around)
+            {
+                onMargin |= Shared(vertex, neighbour) == 1;
+                common += others.Contains(neighbour) ? 1 : 0;
+            }
+
+            if (common != shared || (onMargin && shared != 1))
+                return false;
+            foreach (int index in m_Around[vertex])
+            {
+                int3 triangle = m_Triangles[index];
+                if (math.any(triangle == to))
+                    continue;
+                float3 before = Area(triangle), after = Area(math.select(triangle, to, triangle == vertex));
+                if (math.dot(before, after) <= k_Flip * math.length(before) * math.length(after))
+                    return false;
+            }
+
+            return true;
+        }
+
+        private void Move(int vertex, int to)
+        {
+            HashSet<int> touched = Neighbours(vertex);
+            Unlist(vertex);
+            foreach (int index in m_Around[vertex].ToArray())
+            {
+                int3 triangle = m_Triangles[index];
+                if (math.any(triangle == to))
+                {
+                    Kill(index);
+                    continue;
+                }
+
+                m_Triangles[index] = math.select(triangle, to, triangle == vertex);
+                m_Around[to].Add(index);
+            }
+
+            m_Around[vertex].Clear();
+            m_Quadrics[to].Add(m_Quadrics[vertex]);
+            touched.UnionWith(Neighbours(to));
+            foreach (int neighbour in touched)
+                Update(neighbour);
+        }
+
+        private void Kill(int triangle)
+        {
+            m_Alive[triangle] = false;
+            m_Count--;
+            for (int c = 0; c < 3; c++)
+                m_Around[m_Triangles[triangle][c]].Remove(triangle);
+        }
+
+        private (float Extent, List<int> Triangles) Piece(int first, bool[] seen)
+        {
+            var piece = new List<int>();
+            var open = new Stack<int>();
+            open.Push(first);
+            seen[first] = true;
+            float3 min = float.PositiveInfinity, max = float.NegativeInfinity;
+            while (open.Count > 0)
+            {
+                int triangle = open.Pop();
+                piece.Add(triangle);
+                for (int c = 0; c < 3; c++)
+                {
+                    int vertex = m_Triangles[triangle][c];
+                    min = math.min(min, m_Places[vertex]);
+                    max = math.max(max, m_Places[vertex]);
+                    foreach (int other in m_Around[vertex])
+                    {
+                        if (seen[other])
+                            continue;
+                        seen[other] = true;
+                        open.Push(other);
+                    }
+                }
+            }
+
+            return (math.distance(min, max), piece);
+        }
+    }
+}
