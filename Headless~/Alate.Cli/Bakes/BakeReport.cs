@@ -15,7 +15,7 @@ internal static class BakeReport
     public static void Run(BakePlan plan, TextWriter output)
     {
         using OutputFolder folder = OutputFolder.Prepare(plan.Folder);
-        InsectBake bake = plan.Bake();
+        InsectBake bake = plan.Bake(out float smallerError);
         string[] files = plan.Format switch
         {
             BakeFormat.GltfSkin => [Write(folder, $"{bake.Name}-skin.glb", stream => SkinGlb.Write(bake, stream))],
@@ -25,6 +25,8 @@ internal static class BakeReport
         folder.Commit();
         var terminal = new Terminal(output);
         terminal.ShowTable($"{plan.Species.DisplayName}: {bake.Surface.VertexCount} vertices, {bake.Surface.TriangleCount} triangles", Rows(bake));
+        if (smallerError > 0f)
+            output.WriteLine($"The smaller mesh is {Number(100f * smallerError)} % of the wing length from the whole wings (root of the mean square).");
         terminal.ShowFiles(plan.Folder, files);
     }
 

@@ -12,6 +12,8 @@ namespace Alate.Cli.Commands;
 /// <summary><c>bake SPECIES</c>: writes loops of an insect in formats that other programs read.</summary>
 internal static class BakeCommand
 {
+    private const int k_MostTriangles = 1000000;
+
     public static Command Create(TextWriter output)
     {
         var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
@@ -29,6 +31,8 @@ internal static class BakeCommand
         });
         Option<int?> frames = Numbers.OptionalCount(
             "--frames", "N", BakeSettings.MinFrames, BakeSettings.MaxFrames, $"Frames of a loop, {BakeSettings.MinFrames} to {BakeSettings.MaxFrames}. [default: {BakeSettings.DefaultFrames}]");
+        Option<int?> triangles = Numbers.OptionalCount(
+            "--triangles", "N", SmallerBake.MinTriangles, k_MostTriangles, $"Most triangles of the mesh, {SmallerBake.MinTriangles} to {k_MostTriangles}. [default: all]");
         Option<BakeNormals?> normals = Choice.Optional<BakeNormals>("--normals", "Normals in a texture of their own, or in the lower half. [default: separate]", new()
         {
             ["separate"] = BakeNormals.Separate,
@@ -40,7 +44,7 @@ internal static class BakeCommand
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/bake-SPECIES]" };
         var command = new Command("bake", "Bakes loops of an insect for other programs: OpenVAT textures, or glTF with joints or shapes.")
         {
-            species, clips, format, frames, normals, size, variant, folder,
+            species, clips, format, frames, triangles, normals, size, variant, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -55,6 +59,7 @@ internal static class BakeCommand
                     Motions = Motions(parsed.GetValue(clips)),
                     Format = parsed.GetValue(format) ?? BakeFormat.OpenVat,
                     Frames = parsed.GetValue(frames) ?? BakeSettings.DefaultFrames,
+                    Triangles = parsed.GetValue(triangles),
                     Normals = parsed.GetValue(normals) ?? BakeNormals.Separate,
                     MaxSize = parsed.GetValue(size) ?? BakeLayout.DefaultMaxSize,
                     Folder = parsed.GetValue(folder) ?? Path.Combine("out", "bake-" + definition.Name),

@@ -88,6 +88,17 @@ namespace Alate.Tests.Bakes
             Assert.That(wide.At(1).Positions.Zip(tall.At(24).Positions, (a, b) => math.distance(a, b)).Max(), Is.LessThan(1e-3f));
         }
 
+        [Test]
+        public void ASmallerMesh_IsOfVerticesOfTheWholeOne()
+        {
+            VatReader whole = Read("monarch", "monarch --frames 12"), smaller = Read("monarch", "monarch --frames 12 --triangles 160");
+            float3[] all = whole.At(5).Positions;
+
+            Assert.That(smaller.VertexCount, Is.InRange(60, 300));
+            foreach (float3 position in smaller.At(5).Positions)
+                Assert.That(all.Min(place => math.distance(place, position)), Is.LessThan(3e-6f));
+        }
+
         private VatReader Read(string species, string arguments) => new VatReader(Path.Combine(m_Files.Folder(arguments), species + "_vat"), species);
     }
 }

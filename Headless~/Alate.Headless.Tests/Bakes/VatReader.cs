@@ -36,6 +36,10 @@ namespace Alate.Tests.Bakes
 
         public GlbFile Mesh { get; }
 
+        public float3 Least => m_Min;
+
+        public float3 Most => m_Max;
+
         public bool IsPacked { get; }
 
         public int Frames { get; }
