@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Alate.Crowds;
+using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Alate.Editor
+{
+    /// <summary>One bake of an insect for crowds: what is asked for, what came of it, and its assets.</summary>
+    internal sealed class InsectBaking : IDisposable
+    {
+        private const float k_Kilobyte = 1024f;
+
+        private InsectBake m_Bake;
+
+        /// <summary>What was made and is not saved; null where nothing is.</summary>
+        public BakedInsect Made { get; private set; }
+
+        /// <summary>What keeps the insect from being baked, one line; null when all is well.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Bakes an insect, and forgets what was baked before.</summary>
+        /// <param name="insect">The insect.</param>
+        /// <param name="clips">Names of motions.</param>
+        /// <param name="frames">Frames of each loop.</param>
+        public void Bake(InsectWings insect, IEnumerable<string> clips, int frames)
+        {
+            Dispose();
+            try
+            {
+                m_Bake = InsectBaker.Bake(insect, clips.Select(BakeMotion.Find).ToList(), new BakeSettings(frames));
+                Made = BakedInsect.Create(m_Bake);
+            }
+            catch (BakeException problem)
+            {
+                Problem = problem.Message;
+            }
+        }
+
+        /// <summary>Size and errors of what was made, line by line.</summary>
+        public IEnumerable<string> Describe()
+        {
+            if (Made == null)
+                yield break;
+            yield return Text($"Texture: {Made.Texture.width} x {Made.Texture.height} pixels, {Made.TextureBytes / k_Kilobyte:0} kB");
+            foreach (BakedClip clip in m_Bake.Clips)
+            {
+                yield return Text(
+                    $"{clip.Name}: {clip.Frames.Count} frames at {clip.Frequency:0.##} Hz; {100f * clip.Error.between:0.00} % of the wing length and {clip.Error.normalBetween:0.0}° of normals between frames");
+            }
+
+            foreach (CrowdSize size in Made.Sizes)
+                yield return Text($"Mesh of {size.triangles} triangles: {100f * size.error:0.00} % of the wing length");
+        }
+
+        /// <summary>Saves what was made as one asset that holds its texture, meshes and materials; a path that is taken gets a number.</summary>
+        /// <param name="path">Below Assets, ending in .asset.</param>
+        /// <returns>The asset; null where the path cannot be used, see <see cref="Problem"/>.</returns>
+        public BakedInsect Save(string path)
+        {
+            Problem = AssetPath.FindProblem(path);
+            if (Problem != null || Made == null)
+                return null;
+            BakedInsect asset = Made;
+            string free = AssetDatabase.GenerateUniqueAssetPath(path);
+            AssetDatabase.CreateAsset(asset, free);
+            AssetDatabase.AddObjectToAsset(asset.Texture, free);
+            foreach (CrowdSize size in asset.Sizes)
+                AssetDatabase.AddObjectToAsset(size.mesh, free);
+            foreach (Material material in asset.Materials)
+                AssetDatabase.AddObjectToAsset(material, free);
+            AssetDatabase.SaveAssets();
+            Made = null;
+            return asset;
+        }
+
+        /// <summary>Destroys what was not saved.</summary>
+        public void Dispose()
+        {
+            Problem = null;
+            m_Bake = null;
+            if (Made == null)
+                return;
+            Made.DestroyParts();
+            Object.DestroyImmediate(Made);
+            Made = null;
+        }
+
+        private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,83 @@
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Crowds;
+using Alate.Editor;
+using NUnit.Framework;
+using Unity.StandIns;
+using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Alate.Tests.Editor;
+
+/// <summary>Baking an insect in the editor, and its asset.</summary>
+public sealed class InsectBakingTests
+{
+    private readonly InsectBaking m_Baking = new();
+    private InsectWings m_Insect;
+
+    [SetUp]
+    public void MakeAnInsect()
+    {
+        ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+        m_Insect = InsectFactory.Create("firefly");
+    }
+
+    [TearDown]
+    public void TakeAllAway()
+    {
+        m_Baking.Dispose();
+        Object.DestroyImmediate(m_Insect.gameObject);
+        AssetDatabase.DeleteAsset("Assets/Firefly Baked.asset");
+        AssetDatabase.DeleteAsset("Assets/Firefly Baked 1.asset");
+        ProjectShaders.Clear();
+    }
+
+    [Test]
+    public void Baked_SizeAndErrorsAreSaid_BeforeAnythingIsSaved()
+    {
+        m_Baking.Bake(m_Insect, ["cruise", "rest"], 24);
+        string[] lines = m_Baking.Describe().ToArray();
+
+        Assert.That(m_Baking.Problem, Is.Null);
+        Assert.That(lines, Has.Length.EqualTo(1 + 2 + m_Baking.Made.Sizes.Count));
+        Assert.That(lines[0], Does.Match(@"^Texture: \d+ x \d+ pixels, \d+ kB$"));
+        Assert.That(lines[1], Does.StartWith("cruise: 24 frames at 10.0"));
+        Assert.That(lines[3], Does.Match(@"^Mesh of 2000 triangles: 0\.\d\d % of the wing length$"));
+    }
+
+    [Test]
+    public void Saved_OneAssetHoldsAllParts_AndNoneIsWrittenOver()
+    {
+        const string k_Path = "Assets/Firefly Baked.asset";
+        m_Baking.Bake(m_Insect, ["rest"], 24);
+        BakedInsect first = m_Baking.Save(k_Path);
+        m_Baking.Bake(m_Insect, ["rest"], 24);
+        BakedInsect second = m_Baking.Save(k_Path);
+
+        Assert.That(AssetDatabase.LoadAssetAtPath<BakedInsect>(k_Path), Is.SameAs(first));
+        Assert.That(AssetDatabase.GetAssetPath(second), Is.EqualTo("Assets/Firefly Baked 1.asset"));
+        Assert.That(AssetDatabase.GetAssetPath(first.Texture), Is.EqualTo(k_Path));
+        Assert.That(first.Sizes.Select(size => AssetDatabase.GetAssetPath(size.mesh)), Is.All.EqualTo(k_Path));
+        Assert.That(first.Materials.Select(AssetDatabase.GetAssetPath), Is.All.EqualTo(k_Path));
+        Assert.That(m_Baking.Made, Is.Null);
+    }
+
+    [Test]
+    public void WhatKeepsItFromBeingBaked_IsOneLine()
+    {
+        m_Baking.Bake(m_Insect, [], 24);
+
+        Assert.That(m_Baking.Problem, Does.StartWith("No clip is asked for."));
+        Assert.That(m_Baking.Made, Is.Null);
+    }
+
+    [Test]
+    public void APathOutsideOfAssets_IsRefused()
+    {
+        m_Baking.Bake(m_Insect, ["rest"], 24);
+
+        Assert.That(m_Baking.Save("Packages/x.asset"), Is.Null);
+        Assert.That(m_Baking.Problem, Does.Contain("is not in the project's Assets folder"));
+    }
+}
