@@ -85,9 +85,11 @@ public sealed class SampleFilesTests
         }
     }
 
-    // The assembly of flight only where the sample flies.
+    // The assemblies of flight and crowds only where the sample uses them.
     private static string[] References(string text) =>
-        text.Contains("using Alate.Flight;") ? ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Flight", "Alate.Model"] : ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model"];
+        text.Contains("using Alate.Crowds;") ? ["Alate", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Model", "Unity.Mathematics"]
+        : text.Contains("using Alate.Flight;") ? ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Flight", "Alate.Model"]
+        : ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model"];
 
     private static string TextOf(string folder) =>
         string.Concat(Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));

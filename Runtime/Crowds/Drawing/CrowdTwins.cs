@@ -19,6 +19,9 @@ namespace Alate.Crowds
         /// <summary>Beats after which a wing that started unbent beats like any other.</summary>
         private const float k_BeatsToSettle = 8f;
 
+        /// <summary>An insect stays live while it is among so many times as many of the nearest: those that fly by would else leave before they are seen.</summary>
+        private const int k_KeptRanks = 16;
+
         private readonly List<CrowdTwin> m_Twins = new List<CrowdTwin>();
 
         /// <summary>Live insects that are seen.</summary>
@@ -46,7 +49,7 @@ namespace Alate.Crowds
             for (int k = 0; k < m_Twins.Count; k++)
             {
                 CrowdTwin twin = m_Twins[k];
-                if (twin.Insect >= 0 && RankOf(twin.Insect, buffers.nearest, 2 * count) < 0)
+                if (twin.Insect >= 0 && RankOf(twin.Insect, buffers.nearest, k_KeptRanks * count) < 0)
                     twin.Leave();
                 if (twin.Insect < 0)
                     Assign(twin, count, buffers);
