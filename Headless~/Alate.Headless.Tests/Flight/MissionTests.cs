@@ -26,11 +26,11 @@ namespace Alate.Tests.FreeFlights
         [Test]
         public void TheMonarch_FliesTheMission([Values(0.01f, 0.02f)] float dt) => Fly("monarch", dt);
 
-        [Test, Category("Long")]
+        [Test, Explicit, Category("Long")]
         public void EverySpecies_FliesTheMission([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth")] string species, [Values(0.01f, 0.02f)] float dt) =>
             Fly(species, dt);
 
-        [Test, Category("Long")]
+        [Test, Explicit, Category("Long")]
         public void WithAPositionLoop_AMinuteOfHovering_StaysWithinAMetre([Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth")] string species)
         {
             using var insect = new FlyingInsect(species);
@@ -47,7 +47,7 @@ namespace Alate.Tests.FreeFlights
             Assert.That(farthest, Is.LessThan(1f));
         }
 
-        [Test, Category("Long")]
+        [Test, Explicit, Category("Long")]
         public void AGustOfOneMetreASecond_IsRecoveredWithinTwoSeconds([Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth")] string species)
         {
             using var insect = new FlyingInsect(species);

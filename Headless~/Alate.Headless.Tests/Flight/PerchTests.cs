@@ -12,8 +12,9 @@ namespace Alate.Tests.Flight
         [TestCase("monarch", 40)]
         public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 
-        [Category("Long")]
         [TestCase("monarch")]
+        [Explicit]
+        [Category("Long")]
         public void AThousandLandings(string name) => FlyAll(name, 1000);
 
         private static void FlyAll(string name, int count)
