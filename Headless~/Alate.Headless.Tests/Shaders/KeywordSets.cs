@@ -34,21 +34,52 @@ internal static class KeywordSets
     /// <param name="program">Code with its pragmas.</param>
     /// <param name="stage">"vertex" or "fragment".</param>
     /// <param name="mentioned">Code that is compiled, with all that it includes: keywords that it never mentions change nothing and are left out.</param>
-    public static IEnumerable<string[]> Of(string program, string stage, string mentioned)
-    {
-        List<string[]> choices = [.. Choices(program, stage)];
-        string[] declared = [.. choices.SelectMany(choice => choice).SelectMany(Words).Distinct().Select(keyword => keyword + "_KEYWORD_DECLARED")];
+    public static IEnumerable<string[]> Of(string program, string stage, string mentioned) => Macros(program, stage, Product(program, stage, mentioned));
 
-        // Set by Unity where a headset draws both eyes at once.
-        choices.Add([k_None, "UNITY_STEREO_INSTANCING_ENABLED"]);
-        IEnumerable<string[]> sets = [[]];
-        foreach (string[] choice in choices)
+    /// <summary>Macros of so many variants of a stage that any two lines of the pragmas meet in every two of their keywords.</summary>
+    /// <inheritdoc cref="Of"/>
+    public static IEnumerable<string[]> PairsOf(string program, string stage, string mentioned)
+    {
+        List<string[]> left = Product(program, stage, mentioned), taken = [];
+        HashSet<(int, string, int, string)> met = [];
+        while (true)
+        {
+            string[] best = left.MaxBy(set => Pairs(set).Count(pair => !met.Contains(pair)));
+            if (taken.Count > 0 && Pairs(best).All(met.Contains))
+                return Macros(program, stage, taken);
+            taken.Add(best);
+            met.UnionWith(Pairs(best));
+        }
+    }
+
+    // One keyword, several or none of each choice.
+    private static List<string[]> Product(string program, string stage, string mentioned)
+    {
+        List<string[]> sets = [[]];
+
+        // The last is set by Unity where a headset draws both eyes at once.
+        foreach (string[] choice in Choices(program, stage).Append([k_None, "UNITY_STEREO_INSTANCING_ENABLED"]))
         {
             string[] kept = [.. choice.Select(words => string.Join(" ", Words(words).Where(word => Mentions(mentioned, word)))).Distinct()];
-            sets = [.. sets.SelectMany(set => kept.Select(words => set.Concat(Words(words)).ToArray()))];
+            sets = [.. sets.SelectMany(set => kept.Select(words => set.Append(words).ToArray()))];
         }
 
-        return sets.Select(set => set.Concat(declared).ToArray());
+        return sets;
+    }
+
+    private static IEnumerable<(int, string, int, string)> Pairs(string[] set)
+    {
+        for (int k = 0; k < set.Length; k++)
+        {
+            for (int other = 0; other < k; other++)
+                yield return (other, set[other], k, set[k]);
+        }
+    }
+
+    private static IEnumerable<string[]> Macros(string program, string stage, List<string[]> sets)
+    {
+        string[] declared = [.. Choices(program, stage).SelectMany(choice => choice).SelectMany(Words).Distinct().Select(keyword => keyword + "_KEYWORD_DECLARED")];
+        return sets.Select(set => set.SelectMany(Words).Concat(declared).ToArray());
     }
 
     private static IEnumerable<string[]> Choices(string program, string stage)

@@ -13,8 +13,8 @@ using NUnit.Framework;
 namespace Alate.Tests.Shaders;
 
 /// <summary>
-/// Every pass and keyword set of Alate/Wing that ships, compiled by glslang on includes of our own, which have the names and signatures of Unity's. Skipped where
-/// glslang is not installed (Debian: glslang-tools).
+/// Every pass of Alate/Wing that ships, compiled by glslang on includes of our own, which have the names and signatures of Unity's: with every two keywords, and in
+/// the long tests with every keyword set. Skipped where glslang is not installed (Debian: glslang-tools).
 /// </summary>
 public sealed class WingShaderCompileTests
 {
@@ -32,17 +32,36 @@ public sealed class WingShaderCompileTests
     [TestCase("14.0.11", 1400)]
     [TestCase("17.0.4", 1700)]
     [TestCase("17.1.0", 1701)]
-    public void InUrp_EveryPassCompiles_WithEveryKeywordSet(string version, int macros)
-    {
-        ShaderFile.SubShader taken = Shader.SubShaders.First(sub => sub.Takes(Version.Parse(version)));
+    public void InUrp_EveryPassCompiles_WithEveryTwoKeywords(string version, int macros) => CompileInUrp(version, macros, KeywordSets.PairsOf);
 
-        Compile("URP " + version, taken, Path.Combine(Includes, "Universal"), $"STANDIN_URP={macros}");
-    }
+    [TestCase("14.0.11", 1400)]
+    [TestCase("17.0.4", 1700)]
+    [TestCase("17.1.0", 1701)]
+    [Explicit]
+    [Category("Long")]
+    public void InUrp_EveryPassCompiles_WithEveryKeywordSet(string version, int macros) => CompileInUrp(version, macros, KeywordSets.Of);
 
     [Test]
-    public void InTheBuiltInPipeline_EveryPassCompiles_WithEveryKeywordSet()
+    public void InTheBuiltInPipeline_EveryPassCompiles_WithEveryTwoKeywords() => CompileInTheBuiltInPipeline(KeywordSets.PairsOf);
+
+    [Test]
+    [Explicit]
+    [Category("Long")]
+    public void InTheBuiltInPipeline_EveryPassCompiles_WithEveryKeywordSet() => CompileInTheBuiltInPipeline(KeywordSets.Of);
+
+    [Test]
+    public void EveryTwoKeywords_ThatMayMeet_Do()
     {
-        Compile("Built-in pipeline", Shader.SubShaders.Single(sub => sub.Universal == null), Path.Combine(Includes, "BuiltIn"));
+        foreach (ShaderFile.SubShader sub in Shader.SubShaders)
+        {
+            string includes = Path.Combine(Includes, sub.Universal == null ? "BuiltIn" : "Universal");
+            foreach (ShaderFile.Pass pass in sub.Passes)
+            {
+                string text = IncludedText.Of(pass.Program, ShaderFolder, [includes]);
+                foreach (string stage in s_Stages)
+                    Assert.That(Meeting(KeywordSets.PairsOf(pass.Program, stage, text)), Is.EquivalentTo(Meeting(KeywordSets.Of(pass.Program, stage, text))), pass.Name);
+            }
+        }
     }
 
     [TestCase("14.0.11", "_FORWARD_PLUS", "_CLUSTER_LIGHT_LOOP")]
@@ -91,7 +110,19 @@ public sealed class WingShaderCompileTests
         Assert.That(passes, Is.EqualTo(3));
     }
 
-    private static void Compile(string pipeline, ShaderFile.SubShader taken, string includes, params string[] macros)
+    private static void CompileInUrp(string version, int macros, Sets sets)
+    {
+        ShaderFile.SubShader taken = Shader.SubShaders.First(sub => sub.Takes(Version.Parse(version)));
+
+        Compile("URP " + version, taken, sets, Path.Combine(Includes, "Universal"), $"STANDIN_URP={macros}");
+    }
+
+    private static void CompileInTheBuiltInPipeline(Sets sets) =>
+        Compile("Built-in pipeline", Shader.SubShaders.Single(sub => sub.Universal == null), sets, Path.Combine(Includes, "BuiltIn"));
+
+    private static HashSet<(string, string)> Meeting(IEnumerable<string[]> sets) => [.. sets.SelectMany(set => set.SelectMany(one => set.Select(other => (one, other))))];
+
+    private static void Compile(string pipeline, ShaderFile.SubShader taken, Sets sets, string includes, params string[] macros)
     {
         if (Glslang.Path == null)
         {
@@ -102,7 +133,7 @@ public sealed class WingShaderCompileTests
         using var folder = new TemporaryFolder();
         var wrong = new ConcurrentBag<string>();
         int count = 0;
-        Parallel.ForEach(taken.Passes.SelectMany(pass => Variants(pass, includes, folder)), variant =>
+        Parallel.ForEach(taken.Passes.SelectMany(pass => Variants(pass, sets, includes, folder)), variant =>
         {
             Interlocked.Increment(ref count);
             string errors = Glslang.Errors(variant.File, variant.Stage, variant.Entry, [ShaderFolder, includes], variant.Keywords.Concat(macros));
@@ -115,13 +146,15 @@ public sealed class WingShaderCompileTests
         Assert.That(count, Is.GreaterThan(4 * taken.Passes.Count), "the pragmas were not found");
     }
 
-    private static IEnumerable<Variant> Variants(ShaderFile.Pass pass, string includes, TemporaryFolder folder)
+    private static IEnumerable<Variant> Variants(ShaderFile.Pass pass, Sets sets, string includes, TemporaryFolder folder)
     {
         string file = folder.File(pass.Name + ".hlsl", pass.Program);
         string text = IncludedText.Of(pass.Program, ShaderFolder, [includes]);
-        return s_Stages.SelectMany(stage => KeywordSets.Of(pass.Program, stage, text)
+        return s_Stages.SelectMany(stage => sets(pass.Program, stage, text)
             .Select(keywords => new Variant(pass.Name, file, stage, pass.EntryOf(stage), keywords)));
     }
+
+    private delegate IEnumerable<string[]> Sets(string program, string stage, string mentioned);
 
     private sealed record Variant(string Name, string File, string Stage, string Entry, string[] Keywords);
 }
