@@ -9,8 +9,17 @@ namespace Alate.Tests
     public sealed class RayFitTests
     {
         [Test]
+        [Pairwise]
         public void Chains_RunAlongRays_FromTheFirstToTheLast(
-            [Values(8, 11, 15)] int rays, [Values(0.03, 0.1, 0.25)] double depth, [Values(3, 5, 8)] int chains)
+            [Values(8, 11, 15)] int rays, [Values(0.03, 0.1, 0.25)] double depth, [Values(3, 5, 8)] int chains) => AssertAlong(rays, depth, chains);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void ChainsOfEveryFin_RunAlongRays_FromTheFirstToTheLast(
+            [Values(8, 11, 15)] int rays, [Values(0.03, 0.1, 0.25)] double depth, [Values(3, 5, 8)] int chains) => AssertAlong(rays, depth, chains);
+
+        private static void AssertAlong(int rays, double depth, int chains)
         {
             var fin = new RayFin { rays = rays, depth = depth };
             WingSkeleton skeleton = Fit(fin, chains, out SkeletonFit fit);
@@ -56,8 +65,17 @@ namespace Alate.Tests
         }
 
         [Test]
+        [Pairwise]
         public void AShortFirstRay_IsLeftToTheLeadingEdge(
-            [Values(0.5, 0.6, 0.7)] double length, [Values(9, 13)] int rays, [Values(3, 6)] int chains)
+            [Values(0.5, 0.6, 0.7)] double length, [Values(9, 13)] int rays, [Values(3, 6)] int chains) => AssertLeft(length, rays, chains);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void AShortFirstRayOfEveryFin_IsLeftToTheLeadingEdge(
+            [Values(0.5, 0.6, 0.7)] double length, [Values(9, 13)] int rays, [Values(3, 6)] int chains) => AssertLeft(length, rays, chains);
+
+        private static void AssertLeft(double length, int rays, int chains)
         {
             var fin = new RayFin { rays = rays, depth = 0.1, firstLength = length };
 
