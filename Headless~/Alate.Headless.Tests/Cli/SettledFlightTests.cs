@@ -12,13 +12,15 @@ namespace Alate.Tests.Cli
     {
         private const int k_KeyFrames = 24;
 
+        private static readonly Dictionary<(string, InsectVariant), FlightRecord> s_OneBeat = new Dictionary<(string, InsectVariant), FlightRecord>();
+
         private static IEnumerable<TestCaseData> All => InsectCatalogue.All.SelectMany(
             species => species.Variants.Select(variant => new TestCaseData(species.Name, variant)));
 
         [TestCaseSource(nameof(All))]
         public void AFlightOfOneBeat_HasTheBeatOfALongOne(string name, InsectVariant variant)
         {
-            FlightRecord one = Fly(name, variant, 1), many = Fly(name, variant, 40);
+            FlightRecord one = OneBeat(name, variant), many = MonarchFlight.Fly(Plan(name, variant) with { Seconds = 40.0 / one.Wings[0].Frequency });
 
             Assert.That(one.Beats, Is.EqualTo(1));
             for (int k = 0; k < one.Wings.Count; k++)
@@ -32,7 +34,7 @@ namespace Alate.Tests.Cli
         [TestCaseSource(nameof(All))]
         public void NoStepBetweenKeyFrames_IsLargerThanThoseBesideIt_AllRound(string name, InsectVariant variant)
         {
-            foreach (RecordedWing wing in Fly(name, variant, 1).Wings)
+            foreach (RecordedWing wing in OneBeat(name, variant).Wings)
             {
                 float[] steps = Enumerable.Range(0, k_KeyFrames)
                     .Select(key => Farthest(Shape(wing, key), Shape(wing, key + 1))).ToArray();
@@ -47,20 +49,27 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheClock_StartsAfterSettling()
         {
-            FlightRecord flight = Fly("monarch", InsectVariant.Standard, 1);
+            FlightRecord flight = OneBeat("monarch", InsectVariant.Standard);
             List<RecordedFrame> frames = flight.Wings[0].Frames;
 
             Assert.That(frames[0].Time, Is.EqualTo(flight.Seconds / frames.Count).Within(1e-6));
             Assert.That(frames[^1].Time, Is.EqualTo(flight.Seconds).Within(1e-6));
         }
 
-        private static FlightRecord Fly(string name, InsectVariant variant, int beats)
+        // Flown once for all tests.
+        private static FlightRecord OneBeat(string name, InsectVariant variant)
         {
-            InsectDefinition species = InsectCatalogue.Find(name);
-            double speed = FlightPlan.CruiseOf(species);
-            double frequency = MonarchFlight.Fly(new FlightPlan { Species = name, Variant = variant, Speed = speed }).Wings[0].Frequency;
-            return MonarchFlight.Fly(new FlightPlan { Species = name, Variant = variant, Speed = speed, Seconds = beats / frequency });
+            if (!s_OneBeat.TryGetValue((name, variant), out FlightRecord flight))
+            {
+                double frequency = MonarchFlight.Fly(Plan(name, variant)).Wings[0].Frequency;
+                s_OneBeat.Add((name, variant), flight = MonarchFlight.Fly(Plan(name, variant) with { Seconds = 1.0 / frequency }));
+            }
+
+            return flight;
         }
+
+        private static FlightPlan Plan(string name, InsectVariant variant) =>
+            new FlightPlan { Species = name, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(name)) };
 
         private static float3[] Shape(RecordedWing wing, int key)
         {

@@ -21,6 +21,7 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
     {
         int before = Count();
         yield return Begin();
+        Shrink();
         yield return Frames(100);
         InsectWings[] insects = [.. Insects];
         Assert.That(insects, Is.Not.Empty);
@@ -49,6 +50,11 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
         yield return Frames(2);
         yield return Begin();
         Assert.That(Insects.All(insect => insect.State == InsectState.Ready), Is.True);
+    }
+
+    /// <summary>Leaves fewer insects of a sample of very many, for the test of hundreds of frames.</summary>
+    protected virtual void Shrink()
+    {
     }
 
     /// <summary>Adds the script and waits until its insects live.</summary>

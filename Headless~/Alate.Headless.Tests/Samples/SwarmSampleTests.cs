@@ -83,4 +83,6 @@ public sealed class SwarmSampleTests : SampleFixture<SwarmSample>
         Assert.That(seen, Is.Not.Empty);
         Assert.That(seen.Select(insect => insect.Detail), Is.All.EqualTo(WingDetail.Full));
     }
+
+    protected override void Shrink() => DrawnScreen.Slide("Insects", 40f);
 }
