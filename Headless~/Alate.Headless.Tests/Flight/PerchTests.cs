@@ -9,8 +9,8 @@ namespace Alate.Tests.Flight
     /// <summary>Insects that fly by their own wings land on random spots and slopes and leave them again.</summary>
     public sealed class PerchTests
     {
-        [TestCase("monarch", 40)]
-        public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
+        [TestCase("monarch")]
+        public void Insects_Land_AndLeave(string name) => FlyAll(name, 40);
 
         [TestCase("monarch")]
         [Explicit]
