@@ -16,10 +16,27 @@ namespace Alate.Tests.Insects
 
         private static readonly float[] s_Delays = { 0f, 0.05f, 0.1f, 0.2f, 0.3f };
 
-        private static IEnumerable<string> Names => InsectCatalogue.Names;
+        private static readonly string[] s_Some = { "monarch", "fishfly" };
 
-        [TestCaseSource(nameof(Names))]
-        public void TheDriveAlone_HasNoDelayWithoutTheWave_AndMoreTheLargerLambdaIs(string species)
+        private static IEnumerable<string> Others => InsectCatalogue.Names.Except(s_Some);
+
+        [TestCaseSource(nameof(s_Some))]
+        public void TheDriveAlone_HasNoDelayWithoutTheWave_AndMoreTheLargerLambdaIs(string species) => AssertDriven(species);
+
+        [TestCaseSource(nameof(Others))]
+        [Explicit]
+        [Category("Long")]
+        public void TheDriveAlone_OfAnyOtherSpecies_HasNoDelayWithoutTheWave_AndMoreTheLargerLambdaIs(string species) => AssertDriven(species);
+
+        [TestCaseSource(nameof(s_Some))]
+        public void TheWholeModel_AddsToTheDelayOfTheLoads(string species) => AssertLoaded(species);
+
+        [TestCaseSource(nameof(Others))]
+        [Explicit]
+        [Category("Long")]
+        public void TheWholeModel_OfAnyOtherSpecies_AddsToTheDelayOfTheLoads(string species) => AssertLoaded(species);
+
+        private static void AssertDriven(string species)
         {
             List<double[]> delays = s_Delays.Select(delay => Delays(species, delay, holdJoints: true)).ToList();
 
@@ -29,8 +46,7 @@ namespace Alate.Tests.Insects
             Assert.That(delays[2], Is.All.InRange(0.5 * 18.0, 1.1 * 18.0));
         }
 
-        [TestCaseSource(nameof(Names))]
-        public void TheWholeModel_AddsToTheDelayOfTheLoads(string species)
+        private static void AssertLoaded(string species)
         {
             List<double[]> delays = s_Delays.Select(delay => Delays(species, delay, holdJoints: false)).ToList();
 

@@ -10,7 +10,7 @@ namespace Alate.Tests.Flight
     public sealed class PerchTests
     {
         [TestCase("monarch")]
-        public void Insects_Land_AndLeave(string name) => FlyAll(name, 40);
+        public void Insects_Land_AndLeave(string name) => FlyAll(name, 20);
 
         [TestCase("monarch")]
         [Explicit]
