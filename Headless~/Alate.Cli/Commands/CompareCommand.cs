@@ -65,7 +65,7 @@ internal static class CompareCommand
     private static void Run(ComparisonPlan plan, string path, TextWriter output)
     {
         string[] pictures = plan.Flights.Select(flight => flight.Species + ".svg").ToArray();
-        string[] files = pictures.Append(k_Table).ToArray();
+        string[] files = [.. pictures, k_Table, FreeComparisonTable.File];
         using OutputFolder folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
         List<Comparison> comparisons = null;
@@ -80,12 +80,15 @@ internal static class CompareCommand
             }
 
             folder.Write(k_Table, stream => ComparisonTable.Write(comparisons, stream));
+            folder.Write(FreeComparisonTable.File, stream => FreeComparisonTable.Write(comparisons, stream));
         });
         folder.Commit();
         foreach (Comparison comparison in comparisons)
         {
             for (int kind = 0; kind < comparison.Flights[0].Summary.Wings.Count; kind++)
                 terminal.ShowTable($"{comparison.Name}: {comparison.Flights[0].Summary.Wings[kind].Name}", Rows(comparison, kind));
+            if (comparison.Free != null)
+                terminal.ShowTable($"{comparison.Held.Summary.Flight.Insect.DisplayName}: by its own wings", FreeComparisonTable.Lines(comparison));
         }
 
         terminal.ShowFiles(path, files);
@@ -111,6 +114,7 @@ internal static class CompareCommand
         + "Columns: rigid wings as in earlier flight models, no deformation wave, the full model, and the full model with another elasticity.\n\n"
         + "Writes into the output folder:\n"
         + "  SPECIES.svg  for each species: the columns over rows of phases, and numbers below\n"
-        + "  compare.csv  every measure of every column, and how far each column lies from the full model\n\n"
+        + "  compare.csv  every measure of every column, and how far each column lies from the full model\n"
+        + "  free-flight.csv  the flight on the spot beside one by the insect's own wings: bob, pitch, lift, power\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

@@ -3,15 +3,18 @@ using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
+using Alate.Cli.FreeFlights;
+using Alate.Flight;
 
 namespace Alate.Cli.Comparisons;
 
 /// <summary>One insect, flown once for each column.</summary>
 internal sealed class Comparison
 {
-    private Comparison(FlightPlan plan, IReadOnlyList<ComparedFlight> flights, int phases)
+    private Comparison(FlightPlan plan, IReadOnlyList<ComparedFlight> flights, SteadyFlight free, int phases)
     {
         Plan = plan;
+        Free = free;
         Flights = flights;
         Phases = Enumerable.Range(0, phases).Select(k => (double)k / phases).ToList();
     }
@@ -20,6 +23,12 @@ internal sealed class Comparison
 
     /// <summary>[column]</summary>
     public IReadOnlyList<ComparedFlight> Flights { get; }
+
+    /// <summary>The flight on the spot by the full model.</summary>
+    public ComparedFlight Held => Flights.First(flight => flight.Column == ComparisonColumn.FullModel);
+
+    /// <summary>Flight of the insect by its own wings, with the numbers of the variant flight; null where it has no trim table.</summary>
+    public SteadyFlight Free { get; }
 
     /// <summary>Rows of the picture, beats.</summary>
     public IReadOnlyList<double> Phases { get; }
@@ -44,9 +53,20 @@ internal sealed class Comparison
                 return record;
             }).ToArray();
             FlightRecord full = records.First(record => record.Plan.Column == ComparisonColumn.FullModel);
-            comparisons.Add(new Comparison(flight, records.Select(record => ComparedFlight.Of(record, full)).ToList(), plan.Phases));
+            comparisons.Add(new Comparison(flight, records.Select(record => ComparedFlight.Of(record, full)).ToList(), FlyFreely(flight), plan.Phases));
         }
 
         return comparisons;
+    }
+
+    // As fast as the flight on the spot, or as fast as the insect flies.
+    private static SteadyFlight FlyFreely(FlightPlan plan)
+    {
+        InsectDefinition insect = InsectCatalogue.Find(plan.Species);
+        if (!insect.Variants.Contains(InsectVariant.Flight))
+            return null;
+        using FlightModel model = CatalogueFlight.CreateModel(insect);
+        using TrimTable table = CatalogueFlight.CreateTable(insect, model);
+        return table == null ? null : SteadyFlight.Fly(model, table, new FlightCondition((float)Math.Min(plan.Speed, table.TopSpeed), 0f));
     }
 }

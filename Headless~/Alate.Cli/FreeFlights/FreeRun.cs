@@ -34,7 +34,8 @@ internal static class FreeRun
         return new FreeRecord(plan.Insect, moments, model.Centre, model.Weight, Beat(plan, model, moments));
     }
 
-    private static FreeMoment Moment(FreeFlight flight)
+    /// <summary>A flight as it is after its last step.</summary>
+    public static FreeMoment Moment(FreeFlight flight)
     {
         WingReading wing = flight.World.Read(flight.Wings[0]);
         return new FreeMoment(

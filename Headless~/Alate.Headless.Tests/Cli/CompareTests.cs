@@ -26,7 +26,7 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void Folder_HoldsAPictureOfEachSpeciesOnce_AndTheTable() => Assert.That(
-            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "monarch.svg", "fishfly.svg", "compare.csv" }));
+            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "monarch.svg", "fishfly.svg", "compare.csv", "free-flight.csv" }));
 
         [Test]
         public void Table_HasARowForEachColumnAndKindOfWing()
@@ -71,6 +71,26 @@ namespace Alate.Tests.Cli
             Assert.That(texts, Is.SupersetOf(new[] { "Monarch", "Rigid wing", "No deformation wave", "Full model", "Elasticity × 4", "0°", "180°" }));
             Assert.That(texts, Does.Contain(Of("monarch", "twist_pp_deg")[2].ToString("0.0", CultureInfo.InvariantCulture)));
             Assert.That(new FileInfo(Path.Combine(m_Run.Out, "monarch.svg")).Length, Is.LessThan(300_000));
+        }
+
+        [Test]
+        public void FreeFlight_CarriesItsWeight_AndBobs_WhereTheFlightOnTheSpotIsHeld()
+        {
+            string[][] rows = File.ReadAllLines(Path.Combine(m_Run.Out, "free-flight.csv")).Select(line => line.Split(',')).ToArray();
+            double Of(string species, string flight, string measure) =>
+                double.Parse(rows.Single(row => row[0] == species && row[1] == flight)[System.Array.IndexOf(rows[0], measure)], CultureInfo.InvariantCulture);
+
+            Assert.That(rows, Has.Length.EqualTo(1 + 2 * 2));
+            foreach (string species in new[] { "monarch", "fishfly" })
+            {
+                Assert.That(Of(species, "free", "lift_over_weight"), Is.EqualTo(1.0).Within(0.01), species);
+                Assert.That(Of(species, "free", "speed_m_s"), Is.EqualTo(Of(species, "on the spot", "speed_m_s")).Within(0.05), species);
+                Assert.That(Of(species, "on the spot", "pitch_bob_deg"), Is.Zero, species);
+                Assert.That(Of(species, "free", "power_w"), Is.GreaterThan(0.0), species);
+            }
+
+            Assert.That(Of("monarch", "free", "pitch_bob_deg"), Is.InRange(6.0, 10.0), "8 ± 2° at 1.3 m/s");
+            Assert.That(m_Run.Output, Does.Contain("Monarch: by its own wings"));
         }
 
         [Test]
