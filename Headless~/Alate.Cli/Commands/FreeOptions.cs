@@ -14,14 +14,14 @@ namespace Alate.Cli.Commands;
 internal sealed class FreeOptions
 {
     private const int k_MostPoints = 1000;
-    private const float k_Farthest = 1000f, k_WanderReach = 1.5f;
+    private const float k_Farthest = 1000f;
     private const double k_DefaultSeconds = 10;
 
     private readonly Option<bool> m_Free = new("--free") { Description = "The wings carry the insect: a flight of its own, not on the spot." };
     private readonly Option<string> m_Pilot = new("--pilot") { HelpName = "hover|goto|points|wander", Description = "With --free: where to. [default: hover, goto with --to, points with --points]" };
     private readonly Option<double[]> m_To = Numbers.Vector("--to", "X,Y,Z", k_Farthest, "With --free: a place to fly to, metres from the start: right, up, ahead.");
     private readonly Option<string> m_Points = new("--points") { HelpName = "FILE", Description = "With --free: a file of places, X,Y,Z in metres a line, flown one after the other." };
-    private readonly Option<int?> m_Seed = Numbers.OptionalCount("--seed", "N", 1, int.MaxValue, "With --free: seed of the places of --pilot wander. [default: 1]");
+    private readonly Option<int?> m_Seed = Numbers.OptionalCount("--seed", "N", 1, int.MaxValue, "With --free: seed of the track of --pilot wander. [default: 1]");
     private readonly Option<double[]> m_Gust = Numbers.Vector("--gust", "X,Y,Z", 20, "With --free: a gust of one second in the middle of the flight, metres per second.");
     private readonly Option<double> m_Aid = Numbers.Option("--aid", "A", 0, 0, 1, "With --free: help from outside after a tumble, 0 to 1.");
     private readonly Option<double> m_Step = Numbers.Option("--step", "S", 0.02, 0.001, 0.05, "With --free: step of the game, seconds, 0.001 to 0.05.");
@@ -50,7 +50,8 @@ internal sealed class FreeOptions
         return new FreePlan
         {
             Insect = FlightOptions.Find(species ?? throw new UserException($"Which species? Known: {string.Join(", ", InsectCatalogue.Names)}."), InsectVariant.Flight),
-            Points = PointsOf(parsed),
+            Points = PointsOf(parsed, out bool wanders),
+            WanderSeed = wanders ? parsed.GetValue(m_Seed) ?? 1 : null,
             Seconds = Math.Max(seconds ?? k_DefaultSeconds, parsed.GetValue(m_Step)),
             Gust = gust is { Length: 3 } ? new float3((float)gust[0], (float)gust[1], (float)gust[2]) : default,
             Aid = parsed.GetValue(m_Aid),
@@ -59,12 +60,15 @@ internal sealed class FreeOptions
         };
     }
 
-    private List<float3> PointsOf(ParseResult parsed)
+    private List<float3> PointsOf(ParseResult parsed, out bool wanders)
     {
         double[] to = parsed.GetValue(m_To);
         string file = parsed.GetValue(m_Points);
         string pilot = parsed.GetValue(m_Pilot) ?? (file != null ? "points" : to is { Length: 3 } ? "goto" : "hover");
-        if (pilot != "points" && file != null || pilot != "goto" && to is { Length: 3 })
+        wanders = pilot == "wander";
+        if (!wanders && parsed.GetValue(m_Seed) != null)
+            throw new UserException($"--seed needs --pilot wander, not {pilot}.");
+        if ((pilot != "points" && file != null) || (pilot != "goto" && to is { Length: 3 }))
             throw new UserException($"--pilot {pilot} takes no {(pilot != "points" && file != null ? "--points" : "--to")}.");
         switch (pilot)
         {
@@ -75,8 +79,7 @@ internal sealed class FreeOptions
             case "points":
                 return file == null ? throw new UserException("--pilot points needs --points FILE.") : Read(file);
             case "wander":
-                var random = new Unity.Mathematics.Random((uint)(parsed.GetValue(m_Seed) ?? 1) * 2654435761u | 1u);
-                return Enumerable.Range(0, k_MostPoints).Select(_ => random.NextFloat3(new float3(-k_WanderReach, -0.5f, -k_WanderReach), new float3(k_WanderReach, 0.5f, k_WanderReach))).ToList();
+                return [];
             default:
                 throw new UserException($"--pilot takes hover, goto, points or wander, not '{pilot}'.");
         }

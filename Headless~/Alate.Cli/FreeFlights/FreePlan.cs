@@ -12,6 +12,9 @@ internal sealed record FreePlan
     /// <summary>Places to fly to one after the other, metres from the start; the last is held. One at the start hovers.</summary>
     public IReadOnlyList<float3> Points { get; init; }
 
+    /// <summary>Seed of an erratic track that is flown in place of <see cref="Points"/>; null flies those.</summary>
+    public int? WanderSeed { get; init; }
+
     public double Seconds { get; init; } = 10;
 
     /// <summary>Velocity of a gust of one second in the middle of the flight, m/s.</summary>

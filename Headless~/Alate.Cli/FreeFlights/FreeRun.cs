@@ -18,7 +18,7 @@ internal static class FreeRun
         using TrimTable table = CatalogueFlight.CreateTable(plan.Insect, model)
             ?? throw new UserException($"The {plan.Insect.DisplayName} has no trim table: 'trim {plan.Insect.Name}' says at which speeds it flies.");
         using var flight = new FreeFlight(model, table) { Aid = (float)plan.Aid };
-        var pilot = new PointPilot(plan.Points);
+        IFlightPilot pilot = plan.WanderSeed is { } seed ? new CoursePilot(seed) : new PointPilot(plan.Points);
         var moments = new List<FreeMoment>();
         int steps = (int)Math.Ceiling(plan.Seconds / plan.Step - 1e-9);
         for (int step = 0; step < steps; step++)

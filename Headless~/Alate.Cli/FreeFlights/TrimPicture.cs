@@ -23,7 +23,7 @@ internal static class TrimPicture
         (string Title, Func<TrimRow, double> Of)[] charts =
         [
             ("Pitch, °", row => row.Pitch), ("Frequency, Hz", row => row.Frequency), ("Flap from end to end, °", row => row.Flap),
-            ("Tilt of the stroke, °", row => row.Tilt), ("Middle of the stroke ahead, °", row => row.Sweep), ("Bob of the pitch, ±°", row => row.PitchBob),
+            ("Tilt of the stroke, °", row => row.Tilt), ("Middle of the stroke ahead, °", row => row.Sweep), ("Bob of the pitch, ±°", row => row.PitchBob), ("Power to the air, mW", row => row.Power),
         ];
         for (int k = 0; k < charts.Length; k++)
         {
@@ -39,6 +39,6 @@ internal static class TrimPicture
                 new LineChart(speeds, false, 12f + k % 2 * k_Width, 76f + k / 2 * k_Height, k_Width - 20f, k_Height).Draw(page, charts[k].Title, curves);
         }
 
-        return page.Finish(2f * k_Width + 12f, 88f + 3f * k_Height, $"Trim curves of the {insect.DisplayName}");
+        return page.Finish(2f * k_Width + 12f, 88f + (charts.Length + 1) / 2 * k_Height, $"Trim curves of the {insect.DisplayName}");
     }
 }

@@ -57,6 +57,55 @@ namespace Alate.Tests.Cli
         public void ValueOutOfItsRange_IsNamedWithItsOption(string option, string value) =>
             AssertRefused(new[] { option }, "fly", "monarch", option, value, "--out", m_Run.Out);
 
+        [TestCase("--pilot", "hawk")]
+        [TestCase("--to", "1,2")]
+        [TestCase("--to", "NaN,0,1")]
+        [TestCase("--to", "0,0,1001")]
+        [TestCase("--gust", "Infinity,0,0")]
+        [TestCase("--gust", "1,NaN,0")]
+        [TestCase("--step", "0")]
+        [TestCase("--step", "-0.02")]
+        [TestCase("--step", "NaN")]
+        [TestCase("--aid", "-0.1")]
+        [TestCase("--aid", "1.5")]
+        [TestCase("--seconds", "NaN")]
+        [TestCase("--seed", "0")]
+        [TestCase("--points", "nowhere.csv")]
+        public void ValueOfAFreeFlight_OutOfItsRange_IsNamed(string option, string value) =>
+            AssertRefused(new[] { option == "--points" ? value : option }, "fly", "monarch", "--free", option, value, "--out", m_Run.Out);
+
+        [TestCase("--pilot goto", "--to")]
+        [TestCase("--pilot points", "--points")]
+        [TestCase("--pilot hover --to 0,0,1", "--to")]
+        [TestCase("--seed 3", "wander")]
+        public void PilotWithoutWhatItNeeds_SaysSo(string options, string said)
+        {
+            string[] words = options.Split(' ');
+            AssertRefused(new[] { said }, words.Prepend("--free").Prepend("monarch").Prepend("fly").Append("--out").Append(m_Run.Out).ToArray());
+        }
+
+        [TestCase("1,2\n", "line 1")]
+        [TestCase("0,0,1\n\n0,NaN,1\n", "line 3")]
+        [TestCase("0,0,1\n0,far,1\n", "line 2")]
+        [TestCase("0,0,2000\n", "line 1")]
+        [TestCase("\n", "0 places")]
+        public void PlacesThatAreNone_AreNamedWithTheirLine(string content, string said)
+        {
+            string file = m_Run.Write("places.csv", content);
+            AssertRefused(new[] { "places.csv", said }, "fly", "monarch", "--free", "--points", file, "--out", m_Run.Out);
+        }
+
+        [Test]
+        public void OptionOfAFreeFlight_WithoutFree_IsNamed() => AssertRefused(new[] { "--to", "--free" }, "fly", "monarch", "--to", "0,0,1", "--out", m_Run.Out);
+
+        [TestCase("mosquito", "--speeds", "1", "mosquito")]
+        [TestCase("monarch", "--speeds", "NaN", "NaN")]
+        [TestCase("monarch", "--speeds", "fast", "fast")]
+        [TestCase("monarch", "--climbs", "21", "21")]
+        [TestCase("monarch", "--speeds", "0,1,2,3,4,5,6,7,8,9,10,11,12", "12")]
+        public void TrimOfWhatIsNone_IsNamed(string species, string option, string value, string said) =>
+            AssertRefused(new[] { said }, "trim", species, option, value, "--out", m_Run.Out);
+
         [TestCase("fly", "monarch", "--unknown")]
         [TestCase("fly", "monarch", "moth")]
         [TestCase("fly", "monarch", "--speed")]

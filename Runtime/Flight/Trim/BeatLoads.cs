@@ -16,12 +16,16 @@ namespace Alate.Flight
         /// <summary>Damping of velocity up, ahead and of turning.</summary>
         public readonly double[,] damping = new double[3, 3];
 
+        /// <summary>Mean power that the wings give to the air, W.</summary>
+        public double power;
+
         /// <summary>Adds one step of a beat.</summary>
         /// <param name="body">After the step.</param>
         /// <param name="phase">Φ in its middle.</param>
         /// <param name="share">Of the beat.</param>
         public void Add(in FlyingBody body, double phase, double share)
         {
+            power += share * body.power;
             double[] load = { body.force.y, body.force.z, body.moment.x };
             for (int q = 0; q < 3; q++)
             {

@@ -65,6 +65,7 @@ namespace Alate.Flight
                 }
             }
 
+            Problems = problems;
             foreach (string problem in problems)
             {
                 Problem = problem ?? Problem;
@@ -96,7 +97,7 @@ namespace Alate.Flight
             foreach (TrimState start in starts)
             {
                 TrimState trim = solver.Solve(condition, start, out double[] residual);
-                if (!(Norm(residual) < TrimSolver.Closed))
+                if (!(TrimSolver.Norm(residual) < TrimSolver.Closed))
                 {
                     problems[s, c] ??= Missing(condition, residual);
                     continue;
@@ -115,6 +116,9 @@ namespace Alate.Flight
                 problems[s, c] = null;
             return trims[s, c] != null;
         }
+
+        /// <summary>[speed, climb] What is missing at each point of the last trims; null where it closes.</summary>
+        internal string[,] Problems { get; private set; }
 
         /// <summary>What is missing at a point that did not close; null where all did.</summary>
         public string Problem { get; private set; }
@@ -161,8 +165,6 @@ namespace Alate.Flight
         private static string Missing(in FlightCondition condition, double[] residual) => residual == null
             ? $"{condition}: the trim does not settle."
             : FormattableString.Invariant($"{condition}: does not close; lift is {1 + residual[0]:0.00} of the weight, thrust {residual[1]:0.00}, pitching moment {residual[2]:0.000} of weight times wing length.");
-
-        private static double Norm(double[] r) => r == null ? double.PositiveInfinity : Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
 
         private static IEnumerable<int> FromLevel(float[] climbs)
         {

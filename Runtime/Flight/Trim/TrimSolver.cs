@@ -50,13 +50,15 @@ namespace Alate.Flight
             double bestNorm = double.PositiveInfinity, lastNorm = double.PositiveInfinity, share = 1;
             bool bobs = Array.Exists(start.bob, value => value != 0);
             TrimState previous = null;
-            double[] move = null;
+            double[] move = null, nearest = null;
             for (int iteration = 0; iteration < k_Iterations; iteration++)
             {
                 double[,] jacobian = Linearise(now, condition, out double[] r, out BeatLoads loads);
-                double norm = Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
+                double norm = Norm(r);
                 bobs |= norm < k_Near || iteration >= k_Still;
                 double change = bobs ? Bob(now, loads) : double.PositiveInfinity;
+                if (norm >= Closed && (nearest == null || norm < Norm(nearest)))
+                    nearest = r;
                 if (norm < bestNorm && change < 0.05)
                 {
                     bestNorm = norm;
@@ -83,8 +85,13 @@ namespace Alate.Flight
                     now.z[k] += move[k];
             }
 
+            // What is missing is told of a body that bobs on and on too.
+            residual ??= nearest;
             return best ?? now;
         }
+
+        /// <summary>Largest part of a residual.</summary>
+        public static double Norm(double[] r) => r == null ? double.PositiveInfinity : Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
 
         /// <summary>How far a state is from the preferred ones, in their scales, squared.</summary>
         public static double Cost(TrimState state, in FlightCondition condition)
@@ -97,9 +104,13 @@ namespace Alate.Flight
         }
 
         /// <summary>Residual of a state as it stands, bob and all.</summary>
-        public double[] Residual(TrimState state, in FlightCondition condition)
+        /// <param name="state">The state.</param>
+        /// <param name="condition">Steady flight.</param>
+        /// <param name="power">Mean power that the wings give to the air, W.</param>
+        public double[] Residual(TrimState state, in FlightCondition condition, out double power)
         {
             BeatLoads[] loads = Fly(new[] { state }, condition);
+            power = loads[0].power;
             return Residual(loads[0]);
         }
 

@@ -1,0 +1,113 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Alate.Catalogue;
+using Alate.Flight;
+using NUnit.Framework;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>Files of a free flight of the command line.</summary>
+    public sealed class FreeFlyTests
+    {
+        private CommandRun m_Run;
+
+        [OneTimeSetUp]
+        public void Fly()
+        {
+            m_Run = new CommandRun();
+            int code = m_Run.Run("fly", "monarch", "--free", "--to", "0.3,0.2,1", "--gust", "0.3,0,0", "--seconds", "4", "--out", m_Run.Out);
+            Assert.That(code, Is.Zero, m_Run.Errors);
+        }
+
+        [OneTimeTearDown]
+        public void RemoveFolder() => m_Run.Dispose();
+
+        [Test]
+        public void Folder_HoldsPathForcesPictureAndScene() => Assert.That(
+            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "trajectory.csv", "forces.csv", "path.png", "flight.glb" }));
+
+        [Test]
+        public void Trajectory_HasARowAStep_WithAllColumnsFilled()
+        {
+            string[][] rows = Table("trajectory.csv");
+
+            Assert.That(rows[0].Take(7), Is.EqualTo(new[] { "time_s", "x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s" }));
+            Assert.That(rows[0], Is.SupersetOf(new[] { "heading_deg", "pitch_deg", "roll_deg", "wx_rad_s", "phase_deg", "frequency_hz", "half_flap_deg", "aid_w", "state" }));
+            Assert.That(rows, Has.Length.EqualTo(1 + 200));
+            Assert.That(rows.Select(row => row.Length), Is.All.EqualTo(rows[0].Length));
+            Assert.That(Column(rows, "time_s"), Is.Ordered.Ascending);
+            Assert.That(Column(rows, "time_s").Last(), Is.EqualTo(4.0).Within(1e-4));
+            Assert.That(Column(rows, "aid_w"), Is.All.Zero, "the aid is 0 by default");
+            Assert.That(Column(rows, "z_m").Last(), Is.GreaterThan(0.5), "it is on its way");
+        }
+
+        [Test]
+        public void Forces_CarryTheWeight_AndTellTheHalfStroke()
+        {
+            string[][] rows = Table("forces.csv");
+            double[] lift = Column(rows, "lift_n");
+            int half = Array.IndexOf(rows[0], "half_stroke");
+
+            Assert.That(rows[0], Is.SupersetOf(new[] { "time_s", "force_x_n", "moment_x_nm", "lift_n", "drag_n", "power_w" }));
+            Assert.That(rows, Has.Length.EqualTo(1 + 200));
+            Assert.That(rows.Skip(1).Select(row => row[half]).Distinct(), Is.EquivalentTo(new[] { "down", "up" }));
+            using FlightModel monarch = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
+            Assert.That(lift.Average() / monarch.Weight, Is.EqualTo(1.0).Within(0.05));
+        }
+
+        // The reader of the tests is as strict as a validator about chunks, views, accessors and alignment.
+        [Test]
+        public void Scene_IsSound_MovesTheInsect_AndBeatsItsWings()
+        {
+            var file = new GlbFile(File.ReadAllBytes(Path.Combine(m_Run.Out, "flight.glb")));
+            JsonElement[] channels = file.Root.GetProperty("animations").EnumerateArray().SelectMany(animation => animation.GetProperty("channels").EnumerateArray()).ToArray();
+            JsonElement animation = file.Root.GetProperty("animations")[0];
+
+            for (int accessor = 0; accessor < file.AccessorCount; accessor++)
+                Assert.That(file.Read(accessor), Is.All.InRange(-1e6, 1e6), $"accessor {accessor} is finite");
+            Assert.That(channels.Select(channel => channel.GetProperty("target").GetProperty("path").GetString()).Distinct(), Is.EquivalentTo(new[] { "translation", "rotation", "weights" }));
+            foreach (JsonElement sampler in animation.GetProperty("samplers").EnumerateArray())
+            {
+                int times = sampler.GetProperty("input").GetInt32();
+                Assert.That(file.Read(times), Is.Ordered.Ascending.And.Unique);
+                Assert.That(file.Accessor(times).TryGetProperty("min", out _) && file.Accessor(times).TryGetProperty("max", out _), "times have bounds");
+            }
+
+            JsonElement turn = channels.Single(channel => channel.GetProperty("target").GetProperty("path").GetString() == "rotation");
+            double[] rotations = file.Read(animation.GetProperty("samplers")[turn.GetProperty("sampler").GetInt32()].GetProperty("output").GetInt32());
+            for (int k = 0; k < rotations.Length; k += 4)
+                Assert.That(rotations.Skip(k).Take(4).Sum(part => part * part), Is.EqualTo(1.0).Within(1e-5), "rotations are unit quaternions");
+        }
+
+        [Test]
+        public void Picture_IsAPng() => Assert.That(File.ReadAllBytes(Path.Combine(m_Run.Out, "path.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4e, 0x47 }));
+
+        [Test]
+        public void OneSeed_GivesOneTrack_AndAnotherAnother()
+        {
+            string first = Wander("a", "7"), again = Wander("b", "7"), other = Wander("c", "8");
+
+            Assert.That(again, Is.EqualTo(first));
+            Assert.That(other, Is.Not.EqualTo(first));
+        }
+
+        private string Wander(string folder, string seed)
+        {
+            using var run = new CommandRun();
+            string path = Path.Combine(run.Folder, folder);
+            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", seed, "--seconds", "3", "--out", path), Is.Zero, run.Errors);
+            return File.ReadAllText(Path.Combine(path, "trajectory.csv"));
+        }
+
+        private string[][] Table(string name) => File.ReadAllLines(Path.Combine(m_Run.Out, name)).Select(line => line.Split(',')).ToArray();
+
+        private static double[] Column(string[][] rows, string name)
+        {
+            int column = Array.IndexOf(rows[0], name);
+            return rows.Skip(1).Select(row => double.Parse(row[column], CultureInfo.InvariantCulture)).ToArray();
+        }
+    }
+}

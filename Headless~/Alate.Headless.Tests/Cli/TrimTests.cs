@@ -1,0 +1,66 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Xml.Linq;
+using NUnit.Framework;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>Files of the command trim.</summary>
+    public sealed class TrimTests
+    {
+        private CommandRun m_Run;
+        private string[] m_Lines;
+
+        // Two points of which one closes: no monarch climbs by 3 m/s.
+        [OneTimeSetUp]
+        public void Trim()
+        {
+            m_Run = new CommandRun();
+            int code = m_Run.Run("trim", "monarch", "--speeds", "1,1.3", "--climbs", "0,3", "--out", m_Run.Out);
+            Assert.That(code, Is.Zero, m_Run.Errors);
+            m_Lines = File.ReadAllLines(Path.Combine(m_Run.Out, "trim.csv"));
+        }
+
+        [OneTimeTearDown]
+        public void RemoveFolder() => m_Run.Dispose();
+
+        [Test]
+        public void Folder_HoldsTableAndPicture() =>
+            Assert.That(Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "trim.csv", "trim.svg" }));
+
+        [Test]
+        public void LevelFlight_Closes_WithinHalfAPercent_AndGivesPowerToTheAir()
+        {
+            foreach (string line in m_Lines.Where(line => line.StartsWith("1,0,") || line.StartsWith("1.3,0,")))
+            {
+                Assert.That(Cell(line, "closes"), Is.EqualTo("yes"));
+                foreach (string residual in new[] { "lift_residual", "thrust_residual", "moment_residual" })
+                    Assert.That(Number(line, residual), Is.EqualTo(0.0).Within(0.005), residual);
+                Assert.That(Number(line, "power_mw"), Is.InRange(0.5, 50.0));
+                Assert.That(Number(line, "pitch_bob_deg"), Is.InRange(3.0, 20.0));
+            }
+        }
+
+        [Test]
+        public void APointThatDoesNotClose_SaysWhatIsMissing()
+        {
+            string line = m_Lines.Single(row => row.StartsWith("1.3,3,"));
+
+            Assert.That(Cell(line, "closes"), Is.EqualTo("no"));
+            Assert.That(line, Does.Contain("lift is").And.Contain("thrust").And.Contain("pitching moment"));
+        }
+
+        [Test]
+        public void Picture_HasACurveOfThePower()
+        {
+            XElement svg = XElement.Load(Path.Combine(m_Run.Out, "trim.svg"));
+            Assert.That(svg.Descendants().Select(part => part.Value), Has.Some.EqualTo("Power to the air, mW"));
+        }
+
+        private double Number(string line, string column) => double.Parse(Cell(line, column), CultureInfo.InvariantCulture);
+
+        private string Cell(string line, string column) => line.Split(',')[Array.IndexOf(m_Lines[0].Split(','), column)];
+    }
+}
