@@ -29,7 +29,7 @@ internal static class FiguresCommand
     {
         var folder = new Argument<string>("DIR")
         {
-            Description = $"The folder of the documentation, with {k_Page} and {AccuracyFigures.Page} in it.",
+            Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page} and {FlightFigures.Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
         var command = new Command("figures", "Makes the pictures and tables of the documentation's pages again.") { folder };
@@ -46,7 +46,8 @@ internal static class FiguresCommand
     {
         string page = TextFile(Path.Combine(path, k_Page));
         string accuracy = TextFile(Path.Combine(path, AccuracyFigures.Page));
-        var files = new List<string> { k_Page, k_Sweep };
+        string flight = TextFile(Path.Combine(path, FlightFigures.Page));
+        var files = new List<string> { k_Page, k_Sweep, FlightFigures.Page };
         files.AddRange(AccuracyFigures.Files);
         foreach (string name in InsectCatalogue.Names)
             files.AddRange([Portrait(name), Compared(name)]);
@@ -67,6 +68,8 @@ internal static class FiguresCommand
             FlightPlan fishfly = Plan(InsectCatalogue.Find("fishfly")) with { Substeps = k_SweptSubsteps };
             var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
             Write(folder, k_Sweep, SweepPicture.Draw(Sweep.Fly(sweep, _ => { })));
+            stage("flying freely");
+            Write(folder, FlightFigures.Page, FlightFigures.Make(flight));
             stage("measuring errors and winds");
             foreach ((string name, string text) in AccuracyFigures.Make(accuracy))
                 Write(folder, name, text);

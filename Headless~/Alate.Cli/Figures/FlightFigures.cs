@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli.FreeFlights;
+using Alate.Flight;
+
+namespace Alate.Cli.Figures;
+
+/// <summary>Tables of the documentation's page of flight: steady flights of all species, and the monarch's beside measurements.</summary>
+internal static class FlightFigures
+{
+    /// <summary>The page, in the documentation's folder.</summary>
+    public const string Page = "flight.md";
+
+    /// <summary>Speed and climb of the measured monarch, m/s.</summary>
+    private const float k_MeasuredSpeed = 1.28f, k_MeasuredClimb = 0.75f;
+
+    private const string k_Climbing = "Kang, Sridhar et al. 2020, a monarch that climbs by 0.75 m/s at 1.28 m/s", k_Halves = "Bode-Oke and Dong 2020, a monarch in forward flight";
+
+    private static readonly float[] s_Speeds = [0f, 0.65f, 1.3f];
+
+    /// <summary>The page with its tables written again.</summary>
+    public static string Make(string page)
+    {
+        page = PageBlock.Replace(page, "steady flights", MarkdownTable.Write(Steady()));
+        return PageBlock.Replace(page, "flights beside measurements", MarkdownTable.Write(Measured()));
+    }
+
+    private static IEnumerable<string[]> Steady()
+    {
+        yield return ["", "speed m/s", "pitch", "frequency Hz", "flap", "lift in the downstroke", "upstroke's share of the lift", "power W/kg"];
+        foreach (InsectDefinition insect in InsectCatalogue.All.Where(insect => insect.Variants.Contains(InsectVariant.Flight)))
+        {
+            using FlightModel model = CatalogueFlight.CreateModel(insect);
+            using TrimTable table = CatalogueFlight.CreateTable(insect, model);
+            foreach (float speed in s_Speeds.Where(speed => speed <= table?.TopSpeed))
+            {
+                SteadyFlight flight = SteadyFlight.Fly(model, table, new FlightCondition(speed, 0f));
+                yield return
+                [
+                    insect.DisplayName, Text($"{speed:0.##}"), Text($"{flight.Pitch:0} ± {flight.PitchBob:0}°"), Text($"{flight.Frequency:0.0}"), Text($"{flight.Flap:0}°"),
+                    Percent(flight.DownLift) + " of the weight", Percent(flight.UpSupport), Text($"{flight.PowerPerMass:0}"),
+                ];
+            }
+        }
+    }
+
+    private static IEnumerable<string[]> Measured()
+    {
+        InsectDefinition monarch = InsectCatalogue.Find("monarch");
+        using FlightModel model = CatalogueFlight.CreateModel(monarch);
+        using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
+        using var solver = new TrimSolver(model);
+        SteadyFlight level = SteadyFlight.Fly(model, table, new FlightCondition(1.3f, 0f));
+        using var climbs = new TrimTable([k_MeasuredSpeed], [0f, k_MeasuredClimb / 3, k_MeasuredClimb * 2 / 3, k_MeasuredClimb]);
+        var bake = new TrimBake(model);
+        TrimState climbing = bake.Trims(solver, climbs)[0, 3];
+        string missing = bake.Problems[0, 3];
+        string Climbing(Func<TrimState, double> radians) => climbing != null ? Text($"{180 / Math.PI * radians(climbing):0}°") : missing;
+        yield return ["", "model, level at 1.3 m/s", "model, climbing by 0.75 m/s at 1.28 m/s", "measured", "source"];
+        yield return ["mean pitch of the thorax", Text($"{level.Pitch:0}°"), Climbing(trim => trim.Pitch), "18.6°", k_Climbing];
+        yield return ["bob of the pitch", Text($"±{level.PitchBob:0.0}°"), climbing != null ? Text($"±{180 / Math.PI * climbing.PitchBob:0.0}°") : "", "±8.3°", k_Climbing];
+        yield return ["stroke plane off the vertical", "", climbing != null ? Climbing(trim => trim.Pitch + trim.Tilt) : "", "25.4°", k_Climbing];
+        yield return ["upstroke's share of the force", Percent(level.UpForce), "", "32 %", k_Halves];
+        yield return ["upstroke's share of the weight support", Percent(level.UpSupport), "", "8 %", k_Halves];
+        yield return ["lift of the downstroke over the weight", $"{Percent(level.DownLift)} in the downstroke, {Percent(1 - level.UpSupport)} averaged over the beat", "", "118 %", "Dudley 1991, butterflies"];
+        yield return ["power to the air", Text($"{level.PowerPerMass:0} W/kg"), "", "", "no measurement found"];
+    }
+
+    private static string Percent(double share) => Text($"{100 * share + 0.0:0} %");
+
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture).Replace('-', '−');
+}
