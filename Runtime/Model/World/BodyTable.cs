@@ -16,7 +16,7 @@ namespace Alate
         private NativeArray<BodyWing> m_Wings;
         private NativeArray<PackGroup> m_Groups;
         private NativeArray<int> m_Lists;
-        private int[] m_Parents = Array.Empty<int>();
+        private int[] m_Parents = Array.Empty<int>(), m_GroupOf = Array.Empty<int>();
         private int m_PackCount;
 
         /// <summary>Bodies in use.</summary>
@@ -89,7 +89,11 @@ namespace Alate
             Reserve(ref m_Groups, math.max(packs.Count, 1));
             Reserve(ref m_Lists, math.max(packs.Count + m_Entries.Count, 1));
             if (m_Parents.Length < packs.Count)
+            {
                 m_Parents = new int[2 * packs.Count];
+                m_GroupOf = new int[2 * packs.Count];
+            }
+
             for (int k = 0; k < packs.Count; k++)
                 m_Parents[k] = k;
             int next = 0;
@@ -141,39 +145,61 @@ namespace Alate
             }
         }
 
+        // Groups in the order of their first pack, so that the order of packs is the order of work: counted, then filled, each pack and body once.
         private void PlaceGroups(IReadOnlyList<PackMemory> packs)
         {
-            // Roots first come: groups in the order of their first pack, so that the order of packs is the order of work.
             GroupCount = 0;
-            int nextPack = 0, nextBody = 0;
-            for (int root = 0; root < packs.Count; root++)
+            for (int pack = 0; pack < packs.Count; pack++)
             {
-                if (Root(root) != root)
+                int root = Root(pack);
+                if (root == pack)
+                    m_GroupOf[pack] = GroupCount++;
+                m_GroupOf[pack] = m_GroupOf[root];
+            }
+
+            var groups = (PackGroup*)m_Groups.GetUnsafePtr();
+            UnsafeUtility.MemClear(groups, (long)GroupCount * sizeof(PackGroup));
+            for (int pack = 0; pack < packs.Count; pack++)
+                groups[m_GroupOf[pack]].packCount++;
+            for (int body = 0; body < m_Entries.Count; body++)
+            {
+                if (Carried(body))
+                    groups[GroupOf(body)].bodyCount++;
+            }
+
+            int nextPack = 0, nextBody = 0;
+            for (int k = 0; k < GroupCount; k++)
+            {
+                groups[k].firstPack = nextPack;
+                groups[k].firstBody = nextBody;
+                nextPack += groups[k].packCount;
+                nextBody += groups[k].bodyCount;
+                groups[k].packCount = groups[k].bodyCount = 0;
+            }
+
+            for (int pack = 0; pack < packs.Count; pack++)
+            {
+                ref PackGroup group = ref groups[m_GroupOf[pack]];
+                m_Lists[group.firstPack + group.packCount++] = pack;
+            }
+
+            for (int body = 0; body < m_Entries.Count; body++)
+            {
+                if (!Carried(body))
                     continue;
-                var group = new PackGroup { firstPack = nextPack, firstBody = nextBody };
-                for (int k = root; k < packs.Count; k++)
-                {
-                    if (Root(k) == root)
-                        m_Lists[nextPack++] = k;
-                }
-
-                for (int body = 0; body < m_Entries.Count; body++)
-                {
-                    BodyEntry entry = m_Entries[body];
-                    if (entry != null && entry.wings.Count > 0 && Root(entry.wings[0].pack.index) == root)
-                        m_Lists[packs.Count + nextBody++] = body;
-                }
-
-                group.packCount = nextPack - group.firstPack;
-                group.bodyCount = nextBody - group.firstBody;
-                m_Groups[GroupCount++] = group;
+                ref PackGroup group = ref groups[GroupOf(body)];
+                m_Lists[packs.Count + group.firstBody + group.bodyCount++] = body;
             }
         }
+
+        private bool Carried(int body) => m_Entries[body] != null && m_Entries[body].wings.Count > 0;
+
+        private int GroupOf(int body) => m_GroupOf[m_Entries[body].wings[0].pack.index];
 
         private int Root(int pack)
         {
             while (m_Parents[pack] != pack)
-                pack = m_Parents[pack];
+                pack = m_Parents[pack] = m_Parents[m_Parents[pack]];
             return pack;
         }
 
