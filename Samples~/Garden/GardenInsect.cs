@@ -75,11 +75,7 @@ namespace Alate.Samples
         }
 
         /// <summary>Ends the insect.</summary>
-        public void Destroy()
-        {
-            Object.Destroy(m_Flight.Trims);
-            Object.Destroy(m_Wings.gameObject);
-        }
+        public void Destroy() => Object.Destroy(m_Wings.gameObject);
 
         private WanderPilot Wander(FlightVolume volume, int number)
         {
