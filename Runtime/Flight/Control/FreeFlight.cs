@@ -80,6 +80,9 @@ namespace Alate.Flight
         /// <summary>Velocity less the bob, relative to the reference, at the last beat, m/s along the heading's axes.</summary>
         public float3 VelocityError => Body.velocityError;
 
+        /// <summary>Turn out of the trimmed attitude less the bob at the last beat, radians along the heading's axes.</summary>
+        internal float3 TurnError => Body.turnError;
+
         /// <summary>Commands that were clipped at the last beat.</summary>
         public int ClippedCommands => Body.clipped;
 

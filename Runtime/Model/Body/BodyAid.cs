@@ -11,11 +11,11 @@ namespace Alate
         /// <summary>Errors below which there is no aid, radians and m/s.</summary>
         private const float k_Turn = math.PI / 6f, k_Velocity = 0.4f;
 
-        /// <summary>Stiffness and damping of the moment over the inertia, s⁻² and s⁻¹; rate of the force over the mass, s⁻¹.</summary>
-        private const float k_Stiffness = 144f, k_Damping = 24f, k_Rate = 4f;
+        /// <summary>Rate of the force over the mass, s⁻¹; rate at which the moment turns the body back, critically damped, over F0: what upsets a body grows with its beat.</summary>
+        private const float k_Rate = 4f, k_Beat = 4f;
 
         /// <summary>Bounds over the weight (and a wing's length).</summary>
-        private const float k_MostMoment = 0.3f, k_MostForce = 0.5f;
+        private const float k_MostMoment = 1f, k_MostForce = 0.5f;
 
         private const float k_Gravity = 9.81f;
 
@@ -28,14 +28,14 @@ namespace Alate
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
             FlyingBody seen = body;
-            BodyFeedback.Errors(ref seen, point, BodyBob.At(point, phase));
-            quaternion heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
+            quaternion heading = BodyFeedback.Errors(ref seen, point, BodyBob.At(point, phase));
             float weight = body.mass * k_Gravity;
             float3 dv = Beyond(seen.velocityError, k_Velocity), e = Beyond(seen.turnError, k_Turn);
             body.aidForce = body.aid * Bounded(math.rotate(heading, dv) * (-k_Rate * body.mass), k_MostForce * weight);
             if (math.any(e != 0f))
             {
-                float3 turn = math.rotate(math.conjugate(body.rotation), math.rotate(heading, k_Stiffness * e + k_Damping * seen.rateError));
+                float rate = k_Beat * body.frequency;
+                float3 turn = math.rotate(math.conjugate(body.rotation), math.rotate(heading, rate * (rate * e + 2f * seen.rateError)));
                 body.aidMoment = body.aid * Bounded(-math.mul(body.inertia, turn), k_MostMoment * weight * body.length);
             }
 

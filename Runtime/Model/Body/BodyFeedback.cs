@@ -14,6 +14,9 @@ namespace Alate
         /// <summary>Bound of the integral, metres.</summary>
         private const float k_MostIntegral = 1f;
 
+        /// <summary>Errors of the heading count no more than this, radians.</summary>
+        private const float k_MostHeading = 0.8f;
+
         private const float k_Gravity = 9.81f;
 
         /// <summary>Samples the body at a phase and makes the commands; writes the drive of each wing.</summary>
@@ -68,15 +71,24 @@ namespace Alate
             }
         }
 
-        /// <summary>Errors along the heading's axes against reference, trim and bob.</summary>
-        public static void Errors(ref FlyingBody body, float* point, in BodyBob bob)
+        /// <summary>
+        /// Errors against reference, trim and bob along the axes of the body's own heading. The turn is taken apart into heading and tilt, so that a body that looks the wrong
+        /// way stays upright while it turns.
+        /// </summary>
+        /// <returns>The body's heading.</returns>
+        public static quaternion Errors(ref FlyingBody body, float* point, in BodyBob bob)
         {
-            quaternion heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading), back = math.conjugate(heading);
-            quaternion trimmed = math.mul(heading, quaternion.AxisAngle(new float3(1f, 0f, 0f), -point[TrimPoint.Pitch]));
-            float3 turned = BodyMotion.Log(math.mul(body.rotation, math.conjugate(trimmed)));
+            quaternion wanted = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
+            quaternion trimmed = math.mul(wanted, quaternion.AxisAngle(new float3(1f, 0f, 0f), -point[TrimPoint.Pitch]));
+            quaternion error = math.mul(body.rotation, math.conjugate(trimmed));
+            float4 e = error.value.w < 0f ? -error.value : error.value;
+            float off = 2f * math.atan2(e.y, e.w);
+            quaternion twist = quaternion.AxisAngle(new float3(0f, 1f, 0f), off), heading = math.mul(wanted, twist), back = math.conjugate(heading);
+            float3 tilt = math.rotate(back, BodyMotion.Log(math.mul(error, math.conjugate(twist))));
             body.velocityError = math.rotate(back, body.velocity - body.reference.velocity) - bob.velocity;
-            body.turnError = math.rotate(back, turned) - new float3(bob.turn, 0f, 0f);
+            body.turnError = tilt + new float3(-bob.turn, math.clamp(off, -k_MostHeading, k_MostHeading), 0f);
             body.rateError = math.rotate(back, math.rotate(body.rotation, body.spin)) - new float3(bob.rate, body.reference.turning, 0f);
+            return heading;
         }
 
         /// <summary>Acceleration of the reference to the right of its heading, m/s².</summary>
