@@ -35,7 +35,7 @@ internal static class FlightFigures
         {
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             using TrimTable table = CatalogueFlight.CreateTable(insect, model);
-            foreach (float speed in s_Speeds.Where(speed => speed <= table?.TopSpeed))
+            foreach (float speed in s_Speeds.Where(speed => !model.Floats && speed <= table?.TopSpeed))
             {
                 SteadyFlight flight = SteadyFlight.Fly(model, table, new FlightCondition(speed, 0f));
                 yield return

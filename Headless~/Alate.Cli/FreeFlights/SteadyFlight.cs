@@ -17,7 +17,7 @@ namespace Alate.Cli.FreeFlights;
 /// <param name="Flap">From end to end.</param>
 /// <param name="Lift">Mean upward force over the weight.</param>
 /// <param name="DownLift">Mean upward force over the weight in the half stroke downwards.</param>
-/// <param name="UpSupport">Share of the upward impulse that falls on the half stroke upwards, 0 to 1.</param>
+/// <param name="UpSupport">Share of the upward impulse that falls on the half stroke upwards, 0 to 1; not a number where the body floats.</param>
 /// <param name="UpForce">Share of the half stroke upwards in the mean size of the force, 0 to 1.</param>
 /// <param name="Power">Mean power that the wings give to the air, W.</param>
 /// <param name="PowerPerMass">The same over the mass, W/kg.</param>
@@ -63,6 +63,6 @@ internal sealed record SteadyFlight(
         return new SteadyFlight(
             velocity.z, velocity.y, math.length(velocity - wanted), pitches.Average(), 0.5 * (pitches.Max() - pitches.Min()), 500 * (heights.Max() - heights.Min()),
             moments.Average(at => at.Frequency), 2 * math.degrees(moments.Average(at => at.Amplitude)), lift / moments.Count / model.Weight,
-            down.Average(at => at.Force.y) / model.Weight, up.Sum(at => at.Force.y) / lift, up.Sum(at => math.length(at.Force)) / size, power, power / model.Mass);
+            down.Average(at => at.Force.y) / model.Weight, model.Floats ? double.NaN : up.Sum(at => at.Force.y) / lift, up.Sum(at => math.length(at.Force)) / size, power, power / model.Mass);
     }
 }

@@ -1,3 +1,4 @@
+using Alate.Flight;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -26,8 +27,15 @@ namespace Alate.Catalogue
                 ChainPaths = Chains(),
                 Hinge = new Vector3(9e-3f, 1e-3f, 2e-3f),
                 Pattern = new FinPattern(contour, new VeinFan(contour, 0).Add(RayTips())),
-            }.With(InsectVariant.Expressive, Soften);
-            return new InsectDefinition("snailfish", "Snailfish", new[] { fin }, SnailfishBody.Create(fin), Sources());
+            }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Swim);
+            return new InsectDefinition("snailfish", "Snailfish", new[] { fin }, SnailfishBody.Create(fin), Sources())
+            {
+                FlightParts = new[]
+                {
+                    BodyEllipsoid.Millimetres(0, 0, 6, 9.5, 9.2, 19, 0.65),
+                    BodyEllipsoid.Millimetres(0, 0.5, -30, 4, 6, 37, 0.35),
+                },
+            };
         }
 
         /// <summary>Tips of rays on the margin, each at an end of a hollow.</summary>
@@ -77,6 +85,12 @@ namespace Alate.Catalogue
             preset.SubstepsPerBeat = 24;
         }
 
+        private static void Swim(WingPreset preset)
+        {
+            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            preset.Beat.featherRange = 16f;
+        }
+
         private static InsectSource[] Sources()
         {
             return new[]
@@ -96,6 +110,8 @@ namespace Alate.Catalogue
                 new InsectSource("triangles", "3600 on two fins", "chosen: a handful along each hollow of the margin"),
                 new InsectSource("chord delay λ", "0.15", "assumed: the monarch's"),
                 new InsectSource("k_e, λ, μ, w_0", "7, 0.22, 0.3, 0.65", "chosen for the eye: rays that trail", InsectVariant.Expressive),
+                new InsectSource("MAX_a feather", "16°", "chosen: at the full beat the broad root leaves the skin with 20°", InsectVariant.Flight),
+                new InsectSource("body", "ellipsoids of trunk and tail, 65 and 35 % of its mass", "chosen: proportions of the drawn body", InsectVariant.Flight),
                 new InsectSource("colours", "pink skin, darker rays and blotches", "drawn by us"),
             };
         }

@@ -15,6 +15,9 @@ namespace Alate.Flight
         /// <summary>Frontal area along the body counts for so much: a slender body drags less than its shadow.</summary>
         private const float k_EndOnDrag = 0.4f;
 
+        /// <summary>Speed below which the drag of a body that floats is no measure, m/s.</summary>
+        private const float k_LeastSwim = 0.05f;
+
         /// <summary>[key] What was measured before: all insects of a swarm are alike.</summary>
         private static readonly Dictionary<uint, MassSum> s_Sums = new Dictionary<uint, MassSum>();
 
@@ -83,6 +86,16 @@ namespace Alate.Flight
 
         /// <summary>Weight, N, as it would be in air.</summary>
         public float Weight => Mass * k_Gravity;
+
+        /// <summary>Whether the fluid carries the body: its fins only balance its drag.</summary>
+        public bool Floats => GravityShare <= 0f;
+
+        /// <summary>Force by which residuals of a trim are measured, N: the weight, or the drag of a body that floats.</summary>
+        internal double TrimForce(in FlightCondition condition)
+        {
+            float speed = math.max(k_LeastSwim, math.length(new float2(condition.Speed, condition.Climb)));
+            return Floats ? Drag.z * speed * speed : Weight;
+        }
 
         /// <summary>Releases the rigs.</summary>
         public void Dispose()

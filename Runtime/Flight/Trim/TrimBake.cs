@@ -59,7 +59,7 @@ namespace Alate.Flight
                 {
                     foreach (int c in FromLevel(table.ClimbRates))
                     {
-                        if ((trims[s, c] == null || round == 1 && TrimSolver.Cost(trims[s, c], new FlightCondition(table.Speeds[s], table.ClimbRates[c])) > k_Fair) && Close(solver, table, trims, problems, s, c, round))
+                        if ((trims[s, c] == null || round == 1 && solver.Cost(trims[s, c], new FlightCondition(table.Speeds[s], table.ClimbRates[c])) > k_Fair) && Close(solver, table, trims, problems, s, c, round))
                             again = true;
                     }
                 }
@@ -82,7 +82,7 @@ namespace Alate.Flight
             var starts = new List<TrimState>();
             if (round == 0)
             {
-                starts.Add(new TrimState());
+                starts.Add(solver.Start());
                 starts.Add(TrimState.Tilted());
             }
 
@@ -93,17 +93,17 @@ namespace Alate.Flight
                     starts.Add(trims[ns, nc]);
             }
 
-            double least = trims[s, c] == null ? double.PositiveInfinity : TrimSolver.Cost(trims[s, c], condition);
+            double least = trims[s, c] == null ? double.PositiveInfinity : solver.Cost(trims[s, c], condition);
             foreach (TrimState start in starts)
             {
                 TrimState trim = solver.Solve(condition, start, out double[] residual);
                 if (!(TrimSolver.Norm(residual) < TrimSolver.Closed))
                 {
-                    problems[s, c] ??= Missing(condition, residual);
+                    problems[s, c] ??= solver.Missing(condition, residual);
                     continue;
                 }
 
-                double cost = TrimSolver.Cost(trim, condition);
+                double cost = solver.Cost(trim, condition);
                 if (!(cost < least))
                     continue;
                 least = cost;
@@ -161,10 +161,6 @@ namespace Alate.Flight
             trim.Write(point, m_Model.Frequency);
             return FlightGains.Write(BeatMap.Fly(tunnel, m_Model, trim, condition), point) ? point : null;
         }
-
-        private static string Missing(in FlightCondition condition, double[] residual) => residual == null
-            ? $"{condition}: the trim does not settle."
-            : FormattableString.Invariant($"{condition}: does not close; lift is {1 + residual[0]:0.00} of the weight, thrust {residual[1]:0.00}, pitching moment {residual[2]:0.000} of weight times wing length.");
 
         private static IEnumerable<int> FromLevel(float[] climbs)
         {

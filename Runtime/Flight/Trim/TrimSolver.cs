@@ -93,8 +93,27 @@ namespace Alate.Flight
         /// <summary>Largest part of a residual.</summary>
         public static double Norm(double[] r) => r == null ? double.PositiveInfinity : Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
 
+        /// <summary>What is missing at a condition that does not close.</summary>
+        public string Missing(in FlightCondition condition, double[] r)
+        {
+            if (r == null)
+                return $"{condition}: the trim does not settle.";
+            return m_Model.Floats
+                ? FormattableString.Invariant($"{condition}: does not close; what is left is lift {r[0]:0.00}, thrust {r[1]:0.00} of the drag, pitching moment {r[2]:0.000} of the drag times the fin's length.")
+                : FormattableString.Invariant($"{condition}: does not close; lift is {1 + r[0]:0.00} of the weight, thrust {r[1]:0.00}, pitching moment {r[2]:0.000} of weight times wing length.");
+        }
+
+        /// <summary>Where a solution begins: level in a fluid that carries the body, else nose up.</summary>
+        public TrimState Start()
+        {
+            var start = new TrimState();
+            if (m_Model.Floats)
+                start.z[0] = 0;
+            return start;
+        }
+
         /// <summary>How far a state is from the preferred ones, in their scales, squared.</summary>
-        public static double Cost(TrimState state, in FlightCondition condition)
+        public double Cost(TrimState state, in FlightCondition condition)
         {
             double[] preferred = Preferred(condition);
             double sum = 0;
@@ -111,7 +130,7 @@ namespace Alate.Flight
         {
             BeatLoads[] loads = Fly(new[] { state }, condition);
             power = loads[0].power;
-            return Residual(loads[0]);
+            return Residual(loads[0], condition);
         }
 
         public void Dispose() => m_Tunnel.Dispose();
@@ -129,11 +148,11 @@ namespace Alate.Flight
 
             BeatLoads[] all = Fly(states, condition);
             loads = all[0];
-            r = Residual(loads);
+            r = Residual(loads, condition);
             var jacobian = new double[3, TrimState.Unknowns];
             for (int k = 0; k < TrimState.Unknowns; k++)
             {
-                double[] moved = Residual(all[k + 1]);
+                double[] moved = Residual(all[k + 1], condition);
                 for (int q = 0; q < 3; q++)
                     jacobian[q, k] = (moved[q] - r[q]) / (states[k + 1].z[k] - at.z[k]);
             }
@@ -141,10 +160,10 @@ namespace Alate.Flight
             return jacobian;
         }
 
-        private double[] Residual(BeatLoads loads)
+        private double[] Residual(BeatLoads loads, in FlightCondition condition)
         {
-            double weight = m_Model.Weight;
-            return new[] { loads.mean[0] / weight - m_Model.GravityShare, loads.mean[1] / weight, -loads.mean[2] / (weight * m_Model.Length) };
+            double unit = m_Model.TrimForce(condition), carried = m_Model.Weight * m_Model.GravityShare;
+            return new[] { (loads.mean[0] - carried) / unit, loads.mean[1] / unit, -loads.mean[2] / (unit * m_Model.Length) };
         }
 
         private BeatLoads[] Fly(TrimState[] states, in FlightCondition condition)
@@ -290,8 +309,10 @@ namespace Alate.Flight
         }
 
         // Pitch and tilt by speed; own frequency and amplitude, no sweep.
-        private static double[] Preferred(in FlightCondition condition)
+        private double[] Preferred(in FlightCondition condition)
         {
+            if (m_Model.Floats)
+                return new double[] { 0, 1, 1, 0, 0 };
             float v = math.abs(condition.Speed);
             double pitch = v < 0.15f ? 50 : v < 0.5f ? 48 : v < 0.9f ? 42 : v < 1.2f ? 32 : 25;
             double tilt = v < 0.15f ? 30 : v < 0.5f ? 20 : v < 0.9f ? 8 : 0;
