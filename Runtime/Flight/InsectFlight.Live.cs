@@ -96,7 +96,7 @@ namespace Alate.Flight
             }
 
             body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, m_Table, dt);
-            bool tumbles = math.length(body.turnError.xz) > k_Tumbling;
+            bool tumbles = body.tilt > k_Tumbling;
             State = tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
         }
 

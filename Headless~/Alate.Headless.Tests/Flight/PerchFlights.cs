@@ -10,7 +10,7 @@ namespace Alate.Tests.Flight
     /// <summary>Landings of a species on small pads, flown by its own wings.</summary>
     internal sealed class PerchFlights
     {
-        private const float k_Step = 0.02f, k_Patience = 40f, k_LeavingTime = 3f;
+        private const float k_Step = 0.02f, k_Patience = 120f, k_LeavingTime = 3f;
 
         private static readonly ConcurrentDictionary<string, PerchFlights> s_Known = new ConcurrentDictionary<string, PerchFlights>();
 

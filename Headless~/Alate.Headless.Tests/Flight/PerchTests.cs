@@ -9,6 +9,10 @@ namespace Alate.Tests.Flight
     /// <summary>Insects that fly by their own wings land on random spots and slopes and leave them again.</summary>
     public sealed class PerchTests
     {
+        [Test]
+        public void SpotsThatAreHardToReach_AreReached([Values(100, 138, 686, 984)] int seed) =>
+            Assert.That(PerchFlights.Of("monarch").Fly(seed).Landed);
+
         [TestCase("monarch")]
         public void Insects_Land_AndLeave(string name) => FlyAll(name, 20);
 

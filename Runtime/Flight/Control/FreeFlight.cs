@@ -80,8 +80,8 @@ namespace Alate.Flight
         /// <summary>Velocity less the bob, relative to the reference, at the last beat, m/s along the heading's axes.</summary>
         public float3 VelocityError => Body.velocityError;
 
-        /// <summary>Turn out of the trimmed attitude less the bob at the last beat, radians along the heading's axes.</summary>
-        internal float3 TurnError => Body.turnError;
+        /// <summary>Turn of the body's up out of the trimmed attitude less the bob at the last beat, radians.</summary>
+        internal float Tilt => Body.tilt;
 
         /// <summary>Commands that were clipped at the last beat.</summary>
         public int ClippedCommands => Body.clipped;
@@ -90,7 +90,7 @@ namespace Alate.Flight
         public FlightReference Reference => m_Reference;
 
         /// <summary>What the insect does.</summary>
-        public FlightState State => math.length(Body.turnError.xz) > k_Tumbling ? FlightState.Tumbling : FlightState.Flying;
+        public FlightState State => Body.tilt > k_Tumbling ? FlightState.Tumbling : FlightState.Flying;
 
         /// <summary>What the insect can do.</summary>
         public FlightLimits Limits => m_Table.Limits;

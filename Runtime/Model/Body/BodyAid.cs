@@ -28,14 +28,16 @@ namespace Alate
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
             FlyingBody seen = body;
-            quaternion heading = BodyFeedback.Errors(ref seen, point, BodyBob.At(point, phase));
+            BodyBob bob = BodyBob.At(point, phase);
+            quaternion wanted = BodyFeedback.Errors(ref seen, point, bob);
             float weight = body.mass * k_Gravity;
-            float3 dv = Beyond(seen.velocityError, k_Velocity), e = Beyond(seen.turnError, k_Turn);
-            body.aidForce = body.aid * Bounded(math.rotate(heading, dv) * (-k_Rate * body.mass), k_MostForce * weight);
+            float3 dv = Beyond(seen.velocityError, k_Velocity), e = Beyond(BodyFeedback.TurnApart(body, point, bob, out quaternion heading), k_Turn);
+            body.aidForce = body.aid * Bounded(math.rotate(wanted, dv) * (-k_Rate * body.mass), k_MostForce * weight);
             if (math.any(e != 0f))
             {
                 float rate = k_Beat * body.frequency;
-                float3 turn = math.rotate(math.conjugate(body.rotation), math.rotate(heading, rate * (rate * e + 2f * seen.rateError)));
+                float3 turn = math.rotate(heading, rate * rate * e) + math.rotate(wanted, 2f * rate * seen.rateError);
+                turn = math.rotate(math.conjugate(body.rotation), turn);
                 body.aidMoment = body.aid * Bounded(-math.mul(body.inertia, turn), k_MostMoment * weight * body.length);
             }
 

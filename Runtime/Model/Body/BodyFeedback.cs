@@ -14,7 +14,7 @@ namespace Alate
         /// <summary>Bound of the integral, metres.</summary>
         private const float k_MostIntegral = 1f;
 
-        /// <summary>Errors of the heading count no more than this, radians.</summary>
+        /// <summary>Largest error of the heading that the aid sees, radians.</summary>
         private const float k_MostHeading = 0.8f;
 
         private const float k_Gravity = 9.81f;
@@ -71,25 +71,37 @@ namespace Alate
             }
         }
 
-        /// <summary>
-        /// Errors against reference, trim and bob along the axes of the body's own heading. The turn is taken apart into heading and tilt, so that a body that looks the wrong
-        /// way stays upright while it turns.
-        /// </summary>
-        /// <returns>The body's heading.</returns>
+        /// <summary>Errors along the axes of the wanted heading against reference, trim and bob.</summary>
+        /// <returns>The wanted heading.</returns>
         public static quaternion Errors(ref FlyingBody body, float* point, in BodyBob bob)
         {
+            quaternion wanted = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading), back = math.conjugate(wanted);
+            float3 turned = BodyMotion.Log(math.mul(body.rotation, math.conjugate(Trimmed(wanted, point))));
+            body.velocityError = math.rotate(back, body.velocity - body.reference.velocity) - bob.velocity;
+            body.turnError = math.rotate(back, turned) - new float3(bob.turn, 0f, 0f);
+            body.rateError = math.rotate(back, math.rotate(body.rotation, body.spin)) - new float3(bob.rate, body.reference.turning, 0f);
+            body.tilt = math.length(TurnApart(body, point, bob, out _).xz);
+            return wanted;
+        }
+
+        /// <summary>
+        /// Turn out of the trimmed attitude along the axes of the body's own heading, taken apart into the error of the heading (y), at most 0.8 rad, and tilt: a body that
+        /// looks the wrong way is upright.
+        /// </summary>
+        public static float3 TurnApart(in FlyingBody body, float* point, in BodyBob bob, out quaternion heading)
+        {
             quaternion wanted = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
-            quaternion trimmed = math.mul(wanted, quaternion.AxisAngle(new float3(1f, 0f, 0f), -point[TrimPoint.Pitch]));
-            quaternion error = math.mul(body.rotation, math.conjugate(trimmed));
+            quaternion error = math.mul(body.rotation, math.conjugate(Trimmed(wanted, point)));
             float4 e = error.value.w < 0f ? -error.value : error.value;
             float off = 2f * math.atan2(e.y, e.w);
-            quaternion twist = quaternion.AxisAngle(new float3(0f, 1f, 0f), off), heading = math.mul(wanted, twist), back = math.conjugate(heading);
-            float3 tilt = math.rotate(back, BodyMotion.Log(math.mul(error, math.conjugate(twist))));
-            body.velocityError = math.rotate(back, body.velocity - body.reference.velocity) - bob.velocity;
-            body.turnError = tilt + new float3(-bob.turn, math.clamp(off, -k_MostHeading, k_MostHeading), 0f);
-            body.rateError = math.rotate(back, math.rotate(body.rotation, body.spin)) - new float3(bob.rate, body.reference.turning, 0f);
-            return heading;
+            quaternion twist = quaternion.AxisAngle(new float3(0f, 1f, 0f), off);
+            heading = math.mul(wanted, twist);
+            float3 tilt = math.rotate(math.conjugate(heading), BodyMotion.Log(math.mul(error, math.conjugate(twist))));
+            return tilt + new float3(-bob.turn, math.clamp(off, -k_MostHeading, k_MostHeading), 0f);
         }
+
+        private static quaternion Trimmed(quaternion heading, float* point) =>
+            math.mul(heading, quaternion.AxisAngle(new float3(1f, 0f, 0f), -point[TrimPoint.Pitch]));
 
         /// <summary>Acceleration of the reference to the right of its heading, m/s².</summary>
         private static float LateralAcceleration(in BodyReference reference)

@@ -69,6 +69,9 @@ namespace Alate
         /// <summary>Errors at the last sample along the heading's axes: velocity, turn out of the trimmed attitude, rates.</summary>
         public float3 velocityError, turnError, rateError;
 
+        /// <summary>Turn of the body's up out of the trimmed attitude less the bob at the last beat, radians.</summary>
+        public float tilt;
+
         /// <summary>Beats latched.</summary>
         public int beats;
 

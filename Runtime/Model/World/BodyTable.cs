@@ -85,9 +85,9 @@ namespace Alate
             int wings = 0;
             foreach (BodyEntry entry in m_Entries)
                 wings += entry?.wings.Count ?? 0;
-            Reserve(ref m_Wings, math.max(wings, 1));
-            Reserve(ref m_Groups, math.max(packs.Count, 1));
-            Reserve(ref m_Lists, math.max(packs.Count + m_Entries.Count, 1));
+            GrowingArray.Reserve(ref m_Wings, math.max(wings, 1));
+            GrowingArray.Reserve(ref m_Groups, math.max(packs.Count, 1));
+            GrowingArray.Reserve(ref m_Lists, math.max(packs.Count + m_Entries.Count, 1));
             if (m_Parents.Length < packs.Count)
             {
                 m_Parents = new int[2 * packs.Count];
@@ -120,9 +120,9 @@ namespace Alate
             if (m_Bodies != null)
                 UnsafeUtility.FreeTracked(m_Bodies, Allocator.Persistent);
             m_Bodies = null;
-            Free(ref m_Wings);
-            Free(ref m_Groups);
-            Free(ref m_Lists);
+            GrowingArray.Free(ref m_Wings);
+            GrowingArray.Free(ref m_Groups);
+            GrowingArray.Free(ref m_Lists);
         }
 
         private void PlaceWings(int body, ref int next)
@@ -225,21 +225,6 @@ namespace Alate
 
             m_Bodies = bodies;
             m_Capacity = grown;
-        }
-
-        private static void Reserve<T>(ref NativeArray<T> array, int count) where T : struct
-        {
-            if (array.IsCreated && array.Length >= count)
-                return;
-            int grown = math.max(count, 2 * array.Length);
-            Free(ref array);
-            array = new NativeArray<T>(grown, Allocator.Persistent);
-        }
-
-        private static void Free<T>(ref NativeArray<T> array) where T : struct
-        {
-            if (array.IsCreated)
-                array.Dispose();
         }
 
         private sealed class BodyEntry

@@ -65,7 +65,7 @@ namespace Alate
                 return;
             m_Stale = false;
             m_PackCount = packs.Count;
-            Reserve(ref m_Packs, m_PackCount);
+            GrowingArray.Reserve(ref m_Packs, m_PackCount);
             RigSize size = default;
             for (int k = 0; k < m_PackCount; k++)
             {
@@ -88,9 +88,9 @@ namespace Alate
                 chunks += entry.chunkCount;
             }
 
-            Reserve(ref m_Targets, targets);
-            Reserve(ref m_Chunks, chunks);
-            Reserve(ref m_Bounds, chunks);
+            GrowingArray.Reserve(ref m_Targets, targets);
+            GrowingArray.Reserve(ref m_Chunks, chunks);
+            GrowingArray.Reserve(ref m_Bounds, chunks);
             m_ChunkCount = 0;
             int target = 0;
             foreach (WingEntry entry in entries)
@@ -188,10 +188,10 @@ namespace Alate
         public void Dispose()
         {
             Version++;
-            Free(ref m_Packs);
-            Free(ref m_Targets);
-            Free(ref m_Chunks);
-            Free(ref m_Bounds);
+            GrowingArray.Free(ref m_Packs);
+            GrowingArray.Free(ref m_Targets);
+            GrowingArray.Free(ref m_Chunks);
+            GrowingArray.Free(ref m_Bounds);
             if (m_Scratch != null)
                 UnsafeUtility.FreeTracked(m_Scratch, Allocator.Persistent);
             m_Scratch = null;
@@ -282,21 +282,6 @@ namespace Alate
             m_ScratchStride = stride;
             m_Scratch = (byte*)UnsafeUtility.MallocTracked(stride * JobsUtility.ThreadIndexCount, JobsUtility.CacheLineSize, Allocator.Persistent, 0);
             UnsafeUtility.MemClear(m_Scratch, stride * JobsUtility.ThreadIndexCount);
-        }
-
-        private static void Reserve<T>(ref NativeArray<T> array, int count) where T : struct
-        {
-            if (array.IsCreated && array.Length >= count)
-                return;
-            int grown = math.max(count, 2 * array.Length);
-            Free(ref array);
-            array = new NativeArray<T>(grown, Allocator.Persistent);
-        }
-
-        private static void Free<T>(ref NativeArray<T> array) where T : struct
-        {
-            if (array.IsCreated)
-                array.Dispose();
         }
     }
 }

@@ -47,6 +47,9 @@ namespace Alate.Flight
         /// <summary>Seconds after which a line is flown again.</summary>
         private const float k_Patience = 8f;
 
+        /// <summary>Tries after which the insect lands whichever way it looks.</summary>
+        private const int k_TriesByHeading = 3;
+
         private PerchSpot m_Spot;
         private readonly float3 m_Line;
         private readonly float m_Stand;
@@ -86,7 +89,7 @@ namespace Alate.Flight
             float3 beside = off - along * m_Line, flat = off - gap * m_Spot.normal;
             float reach = k_Reach * situation.wingLength, near = k_Beside * situation.wingLength;
             bool isOver = math.length(flat) < near + 0.5f * math.max(gap, 0f);
-            if (gap < reach && isOver && math.length(situation.velocity) < k_ContactSpeed)
+            if (math.abs(gap + 0.5f * reach) < 1.5f * reach && isOver && math.length(situation.velocity) < k_ContactSpeed)
             {
                 if (!math.isfinite(m_Spot.heading))
                     m_Spot.heading = situation.heading;
@@ -134,7 +137,8 @@ namespace Alate.Flight
         private FlightCommand GoRound(in FlightSituation situation)
         {
             IsFlaring = false;
-            Attempts++;
+            if (++Attempts == k_TriesByHeading)
+                m_Spot.heading = float.NaN;
             m_RoundTime = k_RoundTime;
             math.sincos(situation.heading, out float sin, out float cos);
             float3 ahead = new float3(sin, 0f, cos);
