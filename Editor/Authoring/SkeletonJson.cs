@@ -60,7 +60,7 @@ namespace Alate.Authoring
             if (json == null)
                 throw new ArgumentNullException(nameof(json));
             SkeletonJsonReader.Content content = new SkeletonJsonReader(json, origin).Read();
-            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Hinge = content.hinge;
             skeleton.SpanAxis = content.span;
             skeleton.UpAxis = content.up;

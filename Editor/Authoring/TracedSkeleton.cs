@@ -54,7 +54,7 @@ namespace Alate.Authoring
                 RadialVein[] followed = VeinChoice.Choose(m_Fitted, left, order, Length);
                 if (Array.TrueForAll(followed, vein => vein == null))
                     return;
-                VeinChains laid = VeinChains.Lay(m_Fitted, followed, rim, Length, true);
+                var laid = VeinChains.Lay(m_Fitted, followed, rim, Length, true);
                 int poor = Least(followed, chain => laid.Shares[chain]);
                 bool isPoor = laid.Shares[poor] < k_LeastShare;
                 if (!isPoor && (TryTake(laid) || TryTake(VeinChains.Lay(m_Fitted, followed, rim, Length, false))))
@@ -81,7 +81,7 @@ namespace Alate.Authoring
         /// <summary>The skeleton in the space of a mesh.</summary>
         public WingSkeleton ToWingSkeleton(WingPlacement placement)
         {
-            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Chains = Array.ConvertAll(m_Chains, chain => new JointChain(Array.ConvertAll(chain, placement.ToMesh)));
             skeleton.Hinge = placement.ToMesh(Hinge);
             skeleton.SpanAxis = placement.ToMesh(Hinge + Span).normalized;
@@ -99,7 +99,7 @@ namespace Alate.Authoring
 
         private bool IsValid(PlanPoint[][] chains)
         {
-            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Chains = Array.ConvertAll(chains, chain => new JointChain(Array.ConvertAll(chain, ToVector)));
             skeleton.Hinge = ToVector(Hinge);
             skeleton.SpanAxis = ToVector(Span);

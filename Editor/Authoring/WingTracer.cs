@@ -28,11 +28,11 @@ namespace Alate.Authoring
                 throw new ArgumentNullException(nameof(picture));
             settings.Check(picture);
             var working = new WorkingPicture(picture);
-            WingSeparation wing = WingSeparation.Of(working);
+            var wing = WingSeparation.Of(working);
             PlanPoint[] outline = OutlineFinder.Find(wing, working.Factor);
             TriangleLinks mesh = OutlineMesher.Mesh(outline, settings.triangles, out _);
             var lines = new VeinLines(working, wing.Mask, outline);
-            TracedFit fit = TracedFit.Make(mesh, settings, TracedHinge.Find(settings, lines, wing, working.Factor, outline));
+            var fit = TracedFit.Make(mesh, settings, TracedHinge.Find(settings, lines, wing, working.Factor, outline));
             var skeleton = new TracedSkeleton(fit, outline);
             List<RadialVein> veins = lines.Radial(skeleton.Hinge, skeleton.Length);
             skeleton.Follow(veins);

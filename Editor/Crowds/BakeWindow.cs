@@ -32,7 +32,7 @@ namespace Alate.Editor
         [MenuItem(Content.Menu, false, 313)]
         private static void Open()
         {
-            var window = GetWindow<BakeWindow>(Content.Title);
+            BakeWindow window = GetWindow<BakeWindow>(Content.Title);
             if (Selection.activeGameObject != null && Selection.activeGameObject.TryGetComponent(out InsectWings selected))
                 window.m_Insect = selected;
         }

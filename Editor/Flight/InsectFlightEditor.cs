@@ -38,7 +38,7 @@ namespace Alate.Editor
 
         private static void AddPilot(InsectFlight flight)
         {
-            var pilot = Undo.AddComponent<WanderPilot>(flight.gameObject);
+            WanderPilot pilot = Undo.AddComponent<WanderPilot>(flight.gameObject);
             FlightVolume volume = pilot.Volume;
             volume.centre = flight.transform.position;
             pilot.Volume = volume;

@@ -15,7 +15,7 @@ namespace Alate.Editor
         /// <returns>The asset.</returns>
         public static T Save<T>(T made, string path, string act) where T : ScriptableObject
         {
-            var existing = AssetDatabase.LoadAssetAtPath<T>(path);
+            T existing = AssetDatabase.LoadAssetAtPath<T>(path);
             if (existing == null)
             {
                 AssetDatabase.CreateAsset(made, path);

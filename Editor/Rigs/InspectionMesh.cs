@@ -41,7 +41,7 @@ namespace Alate.Editor
         private void Fill(RigInspection rig)
         {
             var positions = new Vector3[3 * rig.triangles.Count];
-            var indices = new int[positions.Length];
+            int[] indices = new int[positions.Length];
             for (int corner = 0; corner < positions.Length; corner++)
             {
                 int3 triangle = rig.triangles.corners[corner / 3];

@@ -76,7 +76,7 @@ namespace Alate.Editor
         private static float[] Shares(
             RigInspection rig, RigColourMode mode, IReadOnlyCollection<JointIndex> joints, in WingParameters parameters)
         {
-            var shares = new float[rig.located.Length];
+            float[] shares = new float[rig.located.Length];
             float[] perJoint = mode == RigColourMode.Delay ? rig.Delays(parameters) : rig.masses;
             float largest = math.max(Largest(perJoint), float.Epsilon);
             for (int vertex = 0; vertex < shares.Length; vertex++)

@@ -111,7 +111,7 @@ namespace Alate.Editor
         /// <summary>[joint] δ of Eq. 2 as a phase, λπρ + μπσ, radians.</summary>
         public float[] Delays(in WingParameters parameters)
         {
-            var delays = new float[rest.joints.Length];
+            float[] delays = new float[rest.joints.Length];
             for (int joint = 0; joint < delays.Length; joint++)
             {
                 JointIndex index = Joint(joint);

@@ -105,7 +105,7 @@ namespace Alate.Editor
             {
                 JointIndex index = rig.Joint(joint);
                 float mass = rig.masses[joint];
-                var joints = new[] { index };
+                JointIndex[] joints = new[] { index };
                 if (mass > limit)
                 {
                     problems.Add(new RigProblem(RigProblemKind.MassConcentrated, Place(rig, joint), joints,

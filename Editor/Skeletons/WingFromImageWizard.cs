@@ -44,7 +44,7 @@ namespace Alate.Editor
         [MenuItem(Content.Menu, false, 311)]
         private static void Open()
         {
-            var window = GetWindow<WingFromImageWizard>(Content.Title);
+            WingFromImageWizard window = GetWindow<WingFromImageWizard>(Content.Title);
             if (Selection.activeObject is Texture2D selected)
                 window.Pick(selected);
         }

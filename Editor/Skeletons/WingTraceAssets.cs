@@ -1,6 +1,5 @@
 using Alate.Authoring;
 using UnityEditor;
-using UnityEngine;
 
 namespace Alate.Editor
 {
@@ -16,7 +15,7 @@ namespace Alate.Editor
         public static WingSkeleton Save(WingTrace trace, string imagePath, string name)
         {
             string folder = FolderFor(imagePath);
-            Mesh mesh = trace.Surface.ToMesh(name);
+            var mesh = trace.Surface.ToMesh(name);
             mesh.RecalculateTangents();
             trace.Skeleton.name = name + " Skeleton";
             AssetDatabase.CreateAsset(mesh, AssetDatabase.GenerateUniqueAssetPath($"{folder}/{name}.asset"));

@@ -71,7 +71,7 @@ public static class BenchmarkSuite
 
     private static void OnOneCore(Action measure)
     {
-        var workers = JobsUtility.JobWorkerCount;
+        int workers = JobsUtility.JobWorkerCount;
         JobsUtility.JobWorkerCount = 0;
         try
         {

@@ -29,7 +29,7 @@ namespace Alate.Catalogue
         /// <returns>Whether there is one.</returns>
         public static bool TryFind(string name, out InsectDefinition definition)
         {
-            var wanted = Plain(name);
+            string wanted = Plain(name);
             definition = Array.Find(s_All, candidate => Plain(candidate.Name) == wanted);
             return definition != null;
         }
@@ -37,7 +37,7 @@ namespace Alate.Catalogue
         /// <summary>Finds a species by its name; capitals, spaces, hyphens and underscores do not matter.</summary>
         /// <exception cref="ArgumentException">There is none; the message lists those there are.</exception>
         public static InsectDefinition Find(string name) =>
-            TryFind(name, out var definition)
+            TryFind(name, out InsectDefinition definition)
                 ? definition
                 : throw new ArgumentException($"There is no species '{name}'. Known: {string.Join(", ", Names)}.");
 
@@ -45,7 +45,7 @@ namespace Alate.Catalogue
         /// <returns>Whether there is such a species; otherwise <paramref name="preset"/> is null.</returns>
         public static bool TryCreate(string name, out WingPreset preset)
         {
-            preset = TryFind(name, out var definition) ? definition.Wings[0].CreatePreset() : null;
+            preset = TryFind(name, out InsectDefinition definition) ? definition.Wings[0].CreatePreset() : null;
             return preset != null;
         }
 

@@ -32,7 +32,7 @@ namespace Alate.Catalogue
         /// <summary>Quantity, value and source in one line.</summary>
         public override string ToString()
         {
-            var variant = Variant == InsectVariant.Standard ? "" : $", {Variant.ToString().ToLowerInvariant()}";
+            string variant = Variant == InsectVariant.Standard ? "" : $", {Variant.ToString().ToLowerInvariant()}";
             return $"{Quantity}{variant}: {Value} ({Source})";
         }
     }

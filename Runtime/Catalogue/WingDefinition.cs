@@ -78,10 +78,10 @@ namespace Alate.Catalogue
         /// <exception cref="ArgumentException">The wing has no such variant; the message lists those there are.</exception>
         public WingPreset CreatePreset(ModelReading reading = ModelReading.Physical, InsectVariant variant = InsectVariant.Standard)
         {
-            var change = m_Variants.IndexOf(variant);
+            int change = m_Variants.IndexOf(variant);
             if (change < 0)
                 throw new ArgumentException($"The {Name} has no variant '{variant}'. It has: {string.Join(", ", m_Variants)}.", nameof(variant));
-            var preset = ScriptableObject.CreateInstance<WingPreset>();
+            WingPreset preset = ScriptableObject.CreateInstance<WingPreset>();
             m_Changes[0](preset);
             if (change > 0)
                 m_Changes[change](preset);
@@ -97,9 +97,9 @@ namespace Alate.Catalogue
         /// <summary>The wing's surface at rest around its base, <see cref="TriangleCount"/> triangles.</summary>
         public SurfaceMesh CreateSurface(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
-            var scale = (float)Outline.Length * unitsPerMetre;
-            var surface = IsFilled ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale) : WingMesher.Strips(Contour, TriangleCount, scale);
-            var spacing = Math.Sqrt(2 * Contour.Area / TriangleCount);
+            float scale = (float)Outline.Length * unitsPerMetre;
+            SurfaceMesh surface = IsFilled ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale) : WingMesher.Strips(Contour, TriangleCount, scale);
+            double spacing = Math.Sqrt(2 * Contour.Area / TriangleCount);
             surface.name = Name;
             surface.colours = Pattern?.ColourVertices(surface, scale, spacing);
             return side == WingSide.Right ? surface : surface.Mirrored();
@@ -108,7 +108,7 @@ namespace Alate.Catalogue
         /// <summary>The wing's skeleton in the space of <see cref="CreateSurface"/>.</summary>
         public WingSkeleton CreateSkeleton(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
-            var scale = (float)Outline.Length * unitsPerMetre;
+            float scale = (float)Outline.Length * unitsPerMetre;
             return ChainPaths == null
                 ? SkeletonGenerator.Generate(Outline, Chains, JointsPerChain, LastTipSpan, scale, side)
                 : SkeletonGenerator.Generate(Contour, ChainPaths, JointsPerChain, scale, side);

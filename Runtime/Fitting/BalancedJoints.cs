@@ -43,8 +43,8 @@ namespace Alate.Fitting
         // Dynamic programming: the least cost with which the first joints reach each place.
         private static int[] Choose(PlanPoint[] places, int count)
         {
-            var costs = new double[count, k_Places + 1];
-            var before = new int[count, k_Places + 1];
+            double[,] costs = new double[count, k_Places + 1];
+            int[,] before = new int[count, k_Places + 1];
             for (int j = 0; j < count; j++)
             {
                 for (int k = 0; k <= k_Places; k++)
@@ -66,7 +66,7 @@ namespace Alate.Fitting
                 }
             }
 
-            var at = new int[count];
+            int[] at = new int[count];
             for (int j = count - 1, k = k_Places; j >= 0; k = before[j, k], j--)
                 at[j] = k * k_Steps;
             return at;

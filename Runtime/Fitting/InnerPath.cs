@@ -65,7 +65,7 @@ namespace Alate.Fitting
         // Clockwise round the wing, its inside lies to the right.
         private static bool TryMoveInside(ClosedCurve outline, double s, out PlanPoint moved)
         {
-            PlanPoint along = PlanPoint.Unit(outline.At(s + k_Clearance) - outline.At(s - k_Clearance));
+            var along = PlanPoint.Unit(outline.At(s + k_Clearance) - outline.At(s - k_Clearance));
             moved = outline.At(s) + new PlanPoint(along.z, -along.x) * k_Clearance;
             return outline.Contains(moved);
         }
@@ -74,8 +74,8 @@ namespace Alate.Fitting
         private static List<PlanPoint> Shortest(ClosedCurve outline, List<PlanPoint> corners)
         {
             int count = corners.Count;
-            var lengths = new double[count];
-            var before = new int[count];
+            double[] lengths = new double[count];
+            int[] before = new int[count];
             for (int k = 1; k < count; k++)
             {
                 lengths[k] = double.MaxValue;

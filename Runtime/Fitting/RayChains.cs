@@ -70,7 +70,7 @@ namespace Alate.Fitting
         // The base, or a place on the way to the wing's centre; a little into the wing where that lies on the outline or beside it.
         private static PlanPoint Inside(ClosedCurve outline, PlanPoint place, double depth)
         {
-            PlanPoint inward = PlanPoint.Unit(Polygon.Centroid(outline.Samples) - place);
+            var inward = PlanPoint.Unit(Polygon.Centroid(outline.Samples) - place);
             place += inward * depth;
             for (int k = 1; k < 40 && !outline.Contains(place); k++)
                 place += inward * 0.01;

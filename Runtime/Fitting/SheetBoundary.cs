@@ -87,7 +87,7 @@ namespace Alate.Fitting
             float3 extent = high - low;
             int widest = extent.x >= extent.y ? 0 : 1;
             widest = extent[widest] >= extent.z ? widest : 2;
-            var sorted = new int[ends.Count];
+            int[] sorted = new int[ends.Count];
             ends.CopyTo(sorted);
             Array.Sort(sorted, (a, b) => m_Points[a][widest].CompareTo(m_Points[b][widest]));
             axis = widest;

@@ -99,7 +99,7 @@ namespace Alate.Fitting
         {
             float3[] points = m_Surface.points;
             float3 normal = UpperSide.Choose(m_Up, PlaneFit.Normal(points, triangles), points, triangles, out m_UpperConfidence);
-            WingPlane plane = WingPlane.Facing(normal);
+            var plane = WingPlane.Facing(normal);
             var sheet = new WingSheet(points, triangles, plane, 2f * tolerance);
             m_IsShell = sheet.OutlineShare < k_OneLayer;
             if (!m_IsShell)

@@ -52,7 +52,7 @@ namespace Alate.Fitting
             var fan = new FanChains(wing, marks, notes);
             PlanPoint[][] chains = null;
 
-            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.UpAxis = sheet.plane.up;
             string problem = null;
             foreach (PlanPoint[][] layout in fan.Lay(settings.chains, settings.jointsPerChain))

@@ -20,7 +20,7 @@ namespace Alate.Fitting
         /// <param name="spread">Standard deviation of the places about their mean: how unclear the maximum is.</param>
         public static double Find(double from, double to, int steps, double sharpness, Func<double, double> value, out double spread)
         {
-            var values = new double[steps + 1];
+            double[] values = new double[steps + 1];
             int top = 0;
             for (int k = 0; k <= steps; k++)
             {

@@ -128,7 +128,7 @@ namespace Alate.Fitting
         {
             int steps = m_Outline.Samples.Count;
             double angle = 0.0;
-            var values = new double[steps + 1];
+            double[] values = new double[steps + 1];
             PlanPoint before = place(from) - Base;
             for (int k = 0; k <= steps; k++)
             {
@@ -162,10 +162,10 @@ namespace Alate.Fitting
 
         private double FindLast()
         {
-            PlanPoint axis = PlanPoint.Unit(Polygon.Centroid(m_Outline.Samples) - Base);
+            var axis = PlanPoint.Unit(Polygon.Centroid(m_Outline.Samples) - Base);
             PlanPoint rear = WingView.Across(axis, new PlanPoint(0.0, -1.0));
             List<PlanPoint> edge = Trimmed.Along(Tip, TrailingRoot);
-            var walked = new double[edge.Count];
+            double[] walked = new double[edge.Count];
             for (int k = 1; k < edge.Count; k++)
                 walked[k] = walked[k - 1] + Math.Sqrt((edge[k] - edge[k - 1]).LengthSquared);
             int end = edge.Count - 1;

@@ -22,7 +22,7 @@ namespace Alate.Fitting
             m_Marks = marks;
             Points = marks.Trimmed.Along(marks.Tip, marks.Last);
             int count = Points.Count;
-            var turned = new double[count];
+            double[] turned = new double[count];
             double angle = 0.0, length = Polyline.LengthOf(Points), walked = 0.0;
             m_Shares = new double[count];
             for (int k = 1; k < count; k++)

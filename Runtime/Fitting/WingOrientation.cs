@@ -40,7 +40,7 @@ namespace Alate.Fitting
         {
             PlanPoint from = outline.At(anchor);
             double reach = Math.Sqrt((outline.Samples[Polygon.Farthest(outline.Samples, from)] - from).LengthSquared);
-            PlanPoint centre = PlanPoint.Unit(Polygon.Centroid(outline.Samples) - from);
+            var centre = PlanPoint.Unit(Polygon.Centroid(outline.Samples) - from);
 
             string why = "nobody said which way is forward";
             if (forward is Vector3 given)

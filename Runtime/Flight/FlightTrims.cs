@@ -19,7 +19,7 @@ namespace Alate.Flight
 
         internal static FlightTrims Create(string text)
         {
-            var made = CreateInstance<FlightTrims>();
+            FlightTrims made = CreateInstance<FlightTrims>();
             made.m_Text = text;
             return made;
         }

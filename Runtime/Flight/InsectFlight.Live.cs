@@ -47,7 +47,7 @@ namespace Alate.Flight
         // Between steps: where the body has got to becomes where the next step starts; whoever moved the object meanwhile has moved the body.
         private void TakeOver(ref FlyingBody body)
         {
-            Vector3 moved = (Vector3)(body.position * m_Units);
+            var moved = (Vector3)(body.position * m_Units);
             m_From += moved;
             body.position = body.positionRest = default;
             if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)
@@ -64,7 +64,7 @@ namespace Alate.Flight
             float turn = HeadingOf(transform.rotation) - HeadingOf(m_ShownRotation);
             if (math.abs(turn) > 1e-3f)
             {
-                quaternion turned = quaternion.AxisAngle(new float3(0f, 1f, 0f), turn);
+                var turned = quaternion.AxisAngle(new float3(0f, 1f, 0f), turn);
                 body.rotation = math.mul(turned, body.rotation);
                 body.velocity = math.rotate(turned, body.velocity);
                 m_Reference = m_Reference.Turned(turn);

@@ -8,7 +8,7 @@ namespace Alate.Geometry
         public DisjointSets(int count)
         {
             m_Parents = new int[count];
-            for (var member = 0; member < count; member++)
+            for (int member = 0; member < count; member++)
                 m_Parents[member] = member;
         }
 

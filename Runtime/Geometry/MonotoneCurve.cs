@@ -32,39 +32,39 @@ namespace Alate.Geometry
 
         public double At(double span)
         {
-            var interval = IntervalOf(span);
-            var width = m_Spans[interval + 1] - m_Spans[interval];
-            var t = Math.Clamp((span - m_Spans[interval]) / width, 0.0, 1.0);
-            var rise = m_Values[interval + 1] - m_Values[interval];
+            int interval = IntervalOf(span);
+            double width = m_Spans[interval + 1] - m_Spans[interval];
+            double t = Math.Clamp((span - m_Spans[interval]) / width, 0.0, 1.0);
+            double rise = m_Values[interval + 1] - m_Values[interval];
             if (m_Slopes == null)
                 return m_Values[interval] + t * rise;
 
-            var first = m_Slopes[interval] * width;
-            var second = m_Slopes[interval + 1] * width;
+            double first = m_Slopes[interval] * width;
+            double second = m_Slopes[interval + 1] * width;
             return m_Values[interval] + t * (first + t * (3 * rise - 2 * first - second + t * (first + second - 2 * rise)));
         }
 
         private int IntervalOf(double span)
         {
-            var found = Array.BinarySearch(m_Spans, span);
-            var interval = found >= 0 ? found : ~found - 1;
+            int found = Array.BinarySearch(m_Spans, span);
+            int interval = found >= 0 ? found : ~found - 1;
             return Math.Clamp(interval, 0, m_Spans.Length - 2);
         }
 
         private static double[] MonotoneSlopes(double[] spans, double[] values)
         {
-            var last = spans.Length - 1;
-            var secants = new double[last];
-            for (var i = 0; i < last; i++)
+            int last = spans.Length - 1;
+            double[] secants = new double[last];
+            for (int i = 0; i < last; i++)
                 secants[i] = (values[i + 1] - values[i]) / (spans[i + 1] - spans[i]);
 
-            var slopes = new double[last + 1];
+            double[] slopes = new double[last + 1];
             slopes[0] = secants[0];
             slopes[last] = secants[last - 1];
-            for (var i = 1; i < last; i++)
+            for (int i = 1; i < last; i++)
                 slopes[i] = secants[i - 1] * secants[i] > 0 ? 0.5 * (secants[i - 1] + secants[i]) : 0;
 
-            for (var i = 0; i < last; i++)
+            for (int i = 0; i < last; i++)
                 LimitToMonotone(secants[i], ref slopes[i], ref slopes[i + 1]);
 
             return slopes;
@@ -78,12 +78,12 @@ namespace Alate.Geometry
                 return;
             }
 
-            var a = first / secant;
-            var b = second / secant;
-            var excess = a * a + b * b;
+            double a = first / secant;
+            double b = second / secant;
+            double excess = a * a + b * b;
             if (excess > 9)
             {
-                var scale = 3 / Math.Sqrt(excess);
+                double scale = 3 / Math.Sqrt(excess);
                 first = scale * a * secant;
                 second = scale * b * secant;
             }

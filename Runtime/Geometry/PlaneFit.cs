@@ -12,9 +12,9 @@ namespace Alate.Geometry
         /// <summary>Unit normal of the plane, of either sign.</summary>
         public static float3 Normal(float3[] points, IReadOnlyList<int3> triangles)
         {
-            var facing = new double[6];
-            var spread = new double[6];
-            var centre = new double[3];
+            double[] facing = new double[6];
+            double[] spread = new double[6];
+            double[] centre = new double[3];
             double area = 0.0;
             foreach (int3 t in triangles)
                 area += AddCentre(points[t.x], points[t.y], points[t.z], centre);
@@ -23,7 +23,7 @@ namespace Alate.Geometry
                 AddMoments(points[t.x] - middle, points[t.y] - middle, points[t.z] - middle, facing, spread);
 
             double trace = spread[0] + spread[3] + spread[5];
-            var matrix = new double[6];
+            double[] matrix = new double[6];
             for (int k = 0; k < 6; k++)
                 matrix[k] = facing[k] / area - spread[k] / trace;
             return SymmetricMatrix.LargestDirection(matrix);

@@ -101,7 +101,7 @@ namespace Alate.Geometry
         {
             int first = Farthest(corners, corners[0]), second = Farthest(corners, corners[first]);
             (first, second) = (Math.Min(first, second), Math.Max(first, second));
-            var kept = new bool[corners.Length];
+            bool[] kept = new bool[corners.Length];
             kept[first] = kept[second] = true;
             var open = new Stack<(int From, int To)>();
             open.Push((first, second));

@@ -9,10 +9,10 @@ namespace Alate.Geometry
         public static float Square(Vector3 point, Vector3 a, Vector3 b, Vector3 c)
         {
             var normal = Vector3.Cross(b - a, c - a);
-            var square = normal.sqrMagnitude;
+            float square = normal.sqrMagnitude;
             if (square > 0f && IsOver(point, a, b, normal) && IsOver(point, b, c, normal) && IsOver(point, c, a, normal))
             {
-                var height = Vector3.Dot(point - a, normal);
+                float height = Vector3.Dot(point - a, normal);
                 return height * height / square;
             }
 
@@ -24,9 +24,9 @@ namespace Alate.Geometry
 
         private static float ToEdge(Vector3 point, Vector3 from, Vector3 to)
         {
-            var edge = to - from;
-            var length = edge.sqrMagnitude;
-            var share = length > 0f ? Mathf.Clamp01(Vector3.Dot(point - from, edge) / length) : 0f;
+            Vector3 edge = to - from;
+            float length = edge.sqrMagnitude;
+            float share = length > 0f ? Mathf.Clamp01(Vector3.Dot(point - from, edge) / length) : 0f;
             return (point - from - share * edge).sqrMagnitude;
         }
     }

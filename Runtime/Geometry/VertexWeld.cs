@@ -34,8 +34,8 @@ namespace Alate.Geometry
         public static int[] Places(float3[] points, float tolerance)
         {
             float perUnit = 1f / (k_TolerancesPerCell * tolerance);
-            var places = new int[points.Length];
-            var next = new int[points.Length];
+            int[] places = new int[points.Length];
+            int[] next = new int[points.Length];
             var newest = new Dictionary<(int, int, int), int>(points.Length);
             for (int k = 0; k < points.Length; k++)
             {

@@ -40,7 +40,7 @@ namespace Alate.Samples
 
         private void Stem(float length)
         {
-            Color green = new Color(0.3f, 0.5f, 0.2f);
+            var green = new Color(0.3f, 0.5f, 0.2f);
             for (int k = 0; k < 3; k++)
             {
                 Vector3 side = Quaternion.Euler(0f, 120f * k, 0f) * Vector3.forward, next = Quaternion.Euler(0f, 120f * (k + 1), 0f) * Vector3.forward;
@@ -51,7 +51,7 @@ namespace Alate.Samples
 
         private void Petal(float angle, float radius, Color colour)
         {
-            Quaternion turn = Quaternion.Euler(0f, angle, 0f);
+            var turn = Quaternion.Euler(0f, angle, 0f);
             Vector3 tip = turn * new Vector3(0f, -0.12f * radius, radius), inner = turn * new Vector3(0f, -0.02f, 0.3f * radius);
             Vector3 side = turn * new Vector3(0.3f * radius, -0.05f * radius, 0.7f * radius), other = turn * new Vector3(-0.3f * radius, -0.05f * radius, 0.7f * radius);
             Quad(inner, other, tip, side, Vector3.up, colour);

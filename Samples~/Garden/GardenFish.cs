@@ -22,7 +22,7 @@ namespace Alate.Samples
         public void Swim(float time)
         {
             float angle = Mathf.Rad2Deg * k_Speed / k_Radius * time;
-            Quaternion round = Quaternion.Euler(0f, angle, 0f);
+            var round = Quaternion.Euler(0f, angle, 0f);
             m_Fins.transform.localPosition = round * new Vector3(-k_Radius, 0f, 0f) + (k_Depth + 0.5f * Mathf.Sin(0.7f * time)) * Vector3.up;
             m_Fins.transform.localRotation = round;
         }

@@ -44,7 +44,7 @@ namespace Alate.Samples
         public static GardenInsect Butterfly(InsectDefinition species, Transform parent, FlightVolume volume, Transform eye, int number)
         {
             var made = new GardenInsect(species, parent, Within(volume, number), number);
-            var perch = made.m_Wings.gameObject.AddComponent<PerchPilot>();
+            PerchPilot perch = made.m_Wings.gameObject.AddComponent<PerchPilot>();
             perch.Seed = number;
             perch.Settings.flightTime = 8f;
             perch.Settings.fleeDistance = 6f;
@@ -79,7 +79,7 @@ namespace Alate.Samples
 
         private WanderPilot Wander(FlightVolume volume, int number)
         {
-            var wander = m_Wings.gameObject.AddComponent<WanderPilot>();
+            WanderPilot wander = m_Wings.gameObject.AddComponent<WanderPilot>();
             wander.Seed = number;
             wander.Volume = volume;
             return wander;
@@ -90,7 +90,7 @@ namespace Alate.Samples
             var lantern = new GameObject("Lantern");
             lantern.transform.SetParent(m_Wings.transform, false);
             lantern.transform.localPosition = new Vector3(0f, -0.03f, -0.07f);
-            var light = lantern.AddComponent<Light>();
+            Light light = lantern.AddComponent<Light>();
             light.color = new Color(0.85f, 1f, 0.35f);
             light.range = 2f;
             light.intensity = 0f;
@@ -100,7 +100,7 @@ namespace Alate.Samples
         // Spread evenly by the golden ratio's relatives.
         private static Vector3 Within(FlightVolume volume, int number)
         {
-            var share = new Vector3(0.755f * number % 1f, 0.57f * number % 1f, 0.43f * number % 1f) - 0.5f * Vector3.one;
+            Vector3 share = new Vector3(0.755f * number % 1f, 0.57f * number % 1f, 0.43f * number % 1f) - 0.5f * Vector3.one;
             return volume.centre + 0.6f * Vector3.Scale(share, volume.size);
         }
     }

@@ -50,7 +50,7 @@ namespace Alate.Samples
             m_Solid = Keep(WingMaterial.ForVertexColours(isWing: true, isTranslucent: false));
             m_Camera = OrbitCamera.Create(transform, transform.position + 6f * Vector3.up, k_CameraDistance);
             Draw("Ground", Vector3.zero, Keep(FlowerMesh.Plate(k_GardenRadius, new Color(0.36f, 0.5f, 0.24f))));
-            var ground = new GameObject("Ground Collider").AddComponent<BoxCollider>();
+            BoxCollider ground = new GameObject("Ground Collider").AddComponent<BoxCollider>();
             ground.transform.SetParent(transform, false);
             ground.center = new Vector3(0f, -0.5f, 0f);
             ground.size = new Vector3(2f * k_GardenRadius, 1f, 2f * k_GardenRadius);
@@ -135,7 +135,7 @@ namespace Alate.Samples
             Vector3 place = Quaternion.Euler(0f, angle, 0f) * new Vector3(0f, height, radius);
             Transform flower = Draw($"Flower {number}", place, Keep(FlowerMesh.Flower(1.1f, height, s_Petals[number % s_Petals.Length])));
             flower.localRotation = Quaternion.Euler(8f * (number % 3), angle, 0f);
-            var seat = new GameObject("Perch Mark").transform;
+            Transform seat = new GameObject("Perch Mark").transform;
             seat.SetParent(flower, false);
             seat.gameObject.AddComponent<PerchMark>();
         }

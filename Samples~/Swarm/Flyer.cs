@@ -44,7 +44,7 @@ namespace Alate.Samples
         public void Fly(float time)
         {
             float angle = m_Start + m_Turn * time;
-            Quaternion round = Quaternion.Euler(0f, angle, 0f);
+            var round = Quaternion.Euler(0f, angle, 0f);
             float rise = 0.05f * m_Radius * Mathf.Sin(3f * Mathf.Deg2Rad * angle);
             Transform body = m_Insect.transform;
             body.localPosition = round * new Vector3(m_Radius, 0f, 0f) + (m_Height + rise) * Vector3.up;

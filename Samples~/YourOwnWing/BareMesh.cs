@@ -86,7 +86,7 @@ namespace Alate.Samples
                 }
             }
 
-            var triangles = new int[positions.Count];
+            int[] triangles = new int[positions.Count];
             for (int k = 0; k < triangles.Length; k++)
                 triangles[k] = k;
             return new SurfaceMesh

@@ -90,7 +90,7 @@ namespace Alate.Samples
         {
             // Switched off from the start, so that nothing beats yet: in the editor you just add the component.
             m_Insect.gameObject.SetActive(false);
-            var wings = m_Insect.gameObject.AddComponent<InsectWings>();
+            InsectWings wings = m_Insect.gameObject.AddComponent<InsectWings>();
             wings.enabled = false;
             m_Insect.gameObject.SetActive(true);
             wings.FindWings();

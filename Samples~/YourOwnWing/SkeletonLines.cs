@@ -25,7 +25,7 @@ namespace Alate.Samples
                 }
             }
 
-            var indices = new int[points.Count];
+            int[] indices = new int[points.Count];
             for (int k = 0; k < indices.Length; k++)
                 indices[k] = k;
             var mesh = new Mesh { name = "Skeletons", vertices = points.ToArray(), normals = points.ConvertAll(_ => Vector3.up).ToArray() };

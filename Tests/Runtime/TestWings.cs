@@ -73,7 +73,7 @@ namespace Alate.Tests
         /// <summary>A skeleton of these chains with its hinge at their first root, span +X, up +Y.</summary>
         public static WingSkeleton Skeleton(params JointChain[] chains)
         {
-            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Chains = chains;
             if (skeleton.JointsPerChain > 0)
                 skeleton.Hinge = skeleton.GetJoint(0, 0);
@@ -112,7 +112,7 @@ namespace Alate.Tests
 
         private static SurfaceMesh Surface(string name, Vector3[] positions, int columns, int rows)
         {
-            var triangles = new int[6 * columns * rows];
+            int[] triangles = new int[6 * columns * rows];
             int end = 0;
             for (int c = 0; c < columns; c++)
             {

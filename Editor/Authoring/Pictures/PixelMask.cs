@@ -90,7 +90,7 @@ namespace Alate.Authoring
         public List<PixelPart> Parts()
         {
             var parts = new List<PixelPart>();
-            var seen = new bool[m_Pixels.Length];
+            bool[] seen = new bool[m_Pixels.Length];
             for (int k = 0; k < m_Pixels.Length; k++)
             {
                 if (m_Pixels[k] && !seen[k])
@@ -140,8 +140,8 @@ namespace Alate.Authoring
             int limit = (int)radius + 1;
             int[] rows = RowDistances(state, limit);
             var result = new PixelMask(width, height);
-            var reached = new bool[width];
-            var reaches = new int[limit + 1];
+            bool[] reached = new bool[width];
+            int[] reaches = new int[limit + 1];
             for (int k = 0; k <= limit; k++)
                 reaches[k] = k <= radius ? (int)Math.Sqrt(radius * radius - (double)k * k) : -1;
             for (int row = 0; row < height; row++)
@@ -168,7 +168,7 @@ namespace Alate.Authoring
         // How many rows away the next pixel of a state is, up to a limit.
         private int[] RowDistances(bool state, int limit)
         {
-            var distances = new int[m_Pixels.Length];
+            int[] distances = new int[m_Pixels.Length];
             for (int k = 0; k < distances.Length; k++)
                 distances[k] = m_Pixels[k] == state ? 0 : k < width ? limit : Math.Min(limit, distances[k - width] + 1);
             for (int k = distances.Length - width - 1; k >= 0; k--)

@@ -55,7 +55,7 @@ namespace Alate.Authoring
             float[] kernel = Kernel(sigma);
             int reach = kernel.Length - 1;
             var across = new PixelPlane(width, height);
-            var line = new float[width + 2 * reach];
+            float[] line = new float[width + 2 * reach];
             for (int row = 0; row < height; row++)
                 BlurRow(kernel, row, line, across);
             var both = new PixelPlane(width, height);
@@ -118,7 +118,7 @@ namespace Alate.Authoring
         // The half of the bell from its middle on; both halves together sum to 1.
         private static float[] Kernel(double sigma)
         {
-            var kernel = new float[1 + (int)Math.Ceiling(3.0 * sigma)];
+            float[] kernel = new float[1 + (int)Math.Ceiling(3.0 * sigma)];
             double sum = 0.0;
             for (int k = 0; k < kernel.Length; k++)
             {

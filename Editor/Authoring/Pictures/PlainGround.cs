@@ -90,7 +90,7 @@ namespace Alate.Authoring
 
         private void Fit(List<(int Column, int Row)> samples)
         {
-            var residuals = new double[samples.Count];
+            double[] residuals = new double[samples.Count];
             StartFromMedians(samples);
             for (int round = 0; round < k_Rounds; round++)
             {
@@ -114,7 +114,7 @@ namespace Alate.Authoring
         {
             for (int c = 0; c < m_Channels.Length; c++)
             {
-                var values = new double[samples.Count];
+                double[] values = new double[samples.Count];
                 for (int k = 0; k < values.Length; k++)
                     values[k] = m_Channels[c][samples[k].Column, samples[k].Row];
                 double median = Median(values);
@@ -163,7 +163,7 @@ namespace Alate.Authoring
         {
             if (values.Length == 0)
                 return 0.0;
-            var sorted = (double[])values.Clone();
+            double[] sorted = (double[])values.Clone();
             Array.Sort(sorted);
             return sorted[sorted.Length / 2];
         }

@@ -75,7 +75,7 @@ namespace Alate.Authoring
                 }
             }
 
-            var solution = new double[k_Terms];
+            double[] solution = new double[k_Terms];
             for (int i = k_Terms - 1; i >= 0; i--)
             {
                 double sum = m_Right[i];

@@ -89,7 +89,7 @@ namespace Alate.Authoring
             if (picture.HasTransparentGround)
                 return Of(picture, new EdgeContrast(picture.Alpha.Blurred(blur), k_AlphaNoise, blur));
             PixelPlane[] channels = { picture.Red.Blurred(blur), picture.Green.Blurred(blur), picture.Blue.Blurred(blur) };
-            PlainGround ground = PlainGround.FromBorder(channels);
+            var ground = PlainGround.FromBorder(channels);
             PixelMask spared = new EdgeContrast(ground.Distance, ground.Noise, blur).excess.Above(0f).Filled().Grown(4.0 * blur);
             // The border alone says little of the middle, where most of the ground may lie.
             if (spared.Count < 0.7 * picture.Width * picture.Height)

@@ -7,7 +7,7 @@ namespace Alate.Authoring
     {
         public static PixelMask Run(PixelMask mask)
         {
-            var thin = mask.Copy();
+            PixelMask thin = mask.Copy();
             var left = new List<int>();
             for (int k = 0; k < mask.width * mask.height; k++)
             {

@@ -103,7 +103,7 @@ namespace Alate.Authoring
             PlanPoint fitted = m_Fitted[chain][0];
             if (!m_OwnRoots)
                 return fitted;
-            PlanPoint back = PlanPoint.Unit(vein[start] - vein[Math.Min(vein.Length - 1, start + k_RootSteps)]);
+            var back = PlanPoint.Unit(vein[start] - vein[Math.Min(vein.Length - 1, start + k_RootSteps)]);
             double reach = m_Rim.Meet(vein[start], back, -1, out int met) - k_Inside * m_Length;
             PlanPoint root = vein[start] + back * reach;
             bool isOnBase = PlanPoint.DistanceSquared(root, m_Fitted[0][0], m_Fitted[m_Fitted.Count - 1][0]) < k_OffBase * k_OffBase * m_Length * m_Length;

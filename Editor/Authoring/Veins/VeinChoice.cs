@@ -30,8 +30,8 @@ namespace Alate.Authoring
             double mean = (tips[tips.Length - 1] - tips[0]) / (tips.Length - 1);
             int columns = sorted.Count;
             // best[i, k]: the most gained by the first i chains where the last chosen of the sorted veins is k − 1, or none when k is 0.
-            var best = new double[chains.Length + 1, columns + 1];
-            var chosen = new int[chains.Length + 1, columns + 1];
+            double[,] best = new double[chains.Length + 1, columns + 1];
+            int[,] chosen = new int[chains.Length + 1, columns + 1];
             for (int k = 1; k <= columns; k++)
                 best[0, k] = double.NegativeInfinity;
             for (int i = 1; i <= chains.Length; i++)

@@ -35,7 +35,7 @@ namespace Alate.Authoring
             if (graph.Count < k_LeastLength * extent)
                 return null;
             List<(PlanPoint Place, PlanPoint Direction)> lines = Directions(graph, Math.Max(3, (int)(k_Stretch * extent)));
-            var shares = new double[k_Places];
+            double[] shares = new double[k_Places];
             int best = 0;
             for (int k = 0; k < k_Places; k++)
             {

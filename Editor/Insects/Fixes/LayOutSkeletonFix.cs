@@ -34,7 +34,7 @@ namespace Alate.Editor
             List<int> chosen = Choose(insect, problem);
             if (chosen.Count == 0)
                 return FixOutcome.Refused("All wings have a skeleton.");
-            using (SkeletonLayout layout = SkeletonLayout.Of(insect, chosen, m_Fit))
+            using (var layout = SkeletonLayout.Of(insect, chosen, m_Fit))
             {
                 string notes = string.Join(" ", layout.Notes);
                 if (layout.Count == 0)

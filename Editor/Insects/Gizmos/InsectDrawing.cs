@@ -40,7 +40,7 @@ namespace Alate.Editor
 
         private static void DrawChains(InsectWings insect, int wing, GizmoLayers layers, IGizmoPen pen)
         {
-            ChainSketch sketch = ChainSketch.Of(insect, wing);
+            var sketch = ChainSketch.Of(insect, wing);
             if (sketch == null)
                 return;
             if ((layers & GizmoLayers.Axes) != 0)

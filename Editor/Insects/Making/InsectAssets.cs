@@ -30,14 +30,14 @@ namespace Alate.Editor
         /// <summary>Finds the prefab, or saves a new one.</summary>
         public GameObject FindOrSave(InsectDefinition species)
         {
-            var existing = AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species));
+            GameObject existing = AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species));
             return existing != null ? existing : Save(species);
         }
 
         private GameObject Save(InsectDefinition species)
         {
             AssetFolder.Ensure(m_Folder);
-            InsectParts kit = InsectParts.Make(species, keepPixels: true);
+            var kit = InsectParts.Make(species, keepPixels: true);
             kit.BodyMesh = Keep(kit.BodyMesh);
             kit.BodyMaterial = Keep(kit.BodyMaterial);
             foreach (GeneratedWing wing in kit.Wings)
@@ -89,7 +89,7 @@ namespace Alate.Editor
         private T Keep<T>(T made) where T : Object
         {
             string path = $"{m_Folder}/{made.name}{(made is Material ? ".mat" : ".asset")}";
-            var existing = AssetDatabase.LoadAssetAtPath<T>(path);
+            T existing = AssetDatabase.LoadAssetAtPath<T>(path);
             if (existing == null)
             {
                 AssetDatabase.CreateAsset(made, path);

@@ -11,7 +11,7 @@ namespace Alate.Editor
         /// <returns>The imported picture.</returns>
         public static Texture2D Save(Texture2D painted, string path)
         {
-            var existing = AssetDatabase.LoadAssetAtPath<Texture2D>(path);
+            Texture2D existing = AssetDatabase.LoadAssetAtPath<Texture2D>(path);
             if (existing != null)
                 return existing;
             File.WriteAllBytes(FileUtil.GetPhysicalPath(path), painted.EncodeToPNG());

@@ -28,7 +28,7 @@ namespace Alate.Editor
                 return;
             m_Looked = now;
             m_Insects = insects;
-            InsectStatus status = InsectStatus.Of(insects);
+            var status = InsectStatus.Of(insects);
             if (status.Message != m_Status.Message && status.IsShown)
                 m_Answer = "";
             m_Status = status;

@@ -41,7 +41,7 @@ namespace Alate.Editor
         /// <summary>A new empty selection.</summary>
         public static JointSelection Create(WingSkeleton skeleton)
         {
-            var selection = CreateInstance<JointSelection>();
+            JointSelection selection = CreateInstance<JointSelection>();
             selection.hideFlags = HideFlags.HideAndDontSave;
             selection.name = "Joint Selection";
             selection.m_Skeleton = skeleton;

@@ -32,7 +32,7 @@ namespace Alate.Editor
             refusal ??= image.FindFault();
             if (refusal != null)
                 return null;
-            var made = ScriptableObject.CreateInstance<WingSkeleton>();
+            WingSkeleton made = ScriptableObject.CreateInstance<WingSkeleton>();
             made.name = OtherSide(skeleton.name);
             image.WriteTo(made);
             return made;

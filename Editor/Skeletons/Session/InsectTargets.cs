@@ -88,7 +88,7 @@ namespace Alate.Editor
                 own.Add((wing, target));
             }
 
-            foreach (var (wing, target) in own)
+            foreach ((Wing wing, SkeletonTarget target) in own)
                 target.OtherSide = own.Find(other => other.wing.Side != wing.Side && other.wing.Pair == wing.Pair).target;
         }
     }

@@ -36,7 +36,7 @@ namespace Alate.Editor
         {
             if (m_Material != null)
                 return true;
-            Shader shader = Shader.Find("Hidden/Internal-Colored");
+            var shader = Shader.Find("Hidden/Internal-Colored");
             if (shader == null)
                 return false;
             m_Material = new Material(shader) { hideFlags = HideFlags.HideAndDontSave };

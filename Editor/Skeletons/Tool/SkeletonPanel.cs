@@ -98,7 +98,7 @@ namespace Alate.Editor
                 return;
             }
 
-            var names = new string[all.Count];
+            string[] names = new string[all.Count];
             int active = 0;
             for (int k = 0; k < names.Length; k++)
             {

@@ -29,7 +29,7 @@ internal sealed class PlainAerodynamics
         m_VertexDamping = new float[rig.vertices.Length];
         forces = new Vector3[rig.JointCount];
         damping = new float[rig.JointCount];
-        for (var t = 0; t < m_Span.Length; t++)
+        for (int t = 0; t < m_Span.Length; t++)
             m_Span[t] = SpanInEdges(t);
     }
 
@@ -38,7 +38,7 @@ internal sealed class PlainAerodynamics
     {
         Array.Clear(m_VertexForces);
         Array.Clear(m_VertexDamping);
-        for (var t = 0; t < m_Span.Length; t++)
+        for (int t = 0; t < m_Span.Length; t++)
             Triangle(t, positions, velocities, wind);
         return ToJoints();
     }
@@ -48,32 +48,32 @@ internal sealed class PlainAerodynamics
         int a = m_Rig.triangles[3 * t], b = m_Rig.triangles[3 * t + 1], c = m_Rig.triangles[3 * t + 2];
         Vector3 ab = positions[b] - positions[a], ac = positions[c] - positions[a];
         var normal = Vector3.Cross(ab, ac);
-        var doubleArea = normal.Length();
+        float doubleArea = normal.Length();
         if (doubleArea < 1e-12f)
             return;
         normal /= doubleArea;
 
-        var air = wind - (velocities[a] + velocities[b] + velocities[c]) / 3f;
+        Vector3 air = wind - (velocities[a] + velocities[b] + velocities[c]) / 3f;
         var span = Vector3.Normalize(ab * m_Span[t].X + ac * m_Span[t].Y);
         air -= span * Vector3.Dot(air, span);
-        var speed = air.Length();
+        float speed = air.Length();
         if (speed < 1e-6f)
             return;
 
-        var across = Vector3.Dot(air, normal);
-        var along = (air - across * normal).Length();
-        var angle = (float)Math.Atan2(MathF.Abs(across), along) * k_Degrees;
-        var lift = 0.225f + 1.58f * MathF.Sin((2.13f * angle - 7.20f) / k_Degrees);
-        var drag = 1.92f - 1.55f * MathF.Cos((2.04f * angle - 9.82f) / k_Degrees);
-        var direction = air / speed;
-        var pressure = m_HalfDensity * 0.5f * doubleArea * speed * speed;
-        var force = pressure * drag * direction;
-        var up = normal - direction * Vector3.Dot(normal, direction);
+        float across = Vector3.Dot(air, normal);
+        float along = (air - across * normal).Length();
+        float angle = (float)Math.Atan2(MathF.Abs(across), along) * k_Degrees;
+        float lift = 0.225f + 1.58f * MathF.Sin((2.13f * angle - 7.20f) / k_Degrees);
+        float drag = 1.92f - 1.55f * MathF.Cos((2.04f * angle - 9.82f) / k_Degrees);
+        Vector3 direction = air / speed;
+        float pressure = m_HalfDensity * 0.5f * doubleArea * speed * speed;
+        Vector3 force = pressure * drag * direction;
+        Vector3 up = normal - direction * Vector3.Dot(normal, direction);
         if (up.Length() > 1e-6f)
             force += pressure * lift * MathF.Sign(across) * Vector3.Normalize(up);
 
-        var sine = MathF.Max(MathF.Abs(across) / speed, 0.05f);
-        var resistance = (1f + sine * sine) * (pressure / speed)
+        float sine = MathF.Max(MathF.Abs(across) / speed, 0.05f);
+        float resistance = (1f + sine * sine) * (pressure / speed)
             * MathF.Max(0f, lift * along / speed + drag * sine) / sine;
         Add(a, force, resistance);
         Add(b, force, resistance);
@@ -91,11 +91,11 @@ internal sealed class PlainAerodynamics
         Array.Clear(forces);
         Array.Clear(damping);
         Vector3 total = default;
-        for (var v = 0; v < m_VertexForces.Length; v++)
+        for (int v = 0; v < m_VertexForces.Length; v++)
         {
-            ref readonly var vertex = ref m_Rig.vertices[v];
+            ref readonly PlainVertex vertex = ref m_Rig.vertices[v];
             total += m_VertexForces[v];
-            for (var k = 0; k < 4; k++)
+            for (int k = 0; k < 4; k++)
             {
                 forces[vertex.joints[k]] += vertex.weights[k] * m_VertexForces[v];
                 damping[vertex.joints[k]] += vertex.weights[k] * m_VertexDamping[v];
@@ -107,10 +107,10 @@ internal sealed class PlainAerodynamics
 
     private Vector2 SpanInEdges(int t)
     {
-        var origin = m_Rig.vertices[m_Rig.triangles[3 * t]].position;
-        var ab = m_Rig.vertices[m_Rig.triangles[3 * t + 1]].position - origin;
-        var ac = m_Rig.vertices[m_Rig.triangles[3 * t + 2]].position - origin;
-        var determinant = ab.X * ac.Z - ac.X * ab.Z;
+        Vector3 origin = m_Rig.vertices[m_Rig.triangles[3 * t]].position;
+        Vector3 ab = m_Rig.vertices[m_Rig.triangles[3 * t + 1]].position - origin;
+        Vector3 ac = m_Rig.vertices[m_Rig.triangles[3 * t + 2]].position - origin;
+        float determinant = ab.X * ac.Z - ac.X * ab.Z;
         return determinant == 0f ? Vector2.UnitX : new Vector2(ac.Z, -ab.Z) / determinant;
     }
 }

@@ -29,7 +29,7 @@ internal sealed class PlainBeat
 
     public void Advance(float h)
     {
-        var x = Math.Clamp(phase / MathF.PI, 0f, 1f);
+        float x = Math.Clamp(phase / MathF.PI, 0f, 1f);
         rate = 2f * MathF.PI * (m_PreviousFrequency + (m_Frequency - m_PreviousFrequency) * (x * x * (3f - 2f * x)));
         phase += rate * h;
         if (phase < 2f * MathF.PI)

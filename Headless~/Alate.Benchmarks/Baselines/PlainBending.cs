@@ -27,11 +27,11 @@ internal sealed class PlainBending
         m_Rates = new Vector3[rig.BoneCount];
         rotations = new Quaternion[rig.BoneCount];
         targets = new Vector3[rig.JointCount];
-        var beat = 2f * MathF.PI * parameters.referenceFrequency;
-        for (var bone = 0; bone < rig.BoneCount; bone++)
+        float beat = 2f * MathF.PI * parameters.referenceFrequency;
+        for (int bone = 0; bone < rig.BoneCount; bone++)
         {
             int i = bone / rig.BonesPerChain, j = bone % rig.BonesPerChain;
-            var factor = parameters.stiffnessRoot * MathF.Pow(parameters.stiffnessTip / parameters.stiffnessRoot, rig.chainRatio[i]);
+            float factor = parameters.stiffnessRoot * MathF.Pow(parameters.stiffnessTip / parameters.stiffnessRoot, rig.chainRatio[i]);
             m_Stiffness[bone] = parameters.elasticity * beat * beat * factor * factor * rig.inertias[i * rig.BonesPerChain]
                 * MathF.Exp(-rig.jointRatio[j] / parameters.stiffnessDecay);
         }
@@ -39,12 +39,12 @@ internal sealed class PlainBending
 
     public void Step(Vector3[] joints, Vector3[] forces, float[] airDamping, PlainMotion driven, float h)
     {
-        for (var bone = 0; bone < m_Stiffness.Length; bone++)
+        for (int bone = 0; bone < m_Stiffness.Length; bone++)
         {
             int i = bone / m_Rig.BonesPerChain, joint = bone + i, end = (i + 1) * m_Rig.joints;
             Vector3 torque = default;
-            var damping = 0f;
-            for (var k = joint + 1; k < end; k++)
+            float damping = 0f;
+            for (int k = joint + 1; k < end; k++)
             {
                 torque += Vector3.Cross(joints[k] - joints[joint], forces[k]);
                 damping += airDamping[k] * m_Rig.leverDamping[joint * m_Rig.joints + k % m_Rig.joints];
@@ -62,9 +62,9 @@ internal sealed class PlainBending
     private void Turn(int bone, Vector3 torque, float airDamping, float h)
     {
         Vector3 angles = m_Angles[bone], rates = m_Rates[bone];
-        var bend = m_Stiffness[bone] * (angles.X > 0f ? m_Parameters.dorsalAsymmetry : 1f);
-        var inPlane = m_Stiffness[bone] * m_Parameters.inPlaneFactor;
-        var torsion = m_Stiffness[bone] * m_Parameters.torsionFactor;
+        float bend = m_Stiffness[bone] * (angles.X > 0f ? m_Parameters.dorsalAsymmetry : 1f);
+        float inPlane = m_Stiffness[bone] * m_Parameters.inPlaneFactor;
+        float torsion = m_Stiffness[bone] * m_Parameters.torsionFactor;
         Hinge(bone, Vector3.Dot(torque, m_Rig.bendAxes[bone]), airDamping, bend, h, ref angles.X, ref rates.X);
         Hinge(bone, torque.Y, airDamping, inPlane, h, ref angles.Y, ref rates.Y);
         Hinge(bone, Vector3.Dot(torque, m_Rig.boneDirections[bone]), 0f, torsion, h, ref angles.Z, ref rates.Z);
@@ -74,11 +74,11 @@ internal sealed class PlainBending
 
     private void Hinge(int bone, float torque, float airDamping, float stiffness, float h, ref float angle, ref float rate)
     {
-        var inertia = m_Rig.inertias[bone];
-        var damping = 2f * m_Parameters.bendDamping * MathF.Sqrt(stiffness * inertia);
+        float inertia = m_Rig.inertias[bone];
+        float damping = 2f * m_Parameters.bendDamping * MathF.Sqrt(stiffness * inertia);
         rate = ((inertia + airDamping * h) * rate + h * (torque - stiffness * angle))
             / (inertia + (damping + airDamping) * h + stiffness * h * h);
-        var moved = angle + rate * h;
+        float moved = angle + rate * h;
         angle = Math.Clamp(moved, -m_Parameters.jointLimit, m_Parameters.jointLimit);
         if (angle != moved)
             rate = 0f;
@@ -86,18 +86,18 @@ internal sealed class PlainBending
 
     private void Pose(PlainMotion driven)
     {
-        for (var i = 0; i < m_Rig.chains; i++)
+        for (int i = 0; i < m_Rig.chains; i++)
         {
             targets[i * m_Rig.joints] = driven.positions[i * m_Rig.joints];
-            for (var j = 0; j < m_Rig.BonesPerChain; j++)
+            for (int j = 0; j < m_Rig.BonesPerChain; j++)
             {
-                var bone = i * m_Rig.BonesPerChain + j;
-                var turn = j == 0
+                int bone = i * m_Rig.BonesPerChain + j;
+                Quaternion turn = j == 0
                     ? driven.rotations[bone]
                     : rotations[bone - 1] * (Quaternion.Conjugate(driven.rotations[bone - 1]) * driven.rotations[bone]);
-                var angles = m_Angles[bone];
-                var axis = angles.X * m_Rig.bendAxes[bone] + angles.Y * Vector3.UnitY + angles.Z * m_Rig.boneDirections[bone];
-                var angle = axis.Length();
+                Vector3 angles = m_Angles[bone];
+                Vector3 axis = angles.X * m_Rig.bendAxes[bone] + angles.Y * Vector3.UnitY + angles.Z * m_Rig.boneDirections[bone];
+                float angle = axis.Length();
                 if (angle > 1e-8f)
                     turn *= Quaternion.CreateFromAxisAngle(axis / angle, angle);
                 rotations[bone] = Quaternion.Normalize(turn);

@@ -23,9 +23,9 @@ internal sealed class PlainFrames
 
     public void Evaluate(Vector3[] positions, Quaternion[] bent)
     {
-        for (var bone = 0; bone < m_Bones.Length; bone++)
+        for (int bone = 0; bone < m_Bones.Length; bone++)
             m_Bones[bone] = Bone(positions, bent[bone], bone);
-        for (var joint = 0; joint < rotations.Length; joint++)
+        for (int joint = 0; joint < rotations.Length; joint++)
         {
             int i = joint / m_Rig.joints, j = joint % m_Rig.joints, bone = joint - i;
             rotations[joint] = j == 0 ? m_Bones[bone]
@@ -40,14 +40,14 @@ internal sealed class PlainFrames
         var along = Vector3.Normalize(positions[joint + 1] - positions[joint]);
         var posed = Vector3.Transform(m_Rig.boneDirections[bone], bent);
         var swing = Quaternion.Normalize(new Quaternion(Vector3.Cross(posed, along), 1f + Vector3.Dot(posed, along)));
-        var rotation = swing * bent;
+        Quaternion rotation = swing * bent;
 
         int before = i > 0 ? joint - m_Rig.joints : joint, after = i < m_Rig.chains - 1 ? joint + m_Rig.joints : joint;
-        var across = positions[after] + positions[after + 1] - positions[before] - positions[before + 1];
+        Vector3 across = positions[after] + positions[after + 1] - positions[before] - positions[before + 1];
         across -= along * Vector3.Dot(along, across);
         var rest = Vector3.Transform(m_Rig.crossDirections[bone], rotation);
         rest -= along * Vector3.Dot(along, rest);
-        var roll = MathF.Atan2(Vector3.Dot(along, Vector3.Cross(rest, across)), Vector3.Dot(rest, across));
+        float roll = MathF.Atan2(Vector3.Dot(along, Vector3.Cross(rest, across)), Vector3.Dot(rest, across));
         return Quaternion.CreateFromAxisAngle(along, Math.Clamp(roll, -k_LargestRoll, k_LargestRoll)) * rotation;
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Unity.Mathematics;
 
 namespace Alate.Benchmarks;
 
@@ -35,18 +36,18 @@ internal sealed class PlainMotion
     {
         Quaternion baseRotation = default;
         Vector3 baseVelocity = default, baseAcceleration = default;
-        for (var i = 0; i < m_Rig.chains; i++)
+        for (int i = 0; i < m_Rig.chains; i++)
         {
             m_Angle = new Vector3(m_Parameters.meanFlap, 0f, 0f);
             m_Rate = m_Curvature = default;
-            for (var j = 0; j < m_Rig.BonesPerChain; j++)
+            for (int j = 0; j < m_Rig.BonesPerChain; j++)
             {
-                var bone = i * m_Rig.BonesPerChain + j;
+                int bone = i * m_Rig.BonesPerChain + j;
                 AddWave(beat, i, j);
                 Turn(beat.rate, bone);
                 if (bone == 0)
                     (baseRotation, baseVelocity, baseAcceleration) = (rotations[0], m_AngularVelocity, m_AngularAcceleration);
-                var joint = bone + i;
+                int joint = bone + i;
                 if (j == 0)
                 {
                     positions[joint] = Vector3.Transform(m_Rig.restJoints[joint], baseRotation);
@@ -64,23 +65,23 @@ internal sealed class PlainMotion
 
     private void AddWave(PlainBeat beat, int i, int j)
     {
-        var p = beat.phase - MathF.PI * (m_Parameters.chordDelay * m_Rig.chainRatio[i] + m_Parameters.spanDelay * m_Rig.jointRatio[j]);
-        var cycle = 0;
+        float p = beat.phase - MathF.PI * (m_Parameters.chordDelay * m_Rig.chainRatio[i] + m_Parameters.spanDelay * m_Rig.jointRatio[j]);
+        int cycle = 0;
         for (; p < 0f && cycle < Math.Min(beat.cycles, 3); cycle++)
             p += 2f * MathF.PI;
-        var moving = p >= 0f;
+        bool moving = p >= 0f;
         p = MathF.Max(p, 0f);
 
-        var x = MathF.Min(p / MathF.PI, 1f);
-        var rise = beat.amplitudes[cycle] - beat.amplitudes[cycle + 1];
-        var amplitude = beat.amplitudes[cycle + 1] + rise * (x * x * (3f - 2f * x));
-        var rate = rise * (6f / MathF.PI * x * (1f - x));
-        var curvature = p > 0f && p < MathF.PI ? rise * ((6f - 12f * x) / (MathF.PI * MathF.PI)) : default;
+        float x = MathF.Min(p / MathF.PI, 1f);
+        Vector3 rise = beat.amplitudes[cycle] - beat.amplitudes[cycle + 1];
+        Vector3 amplitude = beat.amplitudes[cycle + 1] + rise * (x * x * (3f - 2f * x));
+        Vector3 rate = rise * (6f / MathF.PI * x * (1f - x));
+        Vector3 curvature = p > 0f && p < MathF.PI ? rise * ((6f - 12f * x) / (MathF.PI * MathF.PI)) : default;
 
-        var phase = m_Parameters.phase;
+        float3 phase = m_Parameters.phase;
         var cos = new Vector3(MathF.Cos(p + phase.x), MathF.Cos(p + phase.y), MathF.Cos(p + phase.z));
         var sin = new Vector3(MathF.Sin(p + phase.x), MathF.Sin(p + phase.y), MathF.Sin(p + phase.z));
-        var share = j == 0 ? m_Parameters.rootShare : (1f - m_Parameters.rootShare) / (m_Rig.BonesPerChain - 1);
+        float share = j == 0 ? m_Parameters.rootShare : (1f - m_Parameters.rootShare) / (m_Rig.BonesPerChain - 1);
         m_Angle += share * amplitude * cos;
         if (!moving)
             return;
@@ -91,8 +92,8 @@ internal sealed class PlainMotion
     private void Turn(float phaseRate, int bone)
     {
         var tilt = Quaternion.CreateFromAxisAngle(Vector3.UnitX, -m_Parameters.tilt);
-        var flapped = tilt * Quaternion.CreateFromAxisAngle(Vector3.UnitZ, m_Angle.X);
-        var swept = flapped * Quaternion.CreateFromAxisAngle(-Vector3.UnitY, m_Angle.Y);
+        Quaternion flapped = tilt * Quaternion.CreateFromAxisAngle(Vector3.UnitZ, m_Angle.X);
+        Quaternion swept = flapped * Quaternion.CreateFromAxisAngle(-Vector3.UnitY, m_Angle.Y);
         rotations[bone] = swept * Quaternion.CreateFromAxisAngle(m_Rig.leadingEdge, m_Angle.Z);
 
         var flapAxis = Vector3.Transform(Vector3.UnitZ, tilt);

@@ -23,14 +23,14 @@ internal sealed class PlainNewton
         m_Rig = rig;
         m_Stiffness = stiffness;
         m_Rows = new int[rig.JointCount];
-        for (var joint = 0; joint < m_Rows.Length; joint++)
+        for (int joint = 0; joint < m_Rows.Length; joint++)
         {
             m_Rows[joint] = joint % rig.joints == 0 ? -1 : m_Size;
             m_Size += joint % rig.joints == 0 ? 0 : 3;
         }
 
         m_Hessian = new float[m_Size][];
-        for (var row = 0; row < m_Size; row++)
+        for (int row = 0; row < m_Size; row++)
             m_Hessian[row] = new float[m_Size];
         m_Step = new float[m_Size];
         m_Candidate = new Vector3[rig.JointCount];
@@ -42,7 +42,7 @@ internal sealed class PlainNewton
     /// <summary>Minimises from positions, in place.</summary>
     public int Minimise(int iterations, float tolerance)
     {
-        for (var k = 1; k <= iterations; k++)
+        for (int k = 1; k <= iterations; k++)
         {
             Assemble(convex: false);
             if (!Factorise())
@@ -53,8 +53,8 @@ internal sealed class PlainNewton
 
             Solve();
             Search();
-            var largest = 0f;
-            for (var joint = 0; joint < positions.Length; joint++)
+            float largest = 0f;
+            for (int joint = 0; joint < positions.Length; joint++)
                 largest = MathF.Max(largest, StepOf(joint).Length());
             if (largest < tolerance)
                 return k;
@@ -65,25 +65,25 @@ internal sealed class PlainNewton
 
     private void Assemble(bool convex)
     {
-        foreach (var row in m_Hessian)
+        foreach (float[] row in m_Hessian)
             Array.Clear(row);
         Array.Clear(m_Step);
-        for (var joint = 0; joint < positions.Length; joint++)
+        for (int joint = 0; joint < positions.Length; joint++)
         {
             AddForce(joint, (positions[joint] - anchors[joint]) * inertia[joint]);
-            for (var d = 0; d < 3 && m_Rows[joint] >= 0; d++)
+            for (int d = 0; d < 3 && m_Rows[joint] >= 0; d++)
                 m_Hessian[m_Rows[joint] + d][m_Rows[joint] + d] += inertia[joint];
         }
 
-        foreach (var spring in m_Rig.springs)
+        foreach (Spring spring in m_Rig.springs)
         {
-            var difference = positions[spring.a] - positions[spring.b];
-            var length = difference.Length();
-            var axis = difference / length;
-            var force = m_Stiffness * (length - spring.length) * axis;
+            Vector3 difference = positions[spring.a] - positions[spring.b];
+            float length = difference.Length();
+            Vector3 axis = difference / length;
+            Vector3 force = m_Stiffness * (length - spring.length) * axis;
             AddForce(spring.a, force);
             AddForce(spring.b, -force);
-            var transversal = 1f - spring.length / length;
+            float transversal = 1f - spring.length / length;
             if (convex)
                 transversal = MathF.Max(transversal, 0f);
             AddBlock(m_Rows[spring.a], m_Rows[spring.a], axis, m_Stiffness, transversal);
@@ -95,7 +95,7 @@ internal sealed class PlainNewton
 
     private void AddForce(int joint, Vector3 gradient)
     {
-        for (var d = 0; d < 3 && m_Rows[joint] >= 0; d++)
+        for (int d = 0; d < 3 && m_Rows[joint] >= 0; d++)
             m_Step[m_Rows[joint] + d] -= gradient[d];
     }
 
@@ -104,11 +104,11 @@ internal sealed class PlainNewton
     {
         if (row < 0 || column < 0)
             return;
-        for (var r = 0; r < 3; r++)
+        for (int r = 0; r < 3; r++)
         {
-            for (var c = 0; c < 3; c++)
+            for (int c = 0; c < 3; c++)
             {
-                var along = axis[r] * axis[c];
+                float along = axis[r] * axis[c];
                 m_Hessian[row + r][column + c] += stiffness * (along + transversal * ((r == c ? 1f : 0f) - along));
             }
         }
@@ -117,14 +117,14 @@ internal sealed class PlainNewton
     /// <returns>Whether the Hessian is positive definite.</returns>
     private bool Factorise()
     {
-        for (var r = 0; r < m_Size; r++)
+        for (int r = 0; r < m_Size; r++)
         {
-            var row = m_Hessian[r];
-            for (var c = 0; c <= r; c++)
+            float[] row = m_Hessian[r];
+            for (int c = 0; c <= r; c++)
             {
-                var column = m_Hessian[c];
-                var sum = row[c];
-                for (var k = 0; k < c; k++)
+                float[] column = m_Hessian[c];
+                float sum = row[c];
+                for (int k = 0; k < c; k++)
                     sum -= row[k] * column[k];
                 if (r == c && sum <= 0f)
                     return false;
@@ -137,17 +137,17 @@ internal sealed class PlainNewton
 
     private void Solve()
     {
-        for (var r = 0; r < m_Size; r++)
+        for (int r = 0; r < m_Size; r++)
         {
-            var row = m_Hessian[r];
-            for (var k = 0; k < r; k++)
+            float[] row = m_Hessian[r];
+            for (int k = 0; k < r; k++)
                 m_Step[r] -= row[k] * m_Step[k];
             m_Step[r] /= row[r];
         }
 
-        for (var r = m_Size - 1; r >= 0; r--)
+        for (int r = m_Size - 1; r >= 0; r--)
         {
-            for (var k = r + 1; k < m_Size; k++)
+            for (int k = r + 1; k < m_Size; k++)
                 m_Step[r] -= m_Hessian[k][r] * m_Step[k];
             m_Step[r] /= m_Hessian[r][r];
         }
@@ -156,10 +156,10 @@ internal sealed class PlainNewton
     // Halves the step until the energy falls.
     private void Search()
     {
-        var before = Energy(positions);
-        for (var length = 1f; length > 1e-3f; length *= 0.5f)
+        float before = Energy(positions);
+        for (float length = 1f; length > 1e-3f; length *= 0.5f)
         {
-            for (var joint = 0; joint < positions.Length; joint++)
+            for (int joint = 0; joint < positions.Length; joint++)
                 m_Candidate[joint] = positions[joint] + length * StepOf(joint);
             if (Energy(m_Candidate) <= before * (1f + 1e-6f))
                 break;
@@ -170,12 +170,12 @@ internal sealed class PlainNewton
 
     private float Energy(Vector3[] at)
     {
-        var sum = 0f;
-        for (var joint = 0; joint < at.Length; joint++)
+        float sum = 0f;
+        for (int joint = 0; joint < at.Length; joint++)
             sum += inertia[joint] * (at[joint] - anchors[joint]).LengthSquared();
-        foreach (var spring in m_Rig.springs)
+        foreach (Spring spring in m_Rig.springs)
         {
-            var stretch = (at[spring.a] - at[spring.b]).Length() - spring.length;
+            float stretch = (at[spring.a] - at[spring.b]).Length() - spring.length;
             sum += m_Stiffness * stretch * stretch;
         }
 
@@ -184,7 +184,7 @@ internal sealed class PlainNewton
 
     private Vector3 StepOf(int joint)
     {
-        var row = m_Rows[joint];
+        int row = m_Rows[joint];
         return row < 0 ? default : new Vector3(m_Step[row], m_Step[row + 1], m_Step[row + 2]);
     }
 }

@@ -29,7 +29,7 @@ internal sealed unsafe class PlainRig
 
     public PlainRig(Specimen specimen)
     {
-        ref readonly var rig = ref specimen.Rig.View;
+        ref readonly RigView rig = ref specimen.Rig.View;
         chains = rig.chainCount;
         joints = rig.jointsPerChain;
         leadingEdge = Plain(rig.leadingEdge);
@@ -46,7 +46,7 @@ internal sealed unsafe class PlainRig
         springs = Copy(rig.springs, rig.springCount);
         triangles = specimen.Surface.triangles;
         vertices = new PlainVertex[specimen.Surface.VertexCount];
-        for (var v = 0; v < vertices.Length; v++)
+        for (int v = 0; v < vertices.Length; v++)
             vertices[v] = Vertex(specimen, v);
     }
 
@@ -69,7 +69,7 @@ internal sealed unsafe class PlainRig
             meshPosition = Plain(position),
             meshNormal = Plain(specimen.Surface.normals[v]),
         };
-        for (var k = 0; k < 4; k++)
+        for (int k = 0; k < 4; k++)
         {
             vertex.joints[k] = specimen.Rig.VertexJoints[v][k];
             vertex.weights[k] = specimen.Rig.VertexWeights[v][k];

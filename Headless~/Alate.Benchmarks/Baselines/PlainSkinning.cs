@@ -15,22 +15,22 @@ internal static class PlainSkinning
     /// <summary>Dual quaternions: signs aligned to the first joint and the blend normalised for every vertex.</summary>
     public static void DualQuaternions(PlainVertex[] vertices, PlainDualQuaternion[] palette, Vector3[] positions, Vector3[] normals)
     {
-        for (var v = 0; v < vertices.Length; v++)
+        for (int v = 0; v < vertices.Length; v++)
         {
-            ref readonly var vertex = ref vertices[v];
-            var pivot = palette[vertex.joints[0]].real;
+            ref readonly PlainVertex vertex = ref vertices[v];
+            Quaternion pivot = palette[vertex.joints[0]].real;
             Quaternion real = default, dual = default;
-            for (var k = 0; k < 4; k++)
+            for (int k = 0; k < 4; k++)
             {
-                ref readonly var joint = ref palette[vertex.joints[k]];
-                var weight = vertex.weights[k];
+                ref readonly PlainDualQuaternion joint = ref palette[vertex.joints[k]];
+                float weight = vertex.weights[k];
                 if (Quaternion.Dot(joint.real, pivot) < 0f)
                     weight = -weight;
                 real += joint.real * weight;
                 dual += joint.dual * weight;
             }
 
-            var scale = 1f / real.Length();
+            float scale = 1f / real.Length();
             real *= scale;
             dual *= scale;
             positions[v] = Vector3.Transform(vertex.meshPosition, real) + Translation(real, dual);
@@ -41,10 +41,10 @@ internal static class PlainSkinning
     /// <summary>Linear blending of 4×4 matrices.</summary>
     public static void LinearBlend(PlainVertex[] vertices, Matrix4x4[] palette, Vector3[] positions, Vector3[] normals)
     {
-        for (var v = 0; v < vertices.Length; v++)
+        for (int v = 0; v < vertices.Length; v++)
         {
-            ref readonly var vertex = ref vertices[v];
-            var blend = Blend(vertex, palette);
+            ref readonly PlainVertex vertex = ref vertices[v];
+            Matrix4x4 blend = Blend(vertex, palette);
             positions[v] = Vector3.Transform(vertex.meshPosition, blend);
             normals[v] = Vector3.Normalize(Vector3.TransformNormal(vertex.meshNormal, blend));
         }
@@ -53,7 +53,7 @@ internal static class PlainSkinning
     /// <summary>Skins positions alone, in the wing frame.</summary>
     public static void Positions(PlainVertex[] vertices, Matrix4x4[] palette, Vector3[] positions)
     {
-        for (var v = 0; v < vertices.Length; v++)
+        for (int v = 0; v < vertices.Length; v++)
             positions[v] = Vector3.Transform(vertices[v].position, Blend(vertices[v], palette));
     }
 

@@ -37,21 +37,21 @@ internal sealed class PlainSurface
     {
         Array.Copy(m_Current, m_Previous, m_Current.Length);
         Skin(joints, rotations);
-        for (var v = 0; v < m_Current.Length; v++)
+        for (int v = 0; v < m_Current.Length; v++)
             m_OwnVelocities[v] = (m_Current[v] - m_Previous[v]) / h;
     }
 
     /// <summary>Before the next: moved by what the driven pose has moved since.</summary>
     public void Carry(PlainMotion driven, Vector3[] oldPositions, Vector3[] oldVelocities)
     {
-        for (var v = 0; v < m_Current.Length; v++)
+        for (int v = 0; v < m_Current.Length; v++)
         {
-            ref readonly var vertex = ref m_Rig.vertices[v];
+            ref readonly PlainVertex vertex = ref m_Rig.vertices[v];
             carried[v] = m_Current[v];
             velocities[v] = m_OwnVelocities[v];
-            for (var k = 0; k < 4; k++)
+            for (int k = 0; k < 4; k++)
             {
-                var joint = vertex.joints[k];
+                int joint = vertex.joints[k];
                 carried[v] += vertex.weights[k] * (driven.positions[joint] - oldPositions[joint]);
                 velocities[v] += vertex.weights[k] * (driven.velocities[joint] - oldVelocities[joint]);
             }
@@ -60,7 +60,7 @@ internal sealed class PlainSurface
 
     private void Skin(Vector3[] joints, Quaternion[] rotations)
     {
-        for (var joint = 0; joint < m_Palette.Length; joint++)
+        for (int joint = 0; joint < m_Palette.Length; joint++)
         {
             m_Palette[joint] = Matrix4x4.CreateFromQuaternion(rotations[joint]);
             m_Palette[joint].Translation = joints[joint] - Vector3.Transform(m_Rig.restJoints[joint], rotations[joint]);

@@ -38,7 +38,7 @@ internal sealed class PlainWing
         m_Parameters = specimen.Parameters;
         m_Air = air;
         m_Frame = specimen.Rig.Frame;
-        var beatRate = 2f * MathF.PI * m_Parameters.referenceFrequency;
+        float beatRate = 2f * MathF.PI * m_Parameters.referenceFrequency;
         m_Beat = new PlainBeat(m_Parameters, air);
         m_Driven = new PlainMotion(rig, m_Parameters);
         m_Aerodynamics = new PlainAerodynamics(rig, m_Parameters);
@@ -74,9 +74,9 @@ internal sealed class PlainWing
         m_Driven.Evaluate(m_Beat);
         m_Surface.Carry(m_Driven, m_OldPositions, m_OldVelocities);
         m_Aerodynamics.Apply(m_Surface.carried, m_Surface.velocities, PlainRig.Plain(m_Air.wind));
-        for (var joint = 0; joint < m_Rig.JointCount; joint++)
+        for (int joint = 0; joint < m_Rig.JointCount; joint++)
         {
-            var own = PlainRig.Plain(m_Air.gravity) - m_Parameters.inertia * m_Driven.accelerations[joint];
+            Vector3 own = PlainRig.Plain(m_Air.gravity) - m_Parameters.inertia * m_Driven.accelerations[joint];
             m_Aerodynamics.forces[joint] += m_Rig.masses[joint] * own;
         }
 
@@ -92,12 +92,12 @@ internal sealed class PlainWing
     /// <summary>The mesh by dual quaternions.</summary>
     public void Skin()
     {
-        for (var joint = 0; joint < m_Palette.Length; joint++)
+        for (int joint = 0; joint < m_Palette.Length; joint++)
         {
-            var real = m_Frames.rotations[joint];
-            var moved = Joints[joint] - Vector3.Transform(m_Rig.restJoints[joint], real);
-            var hinge = PlainRig.Plain(m_Frame.origin);
-            var t = m_Frame.length * moved + hinge - Vector3.Transform(hinge, real);
+            Quaternion real = m_Frames.rotations[joint];
+            Vector3 moved = Joints[joint] - Vector3.Transform(m_Rig.restJoints[joint], real);
+            Vector3 hinge = PlainRig.Plain(m_Frame.origin);
+            Vector3 t = m_Frame.length * moved + hinge - Vector3.Transform(hinge, real);
             m_Palette[joint].real = real;
             m_Palette[joint].dual = new Quaternion(t, 0f) * real * 0.5f;
         }
@@ -108,25 +108,25 @@ internal sealed class PlainWing
     // The implicit step on the deviation from the posed joints.
     private void Stretch(float h)
     {
-        var beatRate = 2f * MathF.PI * m_Parameters.referenceFrequency;
-        var anchorRate = m_Parameters.anchor * beatRate * MathF.Sqrt(m_Parameters.elasticity);
-        var kept = MathF.Exp(-2f * m_Parameters.springDamping * anchorRate * h);
-        var stiffness = 1f / (h * h) + anchorRate * anchorRate;
-        for (var joint = 0; joint < m_Rig.JointCount; joint++)
+        float beatRate = 2f * MathF.PI * m_Parameters.referenceFrequency;
+        float anchorRate = m_Parameters.anchor * beatRate * MathF.Sqrt(m_Parameters.elasticity);
+        float kept = MathF.Exp(-2f * m_Parameters.springDamping * anchorRate * h);
+        float stiffness = 1f / (h * h) + anchorRate * anchorRate;
+        for (int joint = 0; joint < m_Rig.JointCount; joint++)
         {
             int i = joint / m_Rig.joints, bone = Math.Min(joint - i, (i + 1) * m_Rig.BonesPerChain - 1);
-            var turned = m_Driven.rotations[bone] * Quaternion.Conjugate(m_OldRotations[bone]);
+            Quaternion turned = m_Driven.rotations[bone] * Quaternion.Conjugate(m_OldRotations[bone]);
             m_Offsets[joint] = Vector3.Transform(m_Offsets[joint], turned);
-            var predicted = m_Offsets[joint] + kept * h * Vector3.Transform(m_OffsetRates[joint], turned);
+            Vector3 predicted = m_Offsets[joint] + kept * h * Vector3.Transform(m_OffsetRates[joint], turned);
             m_Newton.positions[joint] = m_Bending.targets[joint] + m_Offsets[joint];
             m_Newton.anchors[joint] = m_Bending.targets[joint] + predicted / (h * h * stiffness);
             m_Newton.inertia[joint] = m_Rig.masses[joint] * stiffness;
         }
 
         Iterations += m_Newton.Minimise(k_NewtonIterations, k_Tolerance);
-        for (var joint = 0; joint < m_Rig.JointCount; joint++)
+        for (int joint = 0; joint < m_Rig.JointCount; joint++)
         {
-            var offset = m_Newton.positions[joint] - m_Bending.targets[joint];
+            Vector3 offset = m_Newton.positions[joint] - m_Bending.targets[joint];
             m_OffsetRates[joint] = (offset - m_Offsets[joint]) / h;
             m_Offsets[joint] = offset;
         }

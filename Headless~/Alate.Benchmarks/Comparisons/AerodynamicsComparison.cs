@@ -8,20 +8,20 @@ internal static unsafe class AerodynamicsComparison
 {
     public static void Run(Report report, Specimen specimen, PlainRig plain, FlyingPack pack)
     {
-        var view = pack.Pack;
-        var scratch = pack.scratch;
+        WingPack view = pack.Pack;
+        StepScratch scratch = pack.scratch;
         var air = new PlainAerodynamics(plain, specimen.Parameters);
-        var wind = PlainRig.Plain(view.surroundings->wind[0]);
+        Vector3 wind = PlainRig.Plain(view.surroundings->wind[0]);
 
         // Both see the surface that the substep carried to its end.
         PackStep.Substep(view, scratch, pack.substep);
-        Surface(plain, view, scratch, out var positions, out var velocities);
-        var ours = Force(view, scratch);
-        var theirs = air.Apply(positions, velocities, wind);
+        Surface(plain, view, scratch, out Vector3[] positions, out Vector3[] velocities);
+        Vector3 ours = Force(view, scratch);
+        Vector3 theirs = air.Apply(positions, velocities, wind);
         report.Check("triangles give the patches' force", (ours - theirs).Length() / theirs.Length(), 2e-2);
 
         Vector3 sink = default;
-        var time = Race.Run(
+        double[] time = Race.Run(
             new Contestant("patches", WingPack.Lanes * view.rig.patchCount, () => sink += Force(view, scratch)),
             new Contestant("triangles", plain.triangles.Length / 3, () => sink += air.Apply(positions, velocities, wind)));
         report.Ratio(Targets.Triangle, time[0], time[1], time[1] / time[0]);
@@ -29,11 +29,11 @@ internal static unsafe class AerodynamicsComparison
 
     private static Vector3 Force(in WingPack pack, in StepScratch scratch)
     {
-        for (var joint = 0; joint < pack.rig.jointCount; joint++)
+        for (int joint = 0; joint < pack.rig.jointCount; joint++)
             scratch.forces[joint] = default;
         Aerodynamics.Apply(pack, scratch);
         Vector3 force = default;
-        for (var joint = 0; joint < pack.rig.jointCount; joint++)
+        for (int joint = 0; joint < pack.rig.jointCount; joint++)
             force += PlainRig.Plain(scratch.forces[joint][0]);
         return force;
     }
@@ -44,14 +44,14 @@ internal static unsafe class AerodynamicsComparison
         const float h = 1e-4f;
         var now = new Matrix4x4[plain.JointCount];
         var before = new Matrix4x4[plain.JointCount];
-        for (var joint = 0; joint < now.Length; joint++)
+        for (int joint = 0; joint < now.Length; joint++)
         {
-            var frame = scratch.carriedFrames[joint];
+            SoaFloat3x3 frame = scratch.carriedFrames[joint];
             var axes = new float3x3(frame.c0[0], frame.c1[0], frame.c2[0]);
-            var turning = scratch.carriedTurning[joint][0];
+            float3 turning = scratch.carriedTurning[joint][0];
             var rates = new float3x3(math.cross(turning, axes.c0), math.cross(turning, axes.c1), math.cross(turning, axes.c2));
-            var position = scratch.carriedPositions[joint][0];
-            var velocity = scratch.drivenVelocities[joint][0] - pack.drivenLags[joint][0] + pack.motions[joint].velocity[0];
+            float3 position = scratch.carriedPositions[joint][0];
+            float3 velocity = scratch.drivenVelocities[joint][0] - pack.drivenLags[joint][0] + pack.motions[joint].velocity[0];
             now[joint] = Transform(axes, position, plain.restJoints[joint]);
             before[joint] = Transform(axes - rates * h, position - velocity * h, plain.restJoints[joint]);
         }
@@ -60,7 +60,7 @@ internal static unsafe class AerodynamicsComparison
         velocities = new Vector3[plain.vertices.Length];
         PlainSkinning.Positions(plain.vertices, now, positions);
         PlainSkinning.Positions(plain.vertices, before, velocities);
-        for (var v = 0; v < positions.Length; v++)
+        for (int v = 0; v < positions.Length; v++)
             velocities[v] = (positions[v] - velocities[v]) / h;
     }
 

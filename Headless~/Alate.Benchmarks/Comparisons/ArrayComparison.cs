@@ -13,9 +13,9 @@ internal static unsafe class ArrayComparison
     {
         using var positions = new NativeArray<float4>(k_Length, Allocator.Persistent);
         using var velocities = new NativeArray<float4>(k_Length, Allocator.Persistent);
-        for (var k = 0; k < k_Length; k++)
+        for (int k = 0; k < k_Length; k++)
         {
-            var array = velocities;
+            NativeArray<float4> array = velocities;
             array[k] = k;
         }
 
@@ -23,7 +23,7 @@ internal static unsafe class ArrayComparison
         var v = (float4*)velocities.GetUnsafePtr();
         Indexed(positions, velocities);
         report.Check("indexer and pointer write the same memory", math.cmax(math.abs(p[k_Length - 1] - 0.001f * v[k_Length - 1])), 0);
-        var time = Race.Run(
+        double[] time = Race.Run(
             new Contestant("indexer", k_Length, () => Indexed(positions, velocities)),
             new Contestant("pointer", k_Length, () => Pointed(p, v, k_Length)));
         report.Ratio(Targets.Indexer, time[0], time[1], time[0] / time[1]);
@@ -31,13 +31,13 @@ internal static unsafe class ArrayComparison
 
     private static void Indexed(NativeArray<float4> positions, NativeArray<float4> velocities)
     {
-        for (var k = 0; k < positions.Length; k++)
+        for (int k = 0; k < positions.Length; k++)
             positions[k] += velocities[k] * 0.001f;
     }
 
     private static void Pointed(float4* positions, float4* velocities, int length)
     {
-        for (var k = 0; k < length; k++)
+        for (int k = 0; k < length; k++)
             positions[k] += velocities[k] * 0.001f;
     }
 }

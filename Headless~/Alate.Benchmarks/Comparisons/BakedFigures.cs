@@ -25,9 +25,9 @@ internal static class BakedFigures
         ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
         InsectWings insect = InsectFactory.Create("monarch");
         InsectBake bake = InsectBaker.Bake(insect, [BakeMotion.Find("cruise"), BakeMotion.Find("rest")], BakeSettings.Default);
-        BakedInsect baked = BakedInsect.Create(bake);
+        var baked = BakedInsect.Create(bake);
         insect.gameObject.SetActive(false);
-        var eye = new GameObject("eye").AddComponent<Camera>();
+        Camera eye = new GameObject("eye").AddComponent<Camera>();
         eye.transform.position = new Vector3(0f, 0f, -60f);
         report.Figure("baked_texture_kb", "texture of two loops", "kB", baked.TextureBytes / 1024.0);
         foreach (CrowdSize size in baked.Sizes)

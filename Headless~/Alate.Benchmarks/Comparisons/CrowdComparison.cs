@@ -20,12 +20,12 @@ internal sealed class CrowdComparison
         using var one = new Swarm([m_Specimen], 1);
         using var sixteen = new Swarm([m_Specimen], 16);
         using var fourHundred = new Swarm([m_Specimen], 400);
-        var time = Race.Run(one.Contestant, sixteen.Contestant, sixtyFour.Contestant, fourHundred.Contestant);
+        double[] time = Race.Run(one.Contestant, sixteen.Contestant, sixtyFour.Contestant, fourHundred.Contestant);
         report.Ratio(Targets.Crowd, time[3], time[1], time[3] / time[1]);
         report.Ratio(Targets.Single, time[0], time[2], time[0] / time[2]);
         Cores(report, sixtyFour);
         JobsUtility.ResetJobWorkerCount();
-        foreach (var insects in s_Crowds)
+        foreach (int insects in s_Crowds)
             Memory(report, insects);
         JobsUtility.JobWorkerCount = 0;
     }
@@ -33,8 +33,8 @@ internal sealed class CrowdComparison
     private static void Cores(Report report, Swarm swarm)
     {
         // A frame in between wakes the workers, or sends them to sleep.
-        var frames = swarm.Contestant;
-        var time = Race.Run(
+        Contestant frames = swarm.Contestant;
+        double[] time = Race.Run(
             frames with { Prepare = () => FrameWith(1, swarm) }, frames with { Prepare = () => FrameWith(0, swarm) });
         report.Ratio(Targets.Cores, time[0], time[1], time[1] / time[0]);
     }
@@ -50,12 +50,12 @@ internal sealed class CrowdComparison
         using var swarm = new Swarm([m_Specimen], insects);
         swarm.Frame();
         long own = GC.GetAllocatedBytesForCurrentThread(), all = GC.GetTotalAllocatedBytes(precise: true);
-        for (var frame = 0; frame < k_WarmFrames; frame++)
+        for (int frame = 0; frame < k_WarmFrames; frame++)
             swarm.Frame();
         own = GC.GetAllocatedBytesForCurrentThread() - own;
         all = GC.GetTotalAllocatedBytes(precise: true) - all;
 
-        var group = insects.ToString(CultureInfo.InvariantCulture);
+        string group = insects.ToString(CultureInfo.InvariantCulture);
         report.Figure("bytes_per_frame", group, $"frame of {insects} insects", "bytes allocated", Math.Max(own, all) / (double)k_WarmFrames);
         report.Figure("jobs_per_frame", group, $"frame of {insects} insects", "jobs", Jobs(swarm));
     }
@@ -63,10 +63,10 @@ internal sealed class CrowdComparison
     // Jobs that are pending when a whole frame has been scheduled and none of it completed.
     private static int Jobs(Swarm swarm)
     {
-        var before = JobExecution.PendingCount;
+        int before = JobExecution.PendingCount;
         swarm.World.ScheduleStep(swarm.TimeDue);
         swarm.World.ScheduleSkin(1f);
-        var jobs = JobExecution.PendingCount - before;
+        int jobs = JobExecution.PendingCount - before;
         swarm.World.Complete();
         return jobs;
     }

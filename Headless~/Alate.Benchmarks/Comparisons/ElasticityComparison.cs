@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace Alate.Benchmarks;
@@ -17,10 +18,10 @@ internal sealed unsafe class ElasticityComparison
     {
         m_Pack = pack;
         m_Start = new ReadOnlySpan<SoaFloat3>(pack.scratch.targets, plain.JointCount).ToArray();
-        for (var lane = 0; lane < WingPack.Lanes; lane++)
+        for (int lane = 0; lane < WingPack.Lanes; lane++)
         {
             m_Plain[lane] = new PlainNewton(plain, pack.Pack.parameters->springStiffness[lane]);
-            for (var joint = 0; joint < plain.JointCount; joint++)
+            for (int joint = 0; joint < plain.JointCount; joint++)
             {
                 m_Plain[lane].anchors[joint] = PlainRig.Plain(pack.scratch.anchors[joint][lane]);
                 m_Plain[lane].inertia[joint] = pack.scratch.inertia[joint][lane];
@@ -34,7 +35,7 @@ internal sealed unsafe class ElasticityComparison
         Dense(k_Converged);
         report.Check("dense Newton gives the batched one's positions", LargestDifference(), 1e-4);
         const double units = 1000 * k_Iterations * WingPack.Lanes;
-        var time = Race.Run(
+        double[] time = Race.Run(
             new Contestant("in blocks, four wings", units, () => Lanes(k_Iterations)),
             new Contestant("dense Cholesky", units, () => Dense(k_Iterations)));
         report.Ratio(Targets.Cholesky, time[0], time[1], time[1] / time[0]);
@@ -44,7 +45,7 @@ internal sealed unsafe class ElasticityComparison
     {
         fixed (SoaFloat3* start = m_Start)
             UnsafeUtility.MemCpy(m_Pack.scratch.positions, start, m_Start.Length * sizeof(SoaFloat3));
-        var limits = NewtonSolver.Limits.Default;
+        NewtonSolver.Limits limits = NewtonSolver.Limits.Default;
         limits.newton = iterations;
         limits.tolerance = 0f;
         NewtonSolver.Minimise(m_Pack.Pack, m_Pack.scratch, limits);
@@ -52,9 +53,9 @@ internal sealed unsafe class ElasticityComparison
 
     private void Dense(int iterations)
     {
-        for (var lane = 0; lane < WingPack.Lanes; lane++)
+        for (int lane = 0; lane < WingPack.Lanes; lane++)
         {
-            for (var joint = 0; joint < m_Start.Length; joint++)
+            for (int joint = 0; joint < m_Start.Length; joint++)
                 m_Plain[lane].positions[joint] = PlainRig.Plain(m_Start[joint][lane]);
             m_Plain[lane].Minimise(iterations, 0f);
         }
@@ -63,12 +64,12 @@ internal sealed unsafe class ElasticityComparison
     // Wing lengths.
     private double LargestDifference()
     {
-        var largest = 0f;
-        for (var lane = 0; lane < WingPack.Lanes; lane++)
+        float largest = 0f;
+        for (int lane = 0; lane < WingPack.Lanes; lane++)
         {
-            for (var joint = 0; joint < m_Start.Length; joint++)
+            for (int joint = 0; joint < m_Start.Length; joint++)
             {
-                var ours = PlainRig.Plain(m_Pack.scratch.positions[joint][lane]);
+                Vector3 ours = PlainRig.Plain(m_Pack.scratch.positions[joint][lane]);
                 largest = MathF.Max(largest, (ours - m_Plain[lane].positions[joint]).Length());
             }
         }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Collections;
 
 namespace Alate.Benchmarks;
 
@@ -24,13 +25,13 @@ internal sealed class FrameComparison
         m_Version01 = version01;
         m_Earlier = earlier;
         m_Swarm = swarm;
-        for (var wing = 0; wing < 2 * k_PlainInsects; wing++)
+        for (int wing = 0; wing < 2 * k_PlainInsects; wing++)
             m_Plain.Add(new PlainWing(plain, version01, version01.FlightOf(wing)));
     }
 
     public void Run(Report report)
     {
-        for (var frame = 0; frame < Swarm.FramesPerBeat; frame++)
+        for (int frame = 0; frame < Swarm.FramesPerBeat; frame++)
         {
             m_Earlier.Frame();
             m_Swarm.Frame();
@@ -38,7 +39,7 @@ internal sealed class FrameComparison
         }
 
         report.Check("the plain wing moves like ours", LargestDifference(), 2e-2);
-        var time = Race.Run(
+        double[] time = Race.Run(
             m_Swarm.Contestant, m_Earlier.Contestant, new Contestant("plain", 1000 * k_PlainInsects, PlainFrame, Swarm.FramesPerBeat));
         report.Ratio(Targets.Frame, time[0], time[2], time[2] / time[0]);
         report.Ratio(Targets.EarlierFrame, time[1], time[2], time[2] / time[1]);
@@ -47,9 +48,9 @@ internal sealed class FrameComparison
 
     private void PlainFrame()
     {
-        foreach (var wing in m_Plain)
+        foreach (PlainWing wing in m_Plain)
         {
-            for (var k = 0; k < m_Earlier.SubstepsPerBeat / Swarm.FramesPerBeat; k++)
+            for (int k = 0; k < m_Earlier.SubstepsPerBeat / Swarm.FramesPerBeat; k++)
                 wing.Substep(m_Earlier.Substep);
             wing.Skin();
         }
@@ -58,11 +59,11 @@ internal sealed class FrameComparison
     // Of all vertices, wing lengths.
     private double LargestDifference()
     {
-        var largest = 0f;
-        for (var wing = 0; wing < m_Plain.Count; wing++)
+        float largest = 0f;
+        for (int wing = 0; wing < m_Plain.Count; wing++)
         {
-            var vertices = m_Earlier.World.Vertices(m_Earlier.Wings[wing]);
-            for (var v = 0; v < vertices.Length; v++)
+            NativeArray<SkinnedVertex> vertices = m_Earlier.World.Vertices(m_Earlier.Wings[wing]);
+            for (int v = 0; v < vertices.Length; v++)
                 largest = MathF.Max(largest, (PlainRig.Plain(vertices[v].position) - m_Plain[wing].positions[v]).Length());
         }
 

@@ -7,11 +7,11 @@ internal static unsafe class MotionComparison
 {
     public static void Run(Report report, Specimen specimen, PlainRig plain, FlyingPack pack)
     {
-        var view = pack.Pack;
-        var scratch = pack.scratch;
+        WingPack view = pack.Pack;
+        StepScratch scratch = pack.scratch;
         var beats = new PlainBeat[WingPack.Lanes];
         var motions = new PlainMotion[WingPack.Lanes];
-        for (var lane = 0; lane < WingPack.Lanes; lane++)
+        for (int lane = 0; lane < WingPack.Lanes; lane++)
         {
             beats[lane] = new PlainBeat(specimen.Parameters, specimen.FlightOf(lane));
             beats[lane].Follow(*view.beat, lane);
@@ -26,16 +26,16 @@ internal static unsafe class MotionComparison
 
         void Plain()
         {
-            for (var lane = 0; lane < WingPack.Lanes; lane++)
+            for (int lane = 0; lane < WingPack.Lanes; lane++)
                 motions[lane].Evaluate(beats[lane]);
         }
 
         Lanes();
         Plain();
-        for (var lane = 0; lane < WingPack.Lanes; lane++)
+        for (int lane = 0; lane < WingPack.Lanes; lane++)
             Check(report, scratch, motions[lane], lane);
         double units = WingPack.Lanes * plain.JointCount;
-        var time = Race.Run(new Contestant("lanes", units, Lanes), new Contestant("plain", units, Plain));
+        double[] time = Race.Run(new Contestant("lanes", units, Lanes), new Contestant("plain", units, Plain));
         report.Ratio(Targets.Motion, time[0], time[1], time[1] / time[0]);
     }
 
@@ -43,7 +43,7 @@ internal static unsafe class MotionComparison
     private static void Check(Report report, in StepScratch scratch, PlainMotion plain, int lane)
     {
         float position = 0f, velocity = 0f, fastest = 0f, acceleration = 0f, strongest = 0f;
-        for (var joint = 0; joint < plain.positions.Length; joint++)
+        for (int joint = 0; joint < plain.positions.Length; joint++)
         {
             position = MathF.Max(position, (PlainRig.Plain(scratch.drivenPositions[joint][lane]) - plain.positions[joint]).Length());
             velocity = MathF.Max(velocity, (PlainRig.Plain(scratch.drivenVelocities[joint][lane]) - plain.velocities[joint]).Length());

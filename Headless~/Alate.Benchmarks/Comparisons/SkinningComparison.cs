@@ -22,7 +22,7 @@ internal sealed unsafe class SkinningComparison
     {
         m_Specimen = specimen;
         m_Plain = plain;
-        var count = plain.vertices.Length;
+        int count = plain.vertices.Length;
         m_Vertices = GC.AllocateArray<SkinnedVertex>(count, pinned: true);
         m_Positions = new Vector3[count];
         m_Normals = new Vector3[count];
@@ -44,8 +44,8 @@ internal sealed unsafe class SkinningComparison
         PlainLinearBlend();
         report.Check("naive LBS stays near the grouped DQS", LargestDifference(), 2e-2);
 
-        var count = m_Vertices.Length;
-        var time = Race.Run(
+        int count = m_Vertices.Length;
+        double[] time = Race.Run(
             new Contestant("grouped DQS", count, Grouped),
             new Contestant("naive DQS", count, PlainDualQuaternions),
             new Contestant("naive LBS", count, PlainLinearBlend),
@@ -68,11 +68,11 @@ internal sealed unsafe class SkinningComparison
     // In wing lengths, over positions and normals.
     private double LargestDifference()
     {
-        var largest = 0f;
-        for (var v = 0; v < m_Vertices.Length; v++)
+        float largest = 0f;
+        for (int v = 0; v < m_Vertices.Length; v++)
         {
-            var position = PlainRig.Plain(m_Vertices[v].position) - m_Positions[v];
-            var normal = PlainRig.Plain(m_Vertices[v].normal) - m_Normals[v];
+            Vector3 position = PlainRig.Plain(m_Vertices[v].position) - m_Positions[v];
+            Vector3 normal = PlainRig.Plain(m_Vertices[v].normal) - m_Normals[v];
             largest = MathF.Max(largest, position.Length() / m_Specimen.Rig.Frame.length);
             largest = MathF.Max(largest, 0.1f * normal.Length());
         }

@@ -15,20 +15,20 @@ internal static class SpeciesFigures
 
     public static void Run(Report report)
     {
-        foreach (var species in InsectCatalogue.All)
+        foreach (InsectDefinition species in InsectCatalogue.All)
         {
             var kinds = species.Wings.Select(wing => new Specimen(wing)).ToList();
             var earlierKinds = species.Wings.Select(Specimen.OfVersion01).ToList();
             using (var swarm = new Swarm(kinds, k_Insects))
             {
-                var time = Race.Run(k_Rounds, new Contestant("bake", 1e6, () => Bake(kinds)), swarm.Contestant);
+                double[] time = Race.Run(k_Rounds, new Contestant("bake", 1e6, () => Bake(kinds)), swarm.Contestant);
                 report.Figure("bake_ms", species.Name, $"bake of a {species.Name}", "ms", time[0]);
                 report.Figure("us_per_insect_frame", species.Name, $"frame of a {species.Name}", "us/insect", time[1]);
             }
 
             using (Swarm swarm = new(kinds, k_BeatInsects), earlier = new(earlierKinds, k_BeatInsects))
             {
-                var time = Race.Run(swarm.Beats, earlier.Beats);
+                double[] time = Race.Run(swarm.Beats, earlier.Beats);
                 report.Ratio(Targets.BeatShare, species.Name, time[0], time[1], time[0] / time[1]);
             }
 
@@ -40,7 +40,7 @@ internal static class SpeciesFigures
     // The wings of one side: the other side's rigs are their mirror images.
     private static void Bake(List<Specimen> kinds)
     {
-        foreach (var kind in kinds)
+        foreach (Specimen kind in kinds)
             kind.Bake().Release();
     }
 }

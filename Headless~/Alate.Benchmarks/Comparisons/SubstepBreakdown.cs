@@ -29,7 +29,7 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
     {
         m_Pack = new FlyingPack(specimen, 100);
         m_Best = new double[(int)specimen.Parameters.substepsPerBeat][];
-        for (var k = 0; k < m_Best.Length; k++)
+        for (int k = 0; k < m_Best.Length; k++)
         {
             m_Best[k] = new double[s_Parts.Length];
             Array.Fill(m_Best[k], double.PositiveInfinity);
@@ -39,7 +39,7 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
     public static void Run(Report report, Specimen monarch, Specimen version01)
     {
         using SubstepBreakdown now = new(monarch), before = new(version01);
-        for (var beat = 0; beat < k_Beats; beat++)
+        for (int beat = 0; beat < k_Beats; beat++)
         {
             now.Beat();
             before.Beat();
@@ -53,15 +53,15 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
 
     private void Print(Report report, string key, string title)
     {
-        var scale = 1e6 / (WingPack.Lanes * m_Best.Length);
+        double scale = 1e6 / (WingPack.Lanes * m_Best.Length);
         report.Figure(key, "whole", $"{title}: whole", "us/wing", scale * m_Best.Sum(row => row.Sum()));
-        for (var part = 0; part < s_Parts.Length; part++)
+        for (int part = 0; part < s_Parts.Length; part++)
             report.Figure(key, s_Parts[part], $"{title}: {s_Parts[part]}", "us/wing", scale * m_Best.Sum(row => row[part]));
     }
 
     private void Beat()
     {
-        foreach (var row in m_Best)
+        foreach (double[] row in m_Best)
         {
             m_Row = row;
             Substep(m_Pack.Pack, m_Pack.scratch, m_Pack.substep);
@@ -104,7 +104,7 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
 
     private void Done()
     {
-        var now = Stopwatch.GetTimestamp();
+        long now = Stopwatch.GetTimestamp();
         m_Row[m_Part] = Math.Min(m_Row[m_Part], (now - m_Since) / (double)Stopwatch.Frequency);
         m_Part++;
         m_Since = Stopwatch.GetTimestamp();

@@ -65,7 +65,7 @@ internal static class SystemFigures
             var root = new GameObject($"monarch {k}");
             root.SetActive(false);
             root.transform.position = new Vector3(2f * (k % 20), 0f, 2f * (k / 20));
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             foreach (WingSide side in s_Sides)
             {
                 var wing = new GameObject($"wing {side}", typeof(MeshFilter), typeof(MeshRenderer));

@@ -34,8 +34,8 @@ internal static class HotCode
     public static void Run(Report report)
     {
         using var listener = new InliningListener();
-        var compiled = 0;
-        foreach (var method in s_Hot.SelectMany(Methods))
+        int compiled = 0;
+        foreach (MethodInfo method in s_Hot.SelectMany(Methods))
         {
             RuntimeHelpers.PrepareMethod(method.MethodHandle);
             compiled++;
@@ -43,7 +43,7 @@ internal static class HotCode
 
         listener.Settle();
         report.Figure("calls_in_hot_code", $"calls left in {compiled} hot methods", "calls", listener.Calls.Values.Sum());
-        foreach (var (call, count) in listener.Calls.OrderBy(call => call.Key, StringComparer.Ordinal))
+        foreach ((string call, int count) in listener.Calls.OrderBy(call => call.Key, StringComparer.Ordinal))
             report.Line($"  {count} x {call}");
     }
 

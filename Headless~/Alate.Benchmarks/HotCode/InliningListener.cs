@@ -20,7 +20,7 @@ internal sealed class InliningListener : EventListener
     /// <summary>Events come from another thread: waits until there have been none for a while.</summary>
     public void Settle()
     {
-        for (var before = -1; before != m_Events;)
+        for (int before = -1; before != m_Events;)
         {
             before = m_Events;
             Thread.Sleep(150);
@@ -41,7 +41,7 @@ internal sealed class InliningListener : EventListener
         string caller = Text(e, "MethodBeingCompiledNamespace"), callee = Text(e, "InlineeNamespace");
         if (!HotCode.IsHot(caller) || !HotCode.IsElementary(callee))
             return;
-        var call = $"{caller}.{Text(e, "MethodBeingCompiledName")} calls {callee}.{Text(e, "InlineeName")}: {Text(e, "FailReason")}";
+        string call = $"{caller}.{Text(e, "MethodBeingCompiledName")} calls {callee}.{Text(e, "InlineeName")}: {Text(e, "FailReason")}";
         lock (m_Calls)
             m_Calls[call] = m_Calls.GetValueOrDefault(call) + 1;
     }

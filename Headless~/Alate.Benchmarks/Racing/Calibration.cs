@@ -13,10 +13,10 @@ internal static class Calibration
     /// <summary>Runs as many multiply-adds as the skinning of a number of vertices takes.</summary>
     public static Vector128<float> MultiplyAdd(int vertices)
     {
-        var count = (int)(vertices * PerVertex / k_Chains);
+        int count = (int)(vertices * PerVertex / k_Chains);
         Vector128<float> factor = Vector128.Create(0.999f), term = Vector128.Create(0.001f);
         Vector128<float> a = term, b = term, c = term, d = term, e = term, f = term, g = term, h = term, i = term, j = term;
-        for (var k = 0; k < count; k++)
+        for (int k = 0; k < count; k++)
         {
             a = Vector128.FusedMultiplyAdd(a, factor, term);
             b = Vector128.FusedMultiplyAdd(b, factor, term);

@@ -35,11 +35,11 @@ internal sealed class Race
     /// <inheritdoc cref="Run(Contestant[])"/>
     public static double[] Run(int leastRounds, params Contestant[] contestants)
     {
-        var lanes = Array.ConvertAll(contestants, contestant => new Race(contestant));
-        var start = Stopwatch.GetTimestamp();
-        for (var round = 0; round < leastRounds || (round < k_MostRounds && Seconds(start) < k_RaceSeconds); round++)
+        Race[] lanes = Array.ConvertAll(contestants, contestant => new Race(contestant));
+        long start = Stopwatch.GetTimestamp();
+        for (int round = 0; round < leastRounds || (round < k_MostRounds && Seconds(start) < k_RaceSeconds); round++)
         {
-            foreach (var lane in lanes)
+            foreach (Race lane in lanes)
                 lane.Round();
         }
 
@@ -49,7 +49,7 @@ internal sealed class Race
     private void Round()
     {
         m_Contestant.Prepare?.Invoke();
-        for (var phase = 0; phase < m_Best.Length; phase++)
+        for (int phase = 0; phase < m_Best.Length; phase++)
             m_Best[phase] = Math.Min(m_Best[phase], Time(m_Contestant.Work, m_Repeats));
     }
 
@@ -57,7 +57,7 @@ internal sealed class Race
     private static int Repeats(Action work)
     {
         work();
-        for (var repeats = 1; ; repeats *= 2)
+        for (int repeats = 1; ; repeats *= 2)
         {
             if (Math.Min(Time(work, repeats), Time(work, repeats)) >= k_RoundSeconds)
                 return repeats;
@@ -66,8 +66,8 @@ internal sealed class Race
 
     private static double Time(Action work, int repeats)
     {
-        var start = Stopwatch.GetTimestamp();
-        for (var k = 0; k < repeats; k++)
+        long start = Stopwatch.GetTimestamp();
+        for (int k = 0; k < repeats; k++)
             work();
         return Seconds(start);
     }

@@ -78,7 +78,7 @@ internal sealed class Report
 
     private Dictionary<string, object> Group(string key)
     {
-        if (!Content.TryGetValue(key, out var group))
+        if (!Content.TryGetValue(key, out object group))
             Content[key] = group = new Dictionary<string, object>();
         return (Dictionary<string, object>)group;
     }

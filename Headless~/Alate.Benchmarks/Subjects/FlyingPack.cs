@@ -19,20 +19,20 @@ internal sealed unsafe class FlyingPack : IDisposable
 
     public FlyingPack(Specimen specimen, int substeps)
     {
-        ref readonly var rig = ref specimen.Rig.View;
+        ref readonly RigView rig = ref specimen.Rig.View;
         m_Memory = new PackMemory(rig, specimen.Parameters.options);
-        for (var wing = 0; wing < WingPack.Lanes; wing++)
+        for (int wing = 0; wing < WingPack.Lanes; wing++)
             m_Memory.Add(wing, specimen.Parameters, specimen.FlightOf(wing));
 
         var size = RigSize.Of(rig);
-        var bytes = StepScratch.Layout(size, null, out _);
+        long bytes = StepScratch.Layout(size, null, out _);
         m_Scratch = (byte*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
         UnsafeUtility.MemClear(m_Scratch, bytes);
         StepScratch.Layout(size, m_Scratch, out scratch);
         PackStep.Derive(Pack);
         PackReset.Restart(Pack, scratch, true);
         substep = 1f / math.cmax(Pack.beat->frequency * Pack.parameters->numbers.substepsPerBeat);
-        for (var k = 0; k < substeps; k++)
+        for (int k = 0; k < substeps; k++)
             PackStep.Substep(Pack, scratch, substep);
     }
 

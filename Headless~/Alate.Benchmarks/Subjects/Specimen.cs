@@ -19,13 +19,13 @@ internal sealed class Specimen : IDisposable
     private Specimen(WingDefinition wing, in WingParameters parameters, in WingRigSettings settings)
     {
         Wing = wing;
-        var preset = wing.CreatePreset();
+        WingPreset preset = wing.CreatePreset();
         Parameters = parameters;
         m_Settings = settings;
         Surface = wing.CreateSurface(WingSide.Right);
         Skeleton = wing.CreateSkeleton(WingSide.Right);
         Rig = Bake();
-        var cruise = k_CruiseShare * parameters.maxSpeed;
+        float cruise = k_CruiseShare * parameters.maxSpeed;
         Flight = new WingSurroundings
         {
             wind = new float3(0f, 0f, -cruise / preset.WingLength),
@@ -52,7 +52,7 @@ internal sealed class Specimen : IDisposable
     /// <summary>A wing as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.</summary>
     public static Specimen OfVersion01(WingDefinition wing)
     {
-        var parameters = wing.CreatePreset().ToParameters();
+        WingParameters parameters = wing.CreatePreset().ToParameters();
         Version01.ApplyTo(ref parameters);
         parameters.substepsPerBeat = Version01.Substeps;
         return new Specimen(wing, parameters, new WingRigSettings { patchCount = Version01.Patches });
@@ -69,7 +69,7 @@ internal sealed class Specimen : IDisposable
     /// <summary>Flight that is a little faster for each wing, so that no two wings move alike.</summary>
     public WingSurroundings FlightOf(int wing)
     {
-        var flight = Flight;
+        WingSurroundings flight = Flight;
         flight.speed *= 1f + 0.002f * (wing % 50);
         flight.wind *= 1f + 0.002f * (wing % 50);
         return flight;

@@ -15,15 +15,15 @@ internal sealed class Swarm : IDisposable
     {
         World = new WingWorld();
         Insects = insects;
-        var frequency = 0f;
-        foreach (var kind in kinds)
+        float frequency = 0f;
+        foreach (Specimen kind in kinds)
         {
-            for (var wing = 0; wing < 2 * insects; wing++)
+            for (int wing = 0; wing < 2 * insects; wing++)
                 Wings.Add(World.Add(kind.Rig, kind.Parameters, kind.FlightOf(wing)));
         }
 
         // Every pack takes the whole number of substeps of a frame: the fastest sets the time.
-        foreach (var wing in Wings)
+        foreach (WingHandle wing in Wings)
             frequency = MathF.Max(frequency, World.Read(wing).Frequency);
         SubstepsPerBeat = (int)kinds[0].Parameters.substepsPerBeat;
         Substep = 1f / (frequency * SubstepsPerBeat);

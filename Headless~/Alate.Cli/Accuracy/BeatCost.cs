@@ -20,7 +20,7 @@ internal sealed class BeatCost : IDisposable
 
     private BeatCost(FlightPlan plan, InsectWing wing)
     {
-        WingRig rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
+        var rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
         for (int k = 0; k < WingPack.Lanes; k++)
             m_Wing = m_World.Add(rig, plan.ParametersOf(wing.Preset), plan.SurroundingsOf(wing.Preset, WingSide.Right));
         rig.Release();
@@ -32,7 +32,7 @@ internal sealed class BeatCost : IDisposable
     /// <summary>Nanoseconds that a beat of one wing takes by each plan: they take turns, and the best of many rounds counts.</summary>
     public static double[] NanosecondsOf(InsectWing wing, IEnumerable<FlightPlan> plans)
     {
-        List<BeatCost> packs = plans.Select(plan => new BeatCost(plan, wing)).ToList();
+        var packs = plans.Select(plan => new BeatCost(plan, wing)).ToList();
         try
         {
             // A race reports the mean of a beat's steps.

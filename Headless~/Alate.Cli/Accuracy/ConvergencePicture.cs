@@ -26,11 +26,11 @@ internal static class ConvergencePicture
         legend.NextLine();
         legend.AddWings(species.SelectMany(one => one.Wings.Select((wing, kind) => (one.Wings.Count, kind))));
         legend.AddText($"Points from left to right: {string.Join(", ", ConvergencePlan.Substeps)} substeps; more where the air is fast.");
-        List<ConvergencePoint> all = species.SelectMany(one => one.Wings).SelectMany(wing => wing.Points.Append(wing.Version01)).ToList();
+        var all = species.SelectMany(one => one.Wings).SelectMany(wing => wing.Points.Append(wing.Version01)).ToList();
         // A wing that is not off at all has no place on a logarithmic axis.
         const double k_Least = 1e-4;
-        ChartAxis across = ChartAxis.Logarithmic(all.Min(point => point.Cost), all.Max(point => point.Cost));
-        ChartAxis up = ChartAxis.Logarithmic(Math.Max(all.Min(point => point.ErrorPct), k_Least), all.Max(point => point.ErrorPct));
+        var across = ChartAxis.Logarithmic(all.Min(point => point.Cost), all.Max(point => point.Cost));
+        var up = ChartAxis.Logarithmic(Math.Max(all.Min(point => point.ErrorPct), k_Least), all.Max(point => point.ErrorPct));
         for (int k = 0; k < species.Count; k++)
         {
             PointChart chart = sheet.Chart(k, species[k].DisplayName, across, up);

@@ -41,7 +41,7 @@ internal sealed class SpeciesConvergence
 
     private static SpeciesConvergence Measure(FlightPlan plan)
     {
-        Insect insect = Insect.Of(plan);
+        var insect = Insect.Of(plan);
         FlightPlan defaults = Taken(plan with { Substeps = plan.ParametersOf(insect.Wings[0].Preset).substepsPerBeat }, insect);
         FlightPlan old = Taken(plan.AsVersion01(), insect);
         List<FlightPlan> plans = Plans(plan, defaults, insect);
@@ -53,7 +53,7 @@ internal sealed class SpeciesConvergence
         for (int kind = 0; kind < now.Wings.Count; kind++)
         {
             double[] times = BeatCost.NanosecondsOf(insect.Wings[kind], plans.Append(old));
-            List<ConvergencePoint> points = plans
+            var points = plans
                 .Select((one, k) => new ConvergencePoint(one.TimeScheme.Value, one.Substeps.Value, errors[k][kind], times[k] / times[^1])).ToList();
             wings.Add(new WingConvergence(
                 now.Wings[kind].Name, points,
@@ -68,7 +68,7 @@ internal sealed class SpeciesConvergence
     // By every scheme, at every number of substeps once, that of the defaults among them.
     private static List<FlightPlan> Plans(FlightPlan plan, FlightPlan defaults, Insect insect)
     {
-        List<int> substeps = ConvergencePlan.Substeps.Select(count => Taken(plan with { Substeps = count }, insect).Substeps.Value).Append(defaults.Substeps.Value).Distinct().Order().ToList();
+        var substeps = ConvergencePlan.Substeps.Select(count => Taken(plan with { Substeps = count }, insect).Substeps.Value).Append(defaults.Substeps.Value).Distinct().Order().ToList();
         return ConvergencePlan.Schemes
             .SelectMany(scheme => substeps.Select(count => plan with { TimeScheme = scheme, Substeps = count })).ToList();
     }
@@ -79,7 +79,7 @@ internal sealed class SpeciesConvergence
     // [plan][kind of wing]; the limit is the default scheme's.
     private static List<List<double>> Errors(FlightPlan plan, List<FlightPlan> plans, out FlightRecord converged)
     {
-        Dictionary<TimeScheme, SchemeFlights> flights = ConvergencePlan.Schemes.ToDictionary(scheme => scheme, scheme => new SchemeFlights(plan with { TimeScheme = scheme }));
+        var flights = ConvergencePlan.Schemes.ToDictionary(scheme => scheme, scheme => new SchemeFlights(plan with { TimeScheme = scheme }));
         converged = flights[ConvergencePlan.Schemes[0]].Reference;
         return plans.ConvertAll(one => flights[one.TimeScheme.Value].ErrorsAt(one.Substeps.Value));
     }

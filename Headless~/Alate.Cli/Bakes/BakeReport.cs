@@ -14,7 +14,7 @@ internal static class BakeReport
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(BakePlan plan, TextWriter output)
     {
-        using OutputFolder folder = OutputFolder.Prepare(plan.Folder);
+        using var folder = OutputFolder.Prepare(plan.Folder);
         InsectBake bake = plan.Bake(out float smallerError);
         string[] files = plan.Format switch
         {

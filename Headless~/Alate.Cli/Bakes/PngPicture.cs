@@ -35,7 +35,7 @@ internal sealed class PngPicture(int width, int height)
     public void Write(Stream stream)
     {
         stream.Write(s_Signature);
-        var header = new byte[13];
+        byte[] header = new byte[13];
         BinaryPrimitives.WriteInt32BigEndian(header, width);
         BinaryPrimitives.WriteInt32BigEndian(header.AsSpan(4), height);
         header[8] = k_Sixteen;
@@ -49,7 +49,7 @@ internal sealed class PngPicture(int width, int height)
     private byte[] Compressed()
     {
         int stride = width * k_BytesPerPixel;
-        var row = new byte[1 + stride];
+        byte[] row = new byte[1 + stride];
         using var packed = new MemoryStream();
         using (var zlib = new ZLibStream(packed, CompressionLevel.Optimal, leaveOpen: true))
         {
@@ -67,7 +67,7 @@ internal sealed class PngPicture(int width, int height)
 
     private static void WriteChunk(Stream stream, string name, byte[] content)
     {
-        var chunk = new byte[12 + content.Length];
+        byte[] chunk = new byte[12 + content.Length];
         BinaryPrimitives.WriteInt32BigEndian(chunk, content.Length);
         Encoding.ASCII.GetBytes(name).CopyTo(chunk, 4);
         content.CopyTo(chunk, 8);
@@ -86,7 +86,7 @@ internal sealed class PngPicture(int width, int height)
     // Of the polynomial that PNG's check sum divides by.
     private static uint[] Remainders()
     {
-        var remainders = new uint[256];
+        uint[] remainders = new uint[256];
         for (uint k = 0; k < remainders.Length; k++)
         {
             uint remainder = k;

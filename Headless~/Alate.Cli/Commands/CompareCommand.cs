@@ -66,7 +66,7 @@ internal static class CompareCommand
     {
         string[] pictures = plan.Flights.Select(flight => flight.Species + ".svg").ToArray();
         string[] files = [.. pictures, k_Table, FreeComparisonTable.File];
-        using OutputFolder folder = OutputFolder.Prepare(path, files);
+        using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
         List<Comparison> comparisons = null;
         terminal.ShowProgress(plan.Flights.Count * plan.Columns.Count, (done, stage) =>

@@ -51,7 +51,7 @@ internal static class FiguresCommand
         files.AddRange(AccuracyFigures.Files);
         foreach (string name in InsectCatalogue.Names)
             files.AddRange([Portrait(name), Compared(name)]);
-        using OutputFolder folder = OutputFolder.Prepare(path, files.ToArray());
+        using var folder = OutputFolder.Prepare(path, files.ToArray());
         var terminal = new Terminal(output);
         terminal.ShowProgress(InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (done, stage) =>
         {

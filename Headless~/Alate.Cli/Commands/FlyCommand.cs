@@ -33,7 +33,7 @@ internal static class FlyCommand
                 return 0;
             }
 
-            var plan = options.Plan(parsed, parsed.GetValue(species));
+            FlightPlan plan = options.Plan(parsed, parsed.GetValue(species));
             FlightReport.Run(plan, output);
             return 0;
         });

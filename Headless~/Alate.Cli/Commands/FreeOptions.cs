@@ -103,7 +103,7 @@ internal sealed class FreeOptions
             if (string.IsNullOrWhiteSpace(lines[k]))
                 continue;
             string[] words = lines[k].Split(',');
-            var place = new float[words.Length];
+            float[] place = new float[words.Length];
             for (int word = 0; word < words.Length; word++)
             {
                 if (words.Length != 3 || !float.TryParse(words[word], NumberStyles.Float, CultureInfo.InvariantCulture, out place[word]) || !(Math.Abs(place[word]) <= k_Farthest))

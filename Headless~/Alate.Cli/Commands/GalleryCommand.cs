@@ -19,7 +19,7 @@ internal static class GalleryCommand
         HelpExamples.Set(command, $"Example:\n  gallery --out pictures\n\nWrites into the output folder:\n  {k_File}");
         command.SetAction(parsed =>
         {
-            using OutputFolder target = OutputFolder.Prepare(parsed.GetValue(folder) ?? Path.Combine("out", "gallery"), k_File);
+            using var target = OutputFolder.Prepare(parsed.GetValue(folder) ?? Path.Combine("out", "gallery"), k_File);
             target.Write(k_File, stream => stream.Write(Gallery.Draw(parsed.GetValue(width) ?? k_Width)));
             target.Commit();
             output.WriteLine($"Written: {Path.Combine(target.Root, k_File)}");

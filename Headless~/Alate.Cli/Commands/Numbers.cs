@@ -84,7 +84,7 @@ internal static class Numbers
             return null;
         }
 
-        var numbers = new double[count];
+        double[] numbers = new double[count];
         for (int k = 0; k < count; k++)
             numbers[k] = Parse(result, name, parts[k], min, max);
         return numbers;

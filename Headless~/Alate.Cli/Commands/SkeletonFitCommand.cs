@@ -59,7 +59,7 @@ internal static class SkeletonFitCommand
     {
         const string k_Skeleton = "skeleton.json", k_Picture = "skeleton.svg";
         SkeletonFit fit = Fit(mesh.ToSurface(file), settings);
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Skeleton, k_Picture);
+        using var folder = OutputFolder.Prepare(path, k_Skeleton, k_Picture);
         folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(fit.Skeleton, mesh.Origin))));
         folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonPicture.Draw(fit))));
         folder.Commit();

@@ -69,9 +69,9 @@ internal static class SkeletonFromImageCommand
 
     private static void Run(string file, in WingTracingSettings settings, string path, TextWriter output)
     {
-        PictureFile picture = PictureFile.Read(file);
+        var picture = PictureFile.Read(file);
         WingTrace trace = Trace(picture, settings);
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Skeleton, k_Mesh, k_Overlay);
+        using var folder = OutputFolder.Prepare(path, k_Skeleton, k_Mesh, k_Overlay);
         folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(trace.Skeleton))));
         folder.Write(k_Mesh, stream => ObjWriter.Write(trace.Surface, stream));
         folder.Write(k_Overlay, stream => stream.Write(Encoding.UTF8.GetBytes(TracePicture.Draw(picture, trace))));

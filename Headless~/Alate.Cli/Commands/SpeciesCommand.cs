@@ -27,7 +27,7 @@ internal static class SpeciesCommand
         command.SetAction(parsed =>
         {
             string wanted = parsed.GetValue(name), file = parsed.GetValue(json);
-            List<SpeciesNumbers> sheets = (wanted == null ? InsectCatalogue.All : [FlightOptions.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
+            var sheets = (wanted == null ? InsectCatalogue.All : [FlightOptions.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
             if (file != null)
                 OutputFile.Write(file, stream => SpeciesJson.Write(sheets, stream));
 

@@ -71,7 +71,7 @@ internal static class SweepCommand
 
     private static void Run(SweepPlan plan, string path, TextWriter output)
     {
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Picture, k_Table);
+        using var folder = OutputFolder.Prepare(path, k_Picture, k_Table);
         var terminal = new Terminal(output);
         Sweep sweep = null;
         terminal.ShowProgress(Sweep.Flights(plan), (done, stage) =>

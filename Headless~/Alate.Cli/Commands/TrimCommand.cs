@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
@@ -55,7 +54,7 @@ internal static class TrimCommand
 
     private static void Survey(InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, string path, TextWriter output)
     {
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Picture, k_Table);
+        using var folder = OutputFolder.Prepare(path, k_Picture, k_Table);
         List<TrimRow> rows = TrimSurvey.Make(model, speeds, climbs, output.WriteLine);
         if (!rows.Exists(row => row.Closes))
             throw new UserException($"The {insect.DisplayName} does not fly at any of these speeds and climbs. {rows[0].Problem}");

@@ -48,7 +48,7 @@ internal static class UsageProblem
         int[] before = Enumerable.Range(0, b.Length + 1).ToArray();
         for (int i = 1; i <= a.Length; i++)
         {
-            var row = new int[b.Length + 1];
+            int[] row = new int[b.Length + 1];
             row[0] = i;
             for (int j = 1; j <= b.Length; j++)
                 row[j] = Math.Min(before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1), 1 + Math.Min(before[j], row[j - 1]));

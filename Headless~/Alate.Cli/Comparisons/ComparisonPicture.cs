@@ -23,7 +23,7 @@ internal static class ComparisonPicture
     public static string Draw(Comparison comparison)
     {
         var page = new SvgPage(PictureDetail.Small);
-        List<InsectScene> scenes = comparison.Flights.Select(flight => new InsectScene(flight.Summary.Flight, PictureDetail.Small)).ToList();
+        var scenes = comparison.Flights.Select(flight => new InsectScene(flight.Summary.Flight, PictureDetail.Small)).ToList();
         var grid = new PoseGrid(scenes, comparison.Phases, k_Left, k_Header, k_Panel);
         float width = grid.Right + k_Edge;
         page.Text(k_Edge, 38f, 22f, comparison.Name, look: "b");

@@ -23,7 +23,7 @@ internal static class AccuracyFigures
     /// <returns>Each of <see cref="Files"/> with its text.</returns>
     public static IEnumerable<(string Name, string Text)> Make(string page)
     {
-        List<FlightPlan> flights = InsectCatalogue.All.Select(species => FlightPlan.Cruise(species, InsectVariant.Standard)).ToList();
+        var flights = InsectCatalogue.All.Select(species => FlightPlan.Cruise(species, InsectVariant.Standard)).ToList();
         List<SpeciesConvergence> errors = SpeciesConvergence.Measure(new ConvergencePlan(flights), _ => { });
         List<SpeciesWinds> winds = SpeciesWinds.Measure(new WindPlan(flights, WindPlan.DefaultSpeeds, false), _ => { });
         page = PageBlock.Replace(page, "errors", MarkdownTable.Write(AccuracyTable.Errors(errors)));

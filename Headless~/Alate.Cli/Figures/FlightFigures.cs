@@ -37,7 +37,7 @@ internal static class FlightFigures
             using TrimTable table = CatalogueFlight.CreateTable(insect, model);
             foreach (float speed in s_Speeds.Where(speed => !model.Floats && speed <= table?.TopSpeed))
             {
-                SteadyFlight flight = SteadyFlight.Fly(model, table, new FlightCondition(speed, 0f));
+                var flight = SteadyFlight.Fly(model, table, new FlightCondition(speed, 0f));
                 yield return
                 [
                     insect.DisplayName, Text($"{speed:0.##}"), Text($"{flight.Pitch:0} ± {flight.PitchBob:0}°"), Text($"{flight.Frequency:0.0}"), Text($"{flight.Flap:0}°"),
@@ -53,7 +53,7 @@ internal static class FlightFigures
         using FlightModel model = CatalogueFlight.CreateModel(monarch);
         using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
         using var solver = new TrimSolver(model);
-        SteadyFlight level = SteadyFlight.Fly(model, table, new FlightCondition(1.3f, 0f));
+        var level = SteadyFlight.Fly(model, table, new FlightCondition(1.3f, 0f));
         using var climbs = new TrimTable([k_MeasuredSpeed], [0f, k_MeasuredClimb / 3, k_MeasuredClimb * 2 / 3, k_MeasuredClimb]);
         var bake = new TrimBake(model);
         TrimState climbing = bake.Trims(solver, climbs)[0, 3];

@@ -14,11 +14,11 @@ internal static class FlightReport
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(FlightPlan plan, TextWriter output)
     {
-        Insect insect = Insect.Of(plan);
+        var insect = Insect.Of(plan);
         PlanRange.CheckElasticity(plan, plan.Elasticity);
         using var flight = new TetheredFlight(plan, insect);
         string path = plan.Folder ?? Path.Combine("out", insect.Name);
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Forces, k_Summary);
+        using var folder = OutputFolder.Prepare(path, k_Strip, k_Glb, k_Joints, k_Forces, k_Summary);
         var terminal = new Terminal(output);
         FlightSummary summary = null;
         terminal.ShowProgress(flight.Steps, (steps, stage) =>

@@ -101,7 +101,7 @@ internal sealed class Terminal
 
     private static Table SummaryTable(FlightSummary summary)
     {
-        var table = new Table().Border(TableBorder.Rounded).AddColumn("");
+        Table table = new Table().Border(TableBorder.Rounded).AddColumn("");
         foreach (WingSummary wing in summary.Wings)
             table.AddColumn(new TableColumn(summary.Wings.Count == 1 ? "" : wing.Name).RightAligned());
         table.ShowHeaders = summary.Wings.Count > 1;
@@ -125,7 +125,7 @@ internal sealed class Terminal
 
     private static void Row(Table table, FlightSummary summary, string name, Func<WingSummary, string> value)
     {
-        var cells = new string[1 + summary.Wings.Count];
+        string[] cells = new string[1 + summary.Wings.Count];
         cells[0] = name;
         for (int k = 0; k < summary.Wings.Count; k++)
             cells[k + 1] = value(summary.Wings[k]);

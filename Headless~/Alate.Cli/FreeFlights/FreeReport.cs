@@ -16,7 +16,7 @@ internal static class FreeReport
     public static void Run(FreePlan plan, TextWriter output)
     {
         string path = plan.Folder ?? Path.Combine("out", plan.Insect.Name + "-free");
-        using OutputFolder folder = OutputFolder.Prepare(path, k_Trajectory, k_Forces, k_Path, k_Glb);
+        using var folder = OutputFolder.Prepare(path, k_Trajectory, k_Forces, k_Path, k_Glb);
         var terminal = new Terminal(output);
         FreeRecord record = null;
         float factor = 1f;

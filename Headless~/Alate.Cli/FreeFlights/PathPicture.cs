@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
@@ -43,7 +42,7 @@ internal static class PathPicture
     private static Color32[] Panel(FreeRecord flight, PictureView view, float extent, float factor)
     {
         var camera = new PictureCamera(view, 1000f * extent);
-        List<float3> trail = flight.Moments.Select(at => camera.Project(at.Position)).ToList();
+        var trail = flight.Moments.Select(at => camera.Project(at.Position)).ToList();
         float2 min = trail.Aggregate(new float2(float.PositiveInfinity), (least, place) => math.min(least, place.xy));
         float2 max = trail.Aggregate(new float2(float.NegativeInfinity), (most, place) => math.max(most, place.xy));
         float2 span = math.max(max - min, 0.3f * extent);

@@ -35,7 +35,7 @@ internal sealed record SteadyFlight(
     public static SteadyFlight Fly(FlightModel model, TrimTable table, FlightCondition condition)
     {
         using var flight = new FreeFlight(model, table, condition);
-        FlightCommand command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
+        var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
         float step = (float)(1 / (k_StepsPerBeat * flight.World.Read(flight.Wings[0]).Frequency));
         double averaged = Math.Max(k_Averaged, k_LeastBeats * k_StepsPerBeat * step), settled = k_Settled / k_Averaged * averaged;
         var moments = new List<FreeMoment>();

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Pictures;
-using Alate.Flight;
 
 namespace Alate.Cli.FreeFlights;
 

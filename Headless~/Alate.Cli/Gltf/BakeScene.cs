@@ -107,7 +107,7 @@ internal sealed class BakeScene(InsectBake bake)
     // A mirror image turns the winding, and glTF's is the other way round than Unity's: that makes one turn, as Unity's winding is left-handed.
     private static int[] Flipped(int[] triangles)
     {
-        var flipped = (int[])triangles.Clone();
+        int[] flipped = (int[])triangles.Clone();
         for (int k = 0; k < flipped.Length; k += 3)
             (flipped[k + 1], flipped[k + 2]) = (flipped[k + 2], flipped[k + 1]);
         return flipped;

@@ -56,7 +56,7 @@ internal sealed class MorphGlb
     private JsonObject Animation(BakedClip clip, int first, int node)
     {
         int frames = clip.Frames.Count;
-        var weights = new float[(frames + 1) * m_Targets.Count];
+        float[] weights = new float[(frames + 1) * m_Targets.Count];
         for (int key = 0; key <= frames; key++)
         {
             int target = first + key % frames;

@@ -129,8 +129,8 @@ internal sealed class WingsGlb
     // Between two key frames the weight passes from one target to the next; the last key repeats the first, which is no target at all.
     private JsonObject Animation(double period)
     {
-        var times = new float[k_KeyFrames + 1];
-        var weights = new float[(k_KeyFrames + 1) * (k_KeyFrames - 1)];
+        float[] times = new float[k_KeyFrames + 1];
+        float[] weights = new float[(k_KeyFrames + 1) * (k_KeyFrames - 1)];
         for (int key = 0; key <= k_KeyFrames; key++)
         {
             times[key] = (float)(period * key / k_KeyFrames);
@@ -154,7 +154,7 @@ internal sealed class WingsGlb
     private JsonObject Animation(FreeRecord path, int root)
     {
         int count = path.Moments.Count;
-        var weights = new float[count * (k_KeyFrames - 1)];
+        float[] weights = new float[count * (k_KeyFrames - 1)];
         for (int k = 0; k < count; k++)
         {
             double at = path.Moments[k].Phase / (2.0 * Math.PI) * k_KeyFrames;
@@ -207,7 +207,7 @@ internal sealed class WingsGlb
 
     private static int[] Indices(int[] triangles, bool flip)
     {
-        var indices = (int[])triangles.Clone();
+        int[] indices = (int[])triangles.Clone();
         for (int k = 0; flip && k < indices.Length; k += 3)
             (indices[k + 1], indices[k + 2]) = (indices[k + 2], indices[k + 1]);
         return indices;

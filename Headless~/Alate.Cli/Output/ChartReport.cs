@@ -20,7 +20,7 @@ internal sealed record ChartReport(string Picture, string Table)
     /// <param name="write">Writes the table.</param>
     public List<T> Make<T>(Terminal terminal, string path, int count, Func<Action<int>, List<T>> measure, Func<List<T>, string> draw, Action<List<T>, Stream> write)
     {
-        using OutputFolder folder = OutputFolder.Prepare(path, Picture, Table);
+        using var folder = OutputFolder.Prepare(path, Picture, Table);
         List<T> measured = null;
         terminal.ShowProgress(count, (done, _) =>
         {

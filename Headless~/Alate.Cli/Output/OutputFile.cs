@@ -43,7 +43,7 @@ internal static class OutputFile
             return;
         }
 
-        using OutputFolder folder = OutputFolder.Around(final, file);
+        using var folder = OutputFolder.Around(final, file);
         folder.Write(Path.GetFileName(final), content.WriteTo);
         folder.Commit();
     }

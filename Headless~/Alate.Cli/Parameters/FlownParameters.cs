@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using System.Runtime.CompilerServices;
+using UnityEngine;
 
 namespace Alate.Cli.Parameters;
 
@@ -41,8 +42,8 @@ internal static class FlownParameters
     private static IEnumerable<FlownParameter> Fields<T>(Group<T> group) where T : struct =>
         typeof(T).GetFields(BindingFlags.Public | BindingFlags.Instance).OrderBy(field => field.MetadataToken).Select((field, k) =>
         {
-            var range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
-            var unit = field.GetCustomAttribute<UnitAttribute>();
+            RangeAttribute range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
+            UnitAttribute unit = field.GetCustomAttribute<UnitAttribute>();
             return new FlownParameter(
                 Hyphenated(field.Name), unit.Unit, range?.min ?? unit.Min, range?.max ?? unit.Max,
                 preset => ref Unsafe.Add(ref Unsafe.As<T, float>(ref group(preset)), k));

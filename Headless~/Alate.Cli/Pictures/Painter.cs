@@ -79,7 +79,7 @@ internal sealed class Painter
     {
         var layers = new List<(TLook Look, List<PaintedPiece> Pieces)>();
         var byLook = new Dictionary<TLook, List<int>>();
-        var top = new int[m_Width * m_Height];
+        int[] top = new int[m_Width * m_Height];
         Array.Fill(top, -1);
         var points = new List<float3>();
         var covered = new List<int>();

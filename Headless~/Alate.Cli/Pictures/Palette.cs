@@ -17,7 +17,7 @@ internal static class Palette
     public static float4 Reduce(float4[] colours, int count, float alike)
     {
         float4[] places = Array.ConvertAll(colours, colour => new float4(Shading.ToEncoded(colour.xyz), colour.w));
-        var groups = new int[colours.Length];
+        int[] groups = new int[colours.Length];
         int[] byBrightness = Enumerable.Range(0, colours.Length).OrderBy(k => math.csum(places[k].xyz)).ToArray();
         for (int rank = 0; rank < byBrightness.Length; rank++)
             groups[byBrightness[rank]] = rank * count / byBrightness.Length;
@@ -39,7 +39,7 @@ internal static class Palette
     private static int[] Join(float4[] means, int[] groups, float alike)
     {
         int[] bySize = Enumerable.Range(0, means.Length).OrderByDescending(group => groups.Count(one => one == group)).ToArray();
-        var joined = new int[means.Length];
+        int[] joined = new int[means.Length];
         foreach (int group in bySize)
             joined[group] = bySize.First(larger => larger == group || (joined[larger] == larger && math.length(means[larger] - means[group]) < alike));
         return joined;
@@ -49,7 +49,7 @@ internal static class Palette
 
     private static void Means(float4[] places, int[] groups, float4[] means)
     {
-        var counts = new int[means.Length];
+        int[] counts = new int[means.Length];
         var sums = new float4[means.Length];
         for (int k = 0; k < places.Length; k++)
         {

@@ -14,7 +14,7 @@ internal static class PathThinning
     {
         if (points.Count < 3)
             return;
-        var kept = new bool[points.Count + 1];
+        bool[] kept = new bool[points.Count + 1];
         if (isClosed)
         {
             points.Add(points[0]);

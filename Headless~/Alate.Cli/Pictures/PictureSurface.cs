@@ -65,7 +65,7 @@ internal sealed class PictureSurface
 
         foreach (MarginEdge rim in m_Margin)
         {
-            var ends = new int2(rim.A, rim.B) + first;
+            int2 ends = new int2(rim.A, rim.B) + first;
             painter.AddLine(InsectScene.MarginLine, ends, vertices[rim.A], vertices[rim.B], Depth(rim.Triangle, vertices));
         }
     }

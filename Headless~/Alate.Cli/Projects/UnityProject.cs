@@ -30,7 +30,7 @@ internal static class UnityProject
         if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
             throw new UserException($"'{folder}' is not empty; name a new or empty folder.");
         string manifest = Manifest(PackageRoot.Find());
-        using OutputFolder project = OutputFolder.Prepare(folder);
+        using var project = OutputFolder.Prepare(folder);
         Write(project, "Packages/manifest.json", manifest);
         Write(project, "ProjectSettings/ProjectVersion.txt", $"m_EditorVersion: {UnityVersion}\n");
         Write(project, "Assets/README.md", k_Readme);
@@ -45,7 +45,7 @@ internal static class UnityProject
     // The package keeps the pins of a hosting project in a manifest of its own; only the path differs.
     private static string Manifest(string package)
     {
-        JsonNode manifest = JsonNode.Parse(File.ReadAllText(Path.Combine(package, "Packages", "manifest.json")));
+        var manifest = JsonNode.Parse(File.ReadAllText(Path.Combine(package, "Packages", "manifest.json")));
         manifest["dependencies"][PackageRoot.Name] = "file:" + package.Replace('\\', '/');
         var options = new JsonSerializerOptions { WriteIndented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
         return manifest.ToJsonString(options) + "\n";

@@ -21,10 +21,10 @@ internal sealed record SpeciesWinds(FlightPlan Plan, string DisplayName, double 
         var measured = new List<SpeciesWinds>();
         foreach (FlightPlan flight in plan.Flights)
         {
-            Insect insect = Insect.Of(flight);
+            var insect = Insect.Of(flight);
             double share = WindPlan.ShareOf(InsectCatalogue.Find(flight.Species));
-            List<double> speeds = plan.Speeds.Select(speed => share * speed).ToList();
-            List<WingWinds> wings = insect.Wings
+            var speeds = plan.Speeds.Select(speed => share * speed).ToList();
+            var wings = insect.Wings
                 .Select(wing => new WingWinds(wing.Name, Points(flight, wing, speeds, plan.InGusts), Points(flight.AsVersion01(), wing, speeds, plan.InGusts)))
                 .ToList();
             measured.Add(new SpeciesWinds(flight, insect.DisplayName, share, wings));

@@ -35,7 +35,7 @@ internal static class WindPicture
 
     private static void Draw(ChartSheet sheet, int index, SpeciesWinds species)
     {
-        List<double> speeds = species.Wings[0].Now.Select(point => point.Speed).ToList();
+        var speeds = species.Wings[0].Now.Select(point => point.Speed).ToList();
         double most = speeds[^1] > 0.0 ? speeds[^1] : 1.0, tick = species.Plan.Variant == InsectVariant.Expressive ? 10.0 : 5.0, high = k_Ticks * tick;
         var across = new ChartAxis(0.0, most, false, speeds);
         var up = new ChartAxis(0.0, high, false, Enumerable.Range(0, k_Ticks + 1).Select(k => k * tick).ToList());

@@ -39,7 +39,7 @@ internal sealed class WindTunnel : IDisposable
     public WindPoint Measure(double speed, bool inGusts)
     {
         using var world = new WingWorld();
-        List<Sample> samples = Sides(speed).Select(side => new Sample(side, world.Add(m_Rig, m_Parameters, Surroundings(side, inGusts ? 0.0 : speed)))).ToList();
+        var samples = Sides(speed).Select(side => new Sample(side, world.Add(m_Rig, m_Parameters, Surroundings(side, inGusts ? 0.0 : speed)))).ToList();
         int substeps = m_Parameters.substepsPerBeat;
         float step = 1f / (world.Read(samples[0].Wing).Frequency * substeps);
         int steps = substeps * (inGusts ? GustProfile.Beats : k_SettledBeats + 1);
@@ -77,7 +77,7 @@ internal sealed class WindTunnel : IDisposable
         foreach (Sample sample in samples)
         {
             float3[] positions = world.Vertices(sample.Wing).ToArray().Select(vertex => m_Rig.Frame.ToWing(vertex.position)).ToArray();
-            var stretches = new float[m_Stretch.Count];
+            float[] stretches = new float[m_Stretch.Count];
             m_Stretch.Measure(positions, stretches);
             sample.Stretches.AddRange(stretches);
             WingReading reading = world.Read(sample.Wing);

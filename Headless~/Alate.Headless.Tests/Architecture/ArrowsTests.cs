@@ -53,7 +53,7 @@ namespace Alate.Tests.Architecture
         public void AssemblyDefinitionAndProject_SayTheSame(string assembly)
         {
             using JsonDocument definition = Definition(assembly);
-            XElement project = XElement.Load(Path.Combine(PackageRoot.Find(), "Headless~", assembly, assembly + ".csproj"));
+            var project = XElement.Load(Path.Combine(PackageRoot.Find(), "Headless~", assembly, assembly + ".csproj"));
             IEnumerable<string> defined = definition.RootElement.GetProperty("references").EnumerateArray()
                 .Select(reference => reference.GetString()).Where(Rooms.Assemblies.ContainsKey);
             IEnumerable<string> built = project.Descendants("ProjectReference")
@@ -72,7 +72,7 @@ namespace Alate.Tests.Architecture
         public void Tests_UseOnlyWhatTheirAssemblyDefinitionNames(string assembly, string folder)
         {
             string root = Path.Combine(PackageRoot.Find(), folder);
-            using JsonDocument definition = JsonDocument.Parse(File.ReadAllText(Path.Combine(root, assembly + ".asmdef")));
+            using var definition = JsonDocument.Parse(File.ReadAllText(Path.Combine(root, assembly + ".asmdef")));
             var known = definition.RootElement.GetProperty("references").EnumerateArray().Select(reference => reference.GetString()).Append(assembly).ToHashSet();
             if (definition.RootElement.GetProperty("includePlatforms").GetArrayLength() > 0)
                 known.Add("UnityEditor");

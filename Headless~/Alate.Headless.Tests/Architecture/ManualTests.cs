@@ -51,7 +51,7 @@ namespace Alate.Tests.Architecture
         public void EveryPublicType_IsNamedInTheManual()
         {
             string manual = string.Join("\n", Pages.Where(page => page.StartsWith("Documentation~", StringComparison.Ordinal)).Select(ManualPages.Text));
-            HashSet<string> named = Regex.Matches(manual, @"`([A-Za-z.]+)`").Select(match => match.Groups[1].Value).ToHashSet();
+            var named = Regex.Matches(manual, @"`([A-Za-z.]+)`").Select(match => match.Groups[1].Value).ToHashSet();
             IEnumerable<string> names = PublicTypes().Select(type => type.IsNested ? $"{type.DeclaringType.Name}.{type.Name}" : type.Name);
 
             Assert.That(names.Where(name => !named.Contains(name)), Is.Empty);
@@ -64,7 +64,7 @@ namespace Alate.Tests.Architecture
             if (page == "CHANGELOG.md")
                 Assert.Pass("The change log names members that are gone.");
 
-            Dictionary<string, Type> types = PublicTypes().Where(type => !type.IsNested).ToDictionary(type => type.Name);
+            var types = PublicTypes().Where(type => !type.IsNested).ToDictionary(type => type.Name);
             IEnumerable<string> missing = Regex.Matches(ManualPages.Text(page), @"(?<![\w.""/])([A-Z]\w+)\.([A-Z]\w+)")
                 .Where(match => types.ContainsKey(match.Groups[1].Value) && match.Groups[2].Value is not ("Alate" or "Catalogue"))
                 .Where(match => types[match.Groups[1].Value].GetMember(match.Groups[2].Value, BindingFlags.Public | BindingFlags.Static | BindingFlags.Instance | BindingFlags.FlattenHierarchy).Length == 0)
@@ -96,7 +96,7 @@ namespace Alate.Tests.Architecture
         [Test]
         public void AddressesOfThePackage_LeadSomewhere()
         {
-            using JsonDocument package = JsonDocument.Parse(ManualPages.Text("package.json"));
+            using var package = JsonDocument.Parse(ManualPages.Text("package.json"));
             foreach (JsonProperty property in package.RootElement.EnumerateObject().Where(property => property.Name.EndsWith("Url", StringComparison.Ordinal)))
                 Assert.That(ManualPages.FindFault("package.json", property.Value.GetString()), Is.Null, property.Name);
             foreach (JsonElement sample in package.RootElement.GetProperty("samples").EnumerateArray())

@@ -46,7 +46,7 @@ namespace Alate.Tests.Bakes
         {
             string folder = m_Files.Folder($"{species} --clips cruise --format {format}");
             var file = new GltfPlayer(File.ReadAllBytes(Path.Combine(folder, $"{species}-{ending}.glb")));
-            LiveWings live = LiveWings.Of(species);
+            var live = LiveWings.Of(species);
             double length = file.Length("cruise");
 
             Assert.That(length, Is.EqualTo(1.0 / live.Frequency).Within(1e-5));

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Concurrent;
-using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
 using NUnit.Framework;

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -22,7 +21,7 @@ namespace Alate.Tests.Bakes
         public void Played_TheWingsAreTheLiveOnes(string species)
         {
             VatReader vat = Read(species, $"{species} --clips cruise");
-            LiveWings live = LiveWings.Of(species);
+            var live = LiveWings.Of(species);
             (int start, int end, double rate) = vat.Clip("cruise");
 
             Assert.That(end - start, Is.EqualTo(LiveWings.Frames));

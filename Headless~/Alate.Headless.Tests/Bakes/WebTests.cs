@@ -56,8 +56,11 @@ namespace Alate.Tests.Bakes
                 "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--user-data-dir=" + Path.Combine(folder, "profile"),
                 "--virtual-time-budget=20000", "--dump-dom", "file://" + page,
             })
+            {
                 start.ArgumentList.Add(argument);
-            using Process browser = Process.Start(start);
+            }
+
+            using var browser = Process.Start(start);
             browser.ErrorDataReceived += (_, _) => { };
             browser.BeginErrorReadLine();
             string shown = browser.StandardOutput.ReadToEnd();

@@ -42,7 +42,7 @@ namespace Alate.Tests.Bakes
             m_Rows = new byte[m_Stride * Height];
             packed.Position = 0;
             using var unpacked = new ZLibStream(packed, CompressionMode.Decompress);
-            var row = new byte[1 + m_Stride];
+            byte[] row = new byte[1 + m_Stride];
             for (int y = 0; y < Height; y++)
             {
                 unpacked.ReadExactly(row);

@@ -38,7 +38,7 @@ namespace Alate.Tests.Insects
 
         private static void AssertDriven(string species)
         {
-            List<double[]> delays = s_Delays.Select(delay => Delays(species, delay, holdJoints: true)).ToList();
+            var delays = s_Delays.Select(delay => Delays(species, delay, holdJoints: true)).ToList();
 
             Assert.That(delays[0], Is.All.EqualTo(0.0).Within(0.1), "degrees");
             AssertRising(delays);
@@ -48,7 +48,7 @@ namespace Alate.Tests.Insects
 
         private static void AssertLoaded(string species)
         {
-            List<double[]> delays = s_Delays.Select(delay => Delays(species, delay, holdJoints: false)).ToList();
+            var delays = s_Delays.Select(delay => Delays(species, delay, holdJoints: false)).ToList();
 
             Assert.That(delays[0], Is.All.InRange(0.0, 8.0), "without the wave the trailing edge follows by what the loads bend alone");
             AssertRising(delays);
@@ -73,7 +73,7 @@ namespace Alate.Tests.Insects
                 HoldJoints = holdJoints,
                 Column = chordDelay > 0f ? ComparisonColumn.FullModel : ComparisonColumn.NoWave,
             };
-            Insect insect = Insect.Of(plan);
+            var insect = Insect.Of(plan);
             foreach (InsectWing wing in insect.Wings)
             {
                 wing.Preset.Beat.featherRange = wing.Preset.Beat.sweepRange = 0f;
@@ -86,7 +86,7 @@ namespace Alate.Tests.Insects
 
         private static double Delay(RecordedWing wing)
         {
-            WingSection section = WingSection.Cut(wing.Rest, wing.Triangles, k_MidSpan);
+            var section = WingSection.Cut(wing.Rest, wing.Triangles, k_MidSpan);
             return PhaseDelay.Of(wing.Frames, frame => section.Leading(frame.Positions).y, frame => section.Trailing(frame.Positions).y);
         }
     }

@@ -76,7 +76,7 @@ namespace Alate.Tests.Insects
         private static double Delay(float chordDelay)
         {
             RecordedWing fin = TetheredFlight.Fly(Swimming(20) with { Lag = chordDelay }).Wings[0];
-            WingSection section = WingSection.Cut(fin.Rest, fin.Triangles, 0.5f);
+            var section = WingSection.Cut(fin.Rest, fin.Triangles, 0.5f);
             return PhaseDelay.Of(fin.Frames, frame => section.Leading(frame.Positions).y, frame => section.Trailing(frame.Positions).y);
         }
 

@@ -17,7 +17,7 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(All))]
         public void NoEdge_IsStretchedBeyondItsBound(string species, InsectVariant variant)
         {
-            FlightSummary summary = FlightSummary.Of(Fly(species, variant));
+            var summary = FlightSummary.Of(Fly(species, variant));
 
             Assert.That(summary.Resets, Is.Zero);
             Assert.That(summary.Wings.Select(wing => wing.EdgeStretchMaxPct), Is.All.LessThan(variant == InsectVariant.Expressive ? 8.0 : 6.0));
@@ -64,7 +64,7 @@ namespace Alate.Tests.Insects
             int[] edge = FrontEdge(hind.Rest);
             var ahead = new float3[fore.Rest.Length];
             var behind = new float3[hind.Rest.Length];
-            var gaps = new double[k_Phases];
+            double[] gaps = new double[k_Phases];
             for (int phase = 0; phase < k_Phases; phase++)
             {
                 fore.At(phase / (double)k_Phases, ahead, new float3[ahead.Length]);

@@ -23,7 +23,7 @@ namespace Alate.Tests.Insects
             foreach (RecordedWing wing in FlownSpecies.Of(name, variant).Wings)
             {
                 var edges = new EdgeStretch(wing.Rest, wing.Triangles);
-                var stretches = new float[edges.Count];
+                float[] stretches = new float[edges.Count];
                 float largest = 0f;
                 foreach (RecordedFrame frame in wing.Frames)
                 {
@@ -40,7 +40,7 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(All))]
         public void TheRoot_StaysAtTheBody(string name, InsectVariant variant)
         {
-            FlownSpecies flown = FlownSpecies.Of(name, variant);
+            var flown = FlownSpecies.Of(name, variant);
             foreach (RecordedWing wing in flown.Wings)
             {
                 int[] root = Enumerable.Range(0, wing.Rest.Length).Where(k => wing.Rest[k].x < 0.002f).ToArray();
@@ -69,8 +69,8 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(All))]
         public void HardlyAnyOfAWing_IsWithinTheBody(string name, InsectVariant variant)
         {
-            FlownSpecies flown = FlownSpecies.Of(name, variant);
-            var pieces = BodyPieces.Of(flown.Body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(flown.Body, piece)));
+            var flown = FlownSpecies.Of(name, variant);
+            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(flown.Body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(flown.Body, piece)));
             foreach (RecordedWing wing in flown.Wings)
             {
                 int within = FlownSpecies.Poses(wing).Sum(places => places.Count(place => pieces.Exists(
@@ -85,7 +85,7 @@ namespace Alate.Tests.Insects
         [TestCase(InsectVariant.Expressive)]
         public void TheHindWingOfASwallowtail_StaysBeneathTheForeWing_AndNear(InsectVariant variant)
         {
-            FlownSpecies flown = FlownSpecies.Of("swallowtail", variant);
+            var flown = FlownSpecies.Of("swallowtail", variant);
             RecordedWing fore = flown.Wings[0], hind = flown.Wings[1];
             var seam = new WingSeam(fore, hind);
             List<float3[]> front = FlownSpecies.Poses(fore).ToList(), rear = FlownSpecies.Poses(hind).ToList();

@@ -22,9 +22,9 @@ namespace Alate.Tests
         {
             Prop.ForAll(Wings, wing =>
             {
-                var surface = WingMesher.Strips(wing.Outline, wing.Count);
-                var areas = Enumerable.Range(0, surface.TriangleCount).Select(t => SignedArea(surface, t)).ToArray();
-                var uses = EdgeUses(surface);
+                SurfaceMesh surface = WingMesher.Strips(wing.Outline, wing.Count);
+                double[] areas = Enumerable.Range(0, surface.TriangleCount).Select(t => SignedArea(surface, t)).ToArray();
+                Dictionary<(int Low, int High), int> uses = EdgeUses(surface);
 
                 Assert.That(surface.TriangleCount, Is.EqualTo(wing.Count));
                 Assert.That(areas.Min(), Is.GreaterThan(0));
@@ -38,12 +38,12 @@ namespace Alate.Tests
         {
             Prop.ForAll(Wings, wing =>
             {
-                var surface = WingMesher.Strips(wing.Outline, wing.Count);
-                var spans = surface.positions.Select(p => (double)p.x).Distinct().OrderBy(x => x).ToArray();
-                var expected = spans.Zip(spans.Skip(1), (from, to) =>
+                SurfaceMesh surface = WingMesher.Strips(wing.Outline, wing.Count);
+                double[] spans = surface.positions.Select(p => (double)p.x).Distinct().OrderBy(x => x).ToArray();
+                double expected = spans.Zip(spans.Skip(1), (from, to) =>
                     0.5 * (to - from) * (wing.Outline.ChordAt(from) + wing.Outline.ChordAt(to))).Sum();
 
-                var area = Enumerable.Range(0, surface.TriangleCount).Sum(t => SignedArea(surface, t));
+                double area = Enumerable.Range(0, surface.TriangleCount).Sum(t => SignedArea(surface, t));
                 Assert.That(area, Is.EqualTo(expected).Within(0.02).Percent);
             }).QuickCheckThrowOnFailure();
         }
@@ -51,7 +51,7 @@ namespace Alate.Tests
         [Test]
         public void TheMonarch_IsMeshedExactly_WithEveryCount([NUnit.Framework.Range(50, 3000, 59)] int count)
         {
-            var wing = InsectCatalogue.Find("monarch").Wings[0];
+            WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];
 
             Assert.That(WingMesher.Strips(wing.Contour, count).TriangleCount, Is.EqualTo(count));
             Assert.That(WingMesher.Strips(wing.Outline, count).TriangleCount, Is.EqualTo(count));
@@ -59,10 +59,10 @@ namespace Alate.Tests
 
         private static WingOutline RandomOutline(int landmarks, System.Random random)
         {
-            var span = new double[landmarks];
-            var leading = new double[landmarks];
-            var trailing = new double[landmarks];
-            for (var i = 0; i < landmarks; i++)
+            double[] span = new double[landmarks];
+            double[] leading = new double[landmarks];
+            double[] trailing = new double[landmarks];
+            for (int i = 0; i < landmarks; i++)
             {
                 span[i] = i == 0 ? 0 : span[i - 1] + 1 + 9 * random.NextDouble();
                 leading[i] = 6 * random.NextDouble();
@@ -75,7 +75,7 @@ namespace Alate.Tests
 
         private static double SignedArea(SurfaceMesh surface, int triangle)
         {
-            var (a, b, c) = (Corner(0), Corner(1), Corner(2));
+            (Vector3 a, Vector3 b, Vector3 c) = (Corner(0), Corner(1), Corner(2));
             return 0.5 * (((double)b.z - a.z) * ((double)c.x - a.x) - ((double)b.x - a.x) * ((double)c.z - a.z));
 
             Vector3 Corner(int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
@@ -84,11 +84,11 @@ namespace Alate.Tests
         private static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
         {
             var uses = new Dictionary<(int Low, int High), int>();
-            for (var corner = 0; corner < surface.triangles.Length; corner++)
+            for (int corner = 0; corner < surface.triangles.Length; corner++)
             {
-                var a = surface.triangles[corner];
-                var b = surface.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-                var edge = (Math.Min(a, b), Math.Max(a, b));
+                int a = surface.triangles[corner];
+                int b = surface.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+                (int, int) edge = (Math.Min(a, b), Math.Max(a, b));
                 uses[edge] = uses.GetValueOrDefault(edge) + 1;
             }
 

@@ -112,7 +112,7 @@ namespace Alate.Tests.Cli
                 Seconds = 0.2,
             };
 
-            XElement picture = XElement.Parse(BeatStrip.Draw(MonarchFlight.Fly(plan)));
+            var picture = XElement.Parse(BeatStrip.Draw(MonarchFlight.Fly(plan)));
 
             Assert.That(picture.Elements(s_Svg + "g").Select(panel => Points(panel).Count), Is.All.GreaterThan(100));
             Assert.That(picture.Element(s_Svg + "title").Value, Does.StartWith("R&D"), "a name is text, whatever its letters");

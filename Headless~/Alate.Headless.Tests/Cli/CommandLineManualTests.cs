@@ -36,7 +36,7 @@ namespace Alate.Tests.Cli
         [TestCaseSource(nameof(s_Commands))]
         public void Ranges_AreThoseOfTheHelp(string command)
         {
-            Dictionary<string, string[]> rows = Rows(command).ToDictionary(row => row[0]);
+            var rows = Rows(command).ToDictionary(row => row[0]);
             foreach ((string name, string values, string text, _) in Options(command))
             {
                 Match range = Regex.Match(text, @"-?[\d.]+ to -?[\d.]*\d");

@@ -63,7 +63,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Picture_HasFourColumns_TwoPhases_AndTheNumbers()
         {
-            XElement svg = XElement.Load(Path.Combine(m_Run.Out, "monarch.svg"));
+            var svg = XElement.Load(Path.Combine(m_Run.Out, "monarch.svg"));
             XNamespace space = "http://www.w3.org/2000/svg";
             string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
 

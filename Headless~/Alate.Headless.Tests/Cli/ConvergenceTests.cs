@@ -58,7 +58,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Picture_HasBothSchemes_TheDefaults_AndVersion01()
         {
-            XElement svg = XElement.Load(Path.Combine(m_Run.Out, "convergence.svg"));
+            var svg = XElement.Load(Path.Combine(m_Run.Out, "convergence.svg"));
             XNamespace space = "http://www.w3.org/2000/svg";
             string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
 

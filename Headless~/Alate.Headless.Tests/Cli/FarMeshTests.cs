@@ -79,7 +79,7 @@ namespace Alate.Tests.Cli
             string[] hint = hinge == null ? [] : ["--hinge", hinge];
             int code = m_Run.Run(["skeleton", "fit", mesh, "--out", m_Run.Out, .. hint]);
             Assert.That(code, Is.Zero, m_Run.Errors);
-            using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Path.Combine(m_Run.Out, "skeleton.json")));
+            using var json = JsonDocument.Parse(File.ReadAllText(Path.Combine(m_Run.Out, "skeleton.json")));
             return json.RootElement.GetProperty("hinge").EnumerateArray()
                 .Concat(json.RootElement.GetProperty("chains").EnumerateArray().SelectMany(chain => chain.EnumerateArray()).SelectMany(joint => joint.EnumerateArray()))
                 .Select(number => number.GetDouble()).ToArray();

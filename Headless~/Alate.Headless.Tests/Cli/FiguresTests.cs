@@ -39,7 +39,7 @@ namespace Alate.Tests.Cli
         [TestCaseSource(nameof(All))]
         public void ThePagesNumbers_AreThoseMeasuredNow(InsectDefinition species)
         {
-            FlightSummary measured = FlightSummary.Of(TetheredFlight.Fly(
+            var measured = FlightSummary.Of(TetheredFlight.Fly(
                 new FlightPlan { Species = species.Name, Speed = FlightPlan.CruiseOf(species), Substeps = Alate.Cli.Commands.FiguresCommand.MeasuredSubsteps }));
             string[] rows = Part("numbers").Split('\n').Where(row => row.StartsWith($"| {species.Name} | standard |", StringComparison.Ordinal)).ToArray();
 

@@ -15,7 +15,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void InASymmetricFlight_NothingPushesSideways_OrTurnsThatWay()
         {
-            FlightSummary level = FlightSummary.Of(MonarchFlight.Level);
+            var level = FlightSummary.Of(MonarchFlight.Level);
 
             Assert.That(math.abs(level.MeanForce.x), Is.LessThan(1e-6f * math.length(level.MeanForce)));
             Assert.That(math.abs(level.MeanMoment.y), Is.LessThan(1e-6f * math.abs(level.MeanMoment.x)));
@@ -25,7 +25,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void WindFromTheLeft_PushesToTheRight()
         {
-            FlightSummary blown = FlightSummary.Of(MonarchFlight.Fly(new FlightPlan { Species = "monarch", Wind = [2, 0, 0] }));
+            var blown = FlightSummary.Of(MonarchFlight.Fly(new FlightPlan { Species = "monarch", Wind = [2, 0, 0] }));
 
             Assert.That(blown.MeanForce.x, Is.GreaterThan(0f));
             Assert.That(math.abs(blown.MeanMoment.z), Is.GreaterThan(1e-3f * math.abs(blown.MeanMoment.x)));
@@ -34,7 +34,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void ABodyNoseUp_IsLifted()
         {
-            FlightSummary climbing = FlightSummary.Of(MonarchFlight.Fly(new FlightPlan { Species = "monarch", PitchDegrees = 20 }));
+            var climbing = FlightSummary.Of(MonarchFlight.Fly(new FlightPlan { Species = "monarch", PitchDegrees = 20 }));
 
             Assert.That(climbing.MeanForce.y, Is.GreaterThan(0f));
             Assert.That(climbing.LiftOverWeight, Is.GreaterThan(0.5));
@@ -43,7 +43,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void WhereWingsHold_NothingIsSaid()
         {
-            FlightSummary level = FlightSummary.Of(MonarchFlight.Level);
+            var level = FlightSummary.Of(MonarchFlight.Level);
 
             Assert.That(level.IsOverstretched, Is.False);
             Assert.That(Shown(level), Does.Not.Contain(k_Overstretched));
@@ -52,7 +52,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void AWingThatTears_IsOneLine_WithItsStretchAndWhatToChange()
         {
-            FlightSummary torn = FlightSummary.Of(MonarchFlight.Fly(new FlightPlan { Species = "firefly", Wind = [0, 0, -10] }.AsVersion01()));
+            var torn = FlightSummary.Of(MonarchFlight.Fly(new FlightPlan { Species = "firefly", Wind = [0, 0, -10] }.AsVersion01()));
             string line = Shown(torn).Split('\n').Single(text => text.Contains(k_Overstretched));
 
             Assert.That(torn.IsOverstretched);

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using Alate.Catalogue;
@@ -25,7 +24,7 @@ namespace Alate.Tests.Cli
         {
             foreach (FieldInfo field in s_Sliders)
             {
-                var range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
+                UnityEngine.RangeAttribute range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
                 FlownParameter parameter = FlownParameters.OfSpecies.Single(known => known.Name == Hyphenated(field.Name));
                 if (range != null)
                     Assert.That((parameter.Min, parameter.Max), Is.EqualTo(((double)range.min, (double)range.max)), field.Name);
@@ -35,7 +34,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void EverySlider_IsAFieldOfItsOwn()
         {
-            var preset = ScriptableObject.CreateInstance<WingPreset>();
+            WingPreset preset = ScriptableObject.CreateInstance<WingPreset>();
             foreach (FlownParameter parameter in FlownParameters.OfSpecies)
                 parameter.Of(preset) = 0f;
             for (int k = 0; k < FlownParameters.OfSpecies.Count; k++)
@@ -68,7 +67,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheOtherWing_IsMovedAlong_ByTheSameFactorOrDifference()
         {
-            List<WingPreset> wings = InsectCatalogue.Find("swallowtail").Wings.Select(wing => wing.CreatePreset()).ToList();
+            var wings = InsectCatalogue.Find("swallowtail").Wings.Select(wing => wing.CreatePreset()).ToList();
             float range = wings[1].Beat.flapRange / wings[0].Beat.flapRange, mean = wings[1].Beat.meanFlap - wings[0].Beat.meanFlap;
 
             FlownParameters.Find("flap-range").Set(wings, 60f);

@@ -61,7 +61,7 @@ namespace Alate.Tests.Cli
         public void Strip_IsAPictureOfTwelvePhases_SmallEnoughForAReadme()
         {
             string file = Path.Combine(m_Run.Out, "strip.svg");
-            XDocument svg = XDocument.Load(file);
+            var svg = XDocument.Load(file);
             XNamespace space = "http://www.w3.org/2000/svg";
 
             string[] labels = svg.Descendants(space + "text").Select(text => text.Value).Where(text => text.EndsWith("°")).ToArray();
@@ -74,7 +74,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Strip_PaintsWithinItsFrame()
         {
-            XDocument svg = XDocument.Load(Path.Combine(m_Run.Out, "strip.svg"));
+            var svg = XDocument.Load(Path.Combine(m_Run.Out, "strip.svg"));
             double[] view = svg.Root.Attribute("viewBox").Value.Split(' ').Select(Number).ToArray();
 
             foreach (XElement path in svg.Descendants(XName.Get("path", "http://www.w3.org/2000/svg")))

@@ -35,7 +35,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void BenchJson_OnAFullDisk_IsOneLine()
         {
-            var problem = Assert.Throws<UserException>(() => BenchCommand.Run(k_Full, Measured));
+            UserException problem = Assert.Throws<UserException>(() => BenchCommand.Run(k_Full, Measured));
 
             Assert.That(problem.Message, Does.StartWith($"Cannot write '{k_Full}': ").And.Contain("No space left").And.Not.Contain("\n"));
         }
@@ -94,7 +94,7 @@ namespace Alate.Tests.Cli
             using var folder = new TemporaryFolder();
             File.CreateSymbolicLink(folder.PathOf("link.json"), k_Full);
 
-            var problem = Assert.Throws<UserException>(() => OutputFile.Write(folder.PathOf("link.json"), stream => stream.Write("after"u8)));
+            UserException problem = Assert.Throws<UserException>(() => OutputFile.Write(folder.PathOf("link.json"), stream => stream.Write("after"u8)));
 
             Assert.That(problem.Message, Does.Contain("No space left"));
             Assert.That(new FileInfo(folder.PathOf("link.json")).LinkTarget, Is.EqualTo(k_Full));

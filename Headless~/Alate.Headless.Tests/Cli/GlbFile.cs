@@ -59,7 +59,7 @@ namespace Alate.Tests.Cli
             Assert.That(viewEnd, Is.LessThanOrEqualTo(m_Binary.Length), "within the buffer");
 
             bool isNormalised = accessor.TryGetProperty("normalized", out JsonElement flag) && flag.GetBoolean();
-            var numbers = new double[count * components];
+            double[] numbers = new double[count * components];
             for (int k = 0; k < numbers.Length; k++)
                 numbers[k] = Component(type, offset + k / components * stride + k % components * size, isNormalised);
             return numbers;

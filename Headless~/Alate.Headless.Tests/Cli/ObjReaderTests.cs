@@ -122,7 +122,7 @@ namespace Alate.Tests.Cli
         [TestCase("v 0 0 0\nf 1 2 3\nv 1 0 0\nv 0 0 1\n", 2, "no vertex 2")]
         public void BrokenText_IsRefusedInOneLineWithItsLineNumber(string text, int line, string named)
         {
-            var problem = Assert.Throws<FormatException>(() => Read(text));
+            FormatException problem = Assert.Throws<FormatException>(() => Read(text));
 
             Assert.That(problem.Message, Does.StartWith($"line {line}: ").And.Contain(named).And.Not.Contain("\n"));
         }
@@ -133,7 +133,7 @@ namespace Alate.Tests.Cli
         [TestCase(k_Square + "l 1 2 3\np 4\n", "only lines or points")]
         public void WithoutAFace_ItSaysThatThereAreNoTriangles(string text, string named)
         {
-            var problem = Assert.Throws<FormatException>(() => Read(text));
+            FormatException problem = Assert.Throws<FormatException>(() => Read(text));
 
             Assert.That(problem.Message, Does.Contain(named).And.Not.Contain("\n"));
         }
@@ -159,7 +159,7 @@ namespace Alate.Tests.Cli
         public void AnyText_IsReadOrRefused()
         {
             string[] words = { "v", "vn", "f", "0", "1", "-1", "1/1/1", "1//1", "/", "\\", "#", "\n", "\n", "nan", "1e99", "", "\t", "\0" };
-            Arbitrary<string> texts = Gen.ListOf(Gen.Elements(words)).Select(list => string.Join(" ", list)).ToArbitrary();
+            var texts = Gen.ListOf(Gen.Elements(words)).Select(list => string.Join(" ", list)).ToArbitrary();
             Prop.ForAll(texts, CheckRefusal).QuickCheckThrowOnFailure();
         }
 
@@ -173,7 +173,7 @@ namespace Alate.Tests.Cli
                 text.AppendLine(FormattableString.Invariant($"v {corners[k].x:R} {corners[k].y:R} {corners[k].z:R}"));
             }
 
-            var indices = new int[3 * (1 + random.Next(40))];
+            int[] indices = new int[3 * (1 + random.Next(40))];
             for (int k = 0; k < indices.Length; k++)
                 indices[k] = random.Next(corners.Length);
             for (int k = 0; k < indices.Length; k += 3)

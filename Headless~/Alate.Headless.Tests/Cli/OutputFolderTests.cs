@@ -12,7 +12,7 @@ namespace Alate.Tests.Cli
         public void CommittedFiles_AreThere_InFoldersMadeForThem()
         {
             using var temporary = new TemporaryFolder();
-            using (OutputFolder folder = OutputFolder.Prepare(temporary.PathOf("a/b"), "one.txt"))
+            using (var folder = OutputFolder.Prepare(temporary.PathOf("a/b"), "one.txt"))
             {
                 folder.Write("one.txt", Text("1"));
                 folder.Write("deep/two.txt", Text("2"));
@@ -27,7 +27,7 @@ namespace Alate.Tests.Cli
         public void WithoutCommit_NothingIsLeft()
         {
             using var temporary = new TemporaryFolder();
-            using (OutputFolder folder = OutputFolder.Prepare(temporary.PathOf("a/b"), "one.txt"))
+            using (var folder = OutputFolder.Prepare(temporary.PathOf("a/b"), "one.txt"))
             {
                 folder.Write("one.txt", Text("1"));
                 folder.Write("deep/two.txt", Text("2"));
@@ -41,7 +41,7 @@ namespace Alate.Tests.Cli
         {
             using var temporary = new TemporaryFolder();
             temporary.File("one.txt", "before");
-            using (OutputFolder folder = OutputFolder.Prepare(temporary.Root, "one.txt"))
+            using (var folder = OutputFolder.Prepare(temporary.Root, "one.txt"))
             {
                 folder.Write("one.txt", Text("after"));
                 Assert.Throws<UserException>(() => folder.Write("two.txt", _ => throw new IOException("The disk is full.")));
@@ -56,7 +56,7 @@ namespace Alate.Tests.Cli
         {
             using var temporary = new TemporaryFolder();
             temporary.File("one.txt", "a longer text from before");
-            using (OutputFolder folder = OutputFolder.Prepare(temporary.Root, "one.txt"))
+            using (var folder = OutputFolder.Prepare(temporary.Root, "one.txt"))
             {
                 folder.Write("one.txt", Text("after"));
                 folder.Commit();
@@ -72,7 +72,7 @@ namespace Alate.Tests.Cli
             string file = temporary.File("taken", "");
             foreach (string path in new[] { file, Path.Combine(file, "below") })
             {
-                var problem = Assert.Throws<UserException>(() => OutputFolder.Prepare(path, "one.txt"));
+                UserException problem = Assert.Throws<UserException>(() => OutputFolder.Prepare(path, "one.txt"));
                 Assert.That(problem.Message, Does.Contain(path).And.Not.Contain("\n"));
             }
 
@@ -85,7 +85,7 @@ namespace Alate.Tests.Cli
             using var temporary = new TemporaryFolder();
             Directory.CreateDirectory(temporary.PathOf("one.txt"));
 
-            var problem = Assert.Throws<UserException>(() => OutputFolder.Prepare(temporary.Root, "one.txt"));
+            UserException problem = Assert.Throws<UserException>(() => OutputFolder.Prepare(temporary.Root, "one.txt"));
             Assert.That(problem.Message, Does.Contain("one.txt"));
         }
 

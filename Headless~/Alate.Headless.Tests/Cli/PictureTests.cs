@@ -87,7 +87,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Path_IsWrittenInRelativeSteps_WithoutPointsOnAStraightLine()
         {
-            var places = new[] { new float3(1f, 1f, 0f), new float3(2f, 1f, 0f), new float3(3f, 1f, 0f), new float3(1f, 0f, 0f) };
+            float3[] places = new[] { new float3(1f, 1f, 0f), new float3(2f, 1f, 0f), new float3(3f, 1f, 0f), new float3(1f, 0f, 0f) };
             var path = new SvgPath(5f);
 
             path.Add(new List<int> { 0, 1, 2, 3, 0 }, places, close: true);

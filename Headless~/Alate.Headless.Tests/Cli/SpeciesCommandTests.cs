@@ -38,7 +38,7 @@ namespace Alate.Tests.Cli
 
             Assert.That(run.Run("species", "--json", file), Is.Zero, run.Errors);
 
-            using JsonDocument json = JsonDocument.Parse(File.ReadAllText(file));
+            using var json = JsonDocument.Parse(File.ReadAllText(file));
             JsonElement[] species = json.RootElement.GetProperty("species").EnumerateArray().ToArray();
             Assert.That(species.Select(one => one.GetProperty("name").GetString()), Is.EqualTo(InsectCatalogue.Names));
             JsonElement firefly = species.Single(one => one.GetProperty("name").GetString() == "firefly");

@@ -31,7 +31,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheNumbers_AreTheMeasuredOnes()
         {
-            FlightSummary measured = FlightSummary.Of(MonarchFlight.Level);
+            var measured = FlightSummary.Of(MonarchFlight.Level);
             JsonElement summary = Parsed(Written(MonarchFlight.Level));
 
             Assert.That(summary.GetProperty("species").GetString(), Is.EqualTo("monarch"));

@@ -51,7 +51,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Picture_HasAColumnForEachValue_ARowForEachPhase_AndSixCharts()
         {
-            XElement svg = XElement.Load(Path.Combine(m_Run.Out, "sweep.svg"));
+            var svg = XElement.Load(Path.Combine(m_Run.Out, "sweep.svg"));
             XNamespace space = "http://www.w3.org/2000/svg";
             string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
 

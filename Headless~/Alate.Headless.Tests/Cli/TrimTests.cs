@@ -55,7 +55,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Picture_HasACurveOfThePower()
         {
-            XElement svg = XElement.Load(Path.Combine(m_Run.Out, "trim.svg"));
+            var svg = XElement.Load(Path.Combine(m_Run.Out, "trim.svg"));
             Assert.That(svg.Descendants().Select(part => part.Value), Has.Some.EqualTo("Power to the air, mW"));
         }
 

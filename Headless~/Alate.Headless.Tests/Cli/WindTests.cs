@@ -63,7 +63,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Picture_HasAChartForEachSpecies_AndTheLimits()
         {
-            XElement svg = XElement.Load(Path.Combine(m_Run.Out, "wind.svg"));
+            var svg = XElement.Load(Path.Combine(m_Run.Out, "wind.svg"));
             XNamespace space = "http://www.w3.org/2000/svg";
             string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
 
@@ -114,7 +114,7 @@ namespace Alate.Tests.Cli
         [TestCase(0.2, 0.5, 0.2, 0.5)]
         public void LogarithmicAxis_EndsAtRoundNumbers(double least, double most, double from, double to)
         {
-            ChartAxis axis = ChartAxis.Logarithmic(least, most);
+            var axis = ChartAxis.Logarithmic(least, most);
 
             Assert.That(new[] { axis.From, axis.To }, Is.EqualTo(new[] { from, to }).Within(1e-9));
             Assert.That(axis.Ticks.Select(axis.Share), Is.Ordered.Ascending.And.All.InRange(0f, 1f));

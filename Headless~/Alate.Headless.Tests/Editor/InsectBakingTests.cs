@@ -5,7 +5,6 @@ using Alate.Editor;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEditor;
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Editor;

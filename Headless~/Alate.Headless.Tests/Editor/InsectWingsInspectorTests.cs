@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Linq;
 using Alate.Editor.Tests;
 using NUnit.Framework;
@@ -43,9 +42,9 @@ namespace Alate.Tests.Inspectors
             Open(insect);
             ExpandAll();
 
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
 
-            List<DrawnControl> fields = page.Controls.Where(c => c.Kind == ControlKind.Field).ToList();
+            var fields = page.Controls.Where(c => c.Kind == ControlKind.Field).ToList();
             Assert.That(fields, Has.Count.GreaterThan(30));
             foreach (DrawnControl field in fields)
                 Assert.That(field.Tooltip, Is.Not.Empty, field.Text);
@@ -60,9 +59,9 @@ namespace Alate.Tests.Inspectors
             Open(insect);
             ExpandAll();
 
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
 
-            List<string> labels = page.Controls.Select(c => c.Text).ToList();
+            var labels = page.Controls.Select(c => c.Text).ToList();
             int right = labels.IndexOf("Fore Right · wing Right"), left = labels.IndexOf("Fore Left · wing Left");
             Assert.That(right, Is.InRange(0, left - 1));
             Assert.That(labels.GetRange(right, left - right), Does.Contain("Point").And.Not.Contain("Submesh"));
@@ -142,7 +141,7 @@ namespace Alate.Tests.Inspectors
             Open(first, good, second);
             Assert.That(DrawnInspector.Of(m_Editor).HelpBoxes.Single(), Does.EndWith("One more of the selected insects has a problem."));
 
-            DrawnInspector page = DrawnInspector.Press(m_Editor, "Remove Wing");
+            var page = DrawnInspector.Press(m_Editor, "Remove Wing");
 
             Assert.That(page.HelpBoxes, Is.Empty);
             Assert.That(new[] { first, good, second }.Select(insect => insect.Wings.Count), Is.EqualTo(new[] { 1, 2, 1 }));
@@ -157,7 +156,7 @@ namespace Alate.Tests.Inspectors
             Open(insect);
             m_Editor.serializedObject.FindProperty("m_Wings").isExpanded = true;
 
-            DrawnInspector page = DrawnInspector.Press(m_Editor, "Find Wings");
+            var page = DrawnInspector.Press(m_Editor, "Find Wings");
 
             Assert.That(insect.Wings, Has.Count.EqualTo(2));
             Assert.That(page.Controls.Select(c => c.Text), Does.Contain("Found 2 wings."));
@@ -175,7 +174,7 @@ namespace Alate.Tests.Inspectors
             }
 
             Open(insect);
-            DrawnInspector page = DrawnInspector.Press(m_Editor, "Make Mesh Readable");
+            var page = DrawnInspector.Press(m_Editor, "Make Mesh Readable");
 
             Assert.That(page.HelpBoxes, Is.Empty);
             Assert.That(insect.Wings.All(wing => MeshOf(wing).isReadable), Is.True);
@@ -213,7 +212,7 @@ namespace Alate.Tests.Inspectors
         public void Gizmos_HaveATogglePerLayer_ThatStays()
         {
             Open(Insect());
-            DrawnInspector page = DrawnInspector.Press(m_Editor, "Gizmos");
+            var page = DrawnInspector.Press(m_Editor, "Gizmos");
             Assert.That(page.Control("Patch Loads").Value, Is.EqualTo("off"));
 
             page = DrawnInspector.Press(m_Editor, "Patch Loads");
@@ -256,7 +255,7 @@ namespace Alate.Tests.Inspectors
             Assert.That(DrawnInspector.Of(m_Editor).Controls.Select(c => c.Text), Does.Not.Contain("Tune Preset"));
             insect.Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
 
-            DrawnInspector page = DrawnInspector.Press(m_Editor, "Tune Preset");
+            var page = DrawnInspector.Press(m_Editor, "Tune Preset");
 
             foreach (string group in new[] { "Size", "Beat", "Wave", "Stiffness", "Substeps Per Beat", "Options" })
                 Assert.That(page.Control(group).Enabled, Is.True);
@@ -270,7 +269,7 @@ namespace Alate.Tests.Inspectors
             ProjectAssets.AddToPackage("Packages/com.alate.insect-wings/Monarch.asset", insect.Preset);
             Open(insect);
 
-            DrawnInspector page = DrawnInspector.Press(m_Editor, "Tune Preset");
+            var page = DrawnInspector.Press(m_Editor, "Tune Preset");
 
             Assert.That(page.Control("Beat").Enabled, Is.False);
             Assert.That(page.Controls.Count(c => c.Text.Contains("cannot be changed")), Is.EqualTo(1));
@@ -286,7 +285,7 @@ namespace Alate.Tests.Inspectors
             Open(few, more);
             ExpandAll();
 
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
             Assert.That(page.Control("Start Phase").Value, Is.EqualTo("—"));
 
             m_Editor.serializedObject.FindProperty("m_StartPhase").floatValue = 45f;

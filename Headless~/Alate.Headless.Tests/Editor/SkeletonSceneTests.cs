@@ -166,7 +166,7 @@ namespace Alate.Tests.Inspectors
         [Test]
         public void BoxOverNothing_SelectsWhatItHolds()
         {
-            Vector2 corner = new Vector2(-9000f, -9000f);
+            var corner = new Vector2(-9000f, -9000f);
             Send(EventType.MouseDown, corner);
             Send(EventType.MouseDrag, -corner);
             Send(EventType.Repaint, -corner);

@@ -101,7 +101,7 @@ namespace Alate.Tests.Inspectors
         {
             m_Editor = UnityEditor.Editor.CreateEditor(new Object[] { Right.Skeleton, Left.Skeleton });
 
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
 
             Assert.That(page.Buttons, Is.Empty);
             Assert.That(page.Control("Size").Value, Is.EqualTo("5 chains of 5 joints"));

@@ -5,6 +5,7 @@ using System.Linq;
 using Alate.Authoring;
 using Alate.Cli.Projects;
 using Alate.Fitting;
+using Alate.Geometry;
 using NUnit.Framework;
 using UnityEngine;
 using Random = System.Random;
@@ -66,7 +67,7 @@ namespace Alate.Tests
 
         private static void AssertCalibrated(List<(double Confidence, bool IsRight)> guesses)
         {
-            foreach (var bin in Bins(guesses).Where(bin => bin.Guesses.Count >= 30))
+            foreach ((string Name, List<(double Confidence, bool IsRight)> Guesses) bin in Bins(guesses).Where(bin => bin.Guesses.Count >= 30))
             {
                 double told = bin.Guesses.Average(guess => guess.Confidence);
                 Assert.That(Share(bin.Guesses), Is.EqualTo(told).Within(0.2), $"{bin.Name}: {bin.Guesses.Count} guesses");
@@ -102,7 +103,7 @@ namespace Alate.Tests
             SkeletonFit fit = SkeletonFitter.Fit(wing.Surface, hints);
             m_Fits.Add((fit.Confidence, fit.Skeleton.GetJoint(0, 0).magnitude < k_Near && wing.Leads(fit.Skeleton)));
 
-            var end = PointedEnd.Of(wing.Plan);
+            (PlanPoint Place, double Confidence) end = PointedEnd.Of(wing.Plan);
             bool isNear = Math.Sqrt(end.Place.LengthSquared) < k_Near;
             m_Traces.Add((end.Confidence, isNear));
             m_TracedHinges[kind] = m_TracedHinges.GetValueOrDefault(kind) + (isNear ? 1 : 0);

@@ -126,7 +126,7 @@ namespace Alate.Tests
 
         private static Vector2[] Even(Vector2[] path, int count)
         {
-            var lengths = new double[path.Length + 1];
+            double[] lengths = new double[path.Length + 1];
             for (int k = 0; k < path.Length; k++)
                 lengths[k + 1] = lengths[k] + (path[(k + 1) % path.Length] - path[k]).magnitude;
             var even = new Vector2[count];

@@ -15,7 +15,7 @@ namespace Alate.Tests
         public WingMove(int seed)
         {
             var random = new Random(seed);
-            var axis = new float3(Next(random), Next(random), Next(random)) - 0.5f;
+            float3 axis = new float3(Next(random), Next(random), Next(random)) - 0.5f;
             m_Turn = math.normalize(new quaternion(axis.x, axis.y, axis.z, 0.1f + Next(random)));
             m_Side = random.Next(2) == 0 ? 1f : -1f;
             Scale = math.exp(12f * Next(random) - 6f);
@@ -34,7 +34,7 @@ namespace Alate.Tests
 
         public SurfaceMesh Surface(SurfaceMesh surface)
         {
-            var triangles = (int[])surface.triangles.Clone();
+            int[] triangles = (int[])surface.triangles.Clone();
             for (int k = 0; TurnsTriangles && k < triangles.Length; k += 3)
                 (triangles[k], triangles[k + 1]) = (triangles[k + 1], triangles[k]);
             return new SurfaceMesh

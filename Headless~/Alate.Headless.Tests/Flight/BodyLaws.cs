@@ -23,19 +23,19 @@ namespace Alate.Tests.FreeFlights
         {
             using var flight = new FreeFlight(m_Insect.Model, m_Insect.Table);
             float3 start = flight.Velocity;
-            double3 impulse = default;
+            Vector impulse = default;
             for (int step = 0; step < 100; step++)
             {
                 flight.Step(FlightCommand.Fly(new float3(0.2f, 0f, 0.8f)), 0.01f);
-                impulse += new double3(flight.Force, 0.01);
-                impulse.y -= 0.01 * m_Insect.Model.Weight;
+                impulse += new Vector(flight.Force, 0.01);
+                impulse.Y -= 0.01 * m_Insect.Model.Weight;
             }
 
             float3 gained = m_Insect.Model.Mass * (flight.Velocity - start);
             double weight = m_Insect.Model.Weight;
-            Assert.That(Math.Abs(gained.x - impulse.x), Is.LessThan(1e-4 * weight));
-            Assert.That(Math.Abs(gained.y - impulse.y), Is.LessThan(1e-4 * weight));
-            Assert.That(Math.Abs(gained.z - impulse.z), Is.LessThan(1e-4 * weight));
+            Assert.That(Math.Abs(gained.x - impulse.X), Is.LessThan(1e-4 * weight));
+            Assert.That(Math.Abs(gained.y - impulse.Y), Is.LessThan(1e-4 * weight));
+            Assert.That(Math.Abs(gained.z - impulse.Z), Is.LessThan(1e-4 * weight));
         }
 
         [Test]
@@ -53,14 +53,14 @@ namespace Alate.Tests.FreeFlights
             {
                 tunnel.World.StepOnce(1f / (200f * 11f));
                 FlyingBody body = tunnel.World.Body(tunnel.Body(0));
-                double3 force = default, moment = default;
+                Vector force = default, moment = default;
                 for (int k = 0; k < m_Insect.Model.Wings.Count; k++)
                     Add(tunnel.World.Read(tunnel.Wings(0)[k]), m_Insect.Model.Place(m_Insect.Model.Wings[k]), ref force, ref moment);
                 // In body axes; what the hull drags stays below this bound.
                 float3 read = math.rotate(math.conjugate(body.middleRotation), body.force);
                 double scale = m_Insect.Model.Weight;
-                largest = Math.Max(largest, Math.Sqrt(Math.Pow(read.x - force.x, 2) + Math.Pow(read.y - force.y, 2) + Math.Pow(read.z - force.z, 2)) / scale);
-                turning = Math.Max(turning, Math.Abs(body.moment.x - moment.x) / (scale * m_Insect.Model.Length));
+                largest = Math.Max(largest, Math.Sqrt(Math.Pow(read.x - force.X, 2) + Math.Pow(read.y - force.Y, 2) + Math.Pow(read.z - force.Z, 2)) / scale);
+                turning = Math.Max(turning, Math.Abs(body.moment.x - moment.X) / (scale * m_Insect.Model.Length));
             }
 
             double hull = m_Insect.Model.Drag.y * 1.3 * 1.3 / m_Insect.Model.Weight;
@@ -171,26 +171,26 @@ namespace Alate.Tests.FreeFlights
             return path;
         }
 
-        private static void Add(in WingReading reading, in BodyWing wing, ref double3 force, ref double3 moment)
+        private static void Add(in WingReading reading, in BodyWing wing, ref Vector force, ref Vector moment)
         {
             double unit = (double)wing.mass * wing.length;
             for (int patch = 0; patch < reading.PatchCount; patch++)
             {
                 float3 f = wing.ToBody(reading.PatchForce(patch)), at = wing.hinge + wing.length * wing.ToBody(reading.PatchPosition(patch));
-                force += new double3(f, unit);
-                moment += new double3(math.cross(at, f), unit);
+                force += new Vector(f, unit);
+                moment += new Vector(math.cross(at, f), unit);
             }
         }
 
         /// <summary>A sum in double precision.</summary>
-        private record struct double3(double x, double y, double z)
+        private record struct Vector(double X, double Y, double Z)
         {
-            public double3(float3 v, double factor)
+            public Vector(float3 v, double factor)
                 : this(v.x * factor, v.y * factor, v.z * factor)
             {
             }
 
-            public static double3 operator +(double3 a, double3 b) => new double3(a.x + b.x, a.y + b.y, a.z + b.z);
+            public static Vector operator +(Vector a, Vector b) => new Vector(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
         }
     }
 }

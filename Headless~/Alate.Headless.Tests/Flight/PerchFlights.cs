@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Concurrent;
 using Alate.Catalogue;
 using Alate.Flight;
@@ -36,7 +35,7 @@ namespace Alate.Tests.Flight
         {
             var random = Random.CreateFromIndex((uint)seed);
             float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI), from = random.NextFloat(0f, 2f * math.PI);
-            float3 normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way));
+            var normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way));
             float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, 1.2f) + new float3(0f, random.NextFloat(0.35f, 0.8f), 0f);
             off -= math.min(math.dot(off, normal) - 0.3f, 0f) * normal;
             var spot = new PerchSpot { position = -off, normal = normal, heading = random.NextFloat(-math.PI, math.PI) };

@@ -1,7 +1,5 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
-using Alate.Flight;
 using NUnit.Framework;
 
 namespace Alate.Tests.Flight
@@ -23,9 +21,9 @@ namespace Alate.Tests.Flight
 
         private static void FlyAll(string name, int count)
         {
-            PerchFlights flights = PerchFlights.Of(name);
-            List<PerchFlight> all = Enumerable.Range(1, count).Select(flights.Fly).ToList();
-            List<PerchFlight> down = all.Where(flight => flight.Landed).ToList();
+            var flights = PerchFlights.Of(name);
+            var all = Enumerable.Range(1, count).Select(flights.Fly).ToList();
+            var down = all.Where(flight => flight.Landed).ToList();
             TestContext.Progress.WriteLine(FormattableString.Invariant(
                 $"{name}: {down.Count} of {count} down, {all.Count(flight => flight.Tumbled)} tumbled, {all.Sum(flight => flight.Attempts)} new attempts, {all.Average(flight => flight.Seconds):0.0} s on average"));
             if (down.Count > 0)

@@ -1,6 +1,7 @@
 using System;
 using Alate.Flight;
 using MathNet.Numerics.LinearAlgebra;
+using MathNet.Numerics.LinearAlgebra.Factorization;
 using NUnit.Framework;
 using Complex = System.Numerics.Complex;
 
@@ -39,7 +40,7 @@ namespace Alate.Tests.FreeFlights
             int n = a.RowCount;
             Matrix<double> g = b * b.Transpose(), inverse = a.Transpose().Inverse();
             Matrix<double> symplectic = (a + g * inverse * q).Append(-g * inverse).Stack((-inverse * q).Append(inverse));
-            var parts = symplectic.Evd();
+            Evd<double> parts = symplectic.Evd();
             Matrix<Complex> basis = Matrix<Complex>.Build.Dense(2 * n, n);
             // Complex eigenvectors come in pairs of columns, real and imaginary part.
             int column = 0;

@@ -15,7 +15,7 @@ namespace Alate.Tests.FreeFlights
         public void TheSnailfish_KeepsItsSpeed_AndItsFinsLiftNothing(float speed)
         {
             using var fish = new FlyingInsect("snailfish");
-            SteadyFlight swim = SteadyFlight.Fly(fish.Model, fish.Table, new FlightCondition(speed, 0f));
+            var swim = SteadyFlight.Fly(fish.Model, fish.Table, new FlightCondition(speed, 0f));
 
             TestContext.Out.WriteLine(FormattableString.Invariant(
                 $"{speed} m/s: off by {1e3 * swim.Error:0.00} mm/s, pitch {swim.Pitch:0.0} ± {swim.PitchBob:0.0}°, {swim.Frequency:0.00} Hz, {1e3 * swim.Power:0.00} mW"));

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Flight;
 using Unity.Collections;
@@ -21,14 +20,14 @@ namespace Alate.Tests.Insects
         private FoldedSpecies(string name)
         {
             var plan = new FlightPlan { Species = name };
-            Insect insect = Insect.Of(plan);
+            var insect = Insect.Of(plan);
             using var world = new WingWorld();
             var wings = new List<RecordedWing>();
             var handles = new List<WingHandle>();
             var frames = new List<WingFrame>();
             foreach (InsectWing wing in insect.Wings)
             {
-                WingRig rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
+                var rig = WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = plan.Patches });
                 foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
                 {
                     handles.Add(world.Add(rig, plan.ParametersOf(wing.Preset), plan.SurroundingsOf(wing.Preset, side)));

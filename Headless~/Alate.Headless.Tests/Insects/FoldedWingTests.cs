@@ -17,7 +17,7 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(All))]
         public void RightAndLeft_NeverPassThroughEachOther(string name)
         {
-            FoldedSpecies folded = FoldedSpecies.Of(name);
+            var folded = FoldedSpecies.Of(name);
             Assert.That(folded.Resets, Is.Zero);
             for (int k = 0; k < folded.Wings.Count; k += 2)
                 AssertApart(folded, folded.Wings[k], folded.Wings[k + 1]);
@@ -27,7 +27,7 @@ namespace Alate.Tests.Insects
         [TestCase("fishfly")]
         public void ForeAndHind_NeverPassThroughEachOther(string name)
         {
-            FoldedSpecies folded = FoldedSpecies.Of(name);
+            var folded = FoldedSpecies.Of(name);
             AssertApart(folded, folded.Wings[0], folded.Wings[2]);
             AssertApart(folded, folded.Wings[0], folded.Wings[3]);
         }
@@ -35,7 +35,7 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(All))]
         public void TheInnerThird_NeverPassesThroughItself(string name)
         {
-            FoldedSpecies folded = FoldedSpecies.Of(name);
+            var folded = FoldedSpecies.Of(name);
             foreach (RecordedWing wing in folded.Wings.Where(wing => !wing.Placement.IsLeft))
             {
                 List<int3> inner = FlownSpecies.TrianglesWithin(wing, 1f / 3f);
@@ -46,8 +46,8 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(All))]
         public void HardlyAnyOfAWing_IsWithinTheBody(string name)
         {
-            FoldedSpecies folded = FoldedSpecies.Of(name);
-            var pieces = BodyPieces.Of(folded.Body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(folded.Body, piece)));
+            var folded = FoldedSpecies.Of(name);
+            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(folded.Body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(folded.Body, piece)));
             foreach (RecordedWing wing in folded.Wings.Where(wing => !wing.Placement.IsLeft))
             {
                 double Within(int step) => FoldedSpecies.Places(wing, step).Count(place => pieces.Exists(
@@ -62,7 +62,7 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(All))]
         public void FoldedWings_StayAboveTheFeet(string name)
         {
-            FoldedSpecies folded = FoldedSpecies.Of(name);
+            var folded = FoldedSpecies.Of(name);
             float ground = InsectCatalogue.Find(name).Wings[0].CreatePreset().Rest.feet.y;
             foreach (RecordedWing wing in folded.Wings.Where(wing => !wing.Placement.IsLeft))
                 Assert.That(FoldedSpecies.Places(wing, folded.Closed).Min(place => place.y), Is.GreaterThan(ground), wing.Wing.Name);
@@ -88,7 +88,7 @@ namespace Alate.Tests.Insects
         [TestCase("painted-lichen-moth")]
         public void TheOthers_FoldThemBackOverTheBody(string name)
         {
-            FoldedSpecies folded = FoldedSpecies.Of(name);
+            var folded = FoldedSpecies.Of(name);
             foreach (RecordedWing wing in folded.Wings.Where(wing => !wing.Placement.IsLeft))
             {
                 float3[] places = FoldedSpecies.Places(wing, folded.Closed);
@@ -100,7 +100,7 @@ namespace Alate.Tests.Insects
 
         private static float SpanAngle(string name)
         {
-            FoldedSpecies folded = FoldedSpecies.Of(name);
+            var folded = FoldedSpecies.Of(name);
             RecordedWing wing = folded.Wings[0];
             int tip = Enumerable.Range(0, wing.Rest.Length).OrderByDescending(k => wing.Rest[k].x).First();
             float3 way = FoldedSpecies.Places(wing, folded.Closed)[tip] - wing.Placement.ToBody(default);

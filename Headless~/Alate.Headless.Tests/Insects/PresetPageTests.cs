@@ -18,7 +18,7 @@ namespace Alate.Tests
         [Test]
         public void EveryNumber_HasARow_WithItsUnitRangeAndDefault()
         {
-            var monarch = ScriptableObject.CreateInstance<WingPreset>();
+            WingPreset monarch = ScriptableObject.CreateInstance<WingPreset>();
             foreach (FlownParameter parameter in FlownParameters.OfSpecies)
             {
                 string[] row = s_Rows.SingleOrDefault(cells => Name(cells[1]) == parameter.Name);

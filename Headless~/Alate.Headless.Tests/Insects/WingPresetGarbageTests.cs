@@ -9,7 +9,7 @@ namespace Alate.Tests
         [Test]
         public void TurningASpeciesIntoParameters_AllocatesNothing()
         {
-            var preset = InsectCatalogue.Monarch();
+            WingPreset preset = InsectCatalogue.Monarch();
             preset.ToParameters();
 
             // The least of some rounds: the runtime itself may allocate once in between.

@@ -5,6 +5,7 @@ using Alate.Crowds;
 using Alate.Samples;
 using NUnit.Framework;
 using StandIns;
+using Unity.Mathematics;
 using Unity.StandIns;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -26,7 +27,7 @@ public sealed class MeadowSampleTests : PlayFixture
         MeadowSample sample = Keep(new GameObject("meadow")).AddComponent<MeadowSample>();
         yield return Frames(2);
         InsectCrowd[] crowds = sample.GetComponentsInChildren<InsectCrowd>();
-        var place = crowds[0].Poses[17].position;
+        float3 place = crowds[0].Poses[17].position;
         yield return Frames(100);
 
         Assert.That(crowds.Sum(crowd => crowd.Count), Is.EqualTo(10000));

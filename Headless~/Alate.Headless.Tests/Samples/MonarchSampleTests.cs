@@ -25,7 +25,7 @@ public sealed class MonarchSampleTests : SampleFixture<MonarchSample>
     public IEnumerator DraggingTheMouse_TurnsTheCamera_AndTheWheelMovesIt()
     {
         yield return Begin();
-        var orbit = Sample.GetComponentInChildren<OrbitCamera>();
+        OrbitCamera orbit = Sample.GetComponentInChildren<OrbitCamera>();
         float yaw = orbit.Yaw, distance = orbit.Distance;
         DrawnScreen.Drag(new Vector2(20f, 0f));
         DrawnScreen.Scroll(-3f);

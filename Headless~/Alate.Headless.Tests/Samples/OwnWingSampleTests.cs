@@ -58,7 +58,7 @@ public sealed class OwnWingSampleTests : SampleFixture<OwnWingSample>
     public IEnumerator TheBody_StaysStill()
     {
         yield return Begin();
-        var filter = Insects.Single().GetComponent<MeshFilter>();
+        MeshFilter filter = Insects.Single().GetComponent<MeshFilter>();
         Vector3[] before = filter.sharedMesh.vertices;
         Color32[] colours = filter.sharedMesh.colors32;
         yield return Frames(20);

@@ -17,7 +17,7 @@ public sealed class SampleFilesTests
 
     private static IEnumerable<string> Samples()
     {
-        using JsonDocument package = JsonDocument.Parse(File.ReadAllText(Path.Combine(Root, "package.json")));
+        using var package = JsonDocument.Parse(File.ReadAllText(Path.Combine(Root, "package.json")));
         return [.. package.RootElement.GetProperty("samples").EnumerateArray().Select(sample => sample.GetProperty("path").GetString())];
     }
 
@@ -69,7 +69,7 @@ public sealed class SampleFilesTests
     {
         string folder = Path.Combine(Root, path);
         string own = TextOf(folder);
-        using JsonDocument assembly = JsonDocument.Parse(File.ReadAllText(Directory.GetFiles(folder, "*.asmdef").Single()));
+        using var assembly = JsonDocument.Parse(File.ReadAllText(Directory.GetFiles(folder, "*.asmdef").Single()));
         Assert.That(
             assembly.RootElement.GetProperty("references").EnumerateArray().Select(name => name.GetString()),
             Is.EqualTo(References(own)));

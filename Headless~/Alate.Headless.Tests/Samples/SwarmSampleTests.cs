@@ -37,7 +37,7 @@ public sealed class SwarmSampleTests : SampleFixture<SwarmSample>
         var tint = new MaterialPropertyBlock();
         foreach (IGrouping<WingDetail, InsectWings> alike in Insects.GroupBy(insect => insect.Detail))
         {
-            var colours = alike.SelectMany(insect => insect.Wings).Select(wing =>
+            Color[] colours = alike.SelectMany(insect => insect.Wings).Select(wing =>
             {
                 wing.Renderer.GetPropertyBlock(tint);
                 return tint.GetColor("_Color");

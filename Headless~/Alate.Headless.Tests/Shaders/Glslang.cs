@@ -22,7 +22,7 @@ internal static class Glslang
         IEnumerable<string> defined = macros.Select(macro => "-D" + (macro.Contains('=') ? macro : macro + "=1"));
         foreach (string argument in arguments.Concat(folders).Concat(defined).Append(file))
             start.ArgumentList.Add(argument);
-        using Process run = Process.Start(start);
+        using var run = Process.Start(start);
         string output = run.StandardOutput.ReadToEnd() + run.StandardError.ReadToEnd();
         run.WaitForExit();
         return run.ExitCode == 0 ? "" : string.Join("\n", output.Split('\n').Where(line => line.StartsWith("ERROR", StringComparison.Ordinal)).DefaultIfEmpty(output));

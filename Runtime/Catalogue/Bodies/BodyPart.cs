@@ -33,7 +33,7 @@ namespace Alate.Catalogue
         /// <summary>Makes a piece from its triangles, with smooth normals; turns the winding where the volume comes out negative.</summary>
         public static BodyPart Of(Vector3[] positions, Vector2[] uvs, int[] triangles, Vector2 extent)
         {
-            var outward = Volume(positions, triangles) >= 0 ? triangles : SurfaceMesh.Turned(triangles);
+            int[] outward = Volume(positions, triangles) >= 0 ? triangles : SurfaceMesh.Turned(triangles);
             var surface = new SurfaceMesh { positions = positions, normals = SmoothNormals(positions, outward), uvs = uvs, triangles = outward };
             return new BodyPart(surface, extent);
         }
@@ -46,12 +46,12 @@ namespace Alate.Catalogue
 
         private static double Volume(Vector3[] positions, int[] triangles)
         {
-            var volume = 0.0;
-            var origin = positions[0];
-            for (var corner = 0; corner < triangles.Length; corner += 3)
+            double volume = 0.0;
+            Vector3 origin = positions[0];
+            for (int corner = 0; corner < triangles.Length; corner += 3)
             {
-                var a = positions[triangles[corner]] - origin;
-                var b = positions[triangles[corner + 1]] - origin;
+                Vector3 a = positions[triangles[corner]] - origin;
+                Vector3 b = positions[triangles[corner + 1]] - origin;
                 volume += Vector3.Dot(a, Vector3.Cross(b, positions[triangles[corner + 2]] - origin));
             }
 
@@ -61,11 +61,11 @@ namespace Alate.Catalogue
         private static Vector3[] SmoothNormals(Vector3[] positions, IReadOnlyList<int> triangles)
         {
             var normals = new Vector3[positions.Length];
-            for (var corner = 0; corner < triangles.Count; corner += 3)
+            for (int corner = 0; corner < triangles.Count; corner += 3)
             {
-                var origin = positions[triangles[corner]];
+                Vector3 origin = positions[triangles[corner]];
                 var doubledArea = Vector3.Cross(positions[triangles[corner + 1]] - origin, positions[triangles[corner + 2]] - origin);
-                for (var c = corner; c < corner + 3; c++)
+                for (int c = corner; c < corner + 3; c++)
                     normals[triangles[c]] += doubledArea;
             }
 

@@ -32,19 +32,19 @@ namespace Alate.Catalogue
         /// <summary>Joins all parts to one mesh, millimetres.</summary>
         public SurfaceMesh Join()
         {
-            var shelves = UvShelves.Lay(m_Extents);
+            Rect[] shelves = UvShelves.Lay(m_Extents);
             var positions = new List<Vector3>();
             var normals = new List<Vector3>();
             var uvs = new List<Vector2>();
             var colours = new List<Color32>();
             var triangles = new List<int>();
-            foreach (var patch in m_Patches)
+            foreach (BodyPatch patch in m_Patches)
             {
-                var shelf = shelves[patch.shelf];
-                var painted = Colours(patch);
-                foreach (var part in patch.isPair ? new[] { patch.part, patch.part.Mirrored() } : new[] { patch.part })
+                Rect shelf = shelves[patch.shelf];
+                Color32[] painted = Colours(patch);
+                foreach (BodyPart part in patch.isPair ? new[] { patch.part, patch.part.Mirrored() } : new[] { patch.part })
                 {
-                    var first = positions.Count;
+                    int first = positions.Count;
                     positions.AddRange(part.Positions);
                     normals.AddRange(part.Normals);
                     uvs.AddRange(Array.ConvertAll(part.Uvs, uv => new Vector2(shelf.x + uv.x * shelf.width, shelf.y + uv.y * shelf.height)));
@@ -73,12 +73,12 @@ namespace Alate.Catalogue
         // A part of the middle is painted as its right half everywhere.
         private static Color32[] Colours(BodyPatch patch)
         {
-            var part = patch.part;
+            BodyPart part = patch.part;
             var colours = new Color32[part.Positions.Length];
-            for (var vertex = 0; vertex < colours.Length; vertex++)
+            for (int vertex = 0; vertex < colours.Length; vertex++)
             {
-                var place = part.Positions[vertex];
-                var normal = part.Normals[vertex];
+                Vector3 place = part.Positions[vertex];
+                Vector3 normal = part.Normals[vertex];
                 if (place.x < 0f && !patch.isPair)
                 {
                     place.x = -place.x;

@@ -19,7 +19,7 @@ namespace Alate.Catalogue
             parts.Add(Ellipsoid.Around(centre, radius * new Vector3(1f, 0.95f, 1f), 10, 16), face);
             parts.AddPair(
                 Ellipsoid.Around(centre + radius * new Vector3(0.68f, 0.1f, 0.2f), radius * new Vector3(0.56f, 0.72f, 0.68f), 10, 14), eye);
-            var palp = new[]
+            Vector3[] palp = new[]
             {
                 centre + radius * new Vector3(0.2f, -0.7f, 0.5f), centre + radius * new Vector3(0.24f, -0.75f, 1.3f),
                 centre + radius * new Vector3(0.22f, -0.1f, 1.6f), centre + radius * new Vector3(0.18f, 0.35f, 1.72f),
@@ -31,12 +31,12 @@ namespace Alate.Catalogue
         public static void AddTongue(BodyParts parts, Vector3 middle, float radius, Color32 colour)
         {
             var sections = new CrossSection[k_TongueRings + 1];
-            for (var k = 0; k <= k_TongueRings; k++)
+            for (int k = 0; k <= k_TongueRings; k++)
             {
-                var t = (float)k / k_TongueRings;
-                var angle = 2 * Math.PI * k_TongueTurns * t;
-                var away = radius * (1f - 0.78f * t);
-                var place = middle + away * new Vector3(0f, (float)Math.Cos(angle), (float)Math.Sin(angle));
+                float t = (float)k / k_TongueRings;
+                double angle = 2 * Math.PI * k_TongueTurns * t;
+                float away = radius * (1f - 0.78f * t);
+                Vector3 place = middle + away * new Vector3(0f, (float)Math.Cos(angle), (float)Math.Sin(angle));
                 sections[k] = CrossSection.Round(place, k == 0 || k == k_TongueRings ? 0f : radius * (0.15f - 0.07f * t));
             }
 
@@ -53,7 +53,7 @@ namespace Alate.Catalogue
         /// <summary>Legs as they hang folded under the thorax in flight: hip, knee, ankle, toes and tip of each right one; the radius of the thigh, millimetres.</summary>
         public static void AddLegs(BodyParts parts, IEnumerable<Vector3[]> pairs, float girth, BodyPaint paint)
         {
-            foreach (var joints in pairs)
+            foreach (Vector3[] joints in pairs)
                 parts.AddPair(Stalk.Leg(joints, new[] { 1.2f * girth, girth, 0.8f * girth, 0.5f * girth, 0.3f * girth }, 6), paint);
         }
 
@@ -64,7 +64,7 @@ namespace Alate.Catalogue
         {
             return t =>
             {
-                var within = segments * t - (float)Math.Floor(segments * t);
+                float within = segments * t - (float)Math.Floor(segments * t);
                 return 1f - depth * (float)Math.Pow(Math.Abs(2 * within - 1), 6);
             };
         }

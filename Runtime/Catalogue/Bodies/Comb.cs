@@ -16,11 +16,11 @@ namespace Alate.Catalogue
         public static BodyPart Along(Vector3[] curve, int teeth, Func<float, float> length, float radius, bool isDouble)
         {
             var comb = new Pyramids();
-            for (var tooth = 0; tooth < teeth; tooth++)
+            for (int tooth = 0; tooth < teeth; tooth++)
             {
-                var t = (tooth + 1.5f) / (teeth + 1.5f);
-                var root = Stalk.Bezier(curve, t);
-                var ahead = root - Stalk.Bezier(curve, t - 0.01f);
+                float t = (tooth + 1.5f) / (teeth + 1.5f);
+                Vector3 root = Stalk.Bezier(curve, t);
+                Vector3 ahead = root - Stalk.Bezier(curve, t - 0.01f);
                 var outward = Vector3.Cross(s_Up, ahead);
                 ahead /= ahead.magnitude;
                 outward /= outward.magnitude;

@@ -39,8 +39,8 @@ namespace Alate.Catalogue
         {
             get
             {
-                var height = 0.5f * (Above + Below);
-                var sum = HalfWidth + height;
+                float height = 0.5f * (Above + Below);
+                float sum = HalfWidth + height;
                 return (float)(0.5 * Math.PI * (3 * sum - Math.Sqrt((3 * HalfWidth + height) * (HalfWidth + 3 * height)))) + 2f * Math.Abs(Arch);
             }
         }

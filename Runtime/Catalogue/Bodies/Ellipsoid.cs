@@ -13,11 +13,11 @@ namespace Alate.Catalogue
         public static BodyPart Around(Vector3 centre, Vector3 radii, int rings, int sides)
         {
             var sections = new CrossSection[rings + 1];
-            for (var ring = 0; ring <= rings; ring++)
+            for (int ring = 0; ring <= rings; ring++)
             {
-                var angle = Math.PI * ring / rings;
-                var across = ring == 0 || ring == rings ? 0f : (float)Math.Sin(angle);
-                var middle = centre + new Vector3(0f, 0f, radii.z * (float)Math.Cos(angle));
+                double angle = Math.PI * ring / rings;
+                float across = ring == 0 || ring == rings ? 0f : (float)Math.Sin(angle);
+                Vector3 middle = centre + new Vector3(0f, 0f, radii.z * (float)Math.Cos(angle));
                 sections[ring] = new CrossSection(middle, radii.x * across, radii.y * across, radii.y * across);
             }
 

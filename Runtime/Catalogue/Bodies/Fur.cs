@@ -35,21 +35,21 @@ namespace Alate.Catalogue
         public BodyPart GrowOn(BodyPart skin)
         {
             var random = new Random(Seed);
-            var areas = Areas(skin);
+            double[] areas = Areas(skin);
             var hairs = new Pyramids();
             var normals = new List<Vector3>();
-            for (var hair = 0; hair < Count && areas[areas.Length - 1] > 0; hair++)
+            for (int hair = 0; hair < Count && areas[areas.Length - 1] > 0; hair++)
             {
-                var triangle = Array.BinarySearch(areas, random.NextDouble() * areas[areas.Length - 1]);
-                var root = Root(skin, 3 * Math.Min(triangle < 0 ? ~triangle : triangle, areas.Length - 1), ref random);
+                int triangle = Array.BinarySearch(areas, random.NextDouble() * areas[areas.Length - 1]);
+                BodyPoint root = Root(skin, 3 * Math.Min(triangle < 0 ? ~triangle : triangle, areas.Length - 1), ref random);
                 Add(hairs, root, ref random);
                 normals.AddRange(new[] { root.Normal, root.Normal, root.Normal, root.Normal });
             }
 
-            var fur = hairs.ToPart(skin.Extent);
-            for (var vertex = 0; vertex < normals.Count; vertex++)
+            BodyPart fur = hairs.ToPart(skin.Extent);
+            for (int vertex = 0; vertex < normals.Count; vertex++)
             {
-                var mixed = fur.Normals[vertex] + k_SkinNormal * normals[vertex];
+                Vector3 mixed = fur.Normals[vertex] + k_SkinNormal * normals[vertex];
                 fur.Normals[vertex] = mixed / mixed.magnitude;
             }
 
@@ -59,14 +59,14 @@ namespace Alate.Catalogue
         // Sums of the areas of the right half's triangles, as far as hair grows on them.
         private double[] Areas(BodyPart skin)
         {
-            var sums = new double[skin.Triangles.Length / 3];
-            var sum = 0.0;
-            for (var k = 0; k < sums.Length; k++)
+            double[] sums = new double[skin.Triangles.Length / 3];
+            double sum = 0.0;
+            for (int k = 0; k < sums.Length; k++)
             {
-                var a = skin.Positions[skin.Triangles[3 * k]];
-                var b = skin.Positions[skin.Triangles[3 * k + 1]];
-                var c = skin.Positions[skin.Triangles[3 * k + 2]];
-                var middle = (a + b + c) / 3f;
+                Vector3 a = skin.Positions[skin.Triangles[3 * k]];
+                Vector3 b = skin.Positions[skin.Triangles[3 * k + 1]];
+                Vector3 c = skin.Positions[skin.Triangles[3 * k + 2]];
+                Vector3 middle = (a + b + c) / 3f;
                 if (middle.x > 0f && (Where == null || Where(middle)))
                     sum += Vector3.Cross(b - a, c - a).magnitude;
                 sums[k] = sum;
@@ -85,8 +85,8 @@ namespace Alate.Catalogue
             }
 
             int a = skin.Triangles[corner], b = skin.Triangles[corner + 1], c = skin.Triangles[corner + 2];
-            var w = 1f - u - v;
-            var normal = w * skin.Normals[a] + u * skin.Normals[b] + v * skin.Normals[c];
+            float w = 1f - u - v;
+            Vector3 normal = w * skin.Normals[a] + u * skin.Normals[b] + v * skin.Normals[c];
             return new BodyPoint(
                 w * skin.Positions[a] + u * skin.Positions[b] + v * skin.Positions[c],
                 normal / normal.magnitude,
@@ -95,11 +95,11 @@ namespace Alate.Catalogue
 
         private void Add(Pyramids hairs, in BodyPoint root, ref Random random)
         {
-            var length = Length * random.NextFloat(0.67f, 1.33f);
+            float length = Length * random.NextFloat(0.67f, 1.33f);
             var jitter = new Vector3(random.NextFloat(-1f, 1f), random.NextFloat(-1f, 1f), random.NextFloat(-1f, 1f));
-            var along = root.Normal + Lay - Vector3.Dot(Lay, root.Normal) * root.Normal + 0.25f * jitter;
+            Vector3 along = root.Normal + Lay - Vector3.Dot(Lay, root.Normal) * root.Normal + 0.25f * jitter;
             along *= length / along.magnitude;
-            var sunk = k_Root * length * root.Normal;
+            Vector3 sunk = k_Root * length * root.Normal;
             hairs.Add(root.Place - sunk, along + sunk, jitter, Radius, new Vector2(root.Around, root.Along));
         }
     }

@@ -21,11 +21,11 @@ namespace Alate.Catalogue
         /// <summary>Makes the seat of a wing: its root with a margin all round, and a fade as wide as half the root.</summary>
         public HingeSeat(WingDefinition wing)
         {
-            var length = 1000f * (float)wing.Outline.Length;
+            float length = 1000f * (float)wing.Outline.Length;
             m_Hinge = 1000f * wing.Hinge;
-            var front = m_Hinge.z + length * (float)wing.Outline.LeadingAt(0);
-            var rear = m_Hinge.z + length * (float)wing.Outline.TrailingAt(0);
-            var root = front - rear;
+            float front = m_Hinge.z + length * (float)wing.Outline.LeadingAt(0);
+            float rear = m_Hinge.z + length * (float)wing.Outline.TrailingAt(0);
+            float root = front - rear;
             m_HalfHeight = k_Margin * root;
             m_Front = front + m_HalfHeight;
             m_Rear = rear - m_HalfHeight;
@@ -40,13 +40,13 @@ namespace Alate.Catalogue
 
         private Vector3 Move(Vector3 place)
         {
-            var away = Away(place);
-            var target = (1f - k_Inset) * m_Hinge.x;
+            double away = Away(place);
+            float target = (1f - k_Inset) * m_Hinge.x;
 
             // What lies deep inside, such as the middle line of the back, is no skin of the side.
             if (away >= 1 || Math.Abs(place.x) < 0.5f * target)
                 return place;
-            var share = (float)(1 - away * away * (3 - 2 * away));
+            float share = (float)(1 - away * away * (3 - 2 * away));
             place.x += share * (Math.Sign(place.x) * target - place.x);
             return place;
         }
@@ -54,8 +54,8 @@ namespace Alate.Catalogue
         // From the flat area, in widths of the fade.
         private double Away(Vector3 place)
         {
-            var beyond = Math.Max(0f, Math.Max(place.z - m_Front, m_Rear - place.z));
-            var above = Math.Max(0f, Math.Abs(place.y - m_Hinge.y) - m_HalfHeight);
+            float beyond = Math.Max(0f, Math.Max(place.z - m_Front, m_Rear - place.z));
+            float above = Math.Max(0f, Math.Abs(place.y - m_Hinge.y) - m_HalfHeight);
             return Math.Sqrt(beyond * beyond + above * above) / m_Fade;
         }
     }

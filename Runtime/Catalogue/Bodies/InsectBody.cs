@@ -30,7 +30,7 @@ namespace Alate.Catalogue
         /// <param name="unitsPerMetre">Mesh units of one metre of the real insect.</param>
         public SurfaceMesh CreateSurface(float unitsPerMetre)
         {
-            var made = m_Millimetres.Value;
+            SurfaceMesh made = m_Millimetres.Value;
             return new SurfaceMesh
             {
                 positions = Array.ConvertAll(made.positions, position => position * (unitsPerMetre * 1e-3f)),

@@ -23,10 +23,10 @@ namespace Alate.Catalogue
             right *= radius / right.magnitude;
             var up = Vector3.Cross(along, right);
             up *= radius / up.magnitude;
-            var first = m_Positions.Count;
-            for (var side = 0; side < 3; side++)
+            int first = m_Positions.Count;
+            for (int side = 0; side < 3; side++)
             {
-                var angle = 2 * Math.PI * side / 3;
+                double angle = 2 * Math.PI * side / 3;
                 m_Positions.Add(root + (float)Math.Cos(angle) * right + (float)Math.Sin(angle) * up);
                 m_Triangles.AddRange(new[] { first + side, first + (side + 1) % 3, first + 3 });
             }

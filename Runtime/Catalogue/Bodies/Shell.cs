@@ -19,14 +19,14 @@ namespace Alate.Catalogue
         public static BodyPart Along(
             Vector3 start, Vector3 along, Vector3 up, Func<float, float> halfWidth, float arch, float thickness, float bow, int rings, int sides)
         {
-            var upright = Upright(up, along);
+            Vector3 upright = Upright(up, along);
             var sections = new CrossSection[rings + 1];
-            for (var ring = 0; ring <= rings; ring++)
+            for (int ring = 0; ring <= rings; ring++)
             {
-                var t = 0.5f - 0.5f * (float)Math.Cos(Math.PI * ring / rings);
-                var centre = start + t * along + 4f * t * (1f - t) * bow * upright;
-                var half = halfWidth(t);
-                var isEnd = ring == 0 || ring == rings;
+                float t = 0.5f - 0.5f * (float)Math.Cos(Math.PI * ring / rings);
+                Vector3 centre = start + t * along + 4f * t * (1f - t) * bow * upright;
+                float half = halfWidth(t);
+                bool isEnd = ring == 0 || ring == rings;
                 sections[ring] = isEnd
                     ? CrossSection.Round(centre, 0f)
                     : new CrossSection(centre, half, 0.5f * thickness, 0.5f * thickness, arch * half);
@@ -37,7 +37,7 @@ namespace Alate.Catalogue
 
         private static Vector3 Upright(Vector3 up, Vector3 along)
         {
-            var across = up - along * (Vector3.Dot(up, along) / along.sqrMagnitude);
+            Vector3 across = up - along * (Vector3.Dot(up, along) / along.sqrMagnitude);
             return across / across.magnitude;
         }
     }

@@ -24,9 +24,9 @@ namespace Alate.Catalogue
         public static BodyPart Along(Vector3[] curve, Func<float, float> radius, int rings, int sides)
         {
             var sections = new List<CrossSection> { CrossSection.Round(curve[0], 0f) };
-            for (var ring = 0; ring <= rings; ring++)
+            for (int ring = 0; ring <= rings; ring++)
             {
-                var t = k_End + (1f - 2f * k_End) * ring / rings;
+                float t = k_End + (1f - 2f * k_End) * ring / rings;
                 sections.Add(CrossSection.Round(Bezier(curve, t), radius(t)));
             }
 
@@ -40,19 +40,19 @@ namespace Alate.Catalogue
         /// <param name="sides">Vertices of a ring, even.</param>
         public static BodyPart Leg(Vector3[] joints, float[] radii, int sides)
         {
-            var last = joints.Length - 1;
+            int last = joints.Length - 1;
             var sections = new List<CrossSection>
             {
                 CrossSection.Round(joints[0], 0f),
                 CrossSection.Round(Vector3.Lerp(joints[0], joints[1], 0.01f), radii[0]),
             };
-            for (var k = 1; k < last; k++)
+            for (int k = 1; k < last; k++)
             {
                 var before = Vector3.Lerp(joints[k], joints[k - 1], k_Bend);
                 var after = Vector3.Lerp(joints[k], joints[k + 1], k_Bend);
-                for (var point = 0; point < k_BendPoints; point++)
+                for (int point = 0; point < k_BendPoints; point++)
                 {
-                    var t = point / (k_BendPoints - 1f);
+                    float t = point / (k_BendPoints - 1f);
                     var place = Vector3.Lerp(Vector3.Lerp(before, joints[k], t), Vector3.Lerp(joints[k], after, t), t);
                     sections.Add(CrossSection.Round(place, radii[k]));
                 }
@@ -66,13 +66,13 @@ namespace Alate.Catalogue
         /// <summary>A point of a cubic Bezier curve.</summary>
         public static Vector3 Bezier(Vector3[] curve, float t)
         {
-            var s = 1f - t;
+            float s = 1f - t;
             return s * s * s * curve[0] + 3f * s * s * t * curve[1] + 3f * s * t * t * curve[2] + t * t * t * curve[3];
         }
 
         private static Vector3 Across(Vector3 from, Vector3 to)
         {
-            var along = to - from;
+            Vector3 along = to - from;
             return Math.Abs(along.y) > 0.9f * along.magnitude ? new Vector3(0f, 0f, -1f) : new Vector3(0f, 1f, 0f);
         }
     }

@@ -25,7 +25,7 @@ namespace Alate.Catalogue
         /// <summary>Pseudo-random value from 0 to 1 by place, repeatable: for the mottling of skins and the shades of hairs.</summary>
         public static float Grain(Vector3 place)
         {
-            var wave = math.sin(math.dot((float3)place, s_GrainWaves));
+            float wave = math.sin(math.dot((float3)place, s_GrainWaves));
             return math.abs(k_GrainScale * wave % 1f);
         }
 

@@ -24,21 +24,21 @@ namespace Alate.Catalogue
         /// <summary>Interpolates the sections of a trunk.</summary>
         public static CrossSection[] Sections(IReadOnlyList<CrossSection> keys, int rings, Func<float, float> relief = null)
         {
-            var places = Places(keys);
-            var x = Curve(places, keys, key => key.Centre.x);
-            var y = Curve(places, keys, key => key.Centre.y);
-            var z = Curve(places, keys, key => key.Centre.z);
-            var width = Curve(places, keys, key => key.HalfWidth * key.HalfWidth);
-            var above = Curve(places, keys, key => key.Above * key.Above);
-            var below = Curve(places, keys, key => key.Below * key.Below);
-            var arch = Curve(places, keys, key => key.Arch);
+            double[] places = Places(keys);
+            MonotoneCurve x = Curve(places, keys, key => key.Centre.x);
+            MonotoneCurve y = Curve(places, keys, key => key.Centre.y);
+            MonotoneCurve z = Curve(places, keys, key => key.Centre.z);
+            MonotoneCurve width = Curve(places, keys, key => key.HalfWidth * key.HalfWidth);
+            MonotoneCurve above = Curve(places, keys, key => key.Above * key.Above);
+            MonotoneCurve below = Curve(places, keys, key => key.Below * key.Below);
+            MonotoneCurve arch = Curve(places, keys, key => key.Arch);
             var sections = new CrossSection[rings + 1];
-            for (var ring = 0; ring <= rings; ring++)
+            for (int ring = 0; ring <= rings; ring++)
             {
-                var t = (double)ring / rings;
+                double t = (double)ring / rings;
                 t += k_Crowding * (0.5 - 0.5 * Math.Cos(Math.PI * t) - t);
                 var centre = new Vector3((float)x.At(t), (float)y.At(t), (float)z.At(t));
-                var isEnd = ring == 0 || ring == rings;
+                bool isEnd = ring == 0 || ring == rings;
                 sections[ring] = isEnd
                     ? CrossSection.Round(centre, 0f)
                     : new CrossSection(centre, Root(width.At(t)), Root(above.At(t)), Root(below.At(t)), (float)arch.At(t))
@@ -52,16 +52,16 @@ namespace Alate.Catalogue
 
         private static double[] Places(IReadOnlyList<CrossSection> keys)
         {
-            var places = new double[keys.Count];
-            for (var k = 1; k < places.Length; k++)
+            double[] places = new double[keys.Count];
+            for (int k = 1; k < places.Length; k++)
                 places[k] = places[k - 1] + (keys[k].Centre - keys[k - 1].Centre).magnitude;
             return Array.ConvertAll(places, place => place / places[places.Length - 1]);
         }
 
         private static MonotoneCurve Curve(double[] places, IReadOnlyList<CrossSection> keys, Func<CrossSection, double> value)
         {
-            var values = new double[keys.Count];
-            for (var k = 0; k < values.Length; k++)
+            double[] values = new double[keys.Count];
+            for (int k = 0; k < values.Length; k++)
                 values[k] = value(keys[k]);
             return MonotoneCurve.Straight(places, values).Smoothed();
         }

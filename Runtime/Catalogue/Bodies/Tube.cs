@@ -22,17 +22,17 @@ namespace Alate.Catalogue
             var positions = new List<Vector3>();
             var uvs = new List<Vector2>();
             var triangles = new List<int>();
-            var lengths = Lengths(sections);
-            var girth = 0f;
+            float[] lengths = Lengths(sections);
+            float girth = 0f;
             (int start, int count) previous = default;
-            for (var k = 0; k < sections.Count; k++)
+            for (int k = 0; k < sections.Count; k++)
             {
                 (int start, int count) ring = (positions.Count, sections[k].IsPoint ? 1 : sides);
                 up = Upright(up, Direction(sections, k));
                 AppendRing(sections[k], ring.count, Vector3.Cross(up, Direction(sections, k)), up, positions);
-                for (var side = 0; side < ring.count; side++)
+                for (int side = 0; side < ring.count; side++)
                 {
-                    var u = ring.count == 1 ? 0.5f : 2f * Math.Min(side, ring.count - side) / ring.count;
+                    float u = ring.count == 1 ? 0.5f : 2f * Math.Min(side, ring.count - side) / ring.count;
                     uvs.Add(new Vector2(u, lengths[k] / lengths[lengths.Length - 1]));
                 }
 
@@ -47,22 +47,22 @@ namespace Alate.Catalogue
 
         private static float[] Lengths(IReadOnlyList<CrossSection> sections)
         {
-            var lengths = new float[sections.Count];
-            for (var k = 1; k < lengths.Length; k++)
+            float[] lengths = new float[sections.Count];
+            for (int k = 1; k < lengths.Length; k++)
                 lengths[k] = lengths[k - 1] + (sections[k].Centre - sections[k - 1].Centre).magnitude;
             return lengths;
         }
 
         private static Vector3 Direction(IReadOnlyList<CrossSection> sections, int k)
         {
-            var before = sections[Math.Max(k - 1, 0)].Centre;
-            var after = sections[Math.Min(k + 1, sections.Count - 1)].Centre;
+            Vector3 before = sections[Math.Max(k - 1, 0)].Centre;
+            Vector3 after = sections[Math.Min(k + 1, sections.Count - 1)].Centre;
             return (after - before) / (after - before).magnitude;
         }
 
         private static Vector3 Upright(Vector3 up, Vector3 along)
         {
-            var across = up - along * Vector3.Dot(up, along);
+            Vector3 across = up - along * Vector3.Dot(up, along);
             return across / across.magnitude;
         }
 
@@ -75,11 +75,11 @@ namespace Alate.Catalogue
                 return;
             }
 
-            for (var side = 0; side < count; side++)
+            for (int side = 0; side < count; side++)
             {
-                var isMirrored = 2 * side > count;
-                var angle = 2 * Math.PI * (isMirrored ? count - side : side) / count;
-                var rim = section.Rim(2 * side == count ? 0f : (float)Math.Sin(angle), (float)Math.Cos(angle));
+                bool isMirrored = 2 * side > count;
+                double angle = 2 * Math.PI * (isMirrored ? count - side : side) / count;
+                Vector2 rim = section.Rim(2 * side == count ? 0f : (float)Math.Sin(angle), (float)Math.Cos(angle));
                 positions.Add(section.Centre + right * (isMirrored ? -rim.x : rim.x) + up * rim.y);
             }
         }
@@ -87,10 +87,10 @@ namespace Alate.Catalogue
         // The diagonals of one half are the mirror images of those of the other.
         private static void Bridge((int start, int count) from, (int start, int count) to, List<int> triangles)
         {
-            var sides = Math.Max(from.count, to.count);
-            for (var side = 0; side < sides; side++)
+            int sides = Math.Max(from.count, to.count);
+            for (int side = 0; side < sides; side++)
             {
-                var next = (side + 1) % sides;
+                int next = (side + 1) % sides;
                 if (from.count == 1)
                 {
                     Append(triangles, from.start, to.start + next, to.start + side);

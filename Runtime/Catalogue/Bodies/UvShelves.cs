@@ -14,9 +14,9 @@ namespace Alate.Catalogue
         /// <param name="extents">Width and height of each part, any one unit, above 0.</param>
         public static Rect[] Lay(IReadOnlyList<Vector2> extents)
         {
-            var order = new int[extents.Count];
-            var largest = 0f;
-            for (var k = 0; k < order.Length; k++)
+            int[] order = new int[extents.Count];
+            float largest = 0f;
+            for (int k = 0; k < order.Length; k++)
             {
                 order[k] = k;
                 largest = Math.Max(largest, Math.Max(extents[k].x, extents[k].y));
@@ -25,9 +25,9 @@ namespace Alate.Catalogue
             Array.Sort(order, (one, other) => Compare(extents, one, other));
             var rectangles = new Rect[order.Length];
             float fits = 0f, fails = 1f / largest;
-            for (var step = 0; step < k_Halvings; step++)
+            for (int step = 0; step < k_Halvings; step++)
             {
-                var scale = 0.5f * (fits + fails);
+                float scale = 0.5f * (fits + fails);
                 if (TryLay(extents, order, scale, rectangles))
                     fits = scale;
                 else
@@ -41,9 +41,9 @@ namespace Alate.Catalogue
         private static bool TryLay(IReadOnlyList<Vector2> extents, int[] order, float scale, Rect[] rectangles)
         {
             float x = k_Gap, y = k_Gap, shelf = 0f;
-            foreach (var part in order)
+            foreach (int part in order)
             {
-                var size = scale * extents[part];
+                Vector2 size = scale * extents[part];
                 if (x + size.x + k_Gap > 1f)
                 {
                     x = k_Gap;
@@ -63,7 +63,7 @@ namespace Alate.Catalogue
 
         private static int Compare(IReadOnlyList<Vector2> extents, int one, int other)
         {
-            var byHeight = extents[other].y.CompareTo(extents[one].y);
+            int byHeight = extents[other].y.CompareTo(extents[one].y);
             return byHeight != 0 ? byHeight : one.CompareTo(other);
         }
     }

@@ -38,7 +38,7 @@ namespace Alate.Catalogue
                 throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
             if (Application.isPlaying)
                 return Share(species, variant, reading);
-            InsectParts kit = InsectParts.Make(species);
+            var kit = InsectParts.Make(species);
             return Activated(kit.Assemble(kit.CreatePresets(variant, reading)));
         }
 

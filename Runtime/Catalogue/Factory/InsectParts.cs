@@ -95,7 +95,7 @@ namespace Alate.Catalogue
         {
             var root = new GameObject(Name);
             root.SetActive(false);
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             Draw(root.transform, k_Body, BodyMesh, BodyMaterial);
             insect.Wings.Clear();
             insect.Preset = presets[0];
@@ -172,7 +172,7 @@ namespace Alate.Catalogue
             var drawn = new GameObject(name);
             drawn.transform.SetParent(parent, false);
             drawn.AddComponent<MeshFilter>().sharedMesh = mesh;
-            var renderer = drawn.AddComponent<MeshRenderer>();
+            MeshRenderer renderer = drawn.AddComponent<MeshRenderer>();
             renderer.sharedMaterial = material;
             return renderer;
         }

@@ -31,9 +31,9 @@ namespace Alate.Catalogue
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
         public static SharedAssets Make(InsectDefinition species)
         {
-            InsectParts parts = InsectParts.Make(species);
+            var parts = InsectParts.Make(species);
             parts.Hide();
-            var kit = CreateInstance<SharedAssets>();
+            SharedAssets kit = CreateInstance<SharedAssets>();
             kit.name = parts.Name + " Kit";
             kit.hideFlags = HideFlags.HideAndDontSave;
             kit.m_Species = species.Name;

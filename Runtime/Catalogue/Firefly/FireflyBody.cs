@@ -99,33 +99,33 @@ namespace Alate.Catalogue
         // Eleven short pieces, thickest at their ends.
         private static float Beaded(float t)
         {
-            var within = 11f * t % 1f;
+            float within = 11f * t % 1f;
             return (0.13f - 0.05f * t) * (0.82f + 0.3f * within);
         }
 
         private static Color32 Lit(in BodyPoint point)
         {
-            var ring = k_AbdomenRings * point.Along;
-            var furrow = 0.5f * Tint.Below(0.82f, ring % 1f, 0.2f);
-            var skin = Tint.Mix(s_Brown, s_Rim, Math.Max(furrow, 0.35f * Tint.Below(0.5f, point.Around, 0.2f)));
-            var lantern = Tint.Mix(s_Lantern, s_LanternEdge, furrow);
+            float ring = k_AbdomenRings * point.Along;
+            float furrow = 0.5f * Tint.Below(0.82f, ring % 1f, 0.2f);
+            Color32 skin = Tint.Mix(s_Brown, s_Rim, Math.Max(furrow, 0.35f * Tint.Below(0.5f, point.Around, 0.2f)));
+            Color32 lantern = Tint.Mix(s_Lantern, s_LanternEdge, furrow);
             return Tint.Mix(lantern, skin, Tint.Below(ring, k_LanternStart, 0.25f));
         }
 
         private static Color32 Spotted(in BodyPoint point)
         {
-            var across = point.Place.x;
-            var ahead = point.Place.z - 3.1f;
-            var away = Mathf.Sqrt(across * across + 0.6f * ahead * ahead);
-            var spot = Tint.Below(away, 0.5f, 0.3f);
-            var rose = Tint.Below(away, 1.15f, 0.5f);
+            float across = point.Place.x;
+            float ahead = point.Place.z - 3.1f;
+            float away = Mathf.Sqrt(across * across + 0.6f * ahead * ahead);
+            float spot = Tint.Below(away, 0.5f, 0.3f);
+            float rose = Tint.Below(away, 1.15f, 0.5f);
             return Tint.Mix(Tint.Mix(s_Rim, s_Rose, rose), s_Eye, spot);
         }
 
         private static Color32 Rimmed(in BodyPoint point)
         {
-            var rim = Tint.Below(Mathf.Abs(point.Around - 0.5f), 0.1f, 0.1f);
-            var face = point.Around < 0.5f ? s_Case : s_CaseInside;
+            float rim = Tint.Below(Mathf.Abs(point.Around - 0.5f), 0.1f, 0.1f);
+            Color32 face = point.Around < 0.5f ? s_Case : s_CaseInside;
             return Tint.Mix(face, s_Rim, Mathf.Max(rim, Tint.Below(0.965f, point.Along, 0.03f)));
         }
     }

@@ -15,7 +15,7 @@ namespace Alate.Catalogue
         public static InsectDefinition Define()
         {
             var outline = WingOutline.FromMillimetres(s_Span, s_Leading, s_Trailing);
-            var wing = new WingDefinition("hind wing", outline, Author)
+            WingDefinition wing = new WingDefinition("hind wing", outline, Author)
             {
                 TriangleCount = 6284,
                 ChainPaths = ChainPath.Straight(0.43, 0.53, 0.62, 0.69, 0.76),
@@ -34,7 +34,7 @@ namespace Alate.Catalogue
 
         private static WingPattern Pattern(WingOutline outline)
         {
-            var veins = new VeinFan(outline, 0.55).Add(0.40, 0.455, 0.53, 0.62, 0.70, 0.80)
+            VeinFan veins = new VeinFan(outline, 0.55).Add(0.40, 0.455, 0.53, 0.62, 0.70, 0.80)
                 .Fork(2, 0.6, 0.575).Fork(3, 0.55, 0.655).Fork(4, 0.5, 0.745).Cross(1, 0.45).Cross(2, 0.5).Cross(3, 0.42);
             return new MembranePattern(outline, veins)
             {

@@ -105,15 +105,15 @@ namespace Alate.Catalogue
         // Ochre lines along the middle of head and thorax, and dark flecks beside them.
         private static Color32 Marked(in BodyPoint point)
         {
-            var line = Tint.Below(point.Place.x, 0.22f, 0.25f) * Tint.Below(point.Around, 0.5f, 0.3f);
-            var fleck = 0.7f * Tint.Below(Mathf.Abs(point.Place.x - 0.9f), 0.3f, 0.3f) * Tint.Below(point.Around, 0.5f, 0.2f);
-            var side = 0.6f * Tint.Below(0.6f, point.Around, 0.3f);
+            float line = Tint.Below(point.Place.x, 0.22f, 0.25f) * Tint.Below(point.Around, 0.5f, 0.3f);
+            float fleck = 0.7f * Tint.Below(Mathf.Abs(point.Place.x - 0.9f), 0.3f, 0.3f) * Tint.Below(point.Around, 0.5f, 0.2f);
+            float side = 0.6f * Tint.Below(0.6f, point.Around, 0.3f);
             return Tint.Mix(Tint.Mix(Tint.Mix(s_Brown, s_Dark, fleck), s_Skin, side), s_Ochre, line);
         }
 
         private static Color32 Soft(in BodyPoint point)
         {
-            var plate = Tint.Below(point.Around, 0.42f, 0.2f) * Tint.Below(k_AbdomenRings * point.Along % 1f, 0.72f, 0.3f);
+            float plate = Tint.Below(point.Around, 0.42f, 0.2f) * Tint.Below(k_AbdomenRings * point.Along % 1f, 0.72f, 0.3f);
             return Tint.Mix(s_Skin, s_Brown, plate);
         }
     }

@@ -15,8 +15,8 @@ namespace Alate.Catalogue
 
         public static InsectDefinition Define()
         {
-            var fore = ForeWing();
-            var hind = HindWing();
+            WingDefinition fore = ForeWing();
+            WingDefinition hind = HindWing();
             return new InsectDefinition("fishfly", "Fishfly", new[] { fore, hind }, FishflyBody.Create(fore, hind), Sources())
             {
                 FlightParts = new[]
@@ -54,11 +54,11 @@ namespace Alate.Catalogue
 
         private static WingPattern Pattern(WingOutline outline)
         {
-            var veins = new VeinFan(outline, 0.6).Add(0.40, 0.45, 0.48, 0.515, 0.56, 0.61, 0.67, 0.74, 0.82)
+            VeinFan veins = new VeinFan(outline, 0.6).Add(0.40, 0.45, 0.48, 0.515, 0.56, 0.61, 0.67, 0.74, 0.82)
                 .Fork(2, 0.7, 0.497).Fork(3, 0.62, 0.538).Fork(4, 0.6, 0.585).Fork(5, 0.6, 0.64).Fork(6, 0.6, 0.705).Fork(7, 0.55, 0.78);
-            for (var vein = 0; vein < 8; vein++)
+            for (int vein = 0; vein < 8; vein++)
             {
-                var shift = 0.03 * (vein % 3);
+                double shift = 0.03 * (vein % 3);
                 veins.Cross(vein, 0.3 + shift, 0.44 + shift, 0.57 + shift, 0.7 + shift, 0.82 + shift);
             }
 

@@ -20,7 +20,7 @@ namespace Alate.Catalogue
         {
             var wings = new List<FlightWing>();
             float mass = 0f, density = 0f, share = 0f;
-            foreach (var wing in insect.Wings)
+            foreach (WingDefinition wing in insect.Wings)
             {
                 WingPreset preset = wing.CreatePreset(ModelReading.Physical, variant);
                 mass = preset.Size.insectMass;
@@ -57,7 +57,7 @@ namespace Alate.Catalogue
                 throw new ArgumentException($"The {insect.DisplayName} has no trim table: it does not fly.", nameof(insect));
             }
 
-            var flight = wings.gameObject.AddComponent<InsectFlight>();
+            InsectFlight flight = wings.gameObject.AddComponent<InsectFlight>();
             if (!s_Trims.TryGetValue(insect.Name, out FlightTrims trims) || trims == null)
             {
                 trims = FlightTrims.Create(text);
@@ -74,7 +74,7 @@ namespace Alate.Catalogue
         {
             SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
             WingSkeleton skeleton = wing.CreateSkeleton(WingSide.Right);
-            WingRig rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
+            var rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
             UnityEngine.Object.DestroyImmediate(skeleton);
             // Where the numbers have longer wings than the mesh, what lies between the body and the hinge grows with them.
             float3 offset = rig.Frame.origin / rig.Frame.length * preset.WingLength;

@@ -21,10 +21,10 @@ namespace Alate.Catalogue
             if (size < 1)
                 throw new ArgumentOutOfRangeException(nameof(size), size, "A texture has one pixel or more.");
             var pixels = new Color32[size * size];
-            var isPainted = new bool[pixels.Length];
-            for (var corner = 0; corner < surface.triangles.Length; corner += 3)
+            bool[] isPainted = new bool[pixels.Length];
+            for (int corner = 0; corner < surface.triangles.Length; corner += 3)
                 PaintTriangle(surface, corner, size, pixels, isPainted);
-            for (var ring = 0; ring < k_Bleed; ring++)
+            for (int ring = 0; ring < k_Bleed; ring++)
                 Spread(size, pixels, isPainted);
             return pixels;
         }
@@ -33,17 +33,17 @@ namespace Alate.Catalogue
         {
             int i = surface.triangles[corner], j = surface.triangles[corner + 1], k = surface.triangles[corner + 2];
             float2 a = size * (float2)surface.uvs[i], b = size * (float2)surface.uvs[j], c = size * (float2)surface.uvs[k];
-            var area = Cross(b - a, c - a);
+            float area = Cross(b - a, c - a);
             if (area == 0f)
                 return;
-            var from = math.max((int2)math.floor(math.min(a, math.min(b, c)) - 0.5f), 0);
-            var to = math.min((int2)math.floor(math.max(a, math.max(b, c)) + 0.5f), size - 1);
-            for (var y = from.y; y <= to.y; y++)
+            int2 from = math.max((int2)math.floor(math.min(a, math.min(b, c)) - 0.5f), 0);
+            int2 to = math.min((int2)math.floor(math.max(a, math.max(b, c)) + 0.5f), size - 1);
+            for (int y = from.y; y <= to.y; y++)
             {
-                for (var x = from.x; x <= to.x; x++)
+                for (int x = from.x; x <= to.x; x++)
                 {
                     var point = new float2(x + 0.5f, y + 0.5f);
-                    var shares = new float3(Cross(c - b, point - b), Cross(a - c, point - c), Cross(b - a, point - a)) / area;
+                    float3 shares = new float3(Cross(c - b, point - b), Cross(a - c, point - c), Cross(b - a, point - a)) / area;
                     if (math.all(shares >= 0f))
                     {
                         pixels[y * size + x] = Mix(surface.colours[i], surface.colours[j], surface.colours[k], shares);
@@ -56,13 +56,13 @@ namespace Alate.Catalogue
         // One pixel outwards from all that is painted.
         private static void Spread(int size, Color32[] pixels, bool[] isPainted)
         {
-            var before = (bool[])isPainted.Clone();
-            for (var pixel = 0; pixel < pixels.Length; pixel++)
+            bool[] before = (bool[])isPainted.Clone();
+            for (int pixel = 0; pixel < pixels.Length; pixel++)
             {
                 if (before[pixel])
                     continue;
                 int x = pixel % size, y = pixel / size;
-                var from = x > 0 && before[pixel - 1] ? pixel - 1
+                int from = x > 0 && before[pixel - 1] ? pixel - 1
                     : x + 1 < size && before[pixel + 1] ? pixel + 1
                     : y > 0 && before[pixel - size] ? pixel - size
                     : y + 1 < size && before[pixel + size] ? pixel + size : -1;
@@ -76,7 +76,7 @@ namespace Alate.Catalogue
 
         private static Color32 Mix(Color32 a, Color32 b, Color32 c, float3 shares)
         {
-            var mixed = shares.x * Numbers(a) + shares.y * Numbers(b) + shares.z * Numbers(c);
+            float4 mixed = shares.x * Numbers(a) + shares.y * Numbers(b) + shares.z * Numbers(c);
             var rounded = (int4)math.round(math.clamp(mixed, 0f, 255f));
             return new Color32((byte)rounded.x, (byte)rounded.y, (byte)rounded.z, (byte)rounded.w);
         }

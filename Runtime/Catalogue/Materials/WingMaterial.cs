@@ -28,7 +28,7 @@ namespace Alate.Catalogue
         /// </summary>
         public static Shader FindShader()
         {
-            var found = WingShaders.Choose(WingShaders.ActivePipeline, WingShaders.Find);
+            Shader found = WingShaders.Choose(WingShaders.ActivePipeline, WingShaders.Find);
             return found != null ? found : WingShaders.PipelinesOwn();
         }
 
@@ -51,20 +51,20 @@ namespace Alate.Catalogue
             if (wing == null)
                 throw new ArgumentNullException(nameof(wing));
             CheckSize(textureSize);
-            var shader = RequireShader();
+            Shader shader = RequireShader();
             if (wing.Pattern == null)
             {
-                var plain = Create(shader, wing.Name, new SurfaceLook(null, true, false));
+                Material plain = Create(shader, wing.Name, new SurfaceLook(null, true, false));
                 plain.SetSurfaceColour(s_Membrane);
                 return plain;
             }
 
-            var outline = wing.Contour;
-            var depth = outline.Front - outline.Rear;
-            var longer = Math.Max(depth, 1);
-            var width = Math.Max(1, (int)Math.Round(textureSize / longer));
-            var height = Math.Max(1, (int)Math.Round(textureSize * depth / longer));
-            var pixels = wing.Pattern.Paint(outline, width, height);
+            WingOutline outline = wing.Contour;
+            double depth = outline.Front - outline.Rear;
+            double longer = Math.Max(depth, 1);
+            int width = Math.Max(1, (int)Math.Round(textureSize / longer));
+            int height = Math.Max(1, (int)Math.Round(textureSize * depth / longer));
+            Color32[] pixels = wing.Pattern.Paint(outline, width, height);
             return Create(shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, pixels, width, height, keepPixels), true, HasClearPixels(pixels)));
         }
 
@@ -82,10 +82,10 @@ namespace Alate.Catalogue
             if (species == null)
                 throw new ArgumentNullException(nameof(species));
             CheckSize(textureSize);
-            var shader = RequireShader();
-            var body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
-            var name = species.DisplayName + " body";
-            var texture = ShowsVertexColours(shader)
+            Shader shader = RequireShader();
+            SurfaceMesh body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
+            string name = species.DisplayName + " body";
+            Texture2D texture = ShowsVertexColours(shader)
                 ? null
                 : ToTexture(name, ColourTexture.Paint(body, textureSize), textureSize, textureSize, keepPixels);
             return Create(shader, name, new SurfaceLook(texture, false, HasClearPixels(body.colours)));
@@ -105,7 +105,7 @@ namespace Alate.Catalogue
         {
             if (material == null)
                 return;
-            var texture = material.SurfaceTexture();
+            Texture texture = material.SurfaceTexture();
             ObjectEnd.Destroy(material);
             ObjectEnd.Destroy(texture);
         }
@@ -120,7 +120,7 @@ namespace Alate.Catalogue
 
         private static Shader RequireShader()
         {
-            var shader = FindShader();
+            Shader shader = FindShader();
             return shader != null
                 ? shader
                 : throw new InvalidOperationException(

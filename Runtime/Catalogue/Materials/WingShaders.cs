@@ -22,7 +22,7 @@ namespace Alate.Catalogue
         {
             get
             {
-                var asset = GraphicsSettings.currentRenderPipeline;
+                RenderPipelineAsset asset = GraphicsSettings.currentRenderPipeline;
                 return KindOf(asset == null ? null : asset.GetType().Name);
             }
         }
@@ -58,9 +58,9 @@ namespace Alate.Catalogue
         /// <param name="find">Finds a shader by its name, or gives null.</param>
         public static Shader Choose(RenderPipelineKind pipeline, Func<string, Shader> find)
         {
-            foreach (var name in NamesFor(pipeline))
+            foreach (string name in NamesFor(pipeline))
             {
-                var shader = find(name);
+                Shader shader = find(name);
                 if (shader != null)
                     return shader;
             }
@@ -71,14 +71,14 @@ namespace Alate.Catalogue
         /// <summary>Finds a shader by name; the package's own also where no material of the build refers to it.</summary>
         public static Shader Find(string name)
         {
-            var shader = name == Own ? Resources.Load<Shader>(k_OwnResource) : null;
+            Shader shader = name == Own ? Resources.Load<Shader>(k_OwnResource) : null;
             return shader != null ? shader : Shader.Find(name);
         }
 
         /// <summary>Default shader of the pipeline; null without a pipeline asset, or in players of some pipelines.</summary>
         public static Shader PipelinesOwn()
         {
-            var asset = GraphicsSettings.currentRenderPipeline;
+            RenderPipelineAsset asset = GraphicsSettings.currentRenderPipeline;
             return asset == null ? null : asset.defaultShader;
         }
     }

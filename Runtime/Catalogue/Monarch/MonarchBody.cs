@@ -68,7 +68,7 @@ namespace Alate.Catalogue
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {
-            var thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 22, 24)), Dotted);
+            BodyPatch thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 22, 24)), Dotted);
             var fur = new Fur { Count = 110, Length = 0.7f, Radius = 0.09f, Seed = 11, Where = place => place.y > 1.2f || place.y < -1.4f };
             parts.AddFur(thorax, fur.GrowOn(thorax.part), (in BodyPoint point) => Tint.Mix(s_Black, s_Fur, Tint.Grain(point.Place)));
             parts.Add(Trunk.Through(s_Abdomen, 44, 16, ButterflyParts.Rings(k_AbdomenRings, 0.07f)), Segmented);
@@ -80,17 +80,17 @@ namespace Alate.Catalogue
 
         private static Color32 Dotted(in BodyPoint point)
         {
-            var share = 0f;
-            foreach (var dot in s_Dots)
+            float share = 0f;
+            foreach (Vector3 dot in s_Dots)
                 share = Mathf.Max(share, Tint.Spot(point.Place, dot, k_DotRadius, 0.3f));
             return Tint.Mix(s_Black, s_Dot, share);
         }
 
         private static Color32 Segmented(in BodyPoint point)
         {
-            var within = k_AbdomenRings * point.Along % 1f;
-            var isBelow = Tint.Below(0.62f, point.Around, 0.2f);
-            var band = Tint.Below(0.75f, within, 0.2f);
+            float within = k_AbdomenRings * point.Along % 1f;
+            float isBelow = Tint.Below(0.62f, point.Around, 0.2f);
+            float band = Tint.Below(0.75f, within, 0.2f);
             return Tint.Mix(s_Black, s_Belly, Mathf.Max(0.55f * isBelow, 0.45f * band));
         }
     }

@@ -19,7 +19,7 @@ namespace Alate.Catalogue
         public static InsectDefinition Define()
         {
             var outline = WingOutline.FromMillimetres(s_Span, s_Leading, s_Trailing);
-            var wing = new WingDefinition("wing", outline, _ => { })
+            WingDefinition wing = new WingDefinition("wing", outline, _ => { })
             {
                 TriangleCount = 2096,
                 IsFilled = false,

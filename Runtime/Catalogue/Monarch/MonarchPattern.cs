@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -56,11 +57,11 @@ namespace Alate.Catalogue
         /// <summary>Lays the pattern into an outline.</summary>
         public MonarchPattern(WingOutline outline)
         {
-            foreach (var vein in s_Veins)
+            foreach (double[] vein in s_Veins)
                 m_Veins.Add(vein);
             m_ThinRim.Add(Ink.Edge(outline.LeadingAt, 0, k_MarginStart));
             m_ThinRim.Add(Ink.Edge(outline.TrailingAt, k_MarginEnd, 0));
-            var margin = Ink.Edge(outline.LeadingAt, k_MarginStart, 1);
+            List<double> margin = Ink.Edge(outline.LeadingAt, k_MarginStart, 1);
             margin.AddRange(Ink.Edge(outline.TrailingAt, 1, k_MarginEnd));
             m_Margin.Add(margin);
         }
@@ -70,12 +71,12 @@ namespace Alate.Catalogue
         {
             var colour = Color.Lerp(s_Ground, s_Base, Ink.Within(Math.Sqrt(span * span + forward * forward), 0.1, 0.16));
             colour = Color.Lerp(colour, s_Dark, Apex(span, forward, softness));
-            var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
+            double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
             colour = Color.Lerp(colour, s_Dark, Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness));
             colour = Color.Lerp(colour, s_Window, Windows(span, forward, 0.5 * softness));
 
-            var edge = m_Margin.Distance(span, forward, out var along);
-            var rim = m_ThinRim.Distance(span, forward, out _);
+            double edge = m_Margin.Distance(span, forward, out double along);
+            double rim = m_ThinRim.Distance(span, forward, out _);
             colour = Color.Lerp(
                 colour, s_Dark, Math.Max(Ink.Within(edge, k_MarginWidth, softness), Ink.Within(rim, k_ThinRimWidth, softness)));
 
@@ -87,11 +88,11 @@ namespace Alate.Catalogue
 
         private static float Windows(double span, double forward, double softness)
         {
-            var inside = 0f;
-            for (var i = 0; i < s_Windows.Length; i += 4)
+            float inside = 0f;
+            for (int i = 0; i < s_Windows.Length; i += 4)
             {
-                var x = span - s_Windows[i];
-                var z = forward - s_Windows[i + 1];
+                double x = span - s_Windows[i];
+                double z = forward - s_Windows[i + 1];
                 inside = Math.Max(inside, Ink.Ellipse(x, z, s_Windows[i + 2], s_Windows[i + 3], softness));
             }
 

@@ -33,33 +33,33 @@ namespace Alate.Catalogue
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
-            var inner = Math.Clamp(span, 0, k_Tornus);
-            var seam = k_SeamStart + k_SeamSlope * span;
-            var width = m_Outline.LeadingAt(inner) - k_SeamStart - k_SeamSlope * inner;
-            var across = (m_Outline.LeadingAt(Math.Clamp(span, 0, k_TipStart)) - forward) / width;
-            var blend = softness / Math.Max(width, 0.05);
-            var hind = span < k_Tornus ? Ink.Within(-across, -1, blend) : 0f;
+            double inner = Math.Clamp(span, 0, k_Tornus);
+            double seam = k_SeamStart + k_SeamSlope * span;
+            double width = m_Outline.LeadingAt(inner) - k_SeamStart - k_SeamSlope * inner;
+            double across = (m_Outline.LeadingAt(Math.Clamp(span, 0, k_TipStart)) - forward) / width;
+            double blend = softness / Math.Max(width, 0.05);
+            float hind = span < k_Tornus ? Ink.Within(-across, -1, blend) : 0f;
             var colour = Color.Lerp(ForeWing(span, across, blend), HindWing(span, forward, softness), hind);
-            var seamLine = span < k_Tornus ? Ink.Within(Math.Abs(forward - seam), k_SeamHalfWidth, softness) : 0f;
+            float seamLine = span < k_Tornus ? Ink.Within(Math.Abs(forward - seam), k_SeamHalfWidth, softness) : 0f;
             return Color.Lerp(colour, s_Grey, seamLine);
         }
 
         private Color ForeWing(double span, double across, double blend)
         {
             var colour = Color.Lerp(s_Yellow, s_Red, Ink.Within(-span, -0.52, 0.55));
-            var costa = Ink.Within(across, 0.15 + 0.03 * span, blend);
-            var middle = Ink.Between(across, 0.40, 0.47 + 0.16 * span, blend) * Ink.Within(-span, -0.24, 0.1);
-            var inner = Ink.Within(-across, -(0.88 - 0.16 * span), blend) * Ink.Within(span, 0.95, 0.1);
+            float costa = Ink.Within(across, 0.15 + 0.03 * span, blend);
+            float middle = Ink.Between(across, 0.40, 0.47 + 0.16 * span, blend) * Ink.Within(-span, -0.24, 0.1);
+            float inner = Ink.Within(-across, -(0.88 - 0.16 * span), blend) * Ink.Within(span, 0.95, 0.1);
             return Color.Lerp(colour, s_Grey, Math.Max(costa, Math.Max(middle, inner)));
         }
 
         private Color HindWing(double span, double forward, double softness)
         {
             var colour = Color.Lerp(s_Pink, s_PinkBase, Ink.Within(Math.Sqrt(span * span + forward * forward), 0.25, 0.3));
-            var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
+            double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
             colour = Color.Lerp(colour, s_Grey, 0.35f * Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness));
-            var edge = m_HindMargin.Distance(span, forward, out var along);
-            var width = k_BorderWidth * Math.Clamp(0.35 + 1.3 * along, 0.35, 1);
+            double edge = m_HindMargin.Distance(span, forward, out double along);
+            double width = k_BorderWidth * Math.Clamp(0.35 + 1.3 * along, 0.35, 1);
             return Color.Lerp(colour, s_Grey, Ink.Within(edge, width, softness + 0.02));
         }
     }

@@ -66,7 +66,7 @@ namespace Alate.Catalogue
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {
-            var thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 16, 18)), Striped);
+            BodyPatch thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 16, 18)), Striped);
             var coat = new Fur
             {
                 Count = 210,
@@ -77,7 +77,7 @@ namespace Alate.Catalogue
                 Where = place => !seat.Covers(place),
             };
             parts.AddFur(thorax, coat.GrowOn(thorax.part), Shaggy);
-            var abdomen = parts.Add(Trunk.Through(s_Abdomen, 28, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Ringed);
+            BodyPatch abdomen = parts.Add(Trunk.Through(s_Abdomen, 28, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Ringed);
             var down = new Fur { Count = 50, Length = 0.4f, Radius = 0.05f, Seed = 47, Lay = new Vector3(0f, 0f, -2f) };
             parts.AddFur(abdomen, down.GrowOn(abdomen.part), Ringed);
             AddHead(parts);
@@ -88,12 +88,12 @@ namespace Alate.Catalogue
 
         private static void AddHead(BodyParts parts)
         {
-            var head = parts.Add(Ellipsoid.Around(new Vector3(0f, 0.1f, 2.75f), new Vector3(0.72f, 0.66f, 0.7f), 8, 14), Striped);
+            BodyPatch head = parts.Add(Ellipsoid.Around(new Vector3(0f, 0.1f, 2.75f), new Vector3(0.72f, 0.66f, 0.7f), 8, 14), Striped);
             var tuft = new Fur { Count = 36, Length = 0.42f, Radius = 0.07f, Seed = 59, Lay = new Vector3(0f, 0.6f, 0.2f), Where = place => place.y > 0.2f };
             parts.AddFur(head, tuft.GrowOn(head.part), Shaggy);
             parts.AddPair(
                 Ellipsoid.Around(new Vector3(0.5f, 0.12f, 2.95f), new Vector3(0.36f, 0.42f, 0.42f), 8, 10), (in BodyPoint point) => s_Eye);
-            var palp = new[]
+            Vector3[] palp = new[]
             {
                 new Vector3(0.18f, -0.3f, 3f), new Vector3(0.2f, -0.45f, 3.5f), new Vector3(0.2f, -0.1f, 3.75f), new Vector3(0.18f, 0.2f, 3.8f),
             };
@@ -103,8 +103,8 @@ namespace Alate.Catalogue
         // The wings' stripes run on over the back: slate in the middle, then rose, yellow at the shoulders, slate below.
         private static Color32 Striped(in BodyPoint point)
         {
-            var back = Tint.Mix(s_Slate, s_Rose, Tint.Below(0.22f, point.Place.x, 0.15f));
-            var shoulder = Tint.Mix(back, s_Yellow, Tint.Below(0.62f, point.Place.x, 0.15f));
+            Color32 back = Tint.Mix(s_Slate, s_Rose, Tint.Below(0.22f, point.Place.x, 0.15f));
+            Color32 shoulder = Tint.Mix(back, s_Yellow, Tint.Below(0.62f, point.Place.x, 0.15f));
             return Tint.Mix(shoulder, s_Slate, Tint.Below(point.Place.y, -0.35f, 0.3f));
         }
 
@@ -112,8 +112,8 @@ namespace Alate.Catalogue
 
         private static Color32 Ringed(in BodyPoint point)
         {
-            var furrow = 0.5f * Tint.Below(0.8f, k_AbdomenRings * point.Along % 1f, 0.2f);
-            var rose = Tint.Mix(Tint.Mix(s_Rose, s_Yellow, 0.35f), s_Slate, furrow);
+            float furrow = 0.5f * Tint.Below(0.8f, k_AbdomenRings * point.Along % 1f, 0.2f);
+            Color32 rose = Tint.Mix(Tint.Mix(s_Rose, s_Yellow, 0.35f), s_Slate, furrow);
             return Tint.Mix(rose, s_Slate, Tint.Below(0.8f, point.Along, 0.15f));
         }
     }

@@ -13,7 +13,7 @@ namespace Alate.Catalogue
         public static InsectDefinition Define()
         {
             var outline = WingOutline.FromMillimetres(s_Span, s_Leading, s_Trailing);
-            var wing = new WingDefinition("wing", outline, Author)
+            WingDefinition wing = new WingDefinition("wing", outline, Author)
             {
                 TriangleCount = 824,
                 ChainPaths = ChainPath.Straight(0.39, 0.425, 0.503, 0.594, 0.78),

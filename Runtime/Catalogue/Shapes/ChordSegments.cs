@@ -16,11 +16,11 @@ namespace Alate.Catalogue
         public static int[] For(WingOutline outline, int triangleCount, out double[] spans)
         {
             spans = Stations(outline, triangleCount);
-            var stations = spans.Length;
-            var chords = Array.ConvertAll(spans, outline.ChordAt);
-            var ideal = IdealSegments(chords, triangleCount);
-            var segments = Array.ConvertAll(ideal, pieces => Math.Max(1, (int)Math.Round(pieces)));
-            for (var k = 0; k < stations; k++)
+            int stations = spans.Length;
+            double[] chords = Array.ConvertAll(spans, outline.ChordAt);
+            double[] ideal = IdealSegments(chords, triangleCount);
+            int[] segments = Array.ConvertAll(ideal, pieces => Math.Max(1, (int)Math.Round(pieces)));
+            for (int k = 0; k < stations; k++)
                 segments[k] = chords[k] < k_PointedChord ? 0 : segments[k];
 
             MakeExact(segments, ideal, triangleCount);
@@ -29,8 +29,8 @@ namespace Alate.Catalogue
 
         public static int CountTriangles(int[] segments)
         {
-            var count = 0;
-            for (var k = 0; k + 1 < segments.Length; k++)
+            int count = 0;
+            for (int k = 0; k + 1 < segments.Length; k++)
                 count += segments[k] + segments[k + 1];
 
             return count;
@@ -38,11 +38,11 @@ namespace Alate.Catalogue
 
         private static double[] Stations(WingOutline outline, int triangleCount)
         {
-            var spacing = Math.Sqrt(2 * outline.Area / triangleCount);
-            var strips = Math.Clamp((int)Math.Round(1 / spacing), 2, triangleCount / 2 - 1);
-            var spans = new double[strips + 1];
-            var evenWidth = 1 / (outline.HasRoundedTip ? strips - 1 + k_CapStrip : strips);
-            for (var k = 0; k < strips; k++)
+            double spacing = Math.Sqrt(2 * outline.Area / triangleCount);
+            int strips = Math.Clamp((int)Math.Round(1 / spacing), 2, triangleCount / 2 - 1);
+            double[] spans = new double[strips + 1];
+            double evenWidth = 1 / (outline.HasRoundedTip ? strips - 1 + k_CapStrip : strips);
+            for (int k = 0; k < strips; k++)
                 spans[k] = k * evenWidth;
 
             spans[strips] = 1;
@@ -51,8 +51,8 @@ namespace Alate.Catalogue
 
         private static double[] IdealSegments(double[] chords, int triangleCount)
         {
-            var weighted = 0.0;
-            for (var k = 0; k < chords.Length; k++)
+            double weighted = 0.0;
+            for (int k = 0; k < chords.Length; k++)
                 weighted += IsEnd(k, chords.Length) ? chords[k] : 2 * chords[k];
 
             return Array.ConvertAll(chords, chord => chord * triangleCount / weighted);
@@ -60,28 +60,28 @@ namespace Alate.Catalogue
 
         private static void MakeExact(int[] segments, double[] ideal, int triangleCount)
         {
-            var missing = triangleCount - CountTriangles(segments);
+            int missing = triangleCount - CountTriangles(segments);
             if (missing % 2 != 0)
             {
-                var end = segments[0] > 0 ? 0 : segments.Length - 1;
-                var step = missing > 0 || segments[end] < 2 ? 1 : -1;
+                int end = segments[0] > 0 ? 0 : segments.Length - 1;
+                int step = missing > 0 || segments[end] < 2 ? 1 : -1;
                 segments[end] += step;
                 missing -= step;
             }
 
             for (; missing != 0; missing -= 2 * Math.Sign(missing))
             {
-                var station = StationFarthestFromIdeal(segments, ideal, Math.Sign(missing));
+                int station = StationFarthestFromIdeal(segments, ideal, Math.Sign(missing));
                 segments[station] += Math.Sign(missing);
             }
         }
 
         private static int StationFarthestFromIdeal(int[] segments, double[] ideal, int sign)
         {
-            var best = -1;
-            for (var k = 1; k + 1 < segments.Length; k++)
+            int best = -1;
+            for (int k = 1; k + 1 < segments.Length; k++)
             {
-                var allowed = segments[k] + sign >= 1;
+                bool allowed = segments[k] + sign >= 1;
                 if (allowed && (best < 0 || Shortfall(k) > Shortfall(best)))
                     best = k;
             }

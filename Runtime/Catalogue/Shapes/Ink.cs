@@ -24,7 +24,7 @@ namespace Alate.Catalogue
         /// <summary>Soft ellipse with axes along and across the span: 1 inside, 0 outside.</summary>
         public static float Ellipse(double x, double z, double radiusX, double radiusZ, double softness)
         {
-            var size = Math.Min(radiusX, radiusZ);
+            double size = Math.Min(radiusX, radiusZ);
             return Within((Math.Sqrt(x * x / (radiusX * radiusX) + z * z / (radiusZ * radiusZ)) - 1) * size, 0, softness);
         }
 
@@ -39,7 +39,7 @@ namespace Alate.Catalogue
         public static float Row(
             double along, double distance, double spacing, double depth, double radiusAlong, double radiusAcross, double softness)
         {
-            var beside = along - spacing * (Math.Floor(along / spacing) + 0.5);
+            double beside = along - spacing * (Math.Floor(along / spacing) + 0.5);
             return Ellipse(beside, distance - depth, radiusAlong, radiusAcross, softness);
         }
 
@@ -50,16 +50,16 @@ namespace Alate.Catalogue
         /// <summary>Points x, z, x, z, … of a part of a wing's margin, between two shares of its length from the leading corner of the base.</summary>
         public static List<double> Margin(WingOutline outline, double from, double to)
         {
-            var margin = WingRim.Margin(outline);
+            Polyline margin = WingRim.Margin(outline);
             return Points(from, to, share => margin.At(margin.Length * share));
         }
 
         /// <summary>Points with both ends led on straight, so that a band along them does not end in a round.</summary>
         public static List<double> Extended(List<double> points, double by)
         {
-            var last = points.Count - 2;
-            var (startX, startZ) = Beyond(points, 2, 0, by);
-            var (endX, endZ) = Beyond(points, last - 2, last, by);
+            int last = points.Count - 2;
+            (double startX, double startZ) = Beyond(points, 2, 0, by);
+            (double endX, double endZ) = Beyond(points, last - 2, last, by);
             var extended = new List<double> { startX, startZ };
             extended.AddRange(points);
             extended.Add(endX);
@@ -70,7 +70,7 @@ namespace Alate.Catalogue
         private static List<double> Points(double from, double to, Func<double, PlanPoint> at)
         {
             var points = new List<double>();
-            for (var i = 0; i <= k_EdgeSamples; i++)
+            for (int i = 0; i <= k_EdgeSamples; i++)
             {
                 PlanPoint place = at(from + (to - from) * i / k_EdgeSamples);
                 points.Add(place.x);
@@ -82,9 +82,9 @@ namespace Alate.Catalogue
 
         private static (double X, double Z) Beyond(List<double> points, int before, int end, double by)
         {
-            var x = points[end] - points[before];
-            var z = points[end + 1] - points[before + 1];
-            var length = Math.Sqrt(x * x + z * z);
+            double x = points[end] - points[before];
+            double z = points[end + 1] - points[before + 1];
+            double length = Math.Sqrt(x * x + z * z);
             return (points[end] + by * x / length, points[end + 1] + by * z / length);
         }
     }

@@ -48,22 +48,22 @@ namespace Alate.Catalogue
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
-            var fromBase = Math.Sqrt(span * span + forward * forward);
+            double fromBase = Math.Sqrt(span * span + forward * forward);
             var colour = Color.Lerp(Membrane, Base, Ink.Within(fromBase, k_Stem, 2 * k_Stem));
-            var vein = m_Veins.Distance(span, forward, out var along);
+            double vein = m_Veins.Distance(span, forward, out double along);
             if (Dapple > 0f)
             {
-                var wave = Math.Sin(2 * Math.PI * fromBase / DappleLength) + Math.Sin(2 * Math.PI * (span - 1.3 * forward) / (1.7 * DappleLength));
-                var dark = (float)(Math.Clamp(0.6 * wave - 0.1, 0, 1) * Math.Exp(-Math.Pow(vein / (3 * VeinHalfWidth), 2)));
+                double wave = Math.Sin(2 * Math.PI * fromBase / DappleLength) + Math.Sin(2 * Math.PI * (span - 1.3 * forward) / (1.7 * DappleLength));
+                float dark = (float)(Math.Clamp(0.6 * wave - 0.1, 0, 1) * Math.Exp(-Math.Pow(vein / (3 * VeinHalfWidth), 2)));
                 colour = Color.Lerp(colour, Vein, Dapple * dark);
             }
 
-            var taper = Math.Min(k_ThinnestShare + 2.5 * along, Math.Max(k_ThinnestShare, 1 - 0.6 * along));
-            var width = Math.Max(VeinHalfWidth * taper, k_LeastFeature * softness);
-            var cross = Math.Max(k_CrossShare * VeinHalfWidth, k_LeastFeature * softness);
-            var drawn = Math.Max(Ink.Within(vein, width, softness), Ink.Within(m_Veins.CrossDistance(span, forward), cross, softness));
+            double taper = Math.Min(k_ThinnestShare + 2.5 * along, Math.Max(k_ThinnestShare, 1 - 0.6 * along));
+            double width = Math.Max(VeinHalfWidth * taper, k_LeastFeature * softness);
+            double cross = Math.Max(k_CrossShare * VeinHalfWidth, k_LeastFeature * softness);
+            float drawn = Math.Max(Ink.Within(vein, width, softness), Ink.Within(m_Veins.CrossDistance(span, forward), cross, softness));
             drawn = Math.Max(drawn, Ink.Within(m_Rim.Distance(span, forward, out _), k_RimWidth, softness));
-            drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out var ahead), CostaHalfWidth * (1 - 0.7 * ahead), softness));
+            drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out double ahead), CostaHalfWidth * (1 - 0.7 * ahead), softness));
             return Color.Lerp(colour, Vein, drawn);
         }
     }

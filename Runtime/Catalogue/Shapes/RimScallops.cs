@@ -31,9 +31,9 @@ namespace Alate.Catalogue
         {
             var stretches = new List<Polyline>();
             Append(stretches, margin, 0, m_From, 0);
-            for (var hollow = 0; hollow < m_Depths.Length; hollow++)
+            for (int hollow = 0; hollow < m_Depths.Length; hollow++)
             {
-                var width = (m_To - m_From) / m_Depths.Length;
+                double width = (m_To - m_From) / m_Depths.Length;
                 Append(stretches, margin, m_From + hollow * width, m_From + (hollow + 1) * width, m_Depths[hollow]);
             }
 
@@ -46,10 +46,10 @@ namespace Alate.Catalogue
             if (to <= from)
                 return;
 
-            var steps = depth > 0 ? k_StepsPerHollow : Math.Max(2, (int)Math.Ceiling((to - from) * 1000));
+            int steps = depth > 0 ? k_StepsPerHollow : Math.Max(2, (int)Math.Ceiling((to - from) * 1000));
             stretches.Add(Polyline.Trace(steps, share =>
             {
-                var distance = (from + share * (to - from)) * margin.Length;
+                double distance = (from + share * (to - from)) * margin.Length;
                 return margin.At(distance) + Inward(margin, distance, 0.5 * (to - from) * margin.Length) * (depth * Math.Sin(Math.PI * share));
             }));
         }

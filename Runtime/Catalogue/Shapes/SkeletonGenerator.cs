@@ -27,9 +27,9 @@ namespace Alate.Catalogue
             WingOutline outline, int chains, int jointsPerChain, double lastTipSpan, float scale = 1f, WingSide side = WingSide.Right)
         {
             Check(outline, chains, jointsPerChain, lastTipSpan, scale);
-            var rim = TipAndTrailingEdge(outline, lastTipSpan);
+            Polyline rim = TipAndTrailingEdge(outline, lastTipSpan);
             var paths = new Polyline[chains];
-            for (var i = 0; i < chains; i++)
+            for (int i = 0; i < chains; i++)
                 paths[i] = i == 0 ? LeadingEdge(outline) : new Polyline(new[] { Root(outline, i, chains), rim.At(rim.Length * i / (chains - 1)) });
 
             return Make(paths, jointsPerChain, scale, side);
@@ -43,11 +43,11 @@ namespace Alate.Catalogue
         /// <param name="side">Left gives the mirror image.</param>
         internal static WingSkeleton Generate(WingOutline outline, ChainPath[] chains, int jointsPerChain, float scale, WingSide side)
         {
-            var margin = WingRim.Margin(outline);
+            Polyline margin = WingRim.Margin(outline);
             var paths = new Polyline[chains.Length];
-            for (var i = 0; i < chains.Length; i++)
+            for (int i = 0; i < chains.Length; i++)
             {
-                var distance = margin.Length * chains[i].Tip;
+                double distance = margin.Length * chains[i].Tip;
                 paths[i] = i == 0 ? margin.Until(distance) : chains[i].From(Root(outline, i, chains.Length), margin.At(distance));
             }
 
@@ -56,9 +56,9 @@ namespace Alate.Catalogue
 
         private static WingSkeleton Make(Polyline[] paths, int jointsPerChain, float scale, WingSide side)
         {
-            var sign = side == WingSide.Right ? 1f : -1f;
-            var made = Array.ConvertAll(paths, path => new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) });
-            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            float sign = side == WingSide.Right ? 1f : -1f;
+            JointChain[] made = Array.ConvertAll(paths, path => new JointChain { joints = JointsAlong(path, jointsPerChain, scale, sign) });
+            WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Hinge = made[0].joints[0];
             skeleton.SpanAxis = new Vector3(sign, 0f, 0f);
             skeleton.UpAxis = new Vector3(0f, 1f, 0f);
@@ -69,7 +69,7 @@ namespace Alate.Catalogue
         private static Vector3[] JointsAlong(Polyline path, int count, float scale, float sign)
         {
             var joints = new Vector3[count];
-            for (var j = 0; j < count; j++)
+            for (int j = 0; j < count; j++)
             {
                 PlanPoint place = path.At(path.Length * j / (count - 1));
                 joints[j] = new Vector3((float)(sign * scale * place.x), 0f, (float)(scale * place.z));
@@ -86,9 +86,9 @@ namespace Alate.Catalogue
 
         private static Polyline TipAndTrailingEdge(WingOutline outline, double lastTipSpan)
         {
-            Polyline trailing = Polyline.Trace(k_EdgeSteps, share =>
+            var trailing = Polyline.Trace(k_EdgeSteps, share =>
             {
-                var span = 1 + (lastTipSpan - 1) * share;
+                double span = 1 + (lastTipSpan - 1) * share;
                 return new PlanPoint(span, outline.TrailingAt(span));
             });
             return Polyline.Join(new Polyline(new[] { new PlanPoint(1.0, outline.LeadingAt(1)) }), trailing);

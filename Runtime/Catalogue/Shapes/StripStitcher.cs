@@ -7,8 +7,8 @@ namespace Alate.Catalogue
     {
         public static int CountVertices(int[] segments)
         {
-            var count = segments.Length;
-            foreach (var pieces in segments)
+            int count = segments.Length;
+            foreach (int pieces in segments)
                 count += pieces;
 
             return count;
@@ -16,12 +16,12 @@ namespace Alate.Catalogue
 
         public static int[] Stitch(Vector3[] positions, int[] segments)
         {
-            var triangles = new int[3 * ChordSegments.CountTriangles(segments)];
-            var corner = 0;
-            var inner = 0;
-            for (var k = 0; k + 1 < segments.Length; k++)
+            int[] triangles = new int[3 * ChordSegments.CountTriangles(segments)];
+            int corner = 0;
+            int inner = 0;
+            for (int k = 0; k + 1 < segments.Length; k++)
             {
-                var outer = inner + segments[k] + 1;
+                int outer = inner + segments[k] + 1;
                 corner = StitchStrip(positions, inner, segments[k], outer, segments[k + 1], triangles, corner);
                 inner = outer;
             }
@@ -31,11 +31,11 @@ namespace Alate.Catalogue
 
         private static int StitchStrip(Vector3[] positions, int inner, int innerPieces, int outer, int outerPieces, int[] triangles, int corner)
         {
-            var a = inner;
-            var b = outer;
+            int a = inner;
+            int b = outer;
             while (a < inner + innerPieces || b < outer + outerPieces)
             {
-                var advanceInner = a < inner + innerPieces
+                bool advanceInner = a < inner + innerPieces
                     && (b == outer + outerPieces || SquaredDistance(positions, a + 1, b) <= SquaredDistance(positions, a, b + 1));
                 triangles[corner++] = a;
                 triangles[corner++] = b;

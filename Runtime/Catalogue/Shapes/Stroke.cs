@@ -23,7 +23,7 @@ namespace Alate.Catalogue
         /// <summary>Distance of a place from the piece, with the distance along the polyline of the nearest point.</summary>
         public double Distance(double placeX, double placeZ, out double along)
         {
-            var t = length > 0 ? Math.Clamp(((placeX - x) * dx + (placeZ - z) * dz) / (length * length), 0, 1) : 0;
+            double t = length > 0 ? Math.Clamp(((placeX - x) * dx + (placeZ - z) * dz) / (length * length), 0, 1) : 0;
             double offX = placeX - x - t * dx, offZ = placeZ - z - t * dz;
             along = start + t * length;
             return Math.Sqrt(offX * offX + offZ * offZ);

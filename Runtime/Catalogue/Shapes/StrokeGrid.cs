@@ -21,7 +21,7 @@ namespace Alate.Catalogue
         {
             m_Strokes = strokes;
             double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
-            foreach (var stroke in strokes)
+            foreach (Stroke stroke in strokes)
             {
                 left = Math.Min(left, Math.Min(stroke.x, stroke.x + stroke.dx));
                 right = Math.Max(right, Math.Max(stroke.x, stroke.x + stroke.dx));
@@ -29,7 +29,7 @@ namespace Alate.Catalogue
                 high = Math.Max(high, Math.Max(stroke.z, stroke.z + stroke.dz));
             }
 
-            var margin = k_Margin * Math.Max(right - left, high - low);
+            double margin = k_Margin * Math.Max(right - left, high - low);
             m_Left = left - margin;
             m_Low = low - margin;
             m_Size = Math.Max((Math.Max(right - left, high - low) + 2 * margin) / k_Cells, 1e-9);
@@ -45,23 +45,23 @@ namespace Alate.Catalogue
             if (!(column >= 0 && column < m_Columns && row >= 0 && row < m_Rows))
                 return m_Strokes;
 
-            ref var found = ref m_Found[(int)row * m_Columns + (int)column];
+            ref Stroke[] found = ref m_Found[(int)row * m_Columns + (int)column];
             return found ??= Find(m_Left + (column + 0.5) * m_Size, m_Low + (row + 0.5) * m_Size);
         }
 
         // From any place of a cell the nearest stroke is at most a cell's diagonal farther from the middle than the one nearest to that.
         private Stroke[] Find(double middleX, double middleZ)
         {
-            var distances = new double[m_Strokes.Length];
-            var nearest = double.MaxValue;
-            for (var k = 0; k < distances.Length; k++)
+            double[] distances = new double[m_Strokes.Length];
+            double nearest = double.MaxValue;
+            for (int k = 0; k < distances.Length; k++)
             {
                 distances[k] = m_Strokes[k].Distance(middleX, middleZ, out _);
                 nearest = Math.Min(nearest, distances[k]);
             }
 
             var found = new List<Stroke>();
-            for (var k = 0; k < distances.Length; k++)
+            for (int k = 0; k < distances.Length; k++)
             {
                 if (distances[k] <= nearest + 1.5 * m_Size)
                     found.Add(m_Strokes[k]);

@@ -11,7 +11,7 @@ namespace Alate.Catalogue
         /// <summary>Adds a polyline given as x, z, x, z, …; the way along it counts on from <paramref name="start"/>.</summary>
         public StrokeSet Add(IReadOnlyList<double> coordinates, double start = 0)
         {
-            for (var i = 0; i + 3 < coordinates.Count; i += 2)
+            for (int i = 0; i + 3 < coordinates.Count; i += 2)
             {
                 var stroke = new Stroke(coordinates[i], coordinates[i + 1], coordinates[i + 2], coordinates[i + 3], start);
                 m_Strokes.Add(stroke);
@@ -32,11 +32,11 @@ namespace Alate.Catalogue
                 return double.MaxValue;
 
             m_Grid ??= new StrokeGrid(m_Strokes.ToArray());
-            var nearest = double.MaxValue;
-            var around = m_Grid.Around(x, z);
-            for (var k = 0; k < around.Length; k++)
+            double nearest = double.MaxValue;
+            Stroke[] around = m_Grid.Around(x, z);
+            for (int k = 0; k < around.Length; k++)
             {
-                var distance = around[k].Distance(x, z, out var here);
+                double distance = around[k].Distance(x, z, out double here);
                 if (distance < nearest)
                 {
                     nearest = distance;

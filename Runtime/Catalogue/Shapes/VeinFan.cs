@@ -31,13 +31,13 @@ namespace Alate.Catalogue
         /// <summary>Adds veins from leading to trailing edge, their roots even on the base, their tips at shares of the margin.</summary>
         public VeinFan Add(params double[] tips)
         {
-            for (var k = 0; k < tips.Length; k++)
+            for (int k = 0; k < tips.Length; k++)
             {
-                var across = (k + 0.5) / tips.Length;
+                double across = (k + 0.5) / tips.Length;
                 var root = new PlanPoint(0, m_Outline.LeadingAt(0) - across * m_Outline.ChordAt(0));
-                var tip = OnMargin(tips[k]);
-                var span = 0.5 * tip.x;
-                var straight = 0.5 * (root.z + tip.z);
+                PlanPoint tip = OnMargin(tips[k]);
+                double span = 0.5 * tip.x;
+                double straight = 0.5 * (root.z + tip.z);
                 var bend = new PlanPoint(span, straight + m_Gather * (m_Outline.LeadingAt(span) - straight));
                 m_Veins.Add((root, bend, tip));
                 m_Strokes.Add(Curve(root, bend, tip));
@@ -49,8 +49,8 @@ namespace Alate.Catalogue
         /// <summary>Adds a branch: it leaves a vein at a share of its length for a share of the margin.</summary>
         public VeinFan Fork(int vein, double at, double tip)
         {
-            var from = On(vein, at);
-            var ahead = On(vein, Math.Min(1, at + 0.2));
+            PlanPoint from = On(vein, at);
+            PlanPoint ahead = On(vein, Math.Min(1, at + 0.2));
             m_Strokes.Add(Curve(from, ahead, OnMargin(tip)), at);
             return this;
         }
@@ -58,10 +58,10 @@ namespace Alate.Catalogue
         /// <summary>Adds cross veins from a vein to the next one, at shares of its length.</summary>
         public VeinFan Cross(int vein, params double[] at)
         {
-            foreach (var share in at)
+            foreach (double share in at)
             {
-                var from = On(vein, share);
-                var to = Nearest(vein + 1, from);
+                PlanPoint from = On(vein, share);
+                PlanPoint to = Nearest(vein + 1, from);
                 m_Crosses.Add(new[] { from.x, from.z, to.x, to.z });
             }
 
@@ -76,17 +76,17 @@ namespace Alate.Catalogue
 
         private PlanPoint On(int vein, double t)
         {
-            var (root, bend, tip) = m_Veins[vein];
+            (PlanPoint root, PlanPoint bend, PlanPoint tip) = m_Veins[vein];
             return At(root, bend, tip, t);
         }
 
         private PlanPoint Nearest(int vein, PlanPoint point)
         {
             const int samples = 64;
-            var nearest = On(vein, 0);
-            for (var k = 1; k <= samples; k++)
+            PlanPoint nearest = On(vein, 0);
+            for (int k = 1; k <= samples; k++)
             {
-                var candidate = On(vein, (double)k / samples);
+                PlanPoint candidate = On(vein, (double)k / samples);
                 nearest = (candidate - point).LengthSquared < (nearest - point).LengthSquared ? candidate : nearest;
             }
 
@@ -97,10 +97,10 @@ namespace Alate.Catalogue
 
         private static double[] Curve(PlanPoint root, PlanPoint bend, PlanPoint tip)
         {
-            var points = new double[2 * (k_Steps + 1)];
-            for (var step = 0; step <= k_Steps; step++)
+            double[] points = new double[2 * (k_Steps + 1)];
+            for (int step = 0; step <= k_Steps; step++)
             {
-                var point = At(root, bend, tip, (double)step / k_Steps);
+                PlanPoint point = At(root, bend, tip, (double)step / k_Steps);
                 points[2 * step] = point.x;
                 points[2 * step + 1] = point.z;
             }

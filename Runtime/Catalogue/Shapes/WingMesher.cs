@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Alate.Geometry;
 using UnityEngine;
 using UnityEngine.Scripting.APIUpdating;
@@ -36,9 +37,9 @@ namespace Alate.Catalogue
                     spanCells < 1 ? nameof(spanCells) : nameof(chordCells), Math.Min(spanCells, chordCells), "A grid has at least one cell each way.");
             }
 
-            var segments = new int[spanCells + 1];
-            var spans = new double[spanCells + 1];
-            for (var k = 0; k <= spanCells; k++)
+            int[] segments = new int[spanCells + 1];
+            double[] spans = new double[spanCells + 1];
+            for (int k = 0; k <= spanCells; k++)
             {
                 segments[k] = chordCells;
                 spans[k] = (double)k / spanCells;
@@ -56,7 +57,7 @@ namespace Alate.Catalogue
         {
             Check(outline, triangleCount);
 
-            var segments = ChordSegments.For(outline, triangleCount, out var spans);
+            int[] segments = ChordSegments.For(outline, triangleCount, out double[] spans);
             return Mesh(outline, spans, segments, scale);
         }
 
@@ -71,15 +72,15 @@ namespace Alate.Catalogue
         internal static SurfaceMesh Fill(WingOutline outline, RimScallops scallops, int triangleCount, float scale)
         {
             Check(outline, triangleCount);
-            var rim = WingRim.Of(outline, scallops, out var corners);
-            var mesh = OutlineMesher.Mesh(rim, triangleCount, out _, corners);
-            var positions = Array.ConvertAll(mesh.points, point => new Vector3((float)(point.x * scale), 0f, (float)(point.z * scale)));
+            PlanPoint[] rim = WingRim.Of(outline, scallops, out List<int> corners);
+            TriangleLinks mesh = OutlineMesher.Mesh(rim, triangleCount, out _, corners);
+            Vector3[] positions = Array.ConvertAll(mesh.points, point => new Vector3((float)(point.x * scale), 0f, (float)(point.z * scale)));
             return Surface(outline, positions, mesh.Clockwise(), scale);
         }
 
         private static SurfaceMesh Mesh(WingOutline outline, double[] spans, int[] segments, float scale)
         {
-            var positions = StationVertices(outline, spans, segments, scale);
+            Vector3[] positions = StationVertices(outline, spans, segments, scale);
             return Surface(outline, positions, StripStitcher.Stitch(positions, segments), scale);
         }
 
@@ -99,15 +100,15 @@ namespace Alate.Catalogue
         private static Vector3[] StationVertices(WingOutline outline, double[] spans, int[] segments, float scale)
         {
             var positions = new Vector3[StripStitcher.CountVertices(segments)];
-            var vertex = 0;
-            for (var station = 0; station < segments.Length; station++)
+            int vertex = 0;
+            for (int station = 0; station < segments.Length; station++)
             {
-                var span = spans[station];
-                var leading = outline.LeadingAt(span);
-                var trailing = outline.TrailingAt(span);
-                for (var c = 0; c <= segments[station]; c++)
+                double span = spans[station];
+                double leading = outline.LeadingAt(span);
+                double trailing = outline.TrailingAt(span);
+                for (int c = 0; c <= segments[station]; c++)
                 {
-                    var z = segments[station] == 0 ? 0.5 * (leading + trailing) : leading + (trailing - leading) * c / segments[station];
+                    double z = segments[station] == 0 ? 0.5 * (leading + trailing) : leading + (trailing - leading) * c / segments[station];
                     positions[vertex++] = new Vector3((float)(span * scale), 0f, (float)(z * scale));
                 }
             }
@@ -117,8 +118,8 @@ namespace Alate.Catalogue
 
         private static Vector2[] TextureCoordinates(WingOutline outline, Vector3[] positions, float scale)
         {
-            var rear = (float)outline.Rear;
-            var depth = (float)(outline.Front - outline.Rear);
+            float rear = (float)outline.Rear;
+            float depth = (float)(outline.Front - outline.Rear);
             return Array.ConvertAll(positions, p => new Vector2(p.x / scale, (p.z / scale - rear) / depth));
         }
 

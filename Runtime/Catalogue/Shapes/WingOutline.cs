@@ -54,7 +54,7 @@ namespace Alate.Catalogue
         public static WingOutline FromMillimetres(double[] span, double[] leading, double[] trailing)
         {
             CheckLandmarks(span, leading, trailing);
-            var length = span[span.Length - 1];
+            double length = span[span.Length - 1];
             return new WingOutline(
                 Scaled(span, length),
                 MonotoneCurve.Straight(Scaled(span, length), Scaled(leading, length)),
@@ -70,11 +70,11 @@ namespace Alate.Catalogue
         /// </summary>
         public WingOutline Smoothed()
         {
-            var last = m_Spans.Length - 1;
-            var tipEdge = m_Leading.ValueAtLandmark(last) - m_Trailing.ValueAtLandmark(last);
-            var capStart = 1 - Math.Min(tipEdge, 0.25);
+            int last = m_Spans.Length - 1;
+            double tipEdge = m_Leading.ValueAtLandmark(last) - m_Trailing.ValueAtLandmark(last);
+            double capStart = 1 - Math.Min(tipEdge, 0.25);
             var smooth = new WingOutline(m_Spans, m_Leading.Smoothed(), m_Trailing.Smoothed(), 1, Length);
-            var edges = IsPinched(smooth) ? this : smooth;
+            WingOutline edges = IsPinched(smooth) ? this : smooth;
             return new WingOutline(m_Spans, edges.m_Leading, edges.m_Trailing, capStart, Length);
         }
 
@@ -89,11 +89,11 @@ namespace Alate.Catalogue
 
         private bool IsPinched(WingOutline smooth)
         {
-            for (var i = 0; i + 1 < m_Spans.Length; i++)
+            for (int i = 0; i + 1 < m_Spans.Length; i++)
             {
-                for (var step = 1; step < k_PinchSteps; step++)
+                for (int step = 1; step < k_PinchSteps; step++)
                 {
-                    var span = m_Spans[i] + (m_Spans[i + 1] - m_Spans[i]) * step / k_PinchSteps;
+                    double span = m_Spans[i] + (m_Spans[i + 1] - m_Spans[i]) * step / k_PinchSteps;
                     if (smooth.ChordAt(span) < 0.5 * ChordAt(span))
                         return true;
                 }
@@ -107,23 +107,23 @@ namespace Alate.Catalogue
             if (span <= m_CapStart)
                 return edge;
 
-            var middle = 0.5 * (m_Leading.At(span) + m_Trailing.At(span));
-            var into = Math.Min(1, (span - m_CapStart) / (1 - m_CapStart));
+            double middle = 0.5 * (m_Leading.At(span) + m_Trailing.At(span));
+            double into = Math.Min(1, (span - m_CapStart) / (1 - m_CapStart));
             return middle + (edge - middle) * Math.Sqrt(1 - into * into);
         }
 
         private double MeasureArea()
         {
-            var area = 0.0;
-            for (var i = 0; i + 1 < m_Spans.Length; i++)
+            double area = 0.0;
+            for (int i = 0; i + 1 < m_Spans.Length; i++)
             {
-                var from = m_Spans[i];
-                var to = m_Spans[i + 1];
-                var panels = to > m_CapStart ? k_CapPanels : 1;
-                for (var panel = 0; panel < panels; panel++)
+                double from = m_Spans[i];
+                double to = m_Spans[i + 1];
+                int panels = to > m_CapStart ? k_CapPanels : 1;
+                for (int panel = 0; panel < panels; panel++)
                 {
-                    var start = from + (to - from) * panel / panels;
-                    var end = from + (to - from) * (panel + 1) / panels;
+                    double start = from + (to - from) * panel / panels;
+                    double end = from + (to - from) * (panel + 1) / panels;
                     area += (end - start) / 6 * (ChordAt(start) + 4 * ChordAt(0.5 * (start + end)) + ChordAt(end));
                 }
             }
@@ -144,10 +144,10 @@ namespace Alate.Catalogue
                     $"An outline needs two or more landmarks, each with a span, a leading and a trailing edge; given {span.Length}, {leading.Length}, {trailing.Length}.");
             }
 
-            for (var i = 0; i < span.Length; i++)
+            for (int i = 0; i < span.Length; i++)
             {
-                var isTip = i == span.Length - 1;
-                var rises = i == 0 ? span[i] == 0 : span[i] > span[i - 1];
+                bool isTip = i == span.Length - 1;
+                bool rises = i == 0 ? span[i] == 0 : span[i] > span[i - 1];
                 if (!rises || !double.IsFinite(leading[i]) || !double.IsFinite(trailing[i]) || !double.IsFinite(span[i])
                     || !(isTip ? leading[i] >= trailing[i] : leading[i] > trailing[i]))
                 {

@@ -18,9 +18,9 @@ namespace Alate.Catalogue
         public Color32[] ColourVertices(SurfaceMesh surface, float scale, double softness)
         {
             var colours = new Color32[surface.VertexCount];
-            for (var vertex = 0; vertex < colours.Length; vertex++)
+            for (int vertex = 0; vertex < colours.Length; vertex++)
             {
-                var position = surface.positions[vertex] / scale;
+                Vector3 position = surface.positions[vertex] / scale;
                 colours[vertex] = ColourAt(position.x, position.z, softness);
             }
 
@@ -43,11 +43,11 @@ namespace Alate.Catalogue
             }
 
             var colours = new Color32[width * height];
-            var softness = Math.Max(1.0 / width, (outline.Front - outline.Rear) / height);
-            for (var pixel = 0; pixel < colours.Length; pixel++)
+            double softness = Math.Max(1.0 / width, (outline.Front - outline.Rear) / height);
+            for (int pixel = 0; pixel < colours.Length; pixel++)
             {
-                var u = (pixel % width + 0.5) / width;
-                var v = (pixel / width + 0.5) / height;
+                double u = (pixel % width + 0.5) / width;
+                double v = (pixel / width + 0.5) / height;
                 colours[pixel] = ColourAt(u, outline.Rear + v * (outline.Front - outline.Rear), softness);
             }
 

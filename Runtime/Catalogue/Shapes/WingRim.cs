@@ -39,8 +39,8 @@ namespace Alate.Catalogue
 
         private static Polyline[] Margins(WingOutline outline)
         {
-            Polyline leading = Polyline.Trace(k_EdgeSteps, left => OnEdge(outline.LeadingAt, 1.0 - left));
-            Polyline trailing = Polyline.Trace(k_EdgeSteps, left => OnEdge(outline.TrailingAt, left));
+            var leading = Polyline.Trace(k_EdgeSteps, left => OnEdge(outline.LeadingAt, 1.0 - left));
+            var trailing = Polyline.Trace(k_EdgeSteps, left => OnEdge(outline.TrailingAt, left));
             return outline.HasRoundedTip || outline.ChordAt(1.0) <= 0.0
                 ? new[] { Polyline.Join(leading, trailing) }
                 : new[] { leading, new Polyline(new[] { leading.At(leading.Length), trailing.At(0.0) }), trailing };

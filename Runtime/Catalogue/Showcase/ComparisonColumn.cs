@@ -73,7 +73,7 @@ namespace Alate.Catalogue
         {
             if (full == null)
                 throw new ArgumentNullException(nameof(full));
-            var copy = UnityEngine.Object.Instantiate(full);
+            WingPreset copy = UnityEngine.Object.Instantiate(full);
             copy.name = $"{full.name} ({Name})";
             m_Change(copy);
             return copy;

@@ -74,7 +74,7 @@ namespace Alate.Catalogue
             Camera main = Camera.main;
             var made = new GameObject("Orbit Camera");
             made.transform.SetParent(parent, false);
-            var camera = made.AddComponent<Camera>();
+            Camera camera = made.AddComponent<Camera>();
             camera.clearFlags = CameraClearFlags.SolidColor;
             camera.backgroundColor = new Color(0.62f, 0.68f, 0.7f);
             if (main == null)
@@ -83,7 +83,7 @@ namespace Alate.Catalogue
                 camera.depth = main.depth + 1f;
             if (!HasSun())
                 AddLight(made.transform);
-            var orbit = made.AddComponent<OrbitCamera>();
+            OrbitCamera orbit = made.AddComponent<OrbitCamera>();
             orbit.m_Target = target;
             orbit.Distance = distance;
             orbit.LateUpdate();
@@ -108,7 +108,7 @@ namespace Alate.Catalogue
             var lamp = new GameObject("Light");
             lamp.transform.SetParent(camera, false);
             lamp.transform.localRotation = Quaternion.Euler(40f, 35f, 0f);
-            var light = lamp.AddComponent<Light>();
+            Light light = lamp.AddComponent<Light>();
             light.type = LightType.Directional;
             light.intensity = 1.1f;
         }
@@ -139,7 +139,7 @@ namespace Alate.Catalogue
 
         private void LateUpdate()
         {
-            Quaternion turned = Quaternion.Euler(m_Pitch, m_Yaw, 0f);
+            var turned = Quaternion.Euler(m_Pitch, m_Yaw, 0f);
             transform.SetPositionAndRotation(m_Target - turned * new Vector3(0f, 0f, m_Distance), turned);
             GetComponent<Camera>().nearClipPlane = Mathf.Min(0.3f, k_NearShare * m_Distance);
         }

@@ -31,13 +31,13 @@ namespace Alate.Catalogue
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
-            var ray = m_Rays.Distance(span, forward, out var along);
-            var fromBase = Math.Sqrt(span * span + (forward + 0.09) * (forward + 0.09));
+            double ray = m_Rays.Distance(span, forward, out double along);
+            double fromBase = Math.Sqrt(span * span + (forward + 0.09) * (forward + 0.09));
             var colour = Color.Lerp(s_Skin, s_Root, Ink.Within(fromBase, 0.15, 0.5));
-            var waves = Math.Sin(2 * Math.PI * fromBase / k_BlotchLength) + k_BlotchBend * Math.Sin(9 * forward + 5 * span) - 0.45;
+            double waves = Math.Sin(2 * Math.PI * fromBase / k_BlotchLength) + k_BlotchBend * Math.Sin(9 * forward + 5 * span) - 0.45;
             colour = Color.Lerp(colour, s_Blotch, (float)Math.Clamp(waves, 0, 0.7));
             colour = Color.Lerp(colour, s_Hem, 0.8f * Ink.Within(m_Hem.Distance(span, forward, out _), k_HemWidth, k_HemWidth));
-            var width = Math.Max(k_RayHalfWidth * (1 - 0.55 * along), k_LeastFeature * softness);
+            double width = Math.Max(k_RayHalfWidth * (1 - 0.55 * along), k_LeastFeature * softness);
             return Color.Lerp(colour, s_Ray, Ink.Within(ray, width, Math.Max(softness, 0.008)));
         }
     }

@@ -53,7 +53,7 @@ namespace Alate.Catalogue
         // A blade over or under the body's middle line, as high as the body there and a rim of its own.
         private static BodyPart Fin(float front, float rear, float thickness, float height, float side)
         {
-            var keys = new[]
+            CrossSection[] keys = new[]
             {
                 new CrossSection(new Vector3(0f, 0.5f, front), 0f, 0f, 0f),
                 Blade(Mathf.Lerp(front, rear, 0.1f), thickness, 7.4f + 0.4f * height, side),
@@ -73,7 +73,7 @@ namespace Alate.Catalogue
 
         private static BodyPart TailFin()
         {
-            var keys = new[]
+            CrossSection[] keys = new[]
             {
                 new CrossSection(new Vector3(0f, 0.6f, -60f), 0f, 0f, 0f),
                 new CrossSection(new Vector3(0f, 0.6f, -64f), 0.35f, 2.2f, 2.2f),
@@ -89,34 +89,34 @@ namespace Alate.Catalogue
         private static BodyPart Nostril()
         {
             var place = new Vector3(3.1f, 2.4f, 21.4f);
-            var curve = new[] { place, place + new Vector3(0.1f, 0.4f, 0.3f), place + new Vector3(0.2f, 0.8f, 0.6f), place + new Vector3(0.3f, 1.1f, 0.9f) };
+            Vector3[] curve = new[] { place, place + new Vector3(0.1f, 0.4f, 0.3f), place + new Vector3(0.2f, 0.8f, 0.6f), place + new Vector3(0.3f, 1.1f, 0.9f) };
             return Stalk.Along(curve, t => 0.55f - 0.15f * t, 3, 8);
         }
 
         private static Color32 Skin(in BodyPoint point)
         {
-            var place = point.Place;
-            var skin = Tint.Mix(s_Back, s_Rose, Tint.Below(0.16f, point.Around, 0.3f));
+            Vector3 place = point.Place;
+            Color32 skin = Tint.Mix(s_Back, s_Rose, Tint.Below(0.16f, point.Around, 0.3f));
             skin = Tint.Mix(skin, s_Pale, Tint.Below(0.55f, point.Around, 0.35f));
             skin = Tint.Mix(skin, s_Back, 0.12f * Tint.Grain(point.Place));
 
             // The mouth runs round the snout; the gill slit is an arc before the fin.
-            var mouth = Tint.Below(Mathf.Abs(place.y + 1.9f + 0.06f * (25f - place.z)), 0.35f, 0.5f) * Tint.Below(17.5f, place.z, 1f);
-            var behind = place.z - 5.2f + 0.12f * (place.y - 5f) * (place.y - 5f);
-            var gill = Tint.Below(Mathf.Abs(behind), 0.6f, 0.9f) * Tint.Below(Mathf.Abs(place.y - 5f), 2.6f, 0.8f);
+            float mouth = Tint.Below(Mathf.Abs(place.y + 1.9f + 0.06f * (25f - place.z)), 0.35f, 0.5f) * Tint.Below(17.5f, place.z, 1f);
+            float behind = place.z - 5.2f + 0.12f * (place.y - 5f) * (place.y - 5f);
+            float gill = Tint.Below(Mathf.Abs(behind), 0.6f, 0.9f) * Tint.Below(Mathf.Abs(place.y - 5f), 2.6f, 0.8f);
             return Tint.Mix(skin, s_Line, 0.85f * Math.Max(mouth, gill));
         }
 
         private static Color32 Rayed(in BodyPoint point)
         {
-            var ray = Math.Abs(k_Rays * point.Along % 1f - 0.5f);
+            float ray = Math.Abs(k_Rays * point.Along % 1f - 0.5f);
             return Tint.Mix(s_Fin, s_Ray, 0.8f * Tint.Below(ray, 0.2f, 0.3f));
         }
 
         private static Color32 Eye(in BodyPoint point)
         {
-            var outward = point.Place - s_Eye;
-            var away = Mathf.Sqrt((outward.y - 0.3f) * (outward.y - 0.3f) + (outward.z - 0.3f) * (outward.z - 0.3f));
+            Vector3 outward = point.Place - s_Eye;
+            float away = Mathf.Sqrt((outward.y - 0.3f) * (outward.y - 0.3f) + (outward.z - 0.3f) * (outward.z - 0.3f));
             return Tint.Mix(s_Iris, s_Pupil, Tint.Below(away, 1f, 0.3f));
         }
     }

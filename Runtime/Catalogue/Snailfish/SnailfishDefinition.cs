@@ -19,8 +19,8 @@ namespace Alate.Catalogue
         public static InsectDefinition Define()
         {
             var outline = WingOutline.FromMillimetres(s_Span, s_Leading, s_Trailing);
-            var contour = outline.Smoothed();
-            var fin = new WingDefinition("fin", outline, Author)
+            WingOutline contour = outline.Smoothed();
+            WingDefinition fin = new WingDefinition("fin", outline, Author)
             {
                 TriangleCount = 1800,
                 Scallops = new RimScallops(k_FirstTip, k_LastTip, s_Hollows),
@@ -41,8 +41,8 @@ namespace Alate.Catalogue
         /// <summary>Tips of rays on the margin, each at an end of a hollow.</summary>
         private static double[] RayTips()
         {
-            var tips = new double[s_Hollows.Length + 1];
-            for (var ray = 0; ray < tips.Length; ray++)
+            double[] tips = new double[s_Hollows.Length + 1];
+            for (int ray = 0; ray < tips.Length; ray++)
                 tips[ray] = k_FirstTip + (k_LastTip - k_FirstTip) * ray / s_Hollows.Length;
             return tips;
         }
@@ -50,9 +50,9 @@ namespace Alate.Catalogue
         /// <summary>A chain along every second ray.</summary>
         private static ChainPath[] Chains()
         {
-            var tips = RayTips();
+            double[] tips = RayTips();
             var chains = new ChainPath[tips.Length / 2 + 1];
-            for (var chain = 0; chain < chains.Length; chain++)
+            for (int chain = 0; chain < chains.Length; chain++)
                 chains[chain] = new ChainPath(tips[2 * chain]);
             return chains;
         }

@@ -66,7 +66,7 @@ namespace Alate.Catalogue
 
         private static void Build(BodyParts parts, HingeSeat fore, HingeSeat hind)
         {
-            var thorax = parts.Add(hind.Press(fore.Press(Trunk.Through(s_Thorax, 22, 22))), Striped);
+            BodyPatch thorax = parts.Add(hind.Press(fore.Press(Trunk.Through(s_Thorax, 22, 22))), Striped);
             var fur = new Fur { Count = 110, Length = 0.9f, Radius = 0.1f, Seed = 23, Where = place => place.y > 1.3f || place.y < -1.2f };
             parts.AddFur(thorax, fur.GrowOn(thorax.part), Haired);
             parts.Add(Trunk.Through(s_Abdomen, 40, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), StripedAbdomen);
@@ -78,21 +78,21 @@ namespace Alate.Catalogue
 
         private static Color32 Striped(in BodyPoint point)
         {
-            var back = Tint.Below(point.Place.x, 0.75f, 0.5f) * Tint.Below(-point.Place.y, -0.2f, 0.6f);
+            float back = Tint.Below(point.Place.x, 0.75f, 0.5f) * Tint.Below(-point.Place.y, -0.2f, 0.6f);
             return Tint.Mix(s_Yellow, s_Dark, back);
         }
 
         private static Color32 Haired(in BodyPoint point)
         {
-            var isBack = point.Place.y > 0f && point.Place.x < 0.8f;
+            bool isBack = point.Place.y > 0f && point.Place.x < 0.8f;
             return Tint.Mix(isBack ? s_Dark : s_Yellow, s_PaleHair, (isBack ? 0.3f : 1f) * Tint.Grain(point.Place));
         }
 
         private static Color32 StripedAbdomen(in BodyPoint point)
         {
-            var back = Tint.Below(point.Around, 0.3f, 0.12f);
-            var side = Tint.Below(Mathf.Abs(point.Around - 0.66f), 0.045f, 0.08f);
-            var furrow = 0.35f * Tint.Below(0.84f, k_AbdomenRings * point.Along % 1f, 0.16f);
+            float back = Tint.Below(point.Around, 0.3f, 0.12f);
+            float side = Tint.Below(Mathf.Abs(point.Around - 0.66f), 0.045f, 0.08f);
+            float furrow = 0.35f * Tint.Below(0.84f, k_AbdomenRings * point.Along % 1f, 0.16f);
             return Tint.Mix(s_Yellow, s_Dark, Mathf.Max(furrow, Mathf.Max(back, side)));
         }
     }

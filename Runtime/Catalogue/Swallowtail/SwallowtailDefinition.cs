@@ -28,8 +28,8 @@ namespace Alate.Catalogue
 
         public static InsectDefinition Define()
         {
-            var fore = ForeWing();
-            var hind = HindWing();
+            WingDefinition fore = ForeWing();
+            WingDefinition hind = HindWing();
             return new InsectDefinition("swallowtail", "Swallowtail", new[] { fore, hind }, SwallowtailBody.Create(fore, hind), Sources())
             {
                 FlightParts = new[]

@@ -30,25 +30,25 @@ namespace Alate.Catalogue
             m_Costa.Add(Ink.Margin(outline, 0, 0.46));
             m_Costa.Add(Ink.Margin(outline, 0.70, 1));
             m_Veins = new VeinFan(outline, 0.45).Add(0.43, 0.475, 0.515, 0.555, 0.595, 0.635, 0.675, 0.77).Cross(1, 0.62).Cross(2, 0.6).Cross(3, 0.57).Cross(4, 0.52);
-            foreach (var bar in s_Bars)
+            foreach (double[] bar in s_Bars)
                 m_Bars.Add(bar);
         }
 
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
-            var fromBase = Math.Sqrt(span * span + forward * forward);
+            double fromBase = Math.Sqrt(span * span + forward * forward);
             var colour = Color.Lerp(SwallowtailColours.Yellow, SwallowtailColours.Pale, Ink.Within(-span, -0.55, 0.4));
             colour = Color.Lerp(colour, SwallowtailColours.Dusk, Ink.Within(fromBase, 0.2, 0.12));
-            var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
-            var dark = Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness);
+            double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
+            float dark = Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness);
             dark = Math.Max(dark, Ink.Within(m_Veins.CrossDistance(span, forward), vein, softness));
             dark = Math.Max(dark, Ink.Within(m_Costa.Distance(span, forward, out _), k_CostaWidth, softness));
             dark = Math.Max(dark, Ink.Within(m_Bars.Distance(span, forward, out _), 0.016, softness));
-            var edge = m_Border.Distance(span, forward, out var along);
-            var border = k_BorderWidth + k_Scallop * Math.Cos(2 * Math.PI * along / k_SpotSpacing);
+            double edge = m_Border.Distance(span, forward, out double along);
+            double border = k_BorderWidth + k_Scallop * Math.Cos(2 * Math.PI * along / k_SpotSpacing);
             colour = Color.Lerp(colour, SwallowtailColours.Black, Math.Max(dark, Ink.Within(edge, border, softness)));
-            var spots = Ink.Row(along, edge, k_SpotSpacing, 0.052, 0.027, 0.017, softness) * Ink.Between(along, 0, k_LastSpot, softness);
+            float spots = Ink.Row(along, edge, k_SpotSpacing, 0.052, 0.027, 0.017, softness) * Ink.Between(along, 0, k_LastSpot, softness);
             return Color.Lerp(colour, SwallowtailColours.Yellow, spots);
         }
     }

@@ -43,41 +43,41 @@ namespace Alate.Catalogue
         public override Color ColourAt(double span, double forward, double softness)
         {
             var colour = Color.Lerp(SwallowtailColours.Yellow, SwallowtailColours.Pale, Ink.Within(-forward, 0.25, 0.3));
-            var vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
-            var dark = Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness);
+            double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
+            float dark = Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness);
             dark = Math.Max(dark, Ink.Within(m_Veins.CrossDistance(span, forward), vein, softness));
             colour = Color.Lerp(colour, SwallowtailColours.Dusk, Ink.Within(m_InnerMargin.Distance(span, forward, out _), 0.055, 0.05));
             colour = Color.Lerp(colour, SwallowtailColours.Black, Math.Max(dark, Border(span, forward, softness)));
-            var belt = m_Belt.Distance(span, forward, out var onBelt);
-            var blue = Ink.Row(onBelt, belt, k_SpotSpacing, 0, 0.047, 0.036, softness + 0.02) * Ink.Between(onBelt, 0, k_BeltLength, softness);
+            double belt = m_Belt.Distance(span, forward, out double onBelt);
+            float blue = Ink.Row(onBelt, belt, k_SpotSpacing, 0, 0.047, 0.036, softness + 0.02) * Ink.Between(onBelt, 0, k_BeltLength, softness);
             colour = Color.Lerp(colour, SwallowtailColours.Blue, 0.85f * blue);
             colour = Color.Lerp(colour, SwallowtailColours.Yellow, Crescents(span, forward, softness));
             colour = Eye(colour, span, forward, softness);
-            var rim = Math.Max(Ink.Within(m_Rim.Distance(span, forward, out _), k_RimWidth, softness), Ink.Within(forward, k_TailRoot, softness));
+            float rim = Math.Max(Ink.Within(m_Rim.Distance(span, forward, out _), k_RimWidth, softness), Ink.Within(forward, k_TailRoot, softness));
             return Color.Lerp(colour, SwallowtailColours.Black, rim);
         }
 
         private float Border(double span, double forward, double softness)
         {
-            var belt = m_Belt.Distance(span, forward, out var along);
-            var inner = k_BeltWidth + k_Scallop * Math.Cos(2 * Math.PI * along / k_SpotSpacing);
-            var margin = Math.Min(m_Border.Distance(span, forward, out _), m_Foot.Distance(span, forward, out _));
+            double belt = m_Belt.Distance(span, forward, out double along);
+            double inner = k_BeltWidth + k_Scallop * Math.Cos(2 * Math.PI * along / k_SpotSpacing);
+            double margin = Math.Min(m_Border.Distance(span, forward, out _), m_Foot.Distance(span, forward, out _));
             return Math.Max(Ink.Within(belt, inner, softness), Ink.Within(margin, k_BorderWidth, softness));
         }
 
         private float Crescents(double span, double forward, double softness)
         {
-            var edge = m_Border.Distance(span, forward, out var along);
-            var foot = m_Foot.Distance(span, forward, out var onFoot);
-            var outer = Ink.Row(along, edge, k_CrescentSpacing, 0.066, 0.042, 0.025, softness) * Ink.Between(along, k_CrescentSpacing, 6 * k_CrescentSpacing, softness);
-            var lower = Ink.Row(onFoot, foot, k_CrescentSpacing, 0.062, 0.045, 0.022, softness) * Ink.Between(onFoot, k_CrescentSpacing, 2 * k_CrescentSpacing, softness);
+            double edge = m_Border.Distance(span, forward, out double along);
+            double foot = m_Foot.Distance(span, forward, out double onFoot);
+            float outer = Ink.Row(along, edge, k_CrescentSpacing, 0.066, 0.042, 0.025, softness) * Ink.Between(along, k_CrescentSpacing, 6 * k_CrescentSpacing, softness);
+            float lower = Ink.Row(onFoot, foot, k_CrescentSpacing, 0.062, 0.045, 0.022, softness) * Ink.Between(onFoot, k_CrescentSpacing, 2 * k_CrescentSpacing, softness);
             return Math.Max(outer, lower);
         }
 
         private static Color Eye(Color colour, double span, double forward, double softness)
         {
-            var x = span - k_EyeSpan;
-            var z = forward - k_EyeForward;
+            double x = span - k_EyeSpan;
+            double z = forward - k_EyeForward;
             colour = Color.Lerp(colour, SwallowtailColours.Black, Ink.Ellipse(x, z, 1.5 * k_EyeRadius, 1.5 * k_EyeRadius, softness));
             colour = Color.Lerp(colour, SwallowtailColours.Blue, Ink.Ellipse(x, z - 0.035, 1.1 * k_EyeRadius, k_EyeRadius, softness));
             return Color.Lerp(colour, SwallowtailColours.Red, Ink.Ellipse(x, z, k_EyeRadius, 0.85 * k_EyeRadius, softness));

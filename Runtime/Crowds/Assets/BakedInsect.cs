@@ -52,7 +52,7 @@ namespace Alate.Crowds
             if (bake == null)
                 throw new ArgumentNullException(nameof(bake));
             var parts = new BakedInsectParts(bake, triangles ?? DefaultTriangles, maxTextureSize);
-            var made = CreateInstance<BakedInsect>();
+            BakedInsect made = CreateInstance<BakedInsect>();
             made.name = bake.Name + " Baked";
             made.m_Texture = parts.Texture;
             made.m_Sizes = parts.Sizes;

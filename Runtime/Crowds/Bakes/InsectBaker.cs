@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
-using Unity.Collections;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Alate.Crowds
 {

@@ -2,8 +2,6 @@ using System;
 using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Mathematics;
-using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace Alate.Crowds
 {

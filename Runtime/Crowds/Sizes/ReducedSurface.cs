@@ -64,7 +64,7 @@ namespace Alate.Crowds
             var used = new SortedSet<int>();
             foreach (int[] part in parts)
                 used.UnionWith(part);
-            var vertices = new int[used.Count];
+            int[] vertices = new int[used.Count];
             used.CopyTo(vertices);
             return vertices;
         }
@@ -114,7 +114,7 @@ namespace Alate.Crowds
         // The place on the triangles that is nearest to a point at rest, by its shares in the corners.
         private static (int3 Corners, float3 Shares) Nearest(BakedSurface surface, List<int3> triangles, float3 point)
         {
-            var nearest = (Corners: int3.zero, Shares: float3.zero);
+            (int3 Corners, float3 Shares) nearest = (Corners: int3.zero, Shares: float3.zero);
             float least = float.PositiveInfinity;
             foreach (int3 triangle in triangles)
             {

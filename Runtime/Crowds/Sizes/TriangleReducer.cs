@@ -64,7 +64,7 @@ namespace Alate.Crowds
         public void DropPieces(float extent, int triangles)
         {
             var pieces = new List<(float Extent, List<int> Triangles)>();
-            var seen = new bool[m_Triangles.Count];
+            bool[] seen = new bool[m_Triangles.Count];
             for (int first = 0; first < seen.Length; first++)
             {
                 if (!seen[first] && m_Alive[first])
@@ -102,7 +102,7 @@ namespace Alate.Crowds
         private static bool[] Doubles(Vector3[] positions)
         {
             var first = new Dictionary<Vector3, int>();
-            var doubles = new bool[positions.Length];
+            bool[] doubles = new bool[positions.Length];
             for (int vertex = 0; vertex < positions.Length; vertex++)
             {
                 if (!first.TryGetValue(positions[vertex], out int other))
@@ -189,7 +189,7 @@ namespace Alate.Crowds
             Unlist(vertex);
             if (m_Locked[vertex] || m_Around[vertex].Count == 0)
                 return;
-            var best = (Cost: double.PositiveInfinity, To: -1);
+            (double Cost, int To) best = (Cost: double.PositiveInfinity, To: -1);
             foreach (int to in Neighbours(vertex))
             {
                 float3 place = m_Places[to];

@@ -32,7 +32,7 @@ namespace Alate.Flight
         {
             get
             {
-                var second = new double[3, 3];
+                double[,] second = new double[3, 3];
                 double trace = 0.0;
                 for (int i = 0; i < 3; i++)
                 {

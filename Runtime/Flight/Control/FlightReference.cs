@@ -55,7 +55,7 @@ namespace Alate.Flight
         /// <summary>Reference turned about the world's up, radians.</summary>
         internal FlightReference Turned(float by)
         {
-            quaternion turn = quaternion.AxisAngle(new float3(0f, 1f, 0f), by);
+            var turn = quaternion.AxisAngle(new float3(0f, 1f, 0f), by);
             FlightReference turned = this;
             turned.m_Velocity = math.rotate(turn, m_Velocity);
             turned.m_Rate = math.rotate(turn, m_Rate);

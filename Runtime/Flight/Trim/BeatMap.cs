@@ -131,10 +131,10 @@ namespace Alate.Flight
         private static double[][,] Follow(FlightTunnel tunnel, double start, int substeps, float h)
         {
             const int coordinates = k_Long + k_Side;
-            var ends = new[] { new double[Insects, coordinates], new double[Insects, coordinates] };
-            var before = new double[Insects, coordinates];
-            var phases = new double[Insects];
-            var done = new int[Insects];
+            double[][,] ends = new[] { new double[Insects, coordinates], new double[Insects, coordinates] };
+            double[,] before = new double[Insects, coordinates];
+            double[] phases = new double[Insects];
+            int[] done = new int[Insects];
             for (int k = 0; k < Insects; k++)
                 phases[k] = start;
             int left = Insects;
@@ -179,7 +179,9 @@ namespace Alate.Flight
                 {
                     double one = first[2 * state, c] - first[2 * state + 1, c], two = second[2 * state, c] - second[2 * state + 1, c];
                     if (state < k_Long)
+                    {
                         A[c, state] = one / (2 * Size(state, true));
+                    }
                     else
                     {
                         B[c, state - k_Long] = one / (2 * k_Command);
@@ -194,7 +196,9 @@ namespace Alate.Flight
                 {
                     double one = first[2 * k_Longs + state, k_Long + c], two = second[2 * k_Longs + state, k_Long + c];
                     if (state < k_Side)
+                    {
                         SideA[c, state] = one / Size(state, false);
+                    }
                     else
                     {
                         SideB[c, state - k_Side] = one / k_Command;

@@ -55,7 +55,7 @@ namespace Alate.Flight
         public static double[,] Multiply(double[,] a, double[,] b)
         {
             int n = a.GetLength(0), m = b.GetLength(1), inner = b.GetLength(0);
-            var product = new double[n, m];
+            double[,] product = new double[n, m];
             for (int i = 0; i < n; i++)
             {
                 for (int k = 0; k < inner; k++)
@@ -72,7 +72,7 @@ namespace Alate.Flight
         /// <summary>Aᵀ.</summary>
         public static double[,] Transpose(double[,] a)
         {
-            var turned = new double[a.GetLength(1), a.GetLength(0)];
+            double[,] turned = new double[a.GetLength(1), a.GetLength(0)];
             for (int i = 0; i < a.GetLength(0); i++)
             {
                 for (int j = 0; j < a.GetLength(1); j++)
@@ -85,7 +85,7 @@ namespace Alate.Flight
         /// <summary>A + s B.</summary>
         public static double[,] Add(double[,] a, double[,] b, double s = 1)
         {
-            var sum = new double[a.GetLength(0), a.GetLength(1)];
+            double[,] sum = new double[a.GetLength(0), a.GetLength(1)];
             for (int i = 0; i < a.GetLength(0); i++)
             {
                 for (int j = 0; j < a.GetLength(1); j++)
@@ -99,10 +99,10 @@ namespace Alate.Flight
         public static double[,] SolveMany(double[,] a, double[,] b)
         {
             int n = a.GetLength(0), m = b.GetLength(1);
-            var x = new double[n, m];
+            double[,] x = new double[n, m];
             for (int j = 0; j < m; j++)
             {
-                var system = new double[n, n + 1];
+                double[,] system = new double[n, n + 1];
                 for (int i = 0; i < n; i++)
                 {
                     for (int k = 0; k < n; k++)

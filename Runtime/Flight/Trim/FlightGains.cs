@@ -56,7 +56,7 @@ namespace Alate.Flight
         private static double[,] Of(double[,] a, double[,] b, double[,] b1, double[] sizes, int integrals, double period)
         {
             Augment(a, b, b1, integrals, period, out double[,] whole, out double[,] input);
-            var q = new double[whole.GetLength(0)];
+            double[] q = new double[whole.GetLength(0)];
             for (int k = 0; k < q.Length; k++)
             {
                 double size = k < sizes.Length ? sizes[k] : k_Integral;

@@ -50,7 +50,7 @@ namespace Alate.Flight
         {
             int speeds = table.Speeds.Length, climbs = table.ClimbRates.Length;
             var trims = new TrimState[speeds, climbs];
-            var problems = new string[speeds, climbs];
+            string[,] problems = new string[speeds, climbs];
             bool again = true;
             for (int round = 0; round < k_Rounds && again; round++)
             {
@@ -157,7 +157,7 @@ namespace Alate.Flight
 
         private float[] Gains(TrimState trim, in FlightCondition condition, FlightTunnel tunnel)
         {
-            var point = new float[TrimPoint.Floats];
+            float[] point = new float[TrimPoint.Floats];
             trim.Write(point, m_Model.Frequency);
             return FlightGains.Write(BeatMap.Fly(tunnel, m_Model, trim, condition), point) ? point : null;
         }
@@ -173,7 +173,7 @@ namespace Alate.Flight
 
         private static float[] Copy(IReadOnlyList<float> list)
         {
-            var copy = new float[list.Count];
+            float[] copy = new float[list.Count];
             for (int k = 0; k < copy.Length; k++)
                 copy[k] = list[k];
             Array.Sort(copy);

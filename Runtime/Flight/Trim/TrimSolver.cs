@@ -149,7 +149,7 @@ namespace Alate.Flight
             BeatLoads[] all = Fly(states, condition);
             loads = all[0];
             r = Residual(loads, condition);
-            var jacobian = new double[3, TrimState.Unknowns];
+            double[,] jacobian = new double[3, TrimState.Unknowns];
             for (int k = 0; k < TrimState.Unknowns; k++)
             {
                 double[] moved = Residual(all[k + 1], condition);
@@ -246,8 +246,8 @@ namespace Alate.Flight
         private double[] Move(TrimState now, in FlightCondition condition, double[,] jacobian, double[] r)
         {
             double[] preferred = Preferred(condition);
-            var held = new bool[TrimState.Unknowns];
-            var move = new double[TrimState.Unknowns];
+            bool[] held = new bool[TrimState.Unknowns];
+            double[] move = new double[TrimState.Unknowns];
             for (int round = 0; round < TrimState.Unknowns - 2; round++)
             {
                 Solve(now, jacobian, r, preferred, held, move);
@@ -281,7 +281,7 @@ namespace Alate.Flight
         private static void Solve(TrimState now, double[,] jacobian, double[] r, double[] preferred, bool[] held, double[] move)
         {
             // d = d0 + S² Jᵀ λ over the free unknowns, d0 = preferred − z; J d = −r.
-            var system = new double[3, 4];
+            double[,] system = new double[3, 4];
             for (int q = 0; q < 3; q++)
             {
                 double sum = -r[q];

@@ -49,8 +49,8 @@ namespace Alate.Flight
                 using var reader = new BinaryReader(new MemoryStream(Convert.FromBase64String(text ?? "")));
                 if (reader.ReadInt32() != Version || reader.ReadUInt32() != key)
                     return null;
-                var speeds = new float[reader.ReadByte()];
-                var climbs = new float[reader.ReadByte()];
+                float[] speeds = new float[reader.ReadByte()];
+                float[] climbs = new float[reader.ReadByte()];
                 Fill(reader, speeds);
                 Fill(reader, climbs);
                 var table = new TrimTable(speeds, climbs);
@@ -60,7 +60,7 @@ namespace Alate.Flight
                     {
                         if (!reader.ReadBoolean())
                             continue;
-                        var point = new float[TrimPoint.Floats];
+                        float[] point = new float[TrimPoint.Floats];
                         Fill(reader, point);
                         table.Set(s, c, point);
                     }

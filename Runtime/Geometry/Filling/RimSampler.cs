@@ -19,9 +19,9 @@ namespace Alate.Geometry
         {
             var line = new Polyline(outline, true);
             var spacing = new RimSpacing(line, even);
-            List<double> starts = (corners ?? Corners(outline, even)).Select(line.DistanceTo).ToList();
-            var pieces = new int[starts.Count];
-            var wanted = new double[starts.Count];
+            var starts = (corners ?? Corners(outline, even)).Select(line.DistanceTo).ToList();
+            int[] pieces = new int[starts.Count];
+            double[] wanted = new double[starts.Count];
             int total = 0;
             for (int k = 0; k < starts.Count; k++)
             {

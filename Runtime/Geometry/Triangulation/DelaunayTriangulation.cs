@@ -185,7 +185,7 @@ namespace Alate.Geometry
         // Keeps what lies within the rim: all that cannot be reached from the outermost triangles without crossing it.
         private TriangleLinks Carve(PlanPoint[] points)
         {
-            var outside = new bool[m_Links.SideCount / 3];
+            bool[] outside = new bool[m_Links.SideCount / 3];
             var open = new Stack<int>();
             open.Push(m_Links.firstSides[points.Length] / 3);
             outside[open.Peek()] = true;
@@ -208,7 +208,7 @@ namespace Alate.Geometry
         private TriangleLinks Kept(PlanPoint[] points, bool[] outside)
         {
             var kept = new TriangleLinks(points);
-            var renumbered = new int[outside.Length];
+            int[] renumbered = new int[outside.Length];
             for (int t = 0; t < outside.Length; t++)
             {
                 if (outside[t])

@@ -10,8 +10,8 @@ namespace Alate.Geometry
         {
             var bounds = new PlanBounds(points);
             double rows = Math.Max(1.0, Math.Sqrt(points.Length));
-            var order = new int[points.Length];
-            var keys = new double[points.Length];
+            int[] order = new int[points.Length];
+            double[] keys = new double[points.Length];
             for (int k = 0; k < points.Length; k++)
             {
                 order[k] = k;

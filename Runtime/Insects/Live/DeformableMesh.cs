@@ -76,7 +76,7 @@ namespace Alate
 
         private static void CopyTriangles(Mesh source, int[] order, Mesh mesh)
         {
-            var place = new int[order.Length];
+            int[] place = new int[order.Length];
             for (int v = 0; v < order.Length; v++)
                 place[order[v]] = v;
             mesh.subMeshCount = source.subMeshCount;
@@ -112,7 +112,7 @@ namespace Alate
 
             public uint[] Pick(int[] order)
             {
-                var words = new uint[order.Length * Words];
+                uint[] words = new uint[order.Length * Words];
                 int next = 0;
                 foreach (int vertex in order)
                 {

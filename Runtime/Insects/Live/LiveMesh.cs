@@ -1,4 +1,6 @@
 using System;
+using Unity.Collections;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate
@@ -43,9 +45,9 @@ namespace Alate
         {
             foreach (LiveWing wing in wings)
             {
-                var vertices = world.Vertices(wing.handle);
+                NativeArray<SkinnedVertex> vertices = world.Vertices(wing.handle);
                 m_Copy.SetVertexBufferData(vertices, 0, wing.start, vertices.Length, DeformableMesh.VertexStream, DeformableMesh.UploadFlags);
-                var tangents = world.Tangents(wing.handle);
+                NativeArray<float4> tangents = world.Tangents(wing.handle);
                 if (tangents.IsCreated)
                     m_Copy.SetVertexBufferData(tangents, 0, wing.start, tangents.Length, DeformableMesh.TangentStream, DeformableMesh.UploadFlags);
             }

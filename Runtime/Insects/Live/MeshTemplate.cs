@@ -68,7 +68,7 @@ namespace Alate
         private int[] Order(int count)
         {
             var order = new List<int>(count);
-            var taken = new bool[count];
+            bool[] taken = new bool[count];
             for (int s = 0; s < Shapes.Length; s++)
             {
                 Starts[s] = order.Count;

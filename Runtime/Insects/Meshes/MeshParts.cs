@@ -51,20 +51,20 @@ namespace Alate
         public static List<(MeshSelection selection, Vector3 point)> Parts(Mesh mesh)
         {
             SurfaceMesh.CheckReadable(mesh);
-            var corners = AllCorners(mesh);
-            var positions = mesh.vertices;
-            var sets = Connect(corners, positions);
+            int[] corners = AllCorners(mesh);
+            Vector3[] positions = mesh.vertices;
+            DisjointSets sets = Connect(corners, positions);
             var ofSet = new SortedDictionary<int, List<int>>();
-            for (var corner = 0; corner < corners.Length; corner++)
+            for (int corner = 0; corner < corners.Length; corner++)
             {
-                var set = sets.Find(corners[corner]);
-                if (!ofSet.TryGetValue(set, out var own))
+                int set = sets.Find(corners[corner]);
+                if (!ofSet.TryGetValue(set, out List<int> own))
                     ofSet.Add(set, own = new List<int>());
                 own.Add(corners[corner]);
             }
 
             var pieces = new List<(MeshSelection selection, Vector3 point)>(ofSet.Count);
-            foreach (var own in ofSet.Values)
+            foreach (List<int> own in ofSet.Values)
                 pieces.Add((MeshSelection.Of(own.ToArray()), MiddleOfLargest(own, positions)));
             return pieces;
         }
@@ -72,11 +72,11 @@ namespace Alate
         private static Vector3 MiddleOfLargest(List<int> corners, Vector3[] positions)
         {
             Vector3 middle = default;
-            var largest = -1f;
-            for (var corner = 0; corner < corners.Count; corner += 3)
+            float largest = -1f;
+            for (int corner = 0; corner < corners.Count; corner += 3)
             {
                 Vector3 a = positions[corners[corner]], b = positions[corners[corner + 1]], c = positions[corners[corner + 2]];
-                var size = Vector3.Cross(b - a, c - a).magnitude;
+                float size = Vector3.Cross(b - a, c - a).magnitude;
                 if (size > largest)
                 {
                     largest = size;
@@ -91,10 +91,10 @@ namespace Alate
         {
             if (float.IsNaN(point.x + point.y + point.z) || float.IsInfinity(point.x + point.y + point.z))
                 throw new ArgumentException($"The point {point} on mesh '{mesh.name}' is not finite.");
-            var corners = AllCorners(mesh);
-            var positions = mesh.vertices;
-            var sets = Connect(corners, positions);
-            var wanted = sets.Find(corners[Nearest(corners, positions, point)]);
+            int[] corners = AllCorners(mesh);
+            Vector3[] positions = mesh.vertices;
+            DisjointSets sets = Connect(corners, positions);
+            int wanted = sets.Find(corners[Nearest(corners, positions, point)]);
             return MeshSelection.Of(Array.FindAll(corners, vertex => sets.Find(vertex) == wanted));
         }
 
@@ -102,7 +102,7 @@ namespace Alate
         public static DisjointSets Connect(int[] corners, Vector3[] positions)
         {
             var sets = new DisjointSets(positions.Length);
-            for (var corner = 0; corner < corners.Length; corner += 3)
+            for (int corner = 0; corner < corners.Length; corner += 3)
             {
                 sets.Join(corners[corner], corners[corner + 1]);
                 sets.Join(corners[corner], corners[corner + 2]);
@@ -115,11 +115,11 @@ namespace Alate
         /// <summary>Finds the first corner of the triangle nearest to the point.</summary>
         private static int Nearest(int[] corners, Vector3[] positions, Vector3 point)
         {
-            var nearest = 0;
-            var least = float.PositiveInfinity;
-            for (var corner = 0; corner < corners.Length; corner += 3)
+            int nearest = 0;
+            float least = float.PositiveInfinity;
+            for (int corner = 0; corner < corners.Length; corner += 3)
             {
-                var square = TriangleDistance.Square(
+                float square = TriangleDistance.Square(
                     point, positions[corners[corner]], positions[corners[corner + 1]], positions[corners[corner + 2]]);
                 if (square < least)
                 {
@@ -133,7 +133,7 @@ namespace Alate
 
         private static int[] AllCorners(Mesh mesh)
         {
-            var corners = SurfaceMesh.Triangles(mesh);
+            int[] corners = SurfaceMesh.Triangles(mesh);
             if (corners.Length == 0)
                 throw new ArgumentException($"Mesh '{mesh.name}' has no triangles.");
             return corners;
@@ -149,7 +149,7 @@ namespace Alate
                     $"Submesh {submesh} of mesh '{mesh.name}' consists of {mesh.GetTopology(submesh)}; a wing needs Triangles.");
             }
 
-            var corners = mesh.GetTriangles(submesh);
+            int[] corners = mesh.GetTriangles(submesh);
             if (corners.Length == 0)
                 throw new ArgumentException($"Submesh {submesh} of mesh '{mesh.name}' has no triangles.");
             return corners;

@@ -27,10 +27,10 @@ namespace Alate
         /// <param name="corners">Three vertices of the mesh a triangle.</param>
         public static MeshSelection Of(int[] corners)
         {
-            var vertices = (int[])corners.Clone();
+            int[] vertices = (int[])corners.Clone();
             Array.Sort(vertices);
-            var count = 0;
-            foreach (var vertex in vertices)
+            int count = 0;
+            foreach (int vertex in vertices)
             {
                 if (count == 0 || vertices[count - 1] != vertex)
                     vertices[count++] = vertex;

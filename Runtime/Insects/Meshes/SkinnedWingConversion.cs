@@ -24,7 +24,7 @@ namespace Alate
         public static SkinnedWingResult Convert(SkinnedMeshRenderer source, Transform insect = null)
         {
             insect = Check(source, insect);
-            var wings = SkinnedWings.Find(source, insect);
+            TriangleSet wings = SkinnedWings.Find(source, insect);
             if (wings.IsEmpty)
             {
                 throw new ArgumentException(
@@ -57,7 +57,7 @@ namespace Alate
 
         private static SkinnedWingResult Convert(SkinnedMeshRenderer source, Transform insect, TriangleSet triangles)
         {
-            var mesh = source.sharedMesh;
+            Mesh mesh = source.sharedMesh;
             var bones = new WingBones(source, insect);
             if (bones.IsSkinned && bones.Count == 0)
             {
@@ -65,20 +65,20 @@ namespace Alate
                     $"'{source.name}' has no bones: turn off Optimize Game Objects in the model's import settings.");
             }
 
-            var toInsect = insect.worldToLocalMatrix * SkinnedPose.ToWorld(source);
-            var wings = SkinnedWingDivision.Run(triangles, bones, mesh.vertices, toInsect);
-            var binds = mesh.bindposes;
-            foreach (var wing in wings)
+            Matrix4x4 toInsect = insect.worldToLocalMatrix * SkinnedPose.ToWorld(source);
+            List<SkinnedWing> wings = SkinnedWingDivision.Run(triangles, bones, mesh.vertices, toInsect);
+            Matrix4x4[] binds = mesh.bindposes;
+            foreach (SkinnedWing wing in wings)
                 CheckBone(source, bones, binds, wing.bone);
 
-            var hasPairs = wings.Exists(wing => wing.place.pair == WingPair.Hind);
+            bool hasPairs = wings.Exists(wing => wing.place.pair == WingPair.Hind);
             var shape = new BlendedShape(mesh, source);
             var renderers = new List<MeshRenderer>();
             var meshes = new List<Mesh>();
-            foreach (var wing in wings)
+            foreach (SkinnedWing wing in wings)
             {
                 var builder = new SkinnedWingBuilder(source, wing, hasPairs);
-                var bind = wing.bone < 0 ? Matrix4x4.identity : binds[wing.bone];
+                Matrix4x4 bind = wing.bone < 0 ? Matrix4x4.identity : binds[wing.bone];
                 meshes.Add(builder.Mesh(shape, bind));
                 renderers.Add(builder.Renderer(wing.bone < 0 ? source.transform : bones[wing.bone], meshes[meshes.Count - 1]));
             }
@@ -90,7 +90,7 @@ namespace Alate
 
         private static Mesh Body(Mesh mesh, TriangleSet wings)
         {
-            var body = WingMeshCut.Without(mesh, wings.Has);
+            Mesh body = WingMeshCut.Without(mesh, wings.Has);
             body.name = $"{mesh.name} Body";
             return body;
         }

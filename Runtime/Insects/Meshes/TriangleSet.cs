@@ -18,7 +18,7 @@ namespace Alate
             m_Mesh = mesh;
             m_Corners = new int[mesh.subMeshCount][];
             m_Has = new bool[mesh.subMeshCount][];
-            for (var submesh = 0; submesh < m_Corners.Length; submesh++)
+            for (int submesh = 0; submesh < m_Corners.Length; submesh++)
             {
                 m_Corners[submesh] = mesh.GetTopology(submesh) == MeshTopology.Triangles ? mesh.GetTriangles(submesh) : Array.Empty<int>();
                 m_Has[submesh] = new bool[m_Corners[submesh].Length / 3];
@@ -40,12 +40,12 @@ namespace Alate
         /// <summary>Adds the triangles for which a condition on submesh and corners holds.</summary>
         public void Add(Func<int, int, int, int, bool> fits)
         {
-            for (var submesh = 0; submesh < m_Corners.Length; submesh++)
+            for (int submesh = 0; submesh < m_Corners.Length; submesh++)
             {
-                var corners = m_Corners[submesh];
-                for (var triangle = 0; triangle < m_Has[submesh].Length; triangle++)
+                int[] corners = m_Corners[submesh];
+                for (int triangle = 0; triangle < m_Has[submesh].Length; triangle++)
                 {
-                    var first = 3 * triangle;
+                    int first = 3 * triangle;
                     m_Has[submesh][triangle] |= fits(submesh, corners[first], corners[first + 1], corners[first + 2]);
                 }
             }
@@ -55,7 +55,7 @@ namespace Alate
         /// <exception cref="ArgumentException">As <see cref="MeshParts.Select"/>.</exception>
         public void Add(WingPart part, int submesh, Vector3 point)
         {
-            var vertices = MeshParts.Select(m_Mesh, part, submesh, point).vertices;
+            int[] vertices = MeshParts.Select(m_Mesh, part, submesh, point).vertices;
             Add((own, a, b, c) => part == WingPart.Submesh ? own == submesh : Array.BinarySearch(vertices, a) >= 0);
         }
 
@@ -63,22 +63,22 @@ namespace Alate
         public Dictionary<TKey, int[][]> Divide<TKey>(Func<int, int, int, TKey> groupOf)
         {
             var lists = new Dictionary<TKey, List<int>[]>();
-            for (var submesh = 0; submesh < m_Corners.Length; submesh++)
+            for (int submesh = 0; submesh < m_Corners.Length; submesh++)
             {
-                var corners = m_Corners[submesh];
-                for (var first = 0; first < corners.Length; first += 3)
+                int[] corners = m_Corners[submesh];
+                for (int first = 0; first < corners.Length; first += 3)
                 {
                     if (!m_Has[submesh][first / 3])
                         continue;
-                    var group = groupOf(corners[first], corners[first + 1], corners[first + 2]);
-                    if (!lists.TryGetValue(group, out var own))
+                    TKey group = groupOf(corners[first], corners[first + 1], corners[first + 2]);
+                    if (!lists.TryGetValue(group, out List<int>[] own))
                         lists.Add(group, own = Array.ConvertAll(m_Corners, _ => new List<int>()));
                     own[submesh].AddRange(new[] { corners[first], corners[first + 1], corners[first + 2] });
                 }
             }
 
             var groups = new Dictionary<TKey, int[][]>();
-            foreach (var pair in lists)
+            foreach (KeyValuePair<TKey, List<int>[]> pair in lists)
                 groups.Add(pair.Key, Array.ConvertAll(pair.Value, own => own.ToArray()));
             return groups;
         }

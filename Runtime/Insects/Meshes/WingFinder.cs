@@ -24,7 +24,7 @@ namespace Alate
         {
             if (root == null)
                 throw new ArgumentNullException(nameof(root));
-            var wings = Choose(DrawnRenderers.Under(root, false), root);
+            List<WingCandidate> wings = Choose(DrawnRenderers.Under(root, false), root);
             if (wings.Count == 0)
                 wings = Choose(DrawnRenderers.Under(root, true), root);
             WingPairing.Assign(wings);
@@ -41,7 +41,7 @@ namespace Alate
             if (root == null)
                 throw new ArgumentNullException(nameof(root));
             var found = new List<SkinnedMeshRenderer>();
-            foreach (var renderer in DrawnRenderers.Under(root, false))
+            foreach (Renderer renderer in DrawnRenderers.Under(root, false))
             {
                 if (renderer is SkinnedMeshRenderer skinned && SkinnedWings.IsIn(skinned, root))
                     found.Add(skinned);
@@ -53,16 +53,16 @@ namespace Alate
         private static List<WingCandidate> Choose(List<Renderer> renderers, Transform root)
         {
             var candidates = new List<WingCandidate>();
-            foreach (var renderer in renderers)
+            foreach (Renderer renderer in renderers)
             {
                 if (renderer is MeshRenderer)
                     candidates.AddRange(WingCandidates.Of(renderer, DrawnRenderers.MeshOf(renderer), root));
             }
 
-            var named = candidates.FindAll(candidate => candidate.isNamed);
+            List<WingCandidate> named = candidates.FindAll(candidate => candidate.isNamed);
             if (named.Count == 0)
                 return MirrorPairs.Of(candidates);
-            var largest = 0f;
+            float largest = 0f;
             named.ForEach(candidate => largest = Mathf.Max(largest, candidate.shape.area));
             return named.FindAll(candidate => candidate.shape.area >= k_SmallestNamed * largest);
         }

@@ -68,8 +68,8 @@ namespace Alate
         {
             get
             {
-                var tipSpeed = 2f * math.PI * m_Beat.maxFrequency * math.radians(0.5f * m_Beat.flapRange) * m_Size.wingLength;
-                var ratio = m_Beat.maxSpeed / math.max(tipSpeed, k_LeastTipSpeed * m_Beat.maxSpeed);
+                float tipSpeed = 2f * math.PI * m_Beat.maxFrequency * math.radians(0.5f * m_Beat.flapRange) * m_Size.wingLength;
+                float ratio = m_Beat.maxSpeed / math.max(tipSpeed, k_LeastTipSpeed * m_Beat.maxSpeed);
                 return m_Beat.maxFrequency * math.sqrt(1f + ratio * ratio);
             }
         }

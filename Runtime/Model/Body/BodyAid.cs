@@ -28,7 +28,7 @@ namespace Alate
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
             FlyingBody seen = body;
-            BodyBob bob = BodyBob.At(point, phase);
+            var bob = BodyBob.At(point, phase);
             quaternion wanted = BodyFeedback.Errors(ref seen, point, bob);
             float weight = body.mass * k_Gravity;
             float3 dv = Beyond(seen.velocityError, k_Velocity), e = Beyond(BodyFeedback.TurnApart(body, point, bob, out quaternion heading), k_Turn);

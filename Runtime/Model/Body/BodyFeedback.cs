@@ -22,11 +22,11 @@ namespace Alate
         /// <summary>Samples the body at a phase and makes the commands; writes the drive of each wing.</summary>
         public static void Sample(ref FlyingBody body, float phase, float* point)
         {
-            BodyBob bob = BodyBob.At(point, phase);
+            var bob = BodyBob.At(point, phase);
             Errors(ref body, point, bob);
             float speed = math.length(body.velocityError);
             float3 dv = body.velocityError * (speed > k_MostError ? k_MostError / speed : 1f);
-            float3 lean = new float3(0f, 0f, -LateralAcceleration(body.reference) / k_Gravity);
+            var lean = new float3(0f, 0f, -LateralAcceleration(body.reference) / k_Gravity);
             float3 e = body.turnError - lean, w = body.rateError, i = body.integral;
             if (body.clipped == 0 && speed < k_MostError)
                 body.integral = math.clamp(body.integral + dv * body.sinceSample, -k_MostIntegral, k_MostIntegral);
@@ -90,11 +90,11 @@ namespace Alate
         /// </summary>
         public static float3 TurnApart(in FlyingBody body, float* point, in BodyBob bob, out quaternion heading)
         {
-            quaternion wanted = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
+            var wanted = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
             quaternion error = math.mul(body.rotation, math.conjugate(Trimmed(wanted, point)));
             float4 e = error.value.w < 0f ? -error.value : error.value;
             float off = 2f * math.atan2(e.y, e.w);
-            quaternion twist = quaternion.AxisAngle(new float3(0f, 1f, 0f), off);
+            var twist = quaternion.AxisAngle(new float3(0f, 1f, 0f), off);
             heading = math.mul(wanted, twist);
             float3 tilt = math.rotate(math.conjugate(heading), BodyMotion.Log(math.mul(error, math.conjugate(twist))));
             return tilt + new float3(-bob.turn, math.clamp(off, -k_MostHeading, k_MostHeading), 0f);

@@ -73,7 +73,7 @@ namespace Alate
         /// <summary>Sets attitude and motion to the trim's with its bob.</summary>
         public static unsafe void Place(ref FlyingBody body, float* point, in BodyBob bob, float3 velocity)
         {
-            quaternion heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
+            var heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
             body.rotation = math.normalize(math.mul(heading, quaternion.AxisAngle(new float3(1f, 0f, 0f), bob.turn - point[TrimPoint.Pitch])));
             body.velocity = velocity + math.rotate(heading, bob.velocity);
             body.spin = new float3(bob.rate, 0f, 0f);

@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate
 {
     /// <summary>
@@ -16,7 +14,7 @@ namespace Alate
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 SoaFloat3 n = scratch.carriedFrames[joint].c1;
-                SoaFloat3 c = SoaFloat3.Cross(scratch.carriedPositions[joint] + hinge, n);
+                var c = SoaFloat3.Cross(scratch.carriedPositions[joint] + hinge, n);
                 SoaFloat3 bn = n * scratch.airDamping[joint], bc = c * scratch.airDamping[joint];
                 uu.c0 += bn * n.x;
                 uu.c1 += bn * n.y;

@@ -19,8 +19,8 @@ namespace Alate
             {
                 float3 rest = pack.rig.restJoints[joint];
                 SoaFloat3 turning = scratch.carriedTurning[joint] + body;
-                SoaFloat3 span = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c0);
-                SoaFloat3 chord = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c2);
+                var span = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c0);
+                var chord = SoaFloat3.Cross(turning, scratch.carriedFrames[joint].c2);
                 SoaFloat3 velocity = scratch.drivenVelocities[joint] - pack.drivenLags[joint] + pack.motions[joint].velocity
                     + SoaFloat3.Cross(body, scratch.carriedPositions[joint] + hinge);
                 scratch.hingeVelocities[joint] = velocity - span * rest.x - chord * rest.z;

@@ -15,7 +15,7 @@ namespace Alate
         /// <summary>Bounds the wind of a step: air relative to the body, L/s.</summary>
         public static void Derive(in WingPack pack)
         {
-            SoaFloat3 wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);
+            var wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);
             pack.surroundings->boundWind = pack.options.coupling == MembraneCoupling.OneWay ? wind : wind * Share(pack, wind);
         }
 

@@ -74,7 +74,7 @@ namespace Alate
             if (beat.Count < 3)
                 throw new ArgumentException($"A beat has three frames or more, not {beat.Count}.", nameof(beat));
             float2 twist = s_Nothing, camber = s_Nothing, bend = s_Nothing;
-            var stretches = new float[beat.Count * m_Stretch.Count];
+            float[] stretches = new float[beat.Count * m_Stretch.Count];
             for (int k = 0; k < beat.Count; k++)
             {
                 float3[] positions = beat[k].Positions;

@@ -91,8 +91,8 @@ namespace Alate
             for (int i = 0, bone = 0, joint = 0; i < pack.rig.chainCount; i++)
             {
                 SoaFloat3 position = SoaQuaternion.Rotate(baseRotation, new SoaFloat3(pack.rig.restJoints[joint]));
-                SoaFloat3 velocity = SoaFloat3.Cross(baseVelocity, position);
-                SoaFloat3 acceleration = SoaFloat3.Cross(baseAcceleration, position);
+                var velocity = SoaFloat3.Cross(baseVelocity, position);
+                var acceleration = SoaFloat3.Cross(baseAcceleration, position);
                 Store(scratch, joint++, position, velocity, acceleration);
                 for (int j = 1; j < joints; j++, bone++)
                 {

@@ -32,7 +32,7 @@ namespace Alate
                 firsts[point.cell + 1]++;
             for (int cell = 0; cell < cellCount; cell++)
                 firsts[cell + 1] += firsts[cell];
-            var next = (int[])firsts.Clone();
+            int[] next = (int[])firsts.Clone();
             return System.Array.ConvertAll(points, point => next[point.cell]++);
         }
     }

@@ -14,7 +14,7 @@ namespace Alate
         public static float[] Cumulative(RestSkeleton rest, float spread)
         {
             int bones = rest.jointsPerChain - 1;
-            var sums = new float[rest.BoneCount];
+            float[] sums = new float[rest.BoneCount];
             for (int bone = 0; bone < sums.Length; bone++)
             {
                 int joint = rest.InnerJoint(bone), root = joint - bone % bones;

@@ -17,7 +17,7 @@ namespace Alate
         /// <summary>m_i = Σ_t (A_t/A)(w_ia + w_ib + w_ic)/3, at least <see cref="k_Least"/>; sum 1.</summary>
         public static float[] OfJoints(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] weights)
         {
-            var sums = new double[rest.joints.Length];
+            double[] sums = new double[rest.joints.Length];
             for (int t = 0; t < triangles.Count; t++)
             {
                 double share = triangles.areas[t] / (3.0 * triangles.Area);
@@ -34,7 +34,7 @@ namespace Alate
                 total += sums[joint];
             }
 
-            var masses = new float[sums.Length];
+            float[] masses = new float[sums.Length];
             for (int joint = 0; joint < sums.Length; joint++)
                 masses[joint] = (float)(sums[joint] / total);
             return masses;
@@ -43,7 +43,7 @@ namespace Alate
         /// <summary>Inertia of the joints beyond each bone, I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>
         public static float[] Inertias(RestSkeleton rest, float[] masses)
         {
-            var inertias = new float[rest.BoneCount];
+            float[] inertias = new float[rest.BoneCount];
             for (int bone = 0; bone < inertias.Length; bone++)
             {
                 int inner = rest.InnerJoint(bone), tip = Tip(rest, inner);
@@ -61,7 +61,7 @@ namespace Alate
         public static float[] LeverDamping(RestSkeleton rest)
         {
             int m = rest.jointsPerChain;
-            var levers = new float[rest.joints.Length * m];
+            float[] levers = new float[rest.joints.Length * m];
             for (int joint = 0; joint < rest.joints.Length; joint++)
             {
                 int root = joint - joint % m;

@@ -21,7 +21,7 @@ namespace Alate
         /// <inheritdoc cref="OnePerTriangle"/>
         public static int[] Make(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] located, int wanted, out int[] firsts)
         {
-            var areas = new double[rest.CellCount];
+            double[] areas = new double[rest.CellCount];
             for (int t = 0; t < triangles.Count; t++)
                 areas[located[t].cell] += triangles.areas[t];
 
@@ -34,8 +34,8 @@ namespace Alate
                 bins += share;
             }
 
-            var patches = new int[triangles.Count];
-            var used = new int[bins + 1];
+            int[] patches = new int[triangles.Count];
+            int[] used = new int[bins + 1];
             for (int t = 0; t < triangles.Count; t++)
             {
                 patches[t] = grids[located[t].cell].BinOf(located[t]);

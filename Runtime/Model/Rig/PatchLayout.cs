@@ -50,7 +50,7 @@ namespace Alate
         /// </summary>
         public float[] Measures(RestSkeleton rest)
         {
-            var measures = new float[Count];
+            float[] measures = new float[Count];
             for (int cell = 0; cell < cells.Length; cell++)
             {
                 int joint = rest.FirstJoint(cell), next = joint + rest.jointsPerChain;

@@ -62,7 +62,7 @@ namespace Alate
         // Eq. 2. Where all chains share one root the distances vanish, and the chains count evenly instead.
         private float[] ChainRatios()
         {
-            var ratios = new float[chainCount];
+            float[] ratios = new float[chainCount];
             float3 first = joints[0];
             float whole = math.distance(joints[(chainCount - 1) * jointsPerChain], first);
             for (int i = 0; i < chainCount; i++)

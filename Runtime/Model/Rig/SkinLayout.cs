@@ -17,7 +17,7 @@ namespace Alate
 
         public SkinLayout(int cellCount, CellPoint[] points, SurfaceMesh surface, float3[] normals)
         {
-            var order = new int[points.Length];
+            int[] order = new int[points.Length];
             int[] ranks = CellPoint.Ranks(points, cellCount, out int[] starts);
             for (int vertex = 0; vertex < order.Length; vertex++)
                 order[ranks[vertex]] = vertex;

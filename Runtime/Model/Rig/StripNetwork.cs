@@ -62,7 +62,7 @@ namespace Alate
 
         private float[] Widths()
         {
-            var widths = new float[m_Rest.chainCount - 1];
+            float[] widths = new float[m_Rest.chainCount - 1];
             for (int i = 0; i < widths.Length; i++)
                 widths[i] = float.PositiveInfinity;
             foreach (Strip strip in Strips)

@@ -110,7 +110,7 @@ namespace Alate
         /// <summary>Copy of the corners of triangles, wound the other way round.</summary>
         internal static int[] Turned(int[] triangles)
         {
-            var turned = (int[])triangles.Clone();
+            int[] turned = (int[])triangles.Clone();
             for (int corner = 0; corner < turned.Length; corner += 3)
                 (turned[corner + 1], turned[corner + 2]) = (triangles[corner + 2], triangles[corner + 1]);
             return turned;

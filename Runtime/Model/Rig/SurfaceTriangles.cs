@@ -64,7 +64,7 @@ namespace Alate
         // One number per place, so that split vertices of a seam are equal.
         private static int[] Places(float3[] points)
         {
-            var places = new int[points.Length];
+            int[] places = new int[points.Length];
             var known = new Dictionary<(float, float, float), int>(points.Length);
             for (int k = 0; k < points.Length; k++)
             {

@@ -39,7 +39,7 @@ namespace Alate
 
         private void Fill()
         {
-            var next = (int[])jointVertexStarts.Clone();
+            int[] next = (int[])jointVertexStarts.Clone();
             for (int k = 0; k < joints.Length; k++)
             {
                 for (int c = 0; c < 4; c++)

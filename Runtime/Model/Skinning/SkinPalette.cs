@@ -25,8 +25,8 @@ namespace Alate
             var basis = new MeshBasis(target.frame);
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                var from = (float*)(before + joint) + target.lane;
-                var to = (float*)(after + joint) + target.lane;
+                float* from = (float*)(before + joint) + target.lane;
+                float* to = (float*)(after + joint) + target.lane;
                 float4 q0 = Rotation(from), q1 = Rotation(to);
                 q1 = math.dot(q0, q1) < 0f ? -q1 : q1;
                 var rotation = new quaternion(math.normalize(math.lerp(q0, q1, blend)));

@@ -53,7 +53,7 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaFloat3 Rotate(SoaQuaternion q, SoaFloat3 p)
         {
-            SoaFloat3 t = SoaFloat3.Cross(q.v, p);
+            var t = SoaFloat3.Cross(q.v, p);
             t += t;
             return p + t * q.w + SoaFloat3.Cross(q.v, t);
         }

@@ -124,8 +124,8 @@ namespace Alate
 
         private void CopyLane(PackMemory from, int fromLane, int lane)
         {
-            var source = (float*)from.m_Block;
-            var target = (float*)m_Block;
+            float* source = (float*)from.m_Block;
+            float* target = (float*)m_Block;
             long count = m_Bytes / sizeof(float4);
             for (long k = 0; k < count; k++)
                 target[4 * k + lane] = source[4 * k + fromLane];

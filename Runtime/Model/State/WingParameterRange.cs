@@ -59,7 +59,7 @@ namespace Alate
         /// <summary>Describes in one line why the value is refused.</summary>
         public string Describe(float value)
         {
-            var unit = Unit.Length == 0 ? "" : " " + Unit;
+            string unit = Unit.Length == 0 ? "" : " " + Unit;
             return FormattableString.Invariant($"{Name} is {value}{unit}; it must be between {Minimum} and {Maximum}.");
         }
     }

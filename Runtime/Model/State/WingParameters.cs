@@ -135,7 +135,7 @@ namespace Alate
             get
             {
                 var parameters = new WingParameters { substepsPerBeat = DefaultSubsteps, options = ModelOptions.Physical };
-                foreach (var range in s_Ranges)
+                foreach (WingParameterRange range in s_Ranges)
                     range.Of(ref parameters) = range.Default;
 
                 return parameters;
@@ -148,10 +148,10 @@ namespace Alate
         /// <summary>Parameters with every value moved into its range; a value that is not a number becomes its default.</summary>
         public WingParameters Clamped()
         {
-            var clamped = this;
-            foreach (var range in s_Ranges)
+            WingParameters clamped = this;
+            foreach (WingParameterRange range in s_Ranges)
             {
-                ref var value = ref range.Of(ref clamped);
+                ref float value = ref range.Of(ref clamped);
                 value = range.Clamp(value);
             }
 
@@ -162,8 +162,8 @@ namespace Alate
         /// <summary>Returns true where every value is equal.</summary>
         internal bool SameAs(WingParameters other)
         {
-            var copy = this;
-            foreach (var range in s_Ranges)
+            WingParameters copy = this;
+            foreach (WingParameterRange range in s_Ranges)
             {
                 if (range.Of(ref copy) != range.Of(ref other))
                     return false;
@@ -178,10 +178,10 @@ namespace Alate
         /// </summary>
         public string FindProblem()
         {
-            var copy = this;
-            foreach (var range in s_Ranges)
+            WingParameters copy = this;
+            foreach (WingParameterRange range in s_Ranges)
             {
-                var value = range.Of(ref copy);
+                float value = range.Of(ref copy);
                 if (!range.Contains(value))
                     return range.Describe(value);
             }

@@ -105,7 +105,10 @@ namespace Alate
                         lists.Command(lists.wings[body.firstWing + k], BodyFeedback.Drive(body, point, lists.wings[body.firstWing + k].side));
                 }
                 else if (!due)
+                {
                     body.latched = 0;
+                }
+
                 BodyAid.Evaluate(ref body, phase);
                 BodyMotion.Predict(ref body, h);
             }

@@ -272,7 +272,7 @@ namespace Alate
 
         private void ReserveScratch(in RigSize size)
         {
-            RigSize grown = RigSize.Max(m_ScratchSize, size);
+            var grown = RigSize.Max(m_ScratchSize, size);
             long stride = StepScratch.Layout(grown, null, out _);
             if (m_Scratch != null && stride == m_ScratchStride)
                 return;

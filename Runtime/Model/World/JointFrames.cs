@@ -56,7 +56,7 @@ namespace Alate
             {
                 int joint = bone + bone / bonesPerChain;
                 SoaQuaternion bent = pack.bentRotations[bone];
-                SoaFloat3 along = SoaFloat3.NormalizeSafe(scratch.positions[joint + 1] - scratch.positions[joint]);
+                var along = SoaFloat3.NormalizeSafe(scratch.positions[joint + 1] - scratch.positions[joint]);
                 SoaFloat3 posed = SoaQuaternion.Rotate(bent, new SoaFloat3(pack.rig.boneDirections[bone]));
                 scratch.boneRotations[bone] = SoaQuaternion.Normalize(SoaQuaternion.Swing(posed, along) * bent);
             }
@@ -73,7 +73,7 @@ namespace Alate
                 int joint = bone + i;
                 int before = i > 0 ? joint - pack.rig.jointsPerChain : joint;
                 int after = i < pack.rig.chainCount - 1 ? joint + pack.rig.jointsPerChain : joint;
-                SoaFloat3 along = SoaFloat3.NormalizeSafe(r[joint + 1] - r[joint]);
+                var along = SoaFloat3.NormalizeSafe(r[joint + 1] - r[joint]);
                 SoaFloat3 to = r[after] + r[after + 1] - r[before] - r[before + 1];
                 SoaFloat3 from = SoaQuaternion.Rotate(scratch.boneRotations[bone], new SoaFloat3(pack.rig.crossDirections[bone]));
                 scratch.rollFrom[bone] = from - along * SoaFloat3.Dot(along, from);

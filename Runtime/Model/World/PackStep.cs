@@ -93,7 +93,7 @@ namespace Alate
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);
-            ImplicitStep step = ImplicitStep.Of(pack, h);
+            var step = ImplicitStep.Of(pack, h);
             CarriedSurface.Evaluate(pack, scratch, h);
             JointLoads.Evaluate(pack, scratch);
             if (pack.carries)

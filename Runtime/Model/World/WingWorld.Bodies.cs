@@ -72,7 +72,7 @@ namespace Alate
             const float step = 0.01f;
             ref FlyingBody body = ref Body(handle);
             Upload();
-            WingReading wing = new WingReading(m_Arrays, m_Bodies.FirstWing(handle));
+            var wing = new WingReading(m_Arrays, m_Bodies.FirstWing(handle));
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
             BodyBob after = BodyBob.At(point, wing.Phase + step), before = BodyBob.At(point, wing.Phase - step);
@@ -107,7 +107,7 @@ namespace Alate
         internal unsafe double MeasureErrors(BodyHandle handle)
         {
             ref FlyingBody body = ref Body(handle);
-            WingReading wing = new WingReading(m_Arrays, m_Bodies.FirstWing(handle));
+            var wing = new WingReading(m_Arrays, m_Bodies.FirstWing(handle));
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
             BodyFeedback.Errors(ref body, point, BodyBob.At(point, wing.Phase));

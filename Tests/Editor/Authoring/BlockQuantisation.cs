@@ -69,7 +69,7 @@ namespace Alate.Editor.Tests
 
         private static float[,] MakeWaves()
         {
-            var waves = new float[k_Side, k_Side];
+            float[,] waves = new float[k_Side, k_Side];
             for (int u = 0; u < k_Side; u++)
             {
                 for (int x = 0; x < k_Side; x++)

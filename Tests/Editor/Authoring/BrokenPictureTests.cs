@@ -66,7 +66,7 @@ namespace Alate.Editor.Tests
         [TestCase(1, 1)]
         public void SmallPicture_IsRefusedWithItsSize(int width, int height)
         {
-            var failure = Assert.Throws<FormatException>(() => WingPicture.FromGrey(width, height, new byte[width * height]));
+            FormatException failure = Assert.Throws<FormatException>(() => WingPicture.FromGrey(width, height, new byte[width * height]));
 
             Assert.That(failure.Message, Does.Contain("too small").And.Contain($"{width} × {height}"));
         }
@@ -93,7 +93,7 @@ namespace Alate.Editor.Tests
         public void SettingOutOfItsRange_IsRefused(int chains, int joints, int triangles, float length, string said)
         {
             var settings = new WingTracingSettings { chains = chains, jointsPerChain = joints, triangles = triangles, length = length };
-            WingPicture picture = WingPicture.FromGrey(50, 50, new byte[2500]);
+            var picture = WingPicture.FromGrey(50, 50, new byte[2500]);
 
             Assert.That(() => WingTracer.Trace(picture, settings), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains(said));
         }
@@ -122,7 +122,7 @@ namespace Alate.Editor.Tests
 
         private static void AssertRefused(DrawnPicture picture, params string[] said)
         {
-            var failure = Assert.Throws<FormatException>(() => WingTracer.Trace(picture.ToPicture(), WingTracingSettings.Default));
+            FormatException failure = Assert.Throws<FormatException>(() => WingTracer.Trace(picture.ToPicture(), WingTracingSettings.Default));
 
             Assert.That(failure.Message, Does.Not.Contain("\n"));
             foreach (string part in said)

@@ -37,7 +37,7 @@ namespace Alate.Editor.Tests
         /// <summary>Fills a polygon.</summary>
         public DrawnPicture Fill(IReadOnlyList<Vector2> polygon, Color32 colour)
         {
-            var cover = new float[width];
+            float[] cover = new float[width];
             var crossings = new List<float>();
             for (int row = 0; row < height; row++)
             {

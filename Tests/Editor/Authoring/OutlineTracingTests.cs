@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Alate.Authoring;
 using Alate.Geometry;
 using NUnit.Framework;
+using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
@@ -108,7 +109,7 @@ namespace Alate.Editor.Tests
         {
             WingPlace place = DrawnWing.Scalloped().In(500);
             var black = new UnityEngine.Color32(0, 0, 0, 255);
-            var frame = new[] { V(1, 1), V(499, 1), V(499, 499), V(1, 499), V(1, 1) };
+            Vector2[] frame = new[] { V(1, 1), V(499, 1), V(499, 499), V(1, 499), V(1, 1) };
 
             PlanPoint[] outline = Trace(place.Draw(DrawnKind.Drawing).Stroke(frame, 1.5f, black));
 

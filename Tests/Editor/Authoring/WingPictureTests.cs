@@ -25,7 +25,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void Picture_BeginsWithTheTexturesHighestRow()
         {
-            WingPicture picture = WingPicture.FromTexture(m_Texture);
+            var picture = WingPicture.FromTexture(m_Texture);
 
             Assert.That((picture.Width, picture.Height), Is.EqualTo((40, 50)));
             Assert.That(picture[3, 0], Is.EqualTo(new Color32(3, 49, 7, 255)));

@@ -154,7 +154,7 @@ namespace Alate.Editor.Tests
         {
             WingTrace trace = Trace(DrawnWing.Tailed());
 
-            WingRig rig = WingRig.Bake(trace.Skeleton, trace.Surface, WingRigSettings.Default);
+            var rig = WingRig.Bake(trace.Skeleton, trace.Surface, WingRigSettings.Default);
 
             Assert.That(rig.JointCount, Is.EqualTo(25));
             rig.Release();

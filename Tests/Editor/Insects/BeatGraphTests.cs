@@ -71,7 +71,7 @@ namespace Alate.Editor.Tests
             var curve = new GraphCurve(64);
             for (int round = 0; round < 200; round++)
             {
-                var phases = new double[random.Next(1, 60)];
+                double[] phases = new double[random.Next(1, 60)];
                 for (int k = 0; k < phases.Length; k++)
                     phases[k] = random.NextDouble();
                 Array.Sort(phases);
@@ -114,7 +114,7 @@ namespace Alate.Editor.Tests
         public void MeanLift_OfAWaveAroundOne_IsOne()
         {
             var random = new System.Random(9);
-            var phases = new double[400];
+            double[] phases = new double[400];
             for (int k = 0; k < phases.Length; k++)
                 phases[k] = random.NextDouble();
             Array.Sort(phases);

@@ -27,7 +27,7 @@ namespace Alate.Editor.Tests
         public void Colours_RunFromLeadingToTrailingEdge_AndFromRootToTip()
         {
             InsectWings insect = Insect();
-            ChainSketch sketch = ChainSketch.Of(insect, 0);
+            var sketch = ChainSketch.Of(insect, 0);
 
             Assert.That(sketch.Delay(0, 0), Is.Zero);
             Assert.That(sketch.Delay(4, 4), Is.EqualTo(1f).Within(1e-5f));
@@ -50,7 +50,7 @@ namespace Alate.Editor.Tests
             insect.Preset = Keep(ScriptableObject.CreateInstance<WingPreset>());
             insect.Preset.Wave.spanDelay = 0f;
 
-            ChainSketch sketch = ChainSketch.Of(insect, 1);
+            var sketch = ChainSketch.Of(insect, 1);
 
             for (int i = 0; i < 5; i++)
                 Assert.That(sketch.Delay(i, 4), Is.EqualTo(sketch.Delay(i, 0)));
@@ -79,7 +79,7 @@ namespace Alate.Editor.Tests
             Wing right = insect.Wings[0];
             Vector3 hinge = right.Renderer.transform.TransformPoint(right.Skeleton.Hinge);
             Assert.That((pen.Dots[0].at - hinge).magnitude, Is.LessThan(1e-5f));
-            var span = pen.Lines.First(line => line.colour == GizmoColours.Span);
+            (Vector3 from, Vector3 to, Color colour) span = pen.Lines.First(line => line.colour == GizmoColours.Span);
             Assert.That((span.from - hinge).magnitude, Is.LessThan(1e-5f));
             Assert.That(span.to.x, Is.GreaterThan(hinge.x), "the right wing's span goes to the right");
         }

@@ -46,7 +46,7 @@ namespace Alate.Editor.Tests
         /// <summary>A monarch's two wings under a root, without the component.</summary>
         protected GameObject Bare()
         {
-            var root = Keep(new GameObject("insect"));
+            GameObject root = Keep(new GameObject("insect"));
             AddWing(root, WingSide.Right);
             AddWing(root, WingSide.Left);
             return root;
@@ -64,7 +64,7 @@ namespace Alate.Editor.Tests
         /// <summary>Adds the component with an empty list.</summary>
         protected static InsectWings Without(GameObject root)
         {
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
             return insect;
         }

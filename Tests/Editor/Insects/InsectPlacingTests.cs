@@ -40,7 +40,7 @@ namespace Alate.Editor.Tests
             Assert.That(insect.activeSelf, Is.True);
             Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/{species.DisplayName}/{species.DisplayName}.prefab") != null, Is.True);
 
-            var wings = insect.GetComponent<InsectWings>();
+            InsectWings wings = insect.GetComponent<InsectWings>();
             Assert.That(wings.Wings, Has.Count.EqualTo(2 * species.Wings.Count));
             Assert.That(InsectStatus.Of(wings).Problem.IsProblem, Is.False, InsectStatus.Of(wings).Problem.Message);
             foreach (Object part in PartsOf(insect))
@@ -92,9 +92,9 @@ namespace Alate.Editor.Tests
         [Test]
         public void ASecondInsect_IsMadeOfTheSameAssets_AsTheUserLeftThem()
         {
-            var first = Place("firefly").GetComponent<InsectWings>();
+            InsectWings first = Place("firefly").GetComponent<InsectWings>();
             first.Preset.Beat.maxFrequency = 33f;
-            var second = Place("firefly").GetComponent<InsectWings>();
+            InsectWings second = Place("firefly").GetComponent<InsectWings>();
 
             Assert.That(second.Preset, Is.SameAs(first.Preset));
             Assert.That(second.Preset.Beat.maxFrequency, Is.EqualTo(33f));

@@ -18,7 +18,7 @@ namespace Alate.Editor.Tests
             InsectWings insect = Insect();
             insect.Wings[1].Renderer = null;
 
-            InsectStatus status = InsectStatus.Of(insect);
+            var status = InsectStatus.Of(insect);
 
             Assert.That(status.Kind, Is.EqualTo(MessageType.Error));
             Assert.That(status.Problem.State, Is.EqualTo(InsectState.NoRenderer));
@@ -31,7 +31,7 @@ namespace Alate.Editor.Tests
             InsectWings insect = Insect();
             GameObjectUtility.SetStaticEditorFlags(insect.Wings[1].Renderer.gameObject, StaticEditorFlags.BatchingStatic | StaticEditorFlags.OccludeeStatic);
 
-            InsectStatus status = InsectStatus.Of(insect);
+            var status = InsectStatus.Of(insect);
 
             Assert.That(status.Problem.State, Is.EqualTo(InsectState.StaticBatch));
             Assert.That(status.Problem.Wing, Is.EqualTo(1));
@@ -54,8 +54,8 @@ namespace Alate.Editor.Tests
             broken.Wings[0].Renderer = null;
             empty.Wings[0].Renderer = null;
 
-            InsectStatus one = InsectStatus.Of(new[] { good, broken });
-            InsectStatus two = InsectStatus.Of(new[] { good, broken, empty });
+            var one = InsectStatus.Of(new[] { good, broken });
+            var two = InsectStatus.Of(new[] { good, broken, empty });
 
             Assert.That(one.Insect, Is.SameAs(broken));
             Assert.That(one.Message, Is.EqualTo(broken.FindProblem().Message));

@@ -40,7 +40,7 @@ namespace Alate.Editor.Tests
         public void Undo_GivesTheSkinnedRendererBack_InOneStep()
         {
             InsectWings insect = Skinned();
-            var source = insect.GetComponentInChildren<SkinnedMeshRenderer>();
+            SkinnedMeshRenderer source = insect.GetComponentInChildren<SkinnedMeshRenderer>();
             Mesh mesh = source.sharedMesh;
             Convert(insect, PathFor("Undone Meshes"));
             Assert.That(source.enabled && source.sharedMesh == mesh, Is.False, "the wings are still drawn by the skinned renderer");
@@ -58,7 +58,7 @@ namespace Alate.Editor.Tests
         public void WithoutAPlaceForTheMeshes_NothingIsConverted(string path)
         {
             InsectWings insect = Skinned();
-            var source = insect.GetComponentInChildren<SkinnedMeshRenderer>();
+            SkinnedMeshRenderer source = insect.GetComponentInChildren<SkinnedMeshRenderer>();
             Mesh mesh = source.sharedMesh;
 
             FixOutcome outcome = Convert(insect, path);
@@ -84,14 +84,14 @@ namespace Alate.Editor.Tests
         // A monarch whose two wings are one mesh, each moved by a bone.
         private InsectWings Skinned()
         {
-            var root = Keep(new GameObject("insect"));
+            GameObject root = Keep(new GameObject("insect"));
             var bones = new List<Transform>();
             var vertices = new List<Vector3>();
             var weights = new List<BoneWeight>();
             var triangles = new List<int>();
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
-                var bone = new GameObject("wing." + (side == WingSide.Right ? "R" : "L")).transform;
+                Transform bone = new GameObject("wing." + (side == WingSide.Right ? "R" : "L")).transform;
                 bone.SetParent(root.transform, false);
                 bone.localPosition = Monarch.HingeOn(side);
                 Mesh wing = Keep(Monarch.CreateSurface(side).ToMesh("part"));
@@ -101,14 +101,14 @@ namespace Alate.Editor.Tests
                 bones.Add(bone);
             }
 
-            var mesh = Keep(new Mesh { name = "Wings", vertices = vertices.ToArray(), triangles = triangles.ToArray() });
+            Mesh mesh = Keep(new Mesh { name = "Wings", vertices = vertices.ToArray(), triangles = triangles.ToArray() });
             mesh.RecalculateNormals();
             mesh.RecalculateBounds();
             mesh.boneWeights = weights.ToArray();
             mesh.bindposes = Array.ConvertAll(bones.ToArray(), bone => bone.worldToLocalMatrix);
             var child = new GameObject("Wings");
             child.transform.SetParent(root.transform, false);
-            var renderer = child.AddComponent<SkinnedMeshRenderer>();
+            SkinnedMeshRenderer renderer = child.AddComponent<SkinnedMeshRenderer>();
             renderer.bones = bones.ToArray();
             renderer.rootBone = bones[0];
             renderer.sharedMesh = mesh;

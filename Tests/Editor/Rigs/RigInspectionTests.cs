@@ -13,7 +13,7 @@ namespace Alate.Editor.Tests
         public void WeightsMassesAndPatches_AreThoseOfTheBakedRig()
         {
             RigInspection seen = Inspect();
-            WingRig rig = WingRig.Bake(Skeleton, Surface(), new WingRigSettings { patchCount = k_Patches });
+            var rig = WingRig.Bake(Skeleton, Surface(), new WingRigSettings { patchCount = k_Patches });
             try
             {
                 Assert.That(seen.masses, Is.EqualTo(rig.JointMasses.ToArray()));

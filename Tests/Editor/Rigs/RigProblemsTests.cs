@@ -145,7 +145,7 @@ namespace Alate.Editor.Tests
 
         private List<RigProblem> Find(SurfaceMesh surface)
         {
-            RigInspection rig = RigInspection.TryMake(Skeleton, surface, 0, out string refusal);
+            var rig = RigInspection.TryMake(Skeleton, surface, 0, out string refusal);
             Assert.That(refusal, Is.Null);
             return RigProblems.Find(rig);
         }

@@ -10,7 +10,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void GoodSkeleton_HasASizeAndNoProblem()
         {
-            SkeletonReport report = SkeletonReport.Of(new[] { Monarch() });
+            var report = SkeletonReport.Of(new[] { Monarch() });
 
             Assert.That(report.Size, Is.EqualTo("5 chains of 5 joints"));
             Assert.That(report.Problems, Is.Empty);
@@ -24,7 +24,7 @@ namespace Alate.Editor.Tests
             skeleton.Chains = skeleton.Chains.Take(2).ToArray();
             skeleton.Hinge = new Vector3(float.NaN, 0f, 0f);
 
-            SkeletonReport report = SkeletonReport.Of(new[] { skeleton });
+            var report = SkeletonReport.Of(new[] { skeleton });
 
             Assert.That(report.Problems, Has.Count.EqualTo(2));
             Assert.That(report.Problems, Is.EqualTo(skeleton.Validate().Select(problem => problem.Message)));
@@ -37,7 +37,7 @@ namespace Alate.Editor.Tests
             broken.name = "Torn";
             broken.Chains = broken.Chains.Take(2).ToArray();
 
-            SkeletonReport report = SkeletonReport.Of(new[] { good, broken });
+            var report = SkeletonReport.Of(new[] { good, broken });
 
             Assert.That(report.Size, Is.EqualTo("—"));
             Assert.That(report.Problems.Single(), Is.EqualTo("Torn: " + broken.Validate().Single().Message));
@@ -53,7 +53,7 @@ namespace Alate.Editor.Tests
                     chain.joints[joint] = Vector3.positiveInfinity;
             }
 
-            SkeletonReport report = SkeletonReport.Of(new[] { skeleton });
+            var report = SkeletonReport.Of(new[] { skeleton });
 
             Assert.That(report.Problems, Has.Count.EqualTo(SkeletonReport.MaxProblems));
             Assert.That(report.HiddenProblems, Is.EqualTo(25 - SkeletonReport.MaxProblems));
@@ -62,7 +62,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void EmptySkeleton_SaysSo()
         {
-            SkeletonReport report = SkeletonReport.Of(new[] { ScriptableObject.CreateInstance<WingSkeleton>() });
+            var report = SkeletonReport.Of(new[] { ScriptableObject.CreateInstance<WingSkeleton>() });
 
             Assert.That(report.Size, Is.EqualTo("no chains"));
             Assert.That(report.Problems, Is.Not.Empty);

@@ -61,7 +61,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void Wing_IsTraced()
         {
-            WingImageTracing tracing = WingImageTracing.Run(m_Texture, WingTracingSettings.Default);
+            var tracing = WingImageTracing.Run(m_Texture, WingTracingSettings.Default);
 
             Assert.That(tracing.Problem, Is.Null);
             Assert.That(tracing.Trace.Surface.TriangleCount, Is.EqualTo(1000));
@@ -75,7 +75,7 @@ namespace Alate.Editor.Tests
             settings.chains = chains;
             settings.triangles = triangles;
 
-            WingImageTracing tracing = WingImageTracing.Run(m_Texture, settings);
+            var tracing = WingImageTracing.Run(m_Texture, settings);
 
             Assert.That(tracing.Trace, Is.Null);
             Assert.That(tracing.Problem, Does.Contain(said).And.Not.Contain("\n").And.Not.Contain("Parameter"));
@@ -86,7 +86,7 @@ namespace Alate.Editor.Tests
         {
             var empty = new Texture2D(100, 100);
 
-            WingImageTracing tracing = WingImageTracing.Run(empty, WingTracingSettings.Default);
+            var tracing = WingImageTracing.Run(empty, WingTracingSettings.Default);
 
             Assert.That(tracing.Problem, Does.StartWith("No wing"));
             UnityEngine.Object.DestroyImmediate(empty);

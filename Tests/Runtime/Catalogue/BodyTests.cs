@@ -17,19 +17,19 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EveryEdge_IsSharedByTwoTriangles_ThatRunItBothWays(InsectDefinition species)
         {
-            var body = BodyOf(species);
+            SurfaceMesh body = BodyOf(species);
             var edges = new HashSet<(int From, int To)>();
-            for (var corner = 0; corner < body.triangles.Length; corner += 3)
+            for (int corner = 0; corner < body.triangles.Length; corner += 3)
             {
-                for (var k = 0; k < 3; k++)
+                for (int k = 0; k < 3; k++)
                 {
-                    var edge = (body.triangles[corner + k], body.triangles[corner + (k + 1) % 3]);
+                    (int, int) edge = (body.triangles[corner + k], body.triangles[corner + (k + 1) % 3]);
                     Assert.That(edge.Item1, Is.Not.EqualTo(edge.Item2));
                     Assert.That(edges.Add(edge), Is.True, "each edge is run once each way");
                 }
             }
 
-            foreach (var (from, to) in edges)
+            foreach ((int from, int to) in edges)
             {
                 Assert.That(edges.Contains((to, from)), Is.True);
             }
@@ -38,8 +38,8 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EveryPart_FacesOutwards(InsectDefinition species)
         {
-            var body = BodyOf(species);
-            foreach (var part in BodyPieces.Of(body))
+            SurfaceMesh body = BodyOf(species);
+            foreach (List<int> part in BodyPieces.Of(body))
             {
                 Assert.That(BodyPieces.Volume(body, part), Is.GreaterThan(0), $"a part at {body.positions[body.triangles[part[0]]]}");
             }
@@ -48,19 +48,19 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void Normals_AreUnitVectors_AndPointOutOfTheTrianglesAround(InsectDefinition species)
         {
-            var body = BodyOf(species);
+            SurfaceMesh body = BodyOf(species);
             var around = new Vector3[body.VertexCount];
-            for (var corner = 0; corner < body.triangles.Length; corner += 3)
+            for (int corner = 0; corner < body.triangles.Length; corner += 3)
             {
-                var face = BodyPieces.AreaVector(body, corner);
-                for (var k = 0; k < 3; k++)
+                Vector3 face = BodyPieces.AreaVector(body, corner);
+                for (int k = 0; k < 3; k++)
                 {
                     around[body.triangles[corner + k]] += face;
                 }
             }
 
             Assert.That(body.normals, Has.Length.EqualTo(body.VertexCount));
-            for (var vertex = 0; vertex < around.Length; vertex++)
+            for (int vertex = 0; vertex < around.Length; vertex++)
             {
                 Assert.That(body.normals[vertex].magnitude, Is.EqualTo(1f).Within(1e-4f));
                 Assert.That(Vector3.Dot(body.normals[vertex], around[vertex]), Is.GreaterThan(0f), $"at {body.positions[vertex]}");
@@ -70,11 +70,11 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EveryVertex_HasAFinitePlace_AColour_AndAPlaceInTheTexture(InsectDefinition species)
         {
-            var body = BodyOf(species);
+            SurfaceMesh body = BodyOf(species);
 
             Assert.That(body.colours, Has.Length.EqualTo(body.VertexCount));
             Assert.That(body.uvs, Has.Length.EqualTo(body.VertexCount));
-            for (var vertex = 0; vertex < body.VertexCount; vertex++)
+            for (int vertex = 0; vertex < body.VertexCount; vertex++)
             {
                 Assert.That(body.positions[vertex].magnitude, Is.LessThan(200f));
                 Assert.That(body.uvs[vertex].x, Is.InRange(0f, 1f));
@@ -85,12 +85,12 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void TheLeftSide_IsTheMirrorImageOfTheRight(InsectDefinition species)
         {
-            var body = BodyOf(species);
+            SurfaceMesh body = BodyOf(species);
             var vertices = new Dictionary<(int X, int Y, int Z), List<int>>();
-            for (var vertex = 0; vertex < body.VertexCount; vertex++)
+            for (int vertex = 0; vertex < body.VertexCount; vertex++)
             {
-                var cell = Cell(body.positions[vertex]);
-                if (!vertices.TryGetValue(cell, out var here))
+                (int X, int Y, int Z) cell = Cell(body.positions[vertex]);
+                if (!vertices.TryGetValue(cell, out List<int> here))
                 {
                     vertices.Add(cell, here = new List<int>());
                 }
@@ -98,9 +98,9 @@ namespace Alate.Tests
                 here.Add(vertex);
             }
 
-            for (var vertex = 0; vertex < body.VertexCount; vertex++)
+            for (int vertex = 0; vertex < body.VertexCount; vertex++)
             {
-                var twins = vertices.TryGetValue(Cell(Mirrored(body.positions[vertex])), out var found) ? found : new List<int>();
+                List<int> twins = vertices.TryGetValue(Cell(Mirrored(body.positions[vertex])), out List<int> found) ? found : new List<int>();
                 Assert.That(twins.Exists(twin => AreTwins(body, vertex, twin)), Is.True, $"{body.positions[vertex]} has no twin");
             }
         }
@@ -114,7 +114,7 @@ namespace Alate.Tests
         public void ABody_IsAsLongAsTheAnimal_FromHeadToTail(string name, float shortest, float longest)
         {
             float front = float.MinValue, rear = float.MaxValue;
-            foreach (var place in BodyOf(InsectCatalogue.Find(name)).positions)
+            foreach (Vector3 place in BodyOf(InsectCatalogue.Find(name)).positions)
             {
                 if (Math.Abs(place.x) < 1e-4f)
                 {
@@ -130,12 +130,12 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void ABody_HasAFewThousandTriangles_AndGrowsWithItsUnit(InsectDefinition species)
         {
-            var body = BodyOf(species);
-            var large = species.Body.CreateSurface(10f * k_Millimetres);
+            SurfaceMesh body = BodyOf(species);
+            SurfaceMesh large = species.Body.CreateSurface(10f * k_Millimetres);
 
             Assert.That(body.TriangleCount, Is.InRange(2000, 6000));
             Assert.That(large.triangles, Is.EqualTo(body.triangles));
-            for (var vertex = 0; vertex < body.VertexCount; vertex += 97)
+            for (int vertex = 0; vertex < body.VertexCount; vertex += 97)
             {
                 Assert.That((large.positions[vertex] - 10f * body.positions[vertex]).magnitude, Is.LessThan(1e-3f));
             }
@@ -144,12 +144,12 @@ namespace Alate.Tests
         [Test]
         public void TheMeshes_OfTwoCalls_ShareNoArray()
         {
-            var first = BodyOf(InsectCatalogue.Find("monarch"));
+            SurfaceMesh first = BodyOf(InsectCatalogue.Find("monarch"));
             first.colours[0] = new Color32(1, 2, 3, 4);
             first.uvs[0] = new Vector2(-1f, -1f);
             first.triangles[0] = -1;
             first.normals[0] = default;
-            var second = BodyOf(InsectCatalogue.Find("monarch"));
+            SurfaceMesh second = BodyOf(InsectCatalogue.Find("monarch"));
 
             Assert.That(second.colours[0].a, Is.EqualTo(255));
             Assert.That(second.uvs[0].x, Is.Not.Negative);

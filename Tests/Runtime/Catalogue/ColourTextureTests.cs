@@ -15,10 +15,10 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void TheTextureOfABody_HasTheColoursOfItsTriangles_AtTheirPlacesInIt(InsectDefinition species)
         {
-            var body = species.Body.CreateSurface(1f);
-            var pixels = ColourTexture.Paint(body, k_Size);
-            var compared = 0;
-            for (var corner = 0; corner < body.triangles.Length; corner += 3)
+            SurfaceMesh body = species.Body.CreateSurface(1f);
+            Color32[] pixels = ColourTexture.Paint(body, k_Size);
+            int compared = 0;
+            for (int corner = 0; corner < body.triangles.Length; corner += 3)
             {
                 int i = body.triangles[corner], j = body.triangles[corner + 1], k = body.triangles[corner + 2];
                 Color a = body.colours[i], b = body.colours[j], c = body.colours[k];
@@ -27,7 +27,7 @@ namespace Alate.Tests
                     continue;
                 }
 
-                var middle = k_Size * (body.uvs[i] + body.uvs[j] + body.uvs[k]) / 3f;
+                Vector2 middle = k_Size * (body.uvs[i] + body.uvs[j] + body.uvs[k]) / 3f;
                 Color painted = pixels[(int)middle.y * k_Size + (int)middle.x];
                 Assert.That(Difference(painted, Mean(a, b, c)), Is.LessThan(0.03f + 1.5f * Spread(a, b, c)));
                 compared++;
@@ -39,14 +39,14 @@ namespace Alate.Tests
         [Test]
         public void Colours_RunOnBeyondTheEdge_SoThatFilteringFindsNoForeignOne()
         {
-            var square = Square(0.25f, 0.75f, new Color32(200, 100, 50, 255));
-            var pixels = ColourTexture.Paint(square, 32);
+            SurfaceMesh square = Square(0.25f, 0.75f, new Color32(200, 100, 50, 255));
+            Color32[] pixels = ColourTexture.Paint(square, 32);
 
-            for (var y = 0; y < 32; y++)
+            for (int y = 0; y < 32; y++)
             {
-                for (var x = 0; x < 32; x++)
+                for (int x = 0; x < 32; x++)
                 {
-                    var beyond = Math.Max(Math.Max(8 - x, x - 23), Math.Max(8 - y, y - 23));
+                    int beyond = Math.Max(Math.Max(8 - x, x - 23), Math.Max(8 - y, y - 23));
                     if (beyond <= 2)
                     {
                         Assert.That(pixels[32 * y + x].r, Is.EqualTo(200), $"pixel {x}, {y}");
@@ -62,10 +62,10 @@ namespace Alate.Tests
         [Test]
         public void ASurfaceWithoutColoursOrPlaces_AndASizeOfNothing_AreRefused()
         {
-            var bare = Square(0f, 1f, default);
+            SurfaceMesh bare = Square(0f, 1f, default);
             bare.colours = null;
             Assert.That(() => ColourTexture.Paint(bare, 8), Throws.ArgumentException.With.Message.Contains("vertex colours"));
-            var unmapped = Square(0f, 1f, default);
+            SurfaceMesh unmapped = Square(0f, 1f, default);
             unmapped.uvs = null;
             Assert.That(() => ColourTexture.Paint(unmapped, 8), Throws.ArgumentException.With.Message.Contains("texture coordinates"));
             Assert.That(() => ColourTexture.Paint(Square(0f, 1f, default), 0), Throws.InstanceOf<ArgumentOutOfRangeException>());

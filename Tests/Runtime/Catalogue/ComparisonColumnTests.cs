@@ -45,7 +45,7 @@ namespace Alate.Tests
         {
             m_Copy = ComparisonColumn.NoWave.CreatePreset(m_Full);
 
-            var expected = m_Full.ToParameters();
+            WingParameters expected = m_Full.ToParameters();
             expected.chordDelay = 0f;
             expected.spanDelay = 0f;
             Assert.That(m_Copy.ToParameters(), Is.EqualTo(expected));
@@ -69,7 +69,7 @@ namespace Alate.Tests
         {
             m_Copy = ComparisonColumn.Elasticity(factor).CreatePreset(m_Full);
 
-            var expected = m_Full.ToParameters();
+            WingParameters expected = m_Full.ToParameters();
             expected.elasticity *= factor;
             Assert.That(m_Copy.ToParameters(), Is.EqualTo(expected));
         }
@@ -86,9 +86,9 @@ namespace Alate.Tests
         [Test]
         public void EveryColumn_FollowsTheSpecies_AsIfItWereMadeAnew()
         {
-            foreach (var column in ComparisonColumn.All)
+            foreach (ComparisonColumn column in ComparisonColumn.All)
             {
-                var kept = column.CreatePreset(m_Full);
+                WingPreset kept = column.CreatePreset(m_Full);
                 m_Full.Wave.chordDelay += 0.1f;
                 m_Full.Beat.flapRange -= 5f;
                 m_Full.Stiffness.elasticity *= 1.5f;
@@ -105,9 +105,9 @@ namespace Alate.Tests
         [Test]
         public void TheSpecies_StaysAsItIs()
         {
-            var before = m_Full.ToParameters();
+            WingParameters before = m_Full.ToParameters();
 
-            foreach (var column in ComparisonColumn.All)
+            foreach (ComparisonColumn column in ComparisonColumn.All)
             {
                 UnityEngine.Object.DestroyImmediate(column.CreatePreset(m_Full));
             }

@@ -27,7 +27,7 @@ namespace Alate.Tests
         {
             m_Skeleton = SkeletonGenerator.Generate(Outline, 5, 5, k_LastTipSpan);
 
-            var joint = m_Skeleton.GetJoint(2, 2);
+            Vector3 joint = m_Skeleton.GetJoint(2, 2);
             (double x, double z) = MonarchLandmarks.MiddleJoint();
             Assert.That(joint.x, Is.EqualTo(x).Within(1e-3).Percent);
             Assert.That(joint.y, Is.EqualTo(0f));
@@ -50,16 +50,16 @@ namespace Alate.Tests
         {
             m_Skeleton = SkeletonGenerator.Generate(Outline, 5, 7, k_LastTipSpan);
 
-            for (var j = 0; j < 7; j++)
+            for (int j = 0; j < 7; j++)
             {
-                var joint = m_Skeleton.GetJoint(0, j);
+                Vector3 joint = m_Skeleton.GetJoint(0, j);
                 Assert.That(joint.z, Is.EqualTo(Outline.LeadingAt(joint.x)).Within(1e-4));
             }
 
-            for (var i = 1; i < 5; i++)
+            for (int i = 1; i < 5; i++)
             {
-                var bone = m_Skeleton.GetJoint(i, 1) - m_Skeleton.GetJoint(i, 0);
-                for (var j = 2; j < 7; j++)
+                Vector3 bone = m_Skeleton.GetJoint(i, 1) - m_Skeleton.GetJoint(i, 0);
+                for (int j = 2; j < 7; j++)
                 {
                     Assert.That((m_Skeleton.GetJoint(i, j) - m_Skeleton.GetJoint(i, j - 1) - bone).magnitude, Is.LessThan(1e-6f));
                 }
@@ -73,9 +73,9 @@ namespace Alate.Tests
 
             Assert.That(m_Skeleton.GetJoint(0, 4).x, Is.EqualTo(1f).Within(1e-6f));
             Assert.That(m_Skeleton.GetJoint(4, 4).x, Is.EqualTo(k_LastTipSpan).Within(1e-6));
-            for (var i = 1; i < 5; i++)
+            for (int i = 1; i < 5; i++)
             {
-                var tip = m_Skeleton.GetJoint(i, 4);
+                Vector3 tip = m_Skeleton.GetJoint(i, 4);
                 Assert.That(tip.z, Is.EqualTo(Outline.TrailingAt(tip.x)).Within(1e-4));
             }
         }
@@ -86,9 +86,9 @@ namespace Alate.Tests
         [TestCase(16, 16)]
         public void AnyAllowedSize_IsUsable_OnBothSides(int chains, int joints)
         {
-            foreach (var side in new[] { WingSide.Right, WingSide.Left })
+            foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
-                var skeleton = SkeletonGenerator.Generate(Outline, chains, joints, k_LastTipSpan, 1f, side);
+                WingSkeleton skeleton = SkeletonGenerator.Generate(Outline, chains, joints, k_LastTipSpan, 1f, side);
 
                 Assert.That(skeleton.Validate(), Is.Empty);
                 Assert.That(skeleton.ChainCount, Is.EqualTo(chains));

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Fitting;
 using NUnit.Framework;
+using UnityEngine;
 
 namespace Alate.Tests
 {
@@ -15,7 +16,7 @@ namespace Alate.Tests
         [TestCase(" MON-arch ")]
         public void ASpecies_IsFound_HoweverItsNameIsWritten(string name)
         {
-            Assert.That(InsectCatalogue.TryFind(name, out var found), Is.True);
+            Assert.That(InsectCatalogue.TryFind(name, out InsectDefinition found), Is.True);
             Assert.That(found.DisplayName, Is.EqualTo("Monarch"));
         }
 
@@ -25,7 +26,7 @@ namespace Alate.Tests
         public void AnUnknownSpecies_IsRefused_WithTheNamesThereAre(string name)
         {
             Assert.That(InsectCatalogue.TryFind(name, out _), Is.False);
-            Assert.That(InsectCatalogue.TryCreate(name, out var species), Is.False);
+            Assert.That(InsectCatalogue.TryCreate(name, out WingPreset species), Is.False);
             Assert.That(species == null, Is.True);
             Assert.That(() => InsectCatalogue.Find(name), Throws.ArgumentException.With.Message.Contains("monarch"));
         }
@@ -36,9 +37,9 @@ namespace Alate.Tests
         [TestCase("painted-lichen-moth", 1648)]
         public void TheSpeciesOfThePapersTable2_HaveItsTriangles(string species, int triangles)
         {
-            var definition = InsectCatalogue.Find(species);
-            var meshed = 0;
-            foreach (var wing in definition.Wings)
+            InsectDefinition definition = InsectCatalogue.Find(species);
+            int meshed = 0;
+            foreach (WingDefinition wing in definition.Wings)
             {
                 meshed += wing.CreateSurface(WingSide.Right).TriangleCount + wing.CreateSurface(WingSide.Left).TriangleCount;
             }
@@ -51,7 +52,7 @@ namespace Alate.Tests
         public void EachSpecies_SaysWhereItsNumbersComeFrom(InsectDefinition species)
         {
             Assert.That(species.Sources, Is.Not.Empty);
-            foreach (var source in species.Sources)
+            foreach (InsectSource source in species.Sources)
             {
                 Assert.That(source.Source, Is.Not.Empty, source.Quantity);
             }
@@ -60,15 +61,15 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EachWing_HasASkeletonThatIsUsable_WhoseChainsEndOnItsMargin(InsectDefinition species)
         {
-            foreach (var wing in species.Wings)
+            foreach (WingDefinition wing in species.Wings)
             {
-                foreach (var side in new[] { WingSide.Right, WingSide.Left })
+                foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
                 {
-                    var skeleton = wing.CreateSkeleton(side);
-                    var surface = wing.CreateSurface(side);
+                    WingSkeleton skeleton = wing.CreateSkeleton(side);
+                    SurfaceMesh surface = wing.CreateSurface(side);
 
                     Assert.That(skeleton.Validate(), Is.Empty);
-                    var rim = SkeletonFitter.Fit(surface, SkeletonFitSettings.Default).Outline;
+                    Vector3[] rim = SkeletonFitter.Fit(surface, SkeletonFitSettings.Default).Outline;
                     Assert.That(new FitMeasure(skeleton, rim).TipsOffMargin(), Is.LessThan(0.015), "rounding moves the tip a little");
                     UnityEngine.Object.DestroyImmediate(skeleton);
                 }
@@ -78,9 +79,9 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EachWing_IsMeshedInItsNumberOfTriangles_WithAColourForEachVertex(InsectDefinition species)
         {
-            foreach (var wing in species.Wings)
+            foreach (WingDefinition wing in species.Wings)
             {
-                var surface = wing.CreateSurface(WingSide.Right);
+                SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
 
                 Assert.That(surface.TriangleCount, Is.EqualTo(wing.TriangleCount));
                 Assert.That(surface.colours, Has.Length.EqualTo(surface.VertexCount));
@@ -90,10 +91,10 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EachWing_BakesIntoARig_OfItsOwnAreaAndLength(InsectDefinition species)
         {
-            foreach (var wing in species.Wings)
+            foreach (WingDefinition wing in species.Wings)
             {
-                var skeleton = wing.CreateSkeleton(WingSide.Right);
-                var surface = wing.CreateSurface(WingSide.Right);
+                WingSkeleton skeleton = wing.CreateSkeleton(WingSide.Right);
+                SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
                 var rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
 
                 Assert.That(rig.TriangleCount, Is.EqualTo(wing.TriangleCount));
@@ -108,12 +109,12 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EachWing_SitsOnItsBody(InsectDefinition species)
         {
-            var body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
-            foreach (var wing in species.Wings)
+            SurfaceMesh body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
+            foreach (WingDefinition wing in species.Wings)
             {
-                var hinge = wing.HingeOn(WingSide.Right);
-                var nearest = float.MaxValue;
-                foreach (var position in body.positions)
+                Vector3 hinge = wing.HingeOn(WingSide.Right);
+                float nearest = float.MaxValue;
+                foreach (Vector3 position in body.positions)
                 {
                     nearest = Math.Min(nearest, (position - hinge).magnitude);
                 }
@@ -125,11 +126,11 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void BothPresets_OfEachWing_AreInRange(InsectDefinition species)
         {
-            foreach (var wing in species.Wings)
+            foreach (WingDefinition wing in species.Wings)
             {
-                foreach (var preset in new[] { ModelReading.Physical, ModelReading.Paper })
+                foreach (ModelReading preset in new[] { ModelReading.Physical, ModelReading.Paper })
                 {
-                    var made = wing.CreatePreset(preset);
+                    WingPreset made = wing.CreatePreset(preset);
 
                     Assert.That(made.ToParameters().FindProblem(), Is.Null);
                     Assert.That(made.WingLength, Is.EqualTo(wing.Outline.Length).Within(1).Percent);
@@ -140,8 +141,8 @@ namespace Alate.Tests
 
         private static float LargestSpan(SurfaceMesh surface)
         {
-            var largest = 0f;
-            foreach (var position in surface.positions)
+            float largest = 0f;
+            foreach (Vector3 position in surface.positions)
             {
                 largest = Math.Max(largest, Math.Abs(position.x));
             }

@@ -12,7 +12,7 @@ namespace Alate.Tests
             var random = new Random(seed);
             var strokes = new Stroke[random.Next(1, 80)];
             var set = new StrokeSet();
-            for (var k = 0; k < strokes.Length; k++)
+            for (int k = 0; k < strokes.Length; k++)
             {
                 double x = random.NextDouble(), z = random.NextDouble() - 0.5, length = k % 5 == 0 ? 0 : 0.2;
                 double endX = x + length * (random.NextDouble() - 0.5), endZ = z + length * (random.NextDouble() - 0.5);
@@ -20,13 +20,13 @@ namespace Alate.Tests
                 set.Add(new[] { x, z, endX, endZ }, k);
             }
 
-            for (var place = 0; place < 2000; place++)
+            for (int place = 0; place < 2000; place++)
             {
                 double x = 3 * random.NextDouble() - 1, z = 3 * random.NextDouble() - 1.5;
                 double nearest = double.MaxValue, along = 0;
-                foreach (var stroke in strokes)
+                foreach (Stroke stroke in strokes)
                 {
-                    var distance = stroke.Distance(x, z, out var here);
+                    double distance = stroke.Distance(x, z, out double here);
                     if (distance < nearest)
                     {
                         nearest = distance;
@@ -34,7 +34,7 @@ namespace Alate.Tests
                     }
                 }
 
-                Assert.That(set.Distance(x, z, out var found), Is.EqualTo(nearest));
+                Assert.That(set.Distance(x, z, out double found), Is.EqualTo(nearest));
                 Assert.That(found, Is.EqualTo(along));
             }
         }
@@ -44,7 +44,7 @@ namespace Alate.Tests
         {
             var stroke = new Stroke(1, 0, 3, 0, 0.5);
 
-            Assert.That(stroke.Distance(2, 2, out var along), Is.EqualTo(2));
+            Assert.That(stroke.Distance(2, 2, out double along), Is.EqualTo(2));
             Assert.That(along, Is.EqualTo(1.5));
             Assert.That(stroke.Distance(0, 1, out along), Is.EqualTo(Math.Sqrt(2)).Within(1e-12));
             Assert.That(along, Is.EqualTo(0.5));

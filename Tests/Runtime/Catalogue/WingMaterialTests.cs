@@ -26,7 +26,7 @@ namespace Alate.Tests
         public void ForEachPipeline_ShadersAreTriedInOrder_AndOnlyThoseItDraws(object kind, string order)
         {
             var asked = new List<string>();
-            var found = WingShaders.Choose((RenderPipelineKind)kind, name =>
+            Shader found = WingShaders.Choose((RenderPipelineKind)kind, name =>
             {
                 asked.Add(name);
                 return null;
@@ -39,9 +39,9 @@ namespace Alate.Tests
         [Test]
         public void TheFirstShaderThatIsThere_IsTaken()
         {
-            var lit = WingMaterial.FindShader();
+            Shader lit = WingMaterial.FindShader();
             Assert.That(lit != null, Is.True, "there is one in every project");
-            var found = WingShaders.Choose(RenderPipelineKind.Universal, name => name == WingShaders.UniversalLit ? lit : null);
+            Shader found = WingShaders.Choose(RenderPipelineKind.Universal, name => name == WingShaders.UniversalLit ? lit : null);
 
             Assert.That(found, Is.SameAs(lit));
         }
@@ -49,17 +49,17 @@ namespace Alate.Tests
         [TestCaseSource(nameof(All))]
         public void EachWingAndBody_GetsAMaterial_OfTheShaderForThisPipeline(InsectDefinition species)
         {
-            var shader = WingMaterial.FindShader();
-            foreach (var wing in species.Wings)
+            Shader shader = WingMaterial.FindShader();
+            foreach (WingDefinition wing in species.Wings)
             {
-                var material = WingMaterial.ForWing(wing, 32);
+                Material material = WingMaterial.ForWing(wing, 32);
 
                 Assert.That(material.shader, Is.SameAs(shader));
                 Assert.That(material.mainTexture != null, Is.EqualTo(wing.Pattern != null));
                 WingMaterial.Destroy(material);
             }
 
-            var skin = WingMaterial.ForBody(species, 32);
+            Material skin = WingMaterial.ForBody(species, 32);
             Assert.That(skin.shader, Is.SameAs(shader));
             Assert.That(skin.mainTexture != null, Is.Not.EqualTo(WingMaterial.ShowsVertexColours(shader)));
             WingMaterial.Destroy(skin);
@@ -68,9 +68,9 @@ namespace Alate.Tests
         [Test]
         public void TheTextureOfAWing_HasTheWingsProportions_AndTheSizeAskedFor()
         {
-            var wing = InsectCatalogue.Find("monarch").Wings[0];
-            var material = WingMaterial.ForWing(wing, 64);
-            var texture = material.mainTexture;
+            WingDefinition wing = InsectCatalogue.Find("monarch").Wings[0];
+            Material material = WingMaterial.ForWing(wing, 64);
+            Texture texture = material.mainTexture;
 
             Assert.That(texture.width, Is.EqualTo(64));
             Assert.That(texture.height, Is.EqualTo(64 * (wing.Contour.Front - wing.Contour.Rear)).Within(0.51));
@@ -90,7 +90,7 @@ namespace Alate.Tests
         [TestCase(-1)]
         public void ATexturesSize_OutOfRange_IsRefused_WithTheRange(int size)
         {
-            var monarch = InsectCatalogue.Find("monarch");
+            InsectDefinition monarch = InsectCatalogue.Find("monarch");
             Assert.That(
                 () => WingMaterial.ForWing(monarch.Wings[0], size), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("16 to 8192"));
             Assert.That(

@@ -13,12 +13,12 @@ namespace Alate.Tests
         [Test]
         public void Grid_SpreadsItsVerticesEvenly_FromLeadingToTrailingEdge()
         {
-            var outline = Monarch.Outline;
-            var grid = WingMesher.Grid(outline, 48, 22);
+            WingOutline outline = Monarch.Outline;
+            SurfaceMesh grid = WingMesher.Grid(outline, 48, 22);
 
             Assert.That(grid.VertexCount, Is.EqualTo(49 * 23));
             Assert.That(grid.TriangleCount, Is.EqualTo(2 * 48 * 22));
-            var vertex = grid.positions[12 * 23 + 11];
+            Vector3 vertex = grid.positions[12 * 23 + 11];
             Assert.That(vertex.x, Is.EqualTo(0.25f).Within(1e-6f));
             Assert.That(vertex.y, Is.EqualTo(0f));
             Assert.That(vertex.z, Is.EqualTo(0.5 * (outline.LeadingAt(0.25) + outline.TrailingAt(0.25))).Within(1e-6));
@@ -39,8 +39,8 @@ namespace Alate.Tests
         [TestCase(6284)]
         public void Strips_GiveTheExactCount_FillTheOutline_AndFaceUp(int count)
         {
-            var contour = Monarch.Contour;
-            var surface = WingMesher.Strips(contour, count);
+            WingOutline contour = Monarch.Contour;
+            SurfaceMesh surface = WingMesher.Strips(contour, count);
 
             Assert.That(surface.TriangleCount, Is.EqualTo(count));
             Assert.That(SmallestTriangle(surface), Is.GreaterThan(0));
@@ -52,7 +52,7 @@ namespace Alate.Tests
         [TestCase(6284)]
         public void Strips_AreWellShaped(int count)
         {
-            var angles = SmallestAngles(WingMesher.Strips(Monarch.Contour, count));
+            List<double> angles = SmallestAngles(WingMesher.Strips(Monarch.Contour, count));
 
             Assert.That(angles[0], Is.GreaterThan(15), "the worst");
             Assert.That(angles[angles.Count / 20], Is.GreaterThan(38), "19 of 20");
@@ -63,16 +63,16 @@ namespace Alate.Tests
         [TestCase(2001)]
         public void AFilledWing_HasTheExactCountOfGoodTriangles_AndTheCornersOfItsBase(int count)
         {
-            foreach (var species in InsectCatalogue.All)
+            foreach (InsectDefinition species in InsectCatalogue.All)
             {
-                foreach (var wing in species.Wings)
+                foreach (WingDefinition wing in species.Wings)
                 {
-                    var surface = WingMesher.Fill(wing.Contour, wing.Scallops, count, 1f);
+                    SurfaceMesh surface = WingMesher.Fill(wing.Contour, wing.Scallops, count, 1f);
 
                     Assert.That(surface.TriangleCount, Is.EqualTo(count), wing.Name);
                     Assert.That(SmallestTriangle(surface), Is.GreaterThan(0), wing.Name);
                     Assert.That(SmallestAngles(surface)[0], Is.GreaterThan(20), wing.Name);
-                    foreach (var edge in new[] { wing.Contour.LeadingAt(0), wing.Contour.TrailingAt(0) })
+                    foreach (double edge in new[] { wing.Contour.LeadingAt(0), wing.Contour.TrailingAt(0) })
                         Assert.That(Array.Exists(surface.positions, p => (p - new Vector3(0f, 0f, (float)edge)).magnitude < 1e-5f), wing.Name);
                     if (wing.Scallops == null)
                         Assert.That(Area(surface), Is.EqualTo(wing.Contour.Area).Within(2).Percent, wing.Name);
@@ -84,11 +84,11 @@ namespace Alate.Tests
         [TestCase(2096)]
         public void Strips_AreOneSheet_WithoutSeamsOrHoles(int count)
         {
-            var surface = WingMesher.Strips(Monarch.Contour, count);
+            SurfaceMesh surface = WingMesher.Strips(Monarch.Contour, count);
 
-            var uses = EdgeUses(surface);
-            var border = 0;
-            foreach (var use in uses.Values)
+            Dictionary<(int Low, int High), int> uses = EdgeUses(surface);
+            int border = 0;
+            foreach (int use in uses.Values)
             {
                 Assert.That(use, Is.InRange(1, 2));
                 border += use == 1 ? 1 : 0;
@@ -102,9 +102,9 @@ namespace Alate.Tests
         [Test]
         public void TextureCoordinates_CoverTheWing_SpanwiseAndForward()
         {
-            var surface = WingMesher.Strips(Monarch.Contour, 2096, 3f);
+            SurfaceMesh surface = WingMesher.Strips(Monarch.Contour, 2096, 3f);
 
-            for (var vertex = 0; vertex < surface.VertexCount; vertex++)
+            for (int vertex = 0; vertex < surface.VertexCount; vertex++)
             {
                 Assert.That(surface.uvs[vertex].x, Is.EqualTo(surface.positions[vertex].x / 3f).Within(1e-6f));
                 Assert.That(surface.uvs[vertex].y, Is.InRange(-1e-6f, 1f + 1e-6f));
@@ -115,11 +115,11 @@ namespace Alate.Tests
         [Test]
         public void ALeftWing_MirrorsTheRight_AndFacesUpToo()
         {
-            var right = Monarch.CreateSurface(WingSide.Right);
-            var left = Monarch.CreateSurface(WingSide.Left);
+            SurfaceMesh right = Monarch.CreateSurface(WingSide.Right);
+            SurfaceMesh left = Monarch.CreateSurface(WingSide.Left);
 
             Assert.That(SmallestTriangle(left), Is.GreaterThan(0));
-            for (var vertex = 0; vertex < right.VertexCount; vertex++)
+            for (int vertex = 0; vertex < right.VertexCount; vertex++)
             {
                 var mirrored = new Vector3(-right.positions[vertex].x, right.positions[vertex].y, right.positions[vertex].z);
                 Assert.That(left.positions[vertex], Is.EqualTo(mirrored));
@@ -129,8 +129,8 @@ namespace Alate.Tests
         [Test]
         public void TheSameWing_IsMeshedTheSameWay_Twice()
         {
-            var first = Monarch.CreateSurface(WingSide.Right);
-            var second = Monarch.CreateSurface(WingSide.Right);
+            SurfaceMesh first = Monarch.CreateSurface(WingSide.Right);
+            SurfaceMesh second = Monarch.CreateSurface(WingSide.Right);
 
             Assert.That(second.positions, Is.EqualTo(first.positions));
             Assert.That(second.triangles, Is.EqualTo(first.triangles));
@@ -140,7 +140,7 @@ namespace Alate.Tests
         [Test]
         public void AMesh_CarriesAllOfTheSurface()
         {
-            var surface = Monarch.CreateSurface(WingSide.Right);
+            SurfaceMesh surface = Monarch.CreateSurface(WingSide.Right);
 
             var mesh = surface.ToMesh("Monarch Wing");
 
@@ -163,8 +163,8 @@ namespace Alate.Tests
 
         private static double Area(SurfaceMesh surface)
         {
-            var area = 0.0;
-            for (var t = 0; t < surface.TriangleCount; t++)
+            double area = 0.0;
+            for (int t = 0; t < surface.TriangleCount; t++)
             {
                 area += SignedArea(surface, t);
             }
@@ -174,8 +174,8 @@ namespace Alate.Tests
 
         private static double SmallestTriangle(SurfaceMesh surface)
         {
-            var smallest = double.MaxValue;
-            for (var t = 0; t < surface.TriangleCount; t++)
+            double smallest = double.MaxValue;
+            for (int t = 0; t < surface.TriangleCount; t++)
             {
                 smallest = Math.Min(smallest, SignedArea(surface, t));
             }
@@ -185,19 +185,19 @@ namespace Alate.Tests
 
         private static double SignedArea(SurfaceMesh surface, int triangle)
         {
-            var origin = Corner(surface, triangle, 0);
+            Vector3 origin = Corner(surface, triangle, 0);
             return 0.5 * Vector3.Cross(Corner(surface, triangle, 1) - origin, Corner(surface, triangle, 2) - origin).y;
         }
 
         private static List<double> SmallestAngles(SurfaceMesh surface)
         {
             var angles = new List<double>();
-            for (var t = 0; t < surface.TriangleCount; t++)
+            for (int t = 0; t < surface.TriangleCount; t++)
             {
-                var smallest = 180.0;
-                for (var c = 0; c < 3; c++)
+                double smallest = 180.0;
+                for (int c = 0; c < 3; c++)
                 {
-                    var origin = Corner(surface, t, c);
+                    Vector3 origin = Corner(surface, t, c);
                     smallest = Math.Min(
                         smallest, Vector3.Angle(Corner(surface, t, (c + 1) % 3) - origin, Corner(surface, t, (c + 2) % 3) - origin));
                 }
@@ -212,12 +212,12 @@ namespace Alate.Tests
         private static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
         {
             var uses = new Dictionary<(int Low, int High), int>();
-            for (var corner = 0; corner < surface.triangles.Length; corner++)
+            for (int corner = 0; corner < surface.triangles.Length; corner++)
             {
-                var a = surface.triangles[corner];
-                var b = surface.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-                var edge = (Math.Min(a, b), Math.Max(a, b));
-                uses.TryGetValue(edge, out var count);
+                int a = surface.triangles[corner];
+                int b = surface.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+                (int, int) edge = (Math.Min(a, b), Math.Max(a, b));
+                uses.TryGetValue(edge, out int count);
                 uses[edge] = count + 1;
             }
 

@@ -11,7 +11,7 @@ namespace Alate.Tests
         [Test]
         public void AMonarchsWing_HasTheMeasuredArea()
         {
-            var squareCentimetres = Monarch.Area * Monarch.Length * Monarch.Length * 1e4;
+            double squareCentimetres = Monarch.Area * Monarch.Length * Monarch.Length * 1e4;
 
             Assert.That(squareCentimetres, Is.EqualTo(12.7).Within(0.05));
         }
@@ -30,11 +30,11 @@ namespace Alate.Tests
         [Test]
         public void SmoothedEdges_PassThroughTheLandmarks_InsideTheTip()
         {
-            var smooth = Monarch.Smoothed();
+            WingOutline smooth = Monarch.Smoothed();
 
-            for (var i = 0; i < Monarch.LandmarkSpans.Count - 2; i++)
+            for (int i = 0; i < Monarch.LandmarkSpans.Count - 2; i++)
             {
-                var span = Monarch.LandmarkSpans[i];
+                double span = Monarch.LandmarkSpans[i];
                 Assert.That(smooth.LeadingAt(span), Is.EqualTo(Monarch.LeadingAt(span)).Within(1e-12));
                 Assert.That(smooth.TrailingAt(span), Is.EqualTo(Monarch.TrailingAt(span)).Within(1e-12));
             }
@@ -43,14 +43,14 @@ namespace Alate.Tests
         [Test]
         public void SmoothedEdges_StayInTheBandBetweenTwoLandmarks_UpToTheTip()
         {
-            var smooth = Monarch.Smoothed();
-            for (var i = 0; i + 3 < Monarch.LandmarkSpans.Count; i++)
+            WingOutline smooth = Monarch.Smoothed();
+            for (int i = 0; i + 3 < Monarch.LandmarkSpans.Count; i++)
             {
-                var from = Monarch.LandmarkSpans[i];
-                var to = Monarch.LandmarkSpans[i + 1];
-                for (var step = 0; step <= 50; step++)
+                double from = Monarch.LandmarkSpans[i];
+                double to = Monarch.LandmarkSpans[i + 1];
+                for (int step = 0; step <= 50; step++)
                 {
-                    var span = from + (to - from) * step / 50;
+                    double span = from + (to - from) * step / 50;
                     AssertBetween(smooth.LeadingAt(span), Monarch.LeadingAt(from), Monarch.LeadingAt(to));
                     AssertBetween(smooth.TrailingAt(span), Monarch.TrailingAt(from), Monarch.TrailingAt(to));
                 }
@@ -60,7 +60,7 @@ namespace Alate.Tests
         [Test]
         public void SmoothedTip_ClosesToAPoint_AtTheSameSpan()
         {
-            var smooth = Monarch.Smoothed();
+            WingOutline smooth = Monarch.Smoothed();
 
             Assert.That(smooth.HasRoundedTip, Is.True);
             Assert.That(smooth.ChordAt(1), Is.EqualTo(0).Within(1e-12));
@@ -71,10 +71,10 @@ namespace Alate.Tests
         [Test]
         public void ASmoothedEdge_DoesNotOvershoot_BesideASteepRise()
         {
-            var smooth = WingOutline.FromMillimetres(
+            WingOutline smooth = WingOutline.FromMillimetres(
                 new[] { 0.0, 10, 20, 30, 40 }, new[] { 1.0, 1.1, 11, 11.1, 11.1 }, new[] { -20.0, -20, -20, -20, 11 }).Smoothed();
 
-            for (var span = 0.0; span < 0.25; span += 0.005)
+            for (double span = 0.0; span < 0.25; span += 0.005)
             {
                 AssertBetween(smooth.LeadingAt(span), 1.0 / 40, 1.1 / 40);
                 AssertBetween(smooth.LeadingAt(span + 0.5), 11.0 / 40, 11.1 / 40);
@@ -87,9 +87,9 @@ namespace Alate.Tests
             var steep = WingOutline.FromMillimetres(
                 new[] { 0.0, 10, 20, 30 }, new[] { 12.0, 6, 0, 0 }, new[] { 5.5, 5.4, -1, -12 });
 
-            var smooth = steep.Smoothed();
+            WingOutline smooth = steep.Smoothed();
 
-            for (var span = 0.0; span < 0.7; span += 0.01)
+            for (double span = 0.0; span < 0.7; span += 0.01)
             {
                 Assert.That(smooth.ChordAt(span), Is.GreaterThanOrEqualTo(0.5 * steep.ChordAt(span)));
             }

@@ -14,7 +14,7 @@ namespace Alate.Tests.Crowds
         [TestCase(4096, 16, true)]
         public void EveryVertexAndFrame_HasAPixelOfItsOwn(int vertices, int frames, bool holdsNormals)
         {
-            BakeLayout layout = BakeLayout.Fit(vertices, frames, 4096, holdsNormals);
+            var layout = BakeLayout.Fit(vertices, frames, 4096, holdsNormals);
             var taken = new HashSet<int2>();
             for (int vertex = 0; vertex < vertices; vertex++)
             {
@@ -30,7 +30,7 @@ namespace Alate.Tests.Crowds
         [Test]
         public void Coordinates_AreThoseOfThePixelsMiddle()
         {
-            BakeLayout layout = BakeLayout.Fit(100, 4, 32, false);
+            var layout = BakeLayout.Fit(100, 4, 32, false);
             float2 first = layout.CoordinatesOf(0), below = layout.CoordinatesOf(layout.Width + 1);
 
             Assert.That(math.distance(first, new float2(0.5f / layout.Width, 1f - 0.5f / layout.Height)), Is.LessThan(1e-6f));

@@ -29,7 +29,7 @@ namespace Alate.Tests.Crowds
         public void ALoop_GoesOnFromItsEnd_AsBetweenAnyTwoFrames(string species)
         {
             BakedClip clip = Bake(Insect(species), "cruise").Clips[0];
-            var steps = new float[k_Frames];
+            float[] steps = new float[k_Frames];
             for (int frame = 0; frame < k_Frames; frame++)
                 steps[frame] = Distance(clip.Frames[frame].Positions, clip.Frames[(frame + 1) % k_Frames].Positions);
             float seam = steps[k_Frames - 1];
@@ -134,7 +134,7 @@ namespace Alate.Tests.Crowds
             InsectWings insect = Insect("monarch");
             var drawn = new GameObject("shell");
             drawn.transform.SetParent(insect.transform, false);
-            var mesh = Keep(new Mesh());
+            Mesh mesh = Keep(new Mesh());
             mesh.vertices = new Vector3[InsectBaker.MaxVertices];
             mesh.normals = new Vector3[InsectBaker.MaxVertices];
             drawn.AddComponent<MeshFilter>().sharedMesh = mesh;
@@ -146,7 +146,7 @@ namespace Alate.Tests.Crowds
         [Test]
         public void AnInsectWithoutWings_SaysWhatItLacks()
         {
-            var insect = Keep(new GameObject("bare")).AddComponent<InsectWings>();
+            InsectWings insect = Keep(new GameObject("bare")).AddComponent<InsectWings>();
 
             Assert.That(() => Bake(insect, "cruise"), Throws.TypeOf<BakeException>().With.Message.Contains("the list of wings is empty"));
         }
@@ -179,7 +179,7 @@ namespace Alate.Tests.Crowds
         // Out of play, so that the wings do not live.
         private InsectWings Insect(string species)
         {
-            InsectParts parts = InsectParts.Make(InsectCatalogue.Find(species));
+            var parts = InsectParts.Make(InsectCatalogue.Find(species));
             WingPreset[] presets = parts.CreatePresets(InsectVariant.Standard, ModelReading.Physical);
             GameObject made = parts.Assemble(presets);
             Keep(made);

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
@@ -47,7 +46,7 @@ namespace Alate.Tests.Crowds
 
         private static InsectBake Bake(string species)
         {
-            InsectParts parts = InsectParts.Make(InsectCatalogue.Find(species));
+            var parts = InsectParts.Make(InsectCatalogue.Find(species));
             GameObject made = parts.Assemble(parts.CreatePresets(InsectVariant.Standard, ModelReading.Physical));
             try
             {

@@ -149,7 +149,7 @@ namespace Alate.Tests
         {
             const int k_Corners = 200;
             var positions = new Vector3[k_Corners + 1];
-            var triangles = new int[3 * (k_Corners - 1)];
+            int[] triangles = new int[3 * (k_Corners - 1)];
             for (int k = 0; k < k_Corners; k++)
             {
                 float angle = Mathf.PI * (0.5f - (float)k / (k_Corners - 1)), radius = Mathf.Exp(-0.36f * angle);

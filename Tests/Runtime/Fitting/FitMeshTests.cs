@@ -91,7 +91,7 @@ namespace Alate.Tests
         {
             SurfaceMesh wing = Wing();
             int count = wing.positions.Length;
-            var vein = new[] { new Vector3(0.2f, 0.01f, 0f), new Vector3(0.8f, 0.01f, 0f), new Vector3(0.5f, 0.01f, 0.02f) };
+            Vector3[] vein = new[] { new Vector3(0.2f, 0.01f, 0f), new Vector3(0.8f, 0.01f, 0f), new Vector3(0.5f, 0.01f, 0.02f) };
             SurfaceMesh veined = Of(wing.positions.Concat(vein), wing.triangles.Concat(new[] { count, count + 1, count + 2 }));
 
             Assert.That(SkeletonFitter.Fit(veined, Hints()).Warns(SkeletonFitWarningKind.PiecesIgnored), Is.True);

@@ -65,7 +65,7 @@ namespace Alate.Tests
             int rings = random.Next(1, 9), rim = random.Next(500, 900);
             var positions = new List<Vector3>();
             var triangles = new List<int>();
-            var angles = new double[rings][];
+            double[][] angles = new double[rings][];
             for (int ring = 0; ring < rings; ring++)
             {
                 bool isRim = ring == rings - 1;
@@ -88,7 +88,7 @@ namespace Alate.Tests
 
         private static double[] Angles(int count, Random random)
         {
-            var angles = new double[count];
+            double[] angles = new double[count];
             double offset = random.NextDouble();
             for (int k = 0; k < count; k++)
                 angles[k] = 2.0 * Math.PI * (k + offset + 0.6 * (random.NextDouble() - 0.5)) / count;

@@ -17,7 +17,7 @@ namespace Alate.Tests
         [Test]
         public void ANewSpecies_IsAMonarch_InTheUnitsOfTheModel()
         {
-            var parameters = m_Preset.ToParameters();
+            WingParameters parameters = m_Preset.ToParameters();
 
             Assert.That(parameters.maxFrequency, Is.EqualTo(11f));
             Assert.That(parameters.maxSpeed, Is.EqualTo(2f));
@@ -36,10 +36,10 @@ namespace Alate.Tests
         [Test]
         public void ANewSpecies_GivesTheDefaultsOfTheModel()
         {
-            var made = m_Preset.ToParameters();
-            var expected = WingParameters.Default;
+            WingParameters made = m_Preset.ToParameters();
+            WingParameters expected = WingParameters.Default;
 
-            foreach (var range in WingParameterRange.All)
+            foreach (WingParameterRange range in WingParameterRange.All)
             {
                 Assert.That(range.Of(ref made), Is.EqualTo(range.Of(ref expected)).Within(0.3).Percent, range.Name);
             }
@@ -54,7 +54,7 @@ namespace Alate.Tests
             Assert.That(m_Preset.ReferenceFrequency, Is.EqualTo(11f).Within(1e-3f));
 
             m_Preset.Beat.maxSpeed = 2f;
-            var tipSpeed = 2 * Math.PI * 11 * (Math.PI / 3) * 0.061;
+            double tipSpeed = 2 * Math.PI * 11 * (Math.PI / 3) * 0.061;
             Assert.That(m_Preset.ReferenceFrequency, Is.EqualTo(11 * Math.Sqrt(1 + 4 / (tipSpeed * tipSpeed))).Within(1e-4));
         }
 
@@ -73,7 +73,7 @@ namespace Alate.Tests
 
             m_Preset.ApplyReading(ModelReading.Paper);
 
-            var parameters = m_Preset.ToParameters();
+            WingParameters parameters = m_Preset.ToParameters();
             Assert.That(parameters.chordDelay, Is.EqualTo(1f));
             Assert.That(parameters.spanDelay, Is.EqualTo(0f));
             Assert.That(parameters.inertia, Is.EqualTo(2f));
@@ -90,7 +90,7 @@ namespace Alate.Tests
         [Test]
         public void PhysicalPreset_UndoesThePaperPreset()
         {
-            var before = m_Preset.ToParameters();
+            WingParameters before = m_Preset.ToParameters();
 
             m_Preset.ApplyReading(ModelReading.Paper);
             m_Preset.ApplyReading(ModelReading.Physical);

@@ -87,7 +87,7 @@ namespace Alate.Editor
         private EditOutcome Move(Vector3 worldDelta, DragMode mode)
         {
             EditOutcome outcome = EditOutcome.Success;
-            foreach (var (editing, start, joints) in m_Parts)
+            foreach ((SkeletonEditing editing, EditStart start, JointIndex[] joints) in m_Parts)
             {
                 Vector3 delta = editing.LocalToWorld.inverse.MultiplyVector(worldDelta);
                 Proposal moved = mode == DragMode.Surface && editing.Surface != null
@@ -105,7 +105,7 @@ namespace Alate.Editor
             float distance = path.ClosestTo(origin, direction) - path.DistanceOf(m_Joint.joint);
             EditOutcome outcome = EditOutcome.Success;
             float scale = ScaleOf(m_Grabbed.LocalToWorld);
-            foreach (var (editing, start, joints) in m_Parts)
+            foreach ((SkeletonEditing editing, EditStart start, JointIndex[] joints) in m_Parts)
             {
                 float own = distance * (editing == m_Grabbed ? 1f : scale / ScaleOf(editing.LocalToWorld));
                 outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, SlideCommands.By(start.Own, joints, own)));

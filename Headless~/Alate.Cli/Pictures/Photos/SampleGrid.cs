@@ -89,7 +89,7 @@ internal sealed class SampleGrid
                     Index(k_Fineness * (k % Width) + sample % k_Fineness, k_Fineness * (k / Width) + sample / k_Fineness), paper, sheets);
             }
 
-            int3 shown = (int3)math.round(255f * Shading.ToEncoded(sum / (k_Fineness * k_Fineness)));
+            var shown = (int3)math.round(255f * Shading.ToEncoded(sum / (k_Fineness * k_Fineness)));
             pixels[k] = new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
         }
 

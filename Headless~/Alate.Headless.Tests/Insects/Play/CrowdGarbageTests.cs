@@ -38,9 +38,9 @@ namespace Alate.Tests.Play
 
         private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset preset)
         {
-            var root = Keep(new GameObject("insect"));
+            GameObject root = Keep(new GameObject("insect"));
             root.SetActive(false);
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
             insect.Preset = preset;
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })

@@ -134,7 +134,7 @@ namespace Alate.Tests.Play
 
             public FlightCommand Command(in FlightSituation situation)
             {
-                FlightCommand command = FlightCommand.Fly(default);
+                var command = FlightCommand.Fly(default);
                 command.wish = sits ? FlightWish.Perch : FlightWish.Fly;
                 command.spot = new PerchSpot { position = spot, normal = Vector3.up, heading = 1f };
                 return command;

@@ -71,7 +71,7 @@ namespace Alate.Tests.Play.Headless
         {
             m_Scene = new CrowdScene("monarch", 2, "cruise");
             m_Scene.Place(0, CrowdPose.At(default, quaternion.identity, 0.1f));
-            CrowdPose quick = CrowdPose.At(default, quaternion.identity, 0.1f);
+            var quick = CrowdPose.At(default, quaternion.identity, 0.1f);
             quick.rate = 2f;
             m_Scene.Place(1, quick);
             yield return CrowdScene.Frames(7);
@@ -113,7 +113,7 @@ namespace Alate.Tests.Play.Headless
             m_Scene.Crowd.LiveCount = 1;
             float largest = 0f;
             int swapped = -1;
-            var late = m_Scene.Crowd.gameObject.AddComponent<LateDeeds>();
+            LateDeeds late = m_Scene.Crowd.gameObject.AddComponent<LateDeeds>();
             for (int frame = 0; frame < 150; frame++)
             {
                 int now = frame;

@@ -121,7 +121,7 @@ namespace Alate.Tests.Play
 
             public FlightCommand Command(in FlightSituation situation)
             {
-                FlightCommand command = FlightCommand.Fly(default);
+                var command = FlightCommand.Fly(default);
                 command.wish = sits ? FlightWish.Perch : FlightWish.Fly;
                 command.spot = new PerchSpot { position = new Vector3(1f, 2f, 3f), normal = Vector3.up, heading = 1f };
                 return command;

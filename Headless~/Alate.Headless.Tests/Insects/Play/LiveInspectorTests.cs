@@ -32,7 +32,7 @@ namespace Alate.Tests.Play
             m_Editor = UnityEditor.Editor.CreateEditor(insect);
             yield return Watched(120);
 
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
 
             Assert.That(page.Control("Frequency").Value, Is.EqualTo("8.8 Hz"));
             Assert.That(page.Control("Flap Range").Value, Does.EndWith("°"));
@@ -220,7 +220,7 @@ namespace Alate.Tests.Play
 
             RecordingPen pen = Draw(insect, GizmoLayers.Velocity);
 
-            var line = pen.Lines.First(l => l.colour == GizmoColours.Velocity);
+            (Vector3 from, Vector3 to, Color colour) line = pen.Lines.First(l => l.colour == GizmoColours.Velocity);
             Assert.That((line.to - line.from).z, Is.EqualTo(5f / insect.Frequency).Within(1e-3f));
         }
 
@@ -242,7 +242,7 @@ namespace Alate.Tests.Play
             insect.Quality.culling = WingCulling.CullCompletely;
             yield return Frames(10);
 
-            InsectStatus status = InsectStatus.Of(insect);
+            var status = InsectStatus.Of(insect);
 
             Assert.That(insect.Detail, Is.EqualTo(WingDetail.Frozen));
             Assert.That(status.Kind, Is.EqualTo(MessageType.Info));

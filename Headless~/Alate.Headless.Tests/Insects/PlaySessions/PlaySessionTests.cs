@@ -140,7 +140,7 @@ namespace Alate.Tests.PlaySessions
         {
             var root = new GameObject("insect");
             root.SetActive(false);
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
             var drawn = new GameObject("wing");
             drawn.transform.SetParent(root.transform, false);

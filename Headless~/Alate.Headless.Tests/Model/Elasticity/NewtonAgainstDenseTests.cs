@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using MathNet.Numerics.LinearAlgebra;
 using NUnit.Framework;
@@ -72,14 +73,14 @@ namespace Alate.Tests
                 rest[k] = new float3(along, 0f, -across * (0.3f + 0.4f * along)) + random.NextFloat3(-jitter, jitter);
             }
 
-            var springs = SpringFixture.Grid(chains, perChain, rest);
+            List<Spring> springs = SpringFixture.Grid(chains, perChain, rest);
             float stiffness = elasticity * 10f * k_BeatRate * k_BeatRate, anchorRate = 2f * k_BeatRate * math.sqrt(elasticity);
             quaternion turn = random.NextQuaternionRotation();
             float noise = 1e-3f / math.max(chains, perChain);
             float3 bend = random.NextFloat3(-0.01f, 0.01f), shear = random.NextFloat3(-0.001f, 0.001f);
-            var start = new double[3 * joints];
-            var anchors = new double[3 * joints];
-            var inertia = new double[joints];
+            double[] start = new double[3 * joints];
+            double[] anchors = new double[3 * joints];
+            double[] inertia = new double[joints];
             using (var fixture = new SpringFixture(chains, perChain, springs, stiffness))
             {
                 for (int k = 0; k < joints; k++)

@@ -106,7 +106,7 @@ namespace Alate.Tests
                     double mean = 0.5 * (fixture.Pack.bendStiffness[chain * k_Bones].x + fixture.Pack.bendStiffness[other * k_Bones].x);
                     for (int joint = 1; joint <= k_Bones; joint++)
                     {
-                        var levers = new double[wanted.Length];
+                        double[] levers = new double[wanted.Length];
                         for (int bone = 0; bone < joint; bone++)
                         {
                             levers[chain * k_Bones + bone] = 0.25 * (joint - bone) / width;

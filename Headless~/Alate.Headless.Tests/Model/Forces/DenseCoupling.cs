@@ -32,7 +32,7 @@ namespace Alate.Tests
         /// <summary>The bends at the minimum.</summary>
         public double[] Minimum()
         {
-            var bends = (double[])m_Wanted.Clone();
+            double[] bends = (double[])m_Wanted.Clone();
             for (int iteration = 0; iteration < 200; iteration++)
             {
                 Vector<double> gradient = Linearise(bends, out Matrix<double> hessian);
@@ -40,7 +40,7 @@ namespace Alate.Tests
                     return bends;
                 Vector<double> step = -hessian.Cholesky().Solve(gradient);
                 double slope = gradient * step, energy = Energy(bends), share = 1.0;
-                var moved = new double[bends.Length];
+                double[] moved = new double[bends.Length];
                 for (; share > 1e-12; share *= 0.5)
                 {
                     for (int k = 0; k < moved.Length; k++)

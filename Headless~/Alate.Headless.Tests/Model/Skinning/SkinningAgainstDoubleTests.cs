@@ -26,7 +26,7 @@ namespace Alate.Tests
                 for (int joint = 0; joint < palette.Length; joint++)
                 {
                     // Turned by up to 50° from each other, with either sign of the quaternion.
-                    quaternion own = quaternion.AxisAngle(random.NextFloat3Direction(), random.NextFloat(0f, math.radians(50f)));
+                    var own = quaternion.AxisAngle(random.NextFloat3Direction(), random.NextFloat(0f, math.radians(50f)));
                     palette[joint] = new DualQuaternion(math.mul(common, own), random.NextFloat3(-0.3f, 0.3f));
                     if (random.NextBool())
                         palette[joint] = new DualQuaternion { real = -palette[joint].real, dual = -palette[joint].dual };
@@ -53,8 +53,8 @@ namespace Alate.Tests
             int heaviest = 0;
             for (int k = 1; k < 4; k++)
                 heaviest = weights[k] > weights[heaviest] ? k : heaviest;
-            var real = new double[4];
-            var dual = new double[4];
+            double[] real = new double[4];
+            double[] dual = new double[4];
             for (int k = 0; k < 4; k++)
             {
                 DualQuaternion d = palette[joints[k]];

@@ -72,10 +72,10 @@ namespace Alate.Tests
         {
             using var world = new WingWorld();
             var edges = new EdgeStretch(flight.Rest, flight.Triangles);
-            var stretches = new float[edges.Count];
-            var airs = Array.ConvertAll(directions, direction => airOf(direction));
-            var wings = Array.ConvertAll(airs, air => world.Add(flight.Rig, flight.parameters, air(0f)));
-            var counts = new int[directions.Length][];
+            float[] stretches = new float[edges.Count];
+            Func<float, WingSurroundings>[] airs = Array.ConvertAll(directions, direction => airOf(direction));
+            WingHandle[] wings = Array.ConvertAll(airs, air => world.Add(flight.Rig, flight.parameters, air(0f)));
+            int[][] counts = new int[directions.Length][];
             for (int k = 0; k < counts.Length; k++)
                 counts[k] = new int[4001];
             int steps = flight.parameters.substepsPerBeat;

@@ -37,7 +37,7 @@ internal static class DrawnProperty
 
         var line = new Rect(position.x, position.y, position.width, k_Line);
         bool hasChildren = property.Node.Children != null && property.propertyType == SerializedPropertyType.Generic;
-        var range = property.Node.Field?.GetCustomAttribute<RangeAttribute>();
+        RangeAttribute range = property.Node.Field?.GetCustomAttribute<RangeAttribute>();
         if (range != null && !hasChildren)
             Slide(line, property, range.min, range.max, label);
         else if (GuiPage.Needed.Add(hasChildren ? ControlKind.Foldout : ControlKind.Field, line, label, ValueOf(property)))

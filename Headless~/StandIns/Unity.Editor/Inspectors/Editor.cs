@@ -32,7 +32,7 @@ public class Editor : ScriptableObject
     public static Editor CreateEditor(Object targetObject) => CreateEditor([targetObject]);
     public static Editor CreateEditor(Object[] targetObjects)
     {
-        var editor = Factory.Make<Editor>(Custom.EditorOf(targetObjects));
+        Editor editor = Factory.Make<Editor>(Custom.EditorOf(targetObjects));
         editor.target = targetObjects[0];
         editor.targets = targetObjects;
         editor.Begin();

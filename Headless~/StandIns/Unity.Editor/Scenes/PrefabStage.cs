@@ -10,7 +10,7 @@ public sealed class PrefabStage : PreviewSceneStage
 
     internal static PrefabStage Of(string path)
     {
-        var stage = CreateInstance<PrefabStage>();
+        PrefabStage stage = CreateInstance<PrefabStage>();
         stage._assetPath = path;
         return stage;
     }

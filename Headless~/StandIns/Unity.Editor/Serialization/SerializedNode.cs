@@ -167,7 +167,7 @@ internal sealed class SerializedNode
     {
         if (!typeof(Object).IsAssignableFrom(type) || type.IsAbstract)
             return null;
-        var nothing = Factory.Make<Object>(type);
+        Object nothing = Factory.Make<Object>(type);
         nothing.MarkDestroyed();
         return nothing;
     }

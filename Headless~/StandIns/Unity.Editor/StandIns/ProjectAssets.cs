@@ -103,7 +103,7 @@ public static class ProjectAssets
 
     internal static string PathOf(Object asset)
     {
-        foreach (var (path, known) in s_Assets)
+        foreach ((string path, Object known) in s_Assets)
         {
             if (ReferenceEquals(known, asset) && asset != null)
                 return path;

@@ -24,7 +24,7 @@ internal static class RoutineRunner
     private static void Play(IEnumerator routine)
     {
         var guarded = new GuardedRoutine(routine);
-        RoutineHost host = RoutineHost.Create();
+        var host = RoutineHost.Create();
         var watch = Stopwatch.StartNew();
         try
         {

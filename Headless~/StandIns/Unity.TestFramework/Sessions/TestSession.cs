@@ -65,7 +65,7 @@ public static class TestSession
     private static bool MustExpectAll(ITest test)
     {
         Type type = test.TypeInfo?.Type;
-        var attribute = test.Method?.MethodInfo.GetCustomAttribute<TestMustExpectAllLogsAttribute>()
+        TestMustExpectAllLogsAttribute attribute = test.Method?.MethodInfo.GetCustomAttribute<TestMustExpectAllLogsAttribute>()
             ?? type?.GetCustomAttribute<TestMustExpectAllLogsAttribute>()
             ?? type?.Assembly.GetCustomAttribute<TestMustExpectAllLogsAttribute>();
         return attribute is { MustExpect: true };

@@ -45,7 +45,7 @@ public sealed unsafe class NativeArrayTests : SafetyFixture
     [Test]
     public void SubArray_SharesTheMemory_ButCannotBeDisposed()
     {
-        var part = m_Array.GetSubArray(1, 3);
+        NativeArray<int> part = m_Array.GetSubArray(1, 3);
         part[0] = 99;
         Assert.That(m_Array[1], Is.EqualTo(99));
         Assert.That(part.Length, Is.EqualTo(3));
@@ -66,7 +66,7 @@ public sealed unsafe class NativeArrayTests : SafetyFixture
     [Test]
     public void Copy_MovesRanges_AndRefusesWhatDoesNotFit()
     {
-        var managed = new int[5];
+        int[] managed = new int[5];
         NativeArray<int>.Copy(m_Array, 1, managed, 2, 3);
         Assert.That(managed, Is.EqualTo(new[] { 0, 0, 11, 12, 13 }));
         NativeArray<int>.Copy(managed, 2, m_Array, 0, 2);
@@ -100,7 +100,7 @@ public sealed unsafe class NativeArrayTests : SafetyFixture
         TestBuild.RequireChecks();
         var array = new NativeArray<int>(5, Allocator.Persistent);
         NativeArray<int> copy = array, part = array.GetSubArray(1, 2);
-        var view = array.AsReadOnly();
+        NativeArray<int>.ReadOnly view = array.AsReadOnly();
         array.Dispose();
         Assert.That(array.IsCreated, Is.False);
         Assert.That(() => array[0], Throws.TypeOf<ObjectDisposedException>());
@@ -118,7 +118,7 @@ public sealed unsafe class NativeArrayTests : SafetyFixture
     {
         TestBuild.RequireChecks();
         var array = new NativeArray<int>(5, Allocator.Persistent);
-        var copy = array;
+        NativeArray<int> copy = array;
         array.Dispose();
         using var next = new NativeArray<int>(5, Allocator.Persistent);
         Assert.That(() => copy[0], Throws.TypeOf<ObjectDisposedException>());
@@ -130,7 +130,7 @@ public sealed unsafe class NativeArrayTests : SafetyFixture
     {
         TestBuild.RequireChecks();
         var array = new NativeArray<int>(5, Allocator.Persistent);
-        var copy = array;
+        NativeArray<int> copy = array;
         array.Dispose();
         Assert.That(() => array.Dispose(), Throws.TypeOf<ObjectDisposedException>());
         Assert.That(() => copy.Dispose(), Throws.TypeOf<ObjectDisposedException>());

@@ -4,6 +4,7 @@ using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
@@ -14,7 +15,7 @@ public sealed class ComponentTests : FreshSceneFixture
     [Test]
     public void ARequiredComponent_IsAddedToo_AndCannotBeTakenAway()
     {
-        var needy = new GameObject("a").AddComponent<Needy>();
+        Needy needy = new GameObject("a").AddComponent<Needy>();
         Assert.That(needy.TryGetComponent(out Rigidbody body), Is.True);
 
         LogAssert.Expect(LogType.Error, new Regex("depends on it"));
@@ -52,7 +53,7 @@ public sealed class ComponentTests : FreshSceneFixture
     public void ADestroyedComponent_IsNoLongerFound_AndEqualsNull()
     {
         var owner = new GameObject("a", typeof(Single));
-        var single = owner.GetComponent<Single>();
+        Single single = owner.GetComponent<Single>();
         Object.DestroyImmediate(single);
 
         Assert.That(owner.GetComponent<Single>(), Is.Null);
@@ -63,7 +64,7 @@ public sealed class ComponentTests : FreshSceneFixture
     [Test]
     public void ACoroutine_WaitsAsItSays_AndEndsWithItsObject()
     {
-        var host = new GameObject("a").AddComponent<Single>();
+        Single host = new GameObject("a").AddComponent<Single>();
         var lines = new List<string>();
         host.StartCoroutine(Steps(lines));
         Assert.That(lines, Is.EqualTo(new[] { "at once" }));
@@ -84,7 +85,7 @@ public sealed class ComponentTests : FreshSceneFixture
     [Test]
     public void ABodyInFreeFall_ObeysNewton()
     {
-        var body = new GameObject("a").AddComponent<Rigidbody>();
+        Rigidbody body = new GameObject("a").AddComponent<Rigidbody>();
         for (int i = 0; i < 50; i++)
             PlayerLoop.Tick(0.02f);
 
@@ -96,7 +97,7 @@ public sealed class ComponentTests : FreshSceneFixture
     public void AScenesObjects_EndWithIt_AndOthersStay()
     {
         var stays = new GameObject("stays");
-        var scene = UnityEngine.SceneManagement.SceneManager.CreateScene("other");
+        Scene scene = UnityEngine.SceneManagement.SceneManager.CreateScene("other");
         var moves = new GameObject("moves", typeof(Diary));
         UnityEngine.SceneManagement.SceneManager.MoveGameObjectToScene(moves, scene);
         Diary.Lines.Clear();
@@ -115,7 +116,7 @@ public sealed class ComponentTests : FreshSceneFixture
         PlayerLoop.ExitPlayMode();
         Diary.Lines.Clear();
         var quiet = new GameObject("quiet", typeof(Diary));
-        var always = new GameObject("always").AddComponent<Always>();
+        Always always = new GameObject("always").AddComponent<Always>();
         PlayerLoop.Tick(0.1f);
 
         Assert.That(Diary.Lines, Is.Empty);

@@ -14,7 +14,7 @@ public sealed class CopyTests : FreshSceneFixture
     [Test]
     public void ACopy_HasWhatIsSaved_AndNothingElse()
     {
-        var original = new GameObject("a").AddComponent<Bag>();
+        Bag original = new GameObject("a").AddComponent<Bag>();
         original.Fill();
 
         Bag copy = Object.Instantiate(original);
@@ -40,7 +40,7 @@ public sealed class CopyTests : FreshSceneFixture
     public void ReferencesInsideTheHierarchy_LeadToTheCopies_OthersStay()
     {
         var outside = new GameObject("outside");
-        var root = new GameObject("root").AddComponent<Bag>();
+        Bag root = new GameObject("root").AddComponent<Bag>();
         var child = new GameObject("child");
         child.transform.SetParent(root.transform);
         root.target = child.transform;
@@ -76,7 +76,7 @@ public sealed class CopyTests : FreshSceneFixture
     [Test]
     public void ACopy_StandsWhereItIsPut()
     {
-        var parent = new GameObject("parent").transform;
+        Transform parent = new GameObject("parent").transform;
         parent.position = new Vector3(1f, 0f, 0f);
         var original = new GameObject("a");
         original.transform.position = new Vector3(0f, 5f, 0f);

@@ -48,7 +48,7 @@ public sealed class EditModeTests
     {
         yield return new EnterPlayMode();
         Assert.That(Application.isPlaying, Is.True);
-        var played = new GameObject("a").AddComponent<Silent>();
+        Silent played = new GameObject("a").AddComponent<Silent>();
         yield return null;
         Assert.That(played.Heard, Is.EqualTo(2));
         yield return new ExitPlayMode();

@@ -58,7 +58,7 @@ public sealed class LifecycleTests : FreshSceneFixture
     public void Destroy_WaitsForTheEndOfTheFrame_AndDisablesFirst()
     {
         var doomed = new GameObject("a");
-        var diary = doomed.AddComponent<Diary>();
+        Diary diary = doomed.AddComponent<Diary>();
         Object.Destroy(doomed);
         Assert.That(doomed == null, Is.False);
         Diary.Lines.Clear();
@@ -74,7 +74,7 @@ public sealed class LifecycleTests : FreshSceneFixture
     public void DestroyImmediate_OfAParent_EndsItsChildren()
     {
         var parent = new GameObject("parent");
-        var child = new GameObject("child").AddComponent<Diary>();
+        Diary child = new GameObject("child").AddComponent<Diary>();
         child.transform.SetParent(parent.transform);
         Diary.Lines.Clear();
 
@@ -132,8 +132,8 @@ public sealed class LifecycleTests : FreshSceneFixture
     [Test]
     public void ExitingPlayMode_EndsEverythingButWhatIsMarkedDontSave()
     {
-        var ordinary = new GameObject("ordinary").AddComponent<Diary>();
-        var lasting = new GameObject("lasting").AddComponent<Diary>();
+        Diary ordinary = new GameObject("ordinary").AddComponent<Diary>();
+        Diary lasting = new GameObject("lasting").AddComponent<Diary>();
         Object.DontDestroyOnLoad(lasting.gameObject);
         var hidden = new GameObject("hidden") { hideFlags = HideFlags.HideAndDontSave };
 

@@ -160,7 +160,7 @@ public sealed class MeshTests : FreshSceneFixture
     [Test]
     public void AFiltersOwnMesh_IsACopy_AndTheSharedOneStays()
     {
-        var filter = new GameObject("a").AddComponent<MeshFilter>();
+        MeshFilter filter = new GameObject("a").AddComponent<MeshFilter>();
         filter.sharedMesh = m_Mesh;
         Mesh own = filter.mesh;
 

@@ -16,7 +16,7 @@ public sealed class PngFileTests
             Assert.Ignore("There is no such kind.");
         var sample = new PngSample { ColourType = colourType, Depth = depth, IsInterlaced = isInterlaced };
 
-        PngFile png = PngFile.Read(sample.Write());
+        var png = PngFile.Read(sample.Write());
 
         for (int k = 0; k < png.Pixels.Length; k++)
         {
@@ -38,11 +38,11 @@ public sealed class PngFileTests
     [TestCase(8, 200)]
     public void Palette_IsLookedUp(int depth, int colours)
     {
-        var palette = new byte[3 * colours];
+        byte[] palette = new byte[3 * colours];
         new System.Random(depth).NextBytes(palette);
         var sample = new PngSample { ColourType = 3, Depth = depth, Palette = palette, Transparency = [7] };
 
-        PngFile png = PngFile.Read(sample.Write());
+        var png = PngFile.Read(sample.Write());
 
         for (int k = 0; k < png.Pixels.Length; k++)
         {
@@ -57,7 +57,7 @@ public sealed class PngFileTests
     {
         var sample = new PngSample { ColourType = 0, Transparency = [0, 37] };
 
-        PngFile png = PngFile.Read(sample.Write());
+        var png = PngFile.Read(sample.Write());
 
         for (int k = 0; k < png.Pixels.Length; k++)
             Assert.That(png.Pixels[k].a, Is.EqualTo(sample.Sample(k % 13, k / 13, 0) == 37 ? 0 : 255));
@@ -77,7 +77,7 @@ public sealed class PngFileTests
         byte[] whole = new PngSample().Write();
         for (int k = 0; k < whole.Length; k++)
         {
-            var changed = (byte[])whole.Clone();
+            byte[] changed = (byte[])whole.Clone();
             changed[k] ^= 0x10;
             Assert.That(() => PngFile.Read(changed), Throws.TypeOf<FormatException>(), $"byte {k}");
         }

@@ -35,7 +35,7 @@ internal sealed class PngSample
     {
         using var file = new MemoryStream();
         file.Write([0x89, (byte)'P', (byte)'N', (byte)'G', 13, 10, 26, 10]);
-        var header = new byte[13];
+        byte[] header = new byte[13];
         BinaryPrimitives.WriteInt32BigEndian(header, Width);
         BinaryPrimitives.WriteInt32BigEndian(header.AsSpan(4), Height);
         (header[8], header[9], header[12]) = ((byte)Depth, (byte)ColourType, (byte)(IsInterlaced ? 1 : 0));
@@ -54,7 +54,7 @@ internal sealed class PngSample
 
     public static void WriteChunk(Stream file, string name, byte[] content)
     {
-        var chunk = new byte[8 + content.Length];
+        byte[] chunk = new byte[8 + content.Length];
         BinaryPrimitives.WriteInt32BigEndian(chunk, content.Length);
         for (int k = 0; k < 4; k++)
             chunk[4 + k] = (byte)name[k];
@@ -89,10 +89,10 @@ internal sealed class PngSample
     private void WritePass(Stream packing, int left, int top, int across, int down)
     {
         int columns = (Width - left + across - 1) / across;
-        var above = new byte[(columns * Channels * Depth + 7) / 8];
+        byte[] above = new byte[(columns * Channels * Depth + 7) / 8];
         for (int row = top, line = 0; columns > 0 && row < Height; row += down, line++)
         {
-            var bytes = new byte[above.Length];
+            byte[] bytes = new byte[above.Length];
             for (int k = 0; k < columns * Channels; k++)
                 Put(bytes, k, Sample(left + k / Channels * across, row, k % Channels));
             int filter = line % 5;

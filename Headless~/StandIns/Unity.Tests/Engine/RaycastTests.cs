@@ -65,7 +65,7 @@ public sealed class RaycastTests : FreshSceneFixture
 
     private static T Made<T>(Vector3 place) where T : Collider
     {
-        var made = new GameObject(typeof(T).Name).AddComponent<T>();
+        T made = new GameObject(typeof(T).Name).AddComponent<T>();
         made.transform.position = place;
         return made;
     }

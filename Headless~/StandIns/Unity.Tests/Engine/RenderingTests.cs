@@ -35,7 +35,7 @@ public sealed class RenderingTests : FreshSceneFixture
         Transform camera = new GameObject("camera", typeof(Camera)).transform;
         camera.position = new Vector3(0f, 0f, -5f);
         Renderer renderer = Draw();
-        var witness = renderer.gameObject.AddComponent<Witness>();
+        Witness witness = renderer.gameObject.AddComponent<Witness>();
 
         PlayerLoop.Tick(0f);
         Assert.That((renderer.isVisible, witness.seen), Is.EqualTo((true, 1)));
@@ -56,7 +56,7 @@ public sealed class RenderingTests : FreshSceneFixture
     [Test]
     public void WorldToViewport_PutsTheAxisInTheMiddle_AndTheFrustumsEdgeAtOne()
     {
-        var camera = new GameObject("camera").AddComponent<Camera>();
+        Camera camera = new GameObject("camera").AddComponent<Camera>();
         camera.fieldOfView = 90f;
         Vector3 edge = camera.WorldToViewportPoint(new Vector3(0f, 4f, 4f));
         Assert.That((edge - new Vector3(0.5f, 1f, 4f)).magnitude, Is.LessThan(1e-5f));
@@ -65,7 +65,7 @@ public sealed class RenderingTests : FreshSceneFixture
     [Test]
     public void ASkin_FollowsItsBones()
     {
-        var renderer = new GameObject("skin").AddComponent<SkinnedMeshRenderer>();
+        SkinnedMeshRenderer renderer = new GameObject("skin").AddComponent<SkinnedMeshRenderer>();
         Transform bone = new GameObject("bone").transform;
         m_Mesh.bindposes = new[] { Matrix4x4.identity };
         m_Mesh.boneWeights = System.Array.ConvertAll(m_Mesh.vertices, _ => new BoneWeight { weight0 = 1f });
@@ -102,7 +102,7 @@ public sealed class RenderingTests : FreshSceneFixture
         Transform bone = new GameObject("bone").transform;
         Transform outside = new GameObject("outside").transform;
         bone.SetParent(root);
-        var skin = root.gameObject.AddComponent<SkinnedMeshRenderer>();
+        SkinnedMeshRenderer skin = root.gameObject.AddComponent<SkinnedMeshRenderer>();
         skin.bones = new[] { bone, outside, null };
         skin.rootBone = bone;
         skin.probeAnchor = bone;
@@ -111,7 +111,7 @@ public sealed class RenderingTests : FreshSceneFixture
 
         Transform copy = Object.Instantiate(root);
 
-        var twin = copy.GetComponent<SkinnedMeshRenderer>();
+        SkinnedMeshRenderer twin = copy.GetComponent<SkinnedMeshRenderer>();
         Assert.That(twin.bones, Is.EqualTo(new[] { copy.GetChild(0), outside, null }));
         Assert.That(twin.rootBone, Is.SameAs(copy.GetChild(0)));
         Assert.That(twin.probeAnchor, Is.SameAs(copy.GetChild(0)));
@@ -123,7 +123,7 @@ public sealed class RenderingTests : FreshSceneFixture
     public void LevelsOfDetail_AreCopies_InFallingOrder()
     {
         Renderer renderer = Draw();
-        var group = renderer.gameObject.AddComponent<LODGroup>();
+        LODGroup group = renderer.gameObject.AddComponent<LODGroup>();
         group.SetLODs(new[] { new LOD(0.5f, new[] { renderer }), new LOD(0.2f, null) });
         group.GetLODs()[0].renderers[0] = null;
 
@@ -161,7 +161,7 @@ public sealed class RenderingTests : FreshSceneFixture
         Assert.That(() => m_Mesh.AddBlendShapeFrame("frown", 80f, new Vector3[1], null, null), Throws.ArgumentException);
 
         Mesh copy = Object.Instantiate(m_Mesh);
-        var (moves, turns) = (new Vector3[4], new Vector3[4]);
+        (Vector3[] moves, Vector3[] turns) = (new Vector3[4], new Vector3[4]);
         copy.GetBlendShapeFrameVertices(copy.GetBlendShapeIndex("smile"), 0, moves, turns, null);
         Assert.That((copy.blendShapeCount, copy.GetBlendShapeFrameCount(0), copy.GetBlendShapeFrameWeight(0, 1)), Is.EqualTo((1, 2, 100f)));
         Assert.That((moves[2], turns[2]), Is.EqualTo((deltas[2], Vector3.zero)));

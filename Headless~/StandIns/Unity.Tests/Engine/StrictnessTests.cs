@@ -81,7 +81,7 @@ public sealed class StrictnessTests
     {
         var made = new GameObject("a", typeof(Script));
         Object copy = Object.Instantiate(made);
-        var asset = ScriptableObject.CreateInstance<Asset>();
+        Asset asset = ScriptableObject.CreateInstance<Asset>();
         Object.DestroyImmediate(made);
         Object.DestroyImmediate(copy);
         Object.DestroyImmediate(asset);

@@ -11,7 +11,7 @@ public sealed class TransformTests : FreshSceneFixture
     [Test]
     public void EulerAngles_TurnAboutZThenXThenY()
     {
-        Quaternion turn = Quaternion.Euler(10f, 20f, 30f);
+        var turn = Quaternion.Euler(10f, 20f, 30f);
         Quaternion oneByOne = Quaternion.AngleAxis(20f, Vector3.up)
             * Quaternion.AngleAxis(10f, Vector3.right)
             * Quaternion.AngleAxis(30f, Vector3.forward);
@@ -23,14 +23,14 @@ public sealed class TransformTests : FreshSceneFixture
     [Test]
     public void EulerAngles_RoundTrip_AlsoAtThePoles([Values(-90f, -60f, 0f, 45f, 90f)] float x, [Values(-170f, 0f, 80f)] float y)
     {
-        Quaternion turn = Quaternion.Euler(x, y, 33f);
+        var turn = Quaternion.Euler(x, y, 33f);
         Assert.That(Quaternion.Angle(turn, Quaternion.Euler(turn.eulerAngles)), Is.LessThan(0.2f));
     }
 
     [Test]
     public void LookRotation_TurnsForwardAndUp()
     {
-        Quaternion look = Quaternion.LookRotation(new Vector3(1f, 2f, 3f), Vector3.up);
+        var look = Quaternion.LookRotation(new Vector3(1f, 2f, 3f), Vector3.up);
         AssertClose(look * Vector3.forward, new Vector3(1f, 2f, 3f).normalized, 1e-5f);
         Assert.That(Vector3.Dot(look * Vector3.right, Vector3.up), Is.Zero.Within(1e-6f));
     }
@@ -46,7 +46,7 @@ public sealed class TransformTests : FreshSceneFixture
     [Test]
     public void AMatrix_TimesItsInverse_IsTheIdentity()
     {
-        Matrix4x4 m = Matrix4x4.TRS(new Vector3(1f, 2f, 3f), Quaternion.Euler(10f, 20f, 30f), new Vector3(2f, -3f, 0.5f));
+        var m = Matrix4x4.TRS(new Vector3(1f, 2f, 3f), Quaternion.Euler(10f, 20f, 30f), new Vector3(2f, -3f, 0.5f));
         AssertClose(m * m.inverse, Matrix4x4.identity, 1e-5f);
         Assert.That(m.determinant, Is.EqualTo(-3f).Within(1e-4f));
         AssertClose((Vector3)(m * new Vector4(1f, 1f, 1f, 1f)), m.MultiplyPoint3x4(Vector3.one), 1e-5f);
@@ -74,7 +74,7 @@ public sealed class TransformTests : FreshSceneFixture
         parent.localScale = new Vector3(-2f, 2f, 2f);
         Transform child = Child(parent, new Vector3(0.5f, 0f, 1f), Quaternion.Euler(-30f, 15f, 70f), new Vector3(1f, 3f, 0.5f));
 
-        Matrix4x4 made = Matrix4x4.TRS(child.position, child.rotation, child.lossyScale);
+        var made = Matrix4x4.TRS(child.position, child.rotation, child.lossyScale);
         AssertClose(made, child.localToWorldMatrix, 1e-4f);
         Assert.That(child.lossyScale.x * child.lossyScale.y * child.lossyScale.z, Is.EqualTo(-12f).Within(1e-3f));
     }
@@ -83,7 +83,7 @@ public sealed class TransformTests : FreshSceneFixture
     public void SettingAWorldRotation_GivesItBack_UnderMirrors([Values(1, 2, 3, 4, 5, 6)] int seed)
     {
         Transform tip = Chain((uint)seed, 4);
-        Quaternion wanted = Quaternion.Euler(11f, 222f, 33f);
+        var wanted = Quaternion.Euler(11f, 222f, 33f);
 
         tip.SetPositionAndRotation(new Vector3(4f, 5f, 6f), wanted);
 

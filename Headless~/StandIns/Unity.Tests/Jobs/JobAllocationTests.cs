@@ -27,9 +27,9 @@ public sealed class JobAllocationTests : SafetyFixture
     private static void Frame(NativeArray<float> source, NativeArray<float> target)
     {
         using var scratch = new NativeArray<float>(64, Allocator.TempJob);
-        var first = new Fill { source = source, target = scratch }.ScheduleParallel(64, 8, default);
-        var second = new Fill { source = scratch, target = target }.ScheduleParallel(64, 8, first);
-        var third = new Touch { target = target }.Schedule(second);
+        JobHandle first = new Fill { source = source, target = scratch }.ScheduleParallel(64, 8, default);
+        JobHandle second = new Fill { source = scratch, target = target }.ScheduleParallel(64, 8, first);
+        JobHandle third = new Touch { target = target }.Schedule(second);
         JobHandle.CombineDependencies(first, second, third).Complete();
         new Touch { target = target }.Run();
     }

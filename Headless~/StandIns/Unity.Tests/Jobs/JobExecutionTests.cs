@@ -90,10 +90,10 @@ public sealed class JobExecutionTests : SafetyFixture
     {
         using var source = new NativeArray<float>(k_Length, Allocator.TempJob);
         using var target = new NativeArray<float>(k_Length, Allocator.TempJob);
-        var write = source;
+        NativeArray<float> write = source;
         for (int i = 0; i < k_Length; i++)
             write[i] = MathF.Sin(i);
-        var handle = schedule(new Accumulate { source = source, target = target, factor = 0.7f });
+        JobHandle handle = schedule(new Accumulate { source = source, target = target, factor = 0.7f });
         handle = new Accumulate { source = source, target = target, factor = -0.2f }.ScheduleParallel(k_Length, 17, handle);
         handle.Complete();
         return target.ToArray();
@@ -160,7 +160,7 @@ public sealed class JobExecutionTests : SafetyFixture
         if (JobsUtility.JobWorkerCount == 0)
             Assert.Ignore("This machine has no core for a worker.");
         using var threads = new NativeArray<int>(10, Allocator.TempJob);
-        var handle = new RecordThread(threads).ScheduleParallel(10, 1, default);
+        JobHandle handle = new RecordThread(threads).ScheduleParallel(10, 1, default);
         Assert.That(() => handle.IsCompleted, Is.True.After(5000, 1));
         handle.Complete();
         Assert.That(threads, Is.All.Positive);
@@ -172,8 +172,8 @@ public sealed class JobExecutionTests : SafetyFixture
         Assert.That(
             () => new Throw { at = 30 }.ScheduleParallel(100, 1, default).Complete(),
             Throws.TypeOf<ArithmeticException>().With.Message.EqualTo("index 30"));
-        var failing = new Throw { at = 0 }.Schedule(1, default);
-        var following = new Throw { at = -1 }.Schedule(1, failing);
+        JobHandle failing = new Throw { at = 0 }.Schedule(1, default);
+        JobHandle following = new Throw { at = -1 }.Schedule(1, failing);
         Assert.That(() => following.Complete(), Throws.TypeOf<ArithmeticException>(), "a dependency's exception counts");
         Assert.That(() => following.Complete(), Throws.Nothing, "once");
         Assert.That(() => new Throw { at = 0 }.Run(1), Throws.TypeOf<ArithmeticException>());
@@ -186,7 +186,7 @@ public sealed class JobExecutionTests : SafetyFixture
         for (int round = 0; round < 200; round++)
         {
             JobExecution.Order = round % 2 == 0 ? JobOrder.Ascending : JobOrder.Shuffled;
-            var write = value;
+            NativeArray<int> write = value;
             write[0] = 0;
             JobHandle handle = default;
             for (int i = 0; i < 10; i++)
@@ -202,7 +202,7 @@ public sealed class JobExecutionTests : SafetyFixture
         using var first = new NativeArray<int>(1, Allocator.TempJob);
         using var second = new NativeArray<int>(1, Allocator.TempJob);
         using var handles = new NativeArray<JobHandle>(2, Allocator.TempJob);
-        var write = handles;
+        NativeArray<JobHandle> write = handles;
         write[0] = new AddOne { value = first }.Schedule();
         write[1] = new AddOne { value = second }.Schedule();
         JobHandle.CombineDependencies(handles).Complete();
@@ -216,7 +216,7 @@ public sealed class JobExecutionTests : SafetyFixture
     {
         JobsUtility.JobWorkerCount = 0;
         using var value = new NativeArray<int>(1, Allocator.TempJob);
-        var handle = new AddOne { value = value }.Schedule();
+        JobHandle handle = new AddOne { value = value }.Schedule();
         Assert.That(JobExecution.PendingCount, Is.EqualTo(1));
         handle.Complete();
         Assert.That(value[0], Is.EqualTo(1));
@@ -227,7 +227,7 @@ public sealed class JobExecutionTests : SafetyFixture
     {
         using var first = new NativeArray<int>(1, Allocator.TempJob);
         using var second = new NativeArray<int>(1, Allocator.TempJob);
-        var added = new AddOne { value = first }.Schedule();
+        JobHandle added = new AddOne { value = first }.Schedule();
         _ = new AddOne { value = first }.Schedule(added);
         _ = new AddOne { value = second }.Schedule();
         _ = new Throw { at = 0 }.Schedule(1, default);
@@ -256,7 +256,7 @@ public sealed class JobExecutionTests : SafetyFixture
         var job = new AddOne { value = value };
         job.RunByRef();
         job.value[0] += 1;
-        var pending = new AddOne { value = value }.Schedule();
+        JobHandle pending = new AddOne { value = value }.Schedule();
         try
         {
             TestBuild.RequireChecks();

@@ -133,7 +133,7 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void MainThread_MustNotTouch_WhatAPendingJobWrites()
     {
-        var job = new Write { target = m_Array }.ScheduleParallel(100, 8, default);
+        JobHandle job = new Write { target = m_Array }.ScheduleParallel(100, 8, default);
         Assert.That(() => m_Array[0], Throws.InvalidOperationException.With.Message.Contains("Complete"));
         Assert.That(() => m_Array[0] = 1, Throws.InvalidOperationException);
         Assert.That(() => m_Array.ToArray(), Throws.InvalidOperationException);
@@ -146,7 +146,7 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void MainThread_MayRead_WhatAPendingJobReads()
     {
-        var job = new Read { source = m_Array }.Schedule();
+        JobHandle job = new Read { source = m_Array }.Schedule();
         Assert.That(m_Array[0], Is.Zero);
         Assert.That(() => m_Array[0] = 1, Throws.InvalidOperationException.With.Message.Contains(nameof(Read)));
         Assert.That(() => m_Array.Dispose(), Throws.InvalidOperationException);
@@ -157,7 +157,7 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void FinishedJob_StillHasToBeCompleted()
     {
-        var job = new Write { target = m_Array }.Schedule(100, default);
+        JobHandle job = new Write { target = m_Array }.Schedule(100, default);
         while (!job.IsCompleted)
         {
         }
@@ -170,13 +170,13 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void Jobs_ThatShareWhatOneWrites_MustDependOnEachOther()
     {
-        var first = new Write { target = m_Array }.Schedule(100, default);
+        JobHandle first = new Write { target = m_Array }.Schedule(100, default);
         Assert.That(() => new Write { target = m_Array }.Schedule(100, default), Throws.InvalidOperationException);
         Assert.That(() => new Read { source = m_Array }.Schedule(), Throws.InvalidOperationException);
         Assert.That(() => new Read { source = m_Array }.Run(), Throws.InvalidOperationException);
-        var second = new Read { source = m_Array }.Schedule(first);
+        JobHandle second = new Read { source = m_Array }.Schedule(first);
         Assert.That(() => new Write { target = m_Array }.Schedule(100, first), Throws.InvalidOperationException);
-        var third = new Write { target = m_Array }.Schedule(100, JobHandle.CombineDependencies(first, second));
+        JobHandle third = new Write { target = m_Array }.Schedule(100, JobHandle.CombineDependencies(first, second));
         third.Complete();
         Assert.That(m_Array[7], Is.EqualTo(7));
     }
@@ -184,8 +184,8 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void Jobs_MayReadTogether()
     {
-        var first = new Read { source = m_Array }.Schedule();
-        var second = new Read { source = m_Array }.Schedule();
+        JobHandle first = new Read { source = m_Array }.Schedule();
+        JobHandle second = new Read { source = m_Array }.Schedule();
         JobHandle.CompleteAll(ref first, ref second);
         m_Array[0] = 1;
     }
@@ -247,7 +247,7 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void Arrays_InStructsOfAJob_AreGuardedToo()
     {
-        var job = new Nested { before = 3, part = new Nested.Part { target = m_Array } }.Schedule();
+        JobHandle job = new Nested { before = 3, part = new Nested.Part { target = m_Array } }.Schedule();
         Assert.That(() => m_Array[0], Throws.InvalidOperationException);
         job.Complete();
         Assert.That(m_Array[0], Is.EqualTo(3));
@@ -285,10 +285,10 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     public void DisposeAfterAJob_WaitsForIt_AndEndsTheArrayAtOnce()
     {
         var array = new NativeArray<int>(1000, Allocator.TempJob);
-        var copy = array;
-        var job = new Write { target = array }.ScheduleParallel(1000, 10, default);
+        NativeArray<int> copy = array;
+        JobHandle job = new Write { target = array }.ScheduleParallel(1000, 10, default);
         Assert.That(() => copy.Dispose(default), Throws.InvalidOperationException);
-        var disposal = array.Dispose(job);
+        JobHandle disposal = array.Dispose(job);
         Assert.That(array.IsCreated, Is.False);
         Assert.That(() => copy[0], Throws.TypeOf<ObjectDisposedException>());
         Assert.That(() => disposal.Complete(), Throws.Nothing);

@@ -27,7 +27,7 @@ public sealed class Float4Tests
 
     private static void AssertLanes(string name, Func<float4, float4, float4> vector, Func<float, float, float> scalar)
     {
-        foreach (var (x, y) in Pairs())
+        foreach ((float x, float y) in Pairs())
         {
             float4 a = new(x, y, 1f, x), b = new(y, x, y, 2f);
             float4 result = vector(a, b);

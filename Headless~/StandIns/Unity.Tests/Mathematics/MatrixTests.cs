@@ -14,7 +14,7 @@ public sealed class MatrixTests
     {
         var m = new float4x4(1f, 2f, 3f, 4f, 5f, 6f, 7f, 8f, 9f, 10f, 11f, 12f, 13f, 14f, 15f, 16f);
         Assert.That(m.c0, Is.EqualTo(new float4(1f, 5f, 9f, 13f)));
-        var t = math.transpose(m);
+        float4x4 t = math.transpose(m);
         Assert.That(t.c0, Is.EqualTo(new float4(1f, 2f, 3f, 4f)));
         Assert.That(t.c1, Is.EqualTo(new float4(5f, 6f, 7f, 8f)));
         Assert.That(t.c2, Is.EqualTo(new float4(9f, 10f, 11f, 12f)));

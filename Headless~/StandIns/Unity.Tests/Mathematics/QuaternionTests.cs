@@ -91,7 +91,7 @@ public sealed class QuaternionTests
     {
         foreach (float3 axis in new[] { s_X, s_Y, s_Z, math.normalize(new float3(1f, 2f, -1f)) })
         {
-            quaternion q = quaternion.AxisAngle(axis, math.PI);
+            var q = quaternion.AxisAngle(axis, math.PI);
             quaternion back = new(new float3x3(q));
             Assert.That(math.abs(math.dot(back, q)), Is.EqualTo(1f).Within(1e-6f));
         }
@@ -102,7 +102,7 @@ public sealed class QuaternionTests
     {
         float3 forward = math.normalize(new float3(1f, 2f, 3f));
         float3 up = math.normalize(math.cross(forward, s_X));
-        quaternion q = quaternion.LookRotation(forward, up);
+        var q = quaternion.LookRotation(forward, up);
         AssertNear(math.rotate(q, s_Z), forward);
         AssertNear(math.rotate(q, s_Y), up);
         AssertNear(quaternion.LookRotationSafe(default, s_Y), quaternion.identity);
@@ -126,7 +126,7 @@ public sealed class QuaternionTests
         {
             quaternion a = random.NextQuaternionRotation(), b = random.NextQuaternionRotation();
             float t = random.NextFloat();
-            var (x, y, z, w) = Nlerp(a.value, b.value, t);
+            (double x, double y, double z, double w) = Nlerp(a.value, b.value, t);
             AssertNear(math.nlerp(a, b, t), new quaternion((float)x, (float)y, (float)z, (float)w), 4e-6f);
         }
     }

@@ -141,7 +141,7 @@ namespace Alate.Flight
                 m_Spot.heading = float.NaN;
             m_RoundTime = k_RoundTime;
             math.sincos(situation.heading, out float sin, out float cos);
-            float3 ahead = new float3(sin, 0f, cos);
+            var ahead = new float3(sin, 0f, cos);
             m_Round = math.min(k_RoundSpeed, situation.limits.TopSpeed) * math.normalizesafe(ahead + m_Spot.normal * new float3(1f, 0f, 1f)) + new float3(0f, situation.limits.MostClimb, 0f);
             return Wish(FlightWish.Land, m_Round, situation);
         }

@@ -120,7 +120,7 @@ namespace Alate.Flight
 
         private void LookForSpot(in FlightSituation situation, in PerchSettings settings)
         {
-            PerchMark mark = PerchMark.FindNearest(situation.position, settings.searchDistance, m_Left);
+            var mark = PerchMark.FindNearest(situation.position, settings.searchDistance, m_Left);
             if (mark != null && LandOn(mark.Spot))
             {
                 m_Mark = mark;

@@ -11,9 +11,9 @@ namespace Alate
         /// <param name="hiddenToo">Also those that are disabled or inactive below the root; the root itself may be inactive.</param>
         public static List<Renderer> Under(Transform root, bool hiddenToo)
         {
-            var lower = LowerLevels(root);
+            HashSet<Renderer> lower = LowerLevels(root);
             var drawn = new List<Renderer>();
-            foreach (var renderer in root.GetComponentsInChildren<Renderer>(true))
+            foreach (Renderer renderer in root.GetComponentsInChildren<Renderer>(true))
             {
                 if (MeshOf(renderer) != null && !lower.Contains(renderer) && (hiddenToo || IsShown(renderer, root)))
                     drawn.Add(renderer);
@@ -40,10 +40,10 @@ namespace Alate
         {
             var lower = new HashSet<Renderer>();
             var best = new HashSet<Renderer>();
-            foreach (var group in root.GetComponentsInChildren<LODGroup>(true))
+            foreach (LODGroup group in root.GetComponentsInChildren<LODGroup>(true))
             {
-                var levels = group.GetLODs();
-                for (var level = 0; level < levels.Length; level++)
+                LOD[] levels = group.GetLODs();
+                for (int level = 0; level < levels.Length; level++)
                     (level == 0 ? best : lower).UnionWith(levels[level].renderers ?? System.Array.Empty<Renderer>());
             }
 
@@ -55,7 +55,7 @@ namespace Alate
         {
             if (!renderer.enabled)
                 return false;
-            for (var place = renderer.transform; place != root; place = place.parent)
+            for (Transform place = renderer.transform; place != root; place = place.parent)
             {
                 if (!place.gameObject.activeSelf)
                     return false;

@@ -46,8 +46,8 @@ namespace Alate
         public List<(WingShape shape, Vector3 point, int submesh)> Sheets()
         {
             var sheets = new List<(WingShape shape, Vector3 point, int submesh)>();
-            var largest = 0f;
-            foreach (var piece in MeshParts.Parts(m_Mesh))
+            float largest = 0f;
+            foreach ((MeshSelection selection, Vector3 point) piece in MeshParts.Parts(m_Mesh))
             {
                 var shape = WingShape.Of(m_Positions, piece.selection, m_ToInsect);
                 if (!shape.isSheet || shape.Side == null)
@@ -64,15 +64,15 @@ namespace Alate
         /// <param name="submesh">−1 for the box around all.</param>
         public List<(WingShape shape, Vector3 point, int submesh)> Halves(int submesh)
         {
-            var box = submesh == k_Several ? m_Mesh.bounds : m_Mesh.GetSubMesh(submesh).bounds;
+            Bounds box = submesh == k_Several ? m_Mesh.bounds : m_Mesh.GetSubMesh(submesh).bounds;
             var across = (Vector3)m_ToInsect.GetRow(0);
-            var axis = 0;
-            for (var other = 1; other < 3; other++)
+            int axis = 0;
+            for (int other = 1; other < 3; other++)
                 axis = Mathf.Abs(across[other] * box.extents[other]) > Mathf.Abs(across[axis] * box.extents[axis]) ? other : axis;
 
-            var step = Vector3.zero;
+            Vector3 step = Vector3.zero;
             step[axis] = box.extents[axis];
-            var size = box.size - step;
+            Vector3 size = box.size - step;
             return new List<(WingShape shape, Vector3 point, int submesh)>
             {
                 (WingShape.Of(new Bounds(box.center + 0.5f * step, size), m_ToInsect), box.center + step, submesh),
@@ -88,7 +88,7 @@ namespace Alate
             if (SubmeshCount == 1)
                 return 0;
             m_Owners ??= Owners();
-            var first = m_Owners[piece.vertices[0]];
+            int first = m_Owners[piece.vertices[0]];
             return System.Array.TrueForAll(piece.vertices, vertex => m_Owners[vertex] == first) ? first : k_Several;
         }
 
@@ -96,13 +96,13 @@ namespace Alate
         private int[] Owners()
         {
             const int k_None = -2;
-            var owners = new int[m_Positions.Length];
+            int[] owners = new int[m_Positions.Length];
             System.Array.Fill(owners, k_None);
-            for (var submesh = 0; submesh < SubmeshCount; submesh++)
+            for (int submesh = 0; submesh < SubmeshCount; submesh++)
             {
                 if (!IsDrawn(submesh))
                     continue;
-                foreach (var vertex in m_Mesh.GetTriangles(submesh))
+                foreach (int vertex in m_Mesh.GetTriangles(submesh))
                     owners[vertex] = owners[vertex] == k_None || owners[vertex] == submesh ? submesh : k_Several;
             }
 

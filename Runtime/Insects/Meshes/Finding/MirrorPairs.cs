@@ -18,16 +18,16 @@ namespace Alate
         /// <summary>Finds the members of the largest pairs, two pairs at most.</summary>
         public static List<WingCandidate> Of(List<WingCandidate> candidates)
         {
-            var sheets = candidates.FindAll(one => one.shape.isSheet && one.shape.Side != null);
+            List<WingCandidate> sheets = candidates.FindAll(one => one.shape.isSheet && one.shape.Side != null);
             sheets.Sort((a, b) => b.shape.area.CompareTo(a.shape.area));
             var found = new List<WingCandidate>();
             while (sheets.Count > 1 && found.Count < 2 * k_Most)
             {
-                var first = sheets[0];
+                WingCandidate first = sheets[0];
                 sheets.RemoveAt(0);
                 if (found.Count > 0 && first.shape.area < k_SmallestPair * found[0].shape.area)
                     break;
-                var other = Nearest(first, sheets);
+                WingCandidate other = Nearest(first, sheets);
                 if (other == null)
                     continue;
                 sheets.Remove(other);
@@ -41,12 +41,12 @@ namespace Alate
         private static WingCandidate Nearest(WingCandidate one, List<WingCandidate> others)
         {
             WingCandidate nearest = null;
-            var least = k_Place;
-            foreach (var other in others)
+            float least = k_Place;
+            foreach (WingCandidate other in others)
             {
                 if (other.Side == one.Side || other.shape.area < (1f - k_Area) * one.shape.area)
                     continue;
-                var distance = Distance(one.shape, other.shape);
+                float distance = Distance(one.shape, other.shape);
                 if (distance < least)
                 {
                     least = distance;
@@ -59,8 +59,8 @@ namespace Alate
 
         private static float Distance(WingShape one, WingShape other)
         {
-            var apart = Vector3.Scale(one.centroid, new Vector3(-1f, 1f, 1f)) - other.centroid;
-            var larger = one.bounds.size - other.bounds.size;
+            Vector3 apart = Vector3.Scale(one.centroid, new Vector3(-1f, 1f, 1f)) - other.centroid;
+            Vector3 larger = one.bounds.size - other.bounds.size;
             return Mathf.Max(apart.magnitude, larger.magnitude) / Mathf.Sqrt(one.area);
         }
     }

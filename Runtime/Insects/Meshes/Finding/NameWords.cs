@@ -9,8 +9,8 @@ namespace Alate
         public static List<string> Of(string name)
         {
             var words = new List<string>();
-            var start = 0;
-            for (var end = 1; end <= name.Length; end++)
+            int start = 0;
+            for (int end = 1; end <= name.Length; end++)
             {
                 if (end < name.Length && !IsBreak(name, end))
                     continue;
@@ -29,7 +29,7 @@ namespace Alate
                 return true;
             if (!char.IsUpper(here))
                 return false;
-            var isLastOfCapitals = at + 1 < name.Length && char.IsLower(name[at + 1]);
+            bool isLastOfCapitals = at + 1 < name.Length && char.IsLower(name[at + 1]);
             return char.IsLower(before) || isLastOfCapitals;
         }
     }

@@ -13,7 +13,7 @@ namespace Alate
             renderer.GetSharedMaterials(m_Materials);
             Take(WingName.Read(renderer.name), true);
             Take(WingName.Read(mesh.name), true);
-            for (var place = renderer.transform; place != root && place.parent != root && place.parent != null; place = place.parent)
+            for (Transform place = renderer.transform; place != root && place.parent != root && place.parent != null; place = place.parent)
                 Take(WingName.Read(place.parent.name), false);
         }
 

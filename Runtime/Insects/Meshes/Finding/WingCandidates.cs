@@ -15,7 +15,7 @@ namespace Alate
         {
             m_Renderer = renderer;
             m_Names = new RendererNames(renderer, mesh, root);
-            var toWorld = renderer is SkinnedMeshRenderer skinned ? SkinnedPose.ToWorld(skinned) : renderer.transform.localToWorldMatrix;
+            Matrix4x4 toWorld = renderer is SkinnedMeshRenderer skinned ? SkinnedPose.ToWorld(skinned) : renderer.transform.localToWorldMatrix;
             m_Mesh = new MeasuredMesh(mesh, root.worldToLocalMatrix * toWorld);
         }
 
@@ -31,7 +31,7 @@ namespace Alate
         private void Collect()
         {
             var drawn = new List<int>();
-            for (var submesh = 0; submesh < m_Mesh.SubmeshCount; submesh++)
+            for (int submesh = 0; submesh < m_Mesh.SubmeshCount; submesh++)
             {
                 if (m_Mesh.IsDrawn(submesh))
                     drawn.Add(submesh);
@@ -39,7 +39,7 @@ namespace Alate
 
             if (drawn.Count == 0)
                 return;
-            var wings = m_Names.IsWing ? drawn : drawn.FindAll(submesh => m_Names.Material(submesh).IsWing);
+            List<int> wings = m_Names.IsWing ? drawn : drawn.FindAll(submesh => m_Names.Material(submesh).IsWing);
             if (wings.Count < drawn.Count && wings.Count > 0)
                 CollectSubmeshes(wings);
             else
@@ -49,8 +49,8 @@ namespace Alate
         /// <summary>Collects candidates of a mesh that is all wing, or of which nothing is known.</summary>
         private void CollectAll(List<int> drawn, bool isNamed)
         {
-            var whole = m_Mesh.Whole();
-            var pieces = Pieces(-1, isNamed && whole.Side == null);
+            WingShape whole = m_Mesh.Whole();
+            List<(WingShape shape, Vector3 point, int submesh)> pieces = Pieces(-1, isNamed && whole.Side == null);
             if (whole.Side == null || WingGroup.Count(pieces) > 1)
             {
                 if (drawn.Count > 1 && whole.Side == null && IsOnBothSides(drawn, isNamed))
@@ -66,10 +66,10 @@ namespace Alate
         /// <summary>Collects the submeshes whose materials are named wings.</summary>
         private void CollectSubmeshes(List<int> wings)
         {
-            foreach (var submesh in wings)
+            foreach (int submesh in wings)
             {
-                var shape = m_Mesh.Submesh(submesh);
-                var pieces = Pieces(submesh, shape.Side == null);
+                WingShape shape = m_Mesh.Submesh(submesh);
+                List<(WingShape shape, Vector3 point, int submesh)> pieces = Pieces(submesh, shape.Side == null);
                 if (shape.Side != null && WingGroup.Count(pieces) < 2)
                     Add(WingPart.Submesh, submesh, default, shape, true);
                 else
@@ -87,7 +87,7 @@ namespace Alate
         // Each submesh is a wing of one side, and there is one on either.
         private bool IsOnBothSides(List<int> submeshes, bool isNamed)
         {
-            var shapes = submeshes.ConvertAll(m_Mesh.Submesh);
+            List<WingShape> shapes = submeshes.ConvertAll(m_Mesh.Submesh);
             return shapes.TrueForAll(shape => shape.Side != null && (isNamed || shape.isSheet))
                 && shapes.Exists(shape => shape.Side == WingSide.Left)
                 && shapes.Exists(shape => shape.Side == WingSide.Right);
@@ -98,7 +98,7 @@ namespace Alate
 
         private void Add(WingPart part, int submesh, Vector3 point, WingShape shape, bool isNamed)
         {
-            var material = submesh < 0 ? default : m_Names.Material(submesh);
+            WingName material = submesh < 0 ? default : m_Names.Material(submesh);
             m_Found.Add(new WingCandidate
             {
                 renderer = m_Renderer,

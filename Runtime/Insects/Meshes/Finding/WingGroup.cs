@@ -15,8 +15,8 @@ namespace Alate
         /// <summary>Number of wings on the side that has more.</summary>
         public static int Count(List<(WingShape shape, Vector3 point, int submesh)> pieces)
         {
-            var right = pieces.FindAll(piece => piece.shape.Side == WingSide.Right).ConvertAll(piece => piece.shape);
-            var left = pieces.FindAll(piece => piece.shape.Side == WingSide.Left).ConvertAll(piece => piece.shape);
+            List<WingShape> right = pieces.FindAll(piece => piece.shape.Side == WingSide.Right).ConvertAll(piece => piece.shape);
+            List<WingShape> left = pieces.FindAll(piece => piece.shape.Side == WingSide.Left).ConvertAll(piece => piece.shape);
             return Mathf.Max(Divide(right, out _), Divide(left, out _));
         }
 
@@ -27,15 +27,15 @@ namespace Alate
         public static int Divide(List<WingShape> shapes, out int[] groups)
         {
             var bySize = new List<int>();
-            for (var place = 0; place < shapes.Count; place++)
+            for (int place = 0; place < shapes.Count; place++)
                 bySize.Add(place);
             bySize.Sort((a, b) => shapes[b].area.CompareTo(shapes[a].area));
 
             var largest = new List<int>();
-            var owners = new int[shapes.Count];
-            foreach (var place in bySize)
+            int[] owners = new int[shapes.Count];
+            foreach (int place in bySize)
             {
-                var owner = largest.FindIndex(other => Belongs(shapes[place], shapes[other]));
+                int owner = largest.FindIndex(other => Belongs(shapes[place], shapes[other]));
                 if (owner < 0)
                     largest.Add(place);
                 owners[place] = owner < 0 ? place : largest[owner];
@@ -48,15 +48,15 @@ namespace Alate
 
         private static bool Belongs(WingShape part, WingShape whole)
         {
-            var apart = Mathf.Abs(part.centroid.z - whole.centroid.z);
+            float apart = Mathf.Abs(part.centroid.z - whole.centroid.z);
             return apart <= k_Apart * whole.bounds.size.z
                 && Inside(part, whole, 0) >= k_Inside && Inside(part, whole, 2) >= k_Inside;
         }
 
         private static float Inside(WingShape part, WingShape whole, int axis)
         {
-            var low = Mathf.Max(part.bounds.min[axis], whole.bounds.min[axis]);
-            var common = Mathf.Min(part.bounds.max[axis], whole.bounds.max[axis]) - low;
+            float low = Mathf.Max(part.bounds.min[axis], whole.bounds.min[axis]);
+            float common = Mathf.Min(part.bounds.max[axis], whole.bounds.max[axis]) - low;
             if (part.bounds.size[axis] > 0f)
                 return common / part.bounds.size[axis];
             return common < 0f ? 0f : 1f;

@@ -49,7 +49,7 @@ namespace Alate
         /// <summary>Reads a name; null and empty names have no meaning.</summary>
         public static WingName Read(string name)
         {
-            var isKnown = WingWords.Read(name ?? "", out var meaning);
+            bool isKnown = WingWords.Read(name ?? "", out WingWord meaning);
             return new WingName(meaning, isKnown);
         }
 

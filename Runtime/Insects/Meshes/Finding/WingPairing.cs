@@ -26,20 +26,20 @@ namespace Alate
 
         private static void Assign(List<WingCandidate> wings, WingSide side)
         {
-            var own = wings.FindAll(wing => wing.Side == side);
-            var count = WingGroup.Divide(own.ConvertAll(wing => wing.shape), out var groups);
+            List<WingCandidate> own = wings.FindAll(wing => wing.Side == side);
+            int count = WingGroup.Divide(own.ConvertAll(wing => wing.shape), out int[] groups);
             var pairs = new WingPair?[count];
-            for (var place = 0; place < own.Count; place++)
+            for (int place = 0; place < own.Count; place++)
                 pairs[groups[place]] = pairs[groups[place]] ?? own[place].pair;
 
-            var hasFore = System.Array.IndexOf(pairs, WingPair.Fore) >= 0;
-            for (var group = 0; group < count; group++)
+            bool hasFore = System.Array.IndexOf(pairs, WingPair.Fore) >= 0;
+            for (int group = 0; group < count; group++)
             {
                 pairs[group] = pairs[group] ?? (hasFore ? WingPair.Hind : WingPair.Fore);
                 hasFore |= pairs[group] == WingPair.Fore;
             }
 
-            for (var place = 0; place < own.Count; place++)
+            for (int place = 0; place < own.Count; place++)
                 own[place].pair = own[place].pair ?? pairs[groups[place]];
         }
     }

@@ -56,19 +56,19 @@ namespace Alate
         /// <param name="toInsect">From mesh space to the insect's.</param>
         public static WingShape Of(Vector3[] positions, MeshSelection part, Matrix4x4 toInsect)
         {
-            var points = System.Array.ConvertAll(part.vertices, vertex => toInsect.MultiplyPoint3x4(positions[vertex]));
+            Vector3[] points = System.Array.ConvertAll(part.vertices, vertex => toInsect.MultiplyPoint3x4(positions[vertex]));
             var bounds = new Bounds(points[0], Vector3.zero);
-            foreach (var point in points)
+            foreach (Vector3 point in points)
                 bounds.Encapsulate(point);
 
             float area = 0f, right = 0f;
-            var sum = Vector3.zero;
+            Vector3 sum = Vector3.zero;
             var normals = new float3x3();
-            for (var corner = 0; corner < part.triangles.Length; corner += 3)
+            for (int corner = 0; corner < part.triangles.Length; corner += 3)
             {
-                var middle = Middle(points, part.triangles, corner);
-                var normal = AreaNormal(points, part.triangles, corner);
-                var size = normal.magnitude;
+                Vector3 middle = Middle(points, part.triangles, corner);
+                Vector3 normal = AreaNormal(points, part.triangles, corner);
+                float size = normal.magnitude;
                 area += size;
                 right += middle.x > 0f ? size : 0f;
                 sum += size * middle;
@@ -76,8 +76,8 @@ namespace Alate
                     normals += Square(normal / size) * size;
             }
 
-            var centroid = area > 0f ? sum / area : bounds.center;
-            var isSheet = area > 0f && IsSheet(points, part.triangles, area, MainAxis(normals));
+            Vector3 centroid = area > 0f ? sum / area : bounds.center;
+            bool isSheet = area > 0f && IsSheet(points, part.triangles, area, MainAxis(normals));
             return new WingShape(area, centroid, bounds, area > 0f ? right / area : 0.5f, isSheet);
         }
 
@@ -85,22 +85,22 @@ namespace Alate
         public static WingShape Of(Bounds box, Matrix4x4 toInsect)
         {
             var bounds = new Bounds(toInsect.MultiplyPoint3x4(box.center), Vector3.zero);
-            for (var corner = 0; corner < 8; corner++)
+            for (int corner = 0; corner < 8; corner++)
             {
                 var sign = new Vector3((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1);
                 bounds.Encapsulate(toInsect.MultiplyPoint3x4(box.center + Vector3.Scale(sign, box.extents)));
             }
 
-            var sides = new[] { bounds.size.x, bounds.size.y, bounds.size.z };
+            float[] sides = new[] { bounds.size.x, bounds.size.y, bounds.size.z };
             System.Array.Sort(sides);
-            var right = bounds.size.x > 0f ? Mathf.Clamp01(bounds.max.x / bounds.size.x) : bounds.center.x > 0f ? 1f : 0f;
+            float right = bounds.size.x > 0f ? Mathf.Clamp01(bounds.max.x / bounds.size.x) : bounds.center.x > 0f ? 1f : 0f;
             return new WingShape(sides[1] * sides[2], bounds.center, bounds, right, sides[0] < k_BoxThickness * sides[1]);
         }
 
         private static bool IsSheet(Vector3[] points, int[] triangles, float area, Vector3 axis)
         {
-            var facing = 0f;
-            for (var corner = 0; corner < triangles.Length; corner += 3)
+            float facing = 0f;
+            for (int corner = 0; corner < triangles.Length; corner += 3)
                 facing += Mathf.Abs(Vector3.Dot(AreaNormal(points, triangles, corner), axis));
             return facing > k_Facing * area;
         }
@@ -108,13 +108,13 @@ namespace Alate
         /// <summary>The direction that most of the area faces, by squaring the matrix until only its largest axis is left.</summary>
         private static Vector3 MainAxis(float3x3 normals)
         {
-            for (var step = 0; step < 6; step++)
+            for (int step = 0; step < 6; step++)
             {
                 normals *= 1f / (normals.c0.x + normals.c1.y + normals.c2.z);
                 normals = math.mul(normals, normals);
             }
 
-            var axis = normals.c0;
+            float3 axis = normals.c0;
             axis = math.lengthsq(normals.c1) > math.lengthsq(axis) ? normals.c1 : axis;
             axis = math.lengthsq(normals.c2) > math.lengthsq(axis) ? normals.c2 : axis;
             return math.normalize(axis);
@@ -127,7 +127,7 @@ namespace Alate
 
         private static Vector3 AreaNormal(Vector3[] points, int[] triangles, int corner)
         {
-            var origin = points[triangles[corner]];
+            Vector3 origin = points[triangles[corner]];
             return 0.5f * Vector3.Cross(points[triangles[corner + 1]] - origin, points[triangles[corner + 2]] - origin);
         }
     }

@@ -28,10 +28,10 @@ namespace Alate
         public static bool Read(string name, out WingWord meaning)
         {
             meaning = WingWord.Plain;
-            var known = true;
-            foreach (var word in NameWords.Of(name))
+            bool known = true;
+            foreach (string word in NameWords.Of(name))
             {
-                if (s_Meanings.TryGetValue(word, out var own) || Divide(word, 0, WingWord.Plain, false, out own))
+                if (s_Meanings.TryGetValue(word, out WingWord own) || Divide(word, 0, WingWord.Plain, false, out own))
                     meaning |= own;
                 else
                     known = false;
@@ -46,12 +46,12 @@ namespace Alate
             meaning = before;
             if (start == word.Length)
                 return !isAbbreviated || (before & WingWord.Wing) != 0;
-            for (var length = word.Length - start; length > 0; length--)
+            for (int length = word.Length - start; length > 0; length--)
             {
-                var isShort = length <= k_LongestAbbreviation;
+                bool isShort = length <= k_LongestAbbreviation;
                 if (isShort && start > 0 && start + length < word.Length)
                     continue;
-                if (s_Meanings.TryGetValue(word.Substring(start, length), out var own)
+                if (s_Meanings.TryGetValue(word.Substring(start, length), out WingWord own)
                     && Divide(word, start + length, before | own, isAbbreviated || isShort, out meaning))
                 {
                     return true;
@@ -64,9 +64,9 @@ namespace Alate
         private static Dictionary<string, WingWord> Meanings(params (WingWord Meaning, string Words)[] groups)
         {
             var meanings = new Dictionary<string, WingWord>(StringComparer.Ordinal);
-            foreach (var (meaning, words) in groups)
+            foreach ((WingWord meaning, string words) in groups)
             {
-                foreach (var word in words.Split(' '))
+                foreach (string word in words.Split(' '))
                     meanings.Add(word, meaning);
             }
 

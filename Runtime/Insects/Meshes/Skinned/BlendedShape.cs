@@ -14,9 +14,9 @@ namespace Alate
             positions = mesh.vertices;
             normals = mesh.normals;
             tangents = mesh.tangents;
-            for (var shape = 0; shape < mesh.blendShapeCount; shape++)
+            for (int shape = 0; shape < mesh.blendShapeCount; shape++)
             {
-                var weight = renderer.GetBlendShapeWeight(shape);
+                float weight = renderer.GetBlendShapeWeight(shape);
                 if (weight != 0f)
                     Blend(mesh, shape, weight);
             }
@@ -25,13 +25,13 @@ namespace Alate
         // Between two frames their differences are mixed; before the first they grow from nothing, behind the last they stay.
         private void Blend(Mesh mesh, int shape, float weight)
         {
-            var frames = mesh.GetBlendShapeFrameCount(shape);
-            var next = 0;
+            int frames = mesh.GetBlendShapeFrameCount(shape);
+            int next = 0;
             while (next < frames - 1 && mesh.GetBlendShapeFrameWeight(shape, next) < weight)
                 next++;
-            var end = mesh.GetBlendShapeFrameWeight(shape, next);
-            var start = next > 0 ? mesh.GetBlendShapeFrameWeight(shape, next - 1) : 0f;
-            var share = end != start ? Mathf.Min((weight - start) / (end - start), 1f) : 1f;
+            float end = mesh.GetBlendShapeFrameWeight(shape, next);
+            float start = next > 0 ? mesh.GetBlendShapeFrameWeight(shape, next - 1) : 0f;
+            float share = end != start ? Mathf.Min((weight - start) / (end - start), 1f) : 1f;
             Add(mesh, shape, next, share);
             if (next > 0 && share < 1f)
                 Add(mesh, shape, next - 1, 1f - share);
@@ -43,7 +43,7 @@ namespace Alate
             var turns = new Vector3[mesh.vertexCount];
             var tangentTurns = new Vector3[mesh.vertexCount];
             mesh.GetBlendShapeFrameVertices(shape, frame, moves, turns, tangentTurns);
-            for (var vertex = 0; vertex < positions.Length; vertex++)
+            for (int vertex = 0; vertex < positions.Length; vertex++)
             {
                 positions[vertex] += share * moves[vertex];
                 if (normals.Length > 0)

@@ -22,15 +22,15 @@ namespace Alate
         {
             Change(group, renderers =>
             {
-                foreach (var renderer in removed)
+                foreach (Renderer renderer in removed)
                     renderers.Remove(renderer);
             });
         }
 
         private static void Change(LODGroup group, Action<List<Renderer>> change)
         {
-            var levels = group.GetLODs();
-            for (var level = 0; level < levels.Length; level++)
+            LOD[] levels = group.GetLODs();
+            for (int level = 0; level < levels.Length; level++)
             {
                 var renderers = new List<Renderer>(levels[level].renderers ?? Array.Empty<Renderer>());
                 change(renderers);

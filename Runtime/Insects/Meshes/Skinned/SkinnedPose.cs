@@ -11,9 +11,9 @@ namespace Alate
         /// </summary>
         public static Matrix4x4 ToWorld(SkinnedMeshRenderer renderer)
         {
-            var bones = renderer.bones;
-            var binds = renderer.sharedMesh.bindposes;
-            var chosen = System.Array.FindIndex(bones, bone => bone != null && bone == renderer.rootBone);
+            Transform[] bones = renderer.bones;
+            Matrix4x4[] binds = renderer.sharedMesh.bindposes;
+            int chosen = System.Array.FindIndex(bones, bone => bone != null && bone == renderer.rootBone);
             if (chosen < 0 || chosen >= binds.Length)
                 chosen = System.Array.FindIndex(bones, bone => bone != null);
             return chosen >= 0 && chosen < binds.Length

@@ -17,7 +17,7 @@ namespace Alate
         {
             m_Source = source;
             m_Name = namesPair ? $"{wing.place.pair} Wing {wing.place.Side}" : $"Wing {wing.place.Side}";
-            for (var submesh = 0; submesh < wing.submeshes.Length; submesh++)
+            for (int submesh = 0; submesh < wing.submeshes.Length; submesh++)
             {
                 if (wing.submeshes[submesh].Length == 0)
                     continue;
@@ -31,7 +31,7 @@ namespace Alate
         /// </summary>
         public Mesh Mesh(BlendedShape shape, Matrix4x4 bind)
         {
-            var mesh = WingMeshCut.Take(m_Source.sharedMesh, shape, m_Corners, bind);
+            Mesh mesh = WingMeshCut.Take(m_Source.sharedMesh, shape, m_Corners, bind);
             mesh.name = $"{m_Source.sharedMesh.name} {m_Name}";
             return mesh;
         }
@@ -43,10 +43,10 @@ namespace Alate
             made.transform.SetParent(bone, false);
             made.SetActive(m_Source.gameObject.activeSelf);
             made.AddComponent<MeshFilter>().sharedMesh = mesh;
-            var renderer = made.AddComponent<MeshRenderer>();
+            MeshRenderer renderer = made.AddComponent<MeshRenderer>();
             renderer.sharedMaterials = Materials(m_Source.sharedMaterials);
             RendererSettings.Copy(m_Source, renderer);
-            for (var place = 0; place < m_Places.Count && m_Places[place] < m_Source.sharedMaterials.Length; place++)
+            for (int place = 0; place < m_Places.Count && m_Places[place] < m_Source.sharedMaterials.Length; place++)
                 RendererSettings.CopyProperties(m_Source, m_Places[place], renderer, place);
             return renderer;
         }
@@ -54,9 +54,9 @@ namespace Alate
         // Materials beyond the last submesh are drawn over it, so they go where it goes.
         private Material[] Materials(Material[] all)
         {
-            var last = m_Source.sharedMesh.subMeshCount - 1;
-            var own = m_Places.ConvertAll(submesh => submesh < all.Length ? all[submesh] : null);
-            for (var extra = last + 1; extra < all.Length && m_Places.Contains(last); extra++)
+            int last = m_Source.sharedMesh.subMeshCount - 1;
+            List<Material> own = m_Places.ConvertAll(submesh => submesh < all.Length ? all[submesh] : null);
+            for (int extra = last + 1; extra < all.Length && m_Places.Contains(last); extra++)
                 own.Add(all[extra]);
             return own.ToArray();
         }

@@ -46,7 +46,7 @@ namespace Alate
 
         private void MeasureParts()
         {
-            foreach (var part in m_Wings.Divide((a, b, c) => m_Sets.Find(a)))
+            foreach (KeyValuePair<int, int[][]> part in m_Wings.Divide((a, b, c) => m_Sets.Find(a)))
             {
                 var shape = WingShape.Of(m_Positions, MeshSelection.Of(part.Value), m_ToInsect);
                 m_Parts.Add(part.Key, (shape.Side, HasBothPairs(part.Value.SelectMany(own => own).ToArray())));
@@ -57,17 +57,17 @@ namespace Alate
         private List<SkinnedWing> Merge()
         {
             var merged = new Dictionary<(int Bone, WingSide Side), List<int>[]>();
-            foreach (var piece in m_Wings.Divide(PieceOf))
+            foreach (KeyValuePair<(int Set, WingSide Side, WingPair Pair), int[][]> piece in m_Wings.Divide(PieceOf))
             {
-                var key = (Carrier(piece.Value.SelectMany(own => own).ToArray()), piece.Key.Side);
-                if (!merged.TryGetValue(key, out var own))
+                (int, WingSide Side) key = (Carrier(piece.Value.SelectMany(own => own).ToArray()), piece.Key.Side);
+                if (!merged.TryGetValue(key, out List<int>[] own))
                     merged.Add(key, own = Array.ConvertAll(piece.Value, _ => new List<int>()));
-                for (var submesh = 0; submesh < own.Length; submesh++)
+                for (int submesh = 0; submesh < own.Length; submesh++)
                     own[submesh].AddRange(piece.Value[submesh]);
             }
 
             var wings = new List<SkinnedWing>();
-            foreach (var one in merged)
+            foreach (KeyValuePair<(int Bone, WingSide Side), List<int>[]> one in merged)
                 wings.Add(Made(one.Key.Bone, Array.ConvertAll(one.Value, own => own.ToArray())));
             WingPairing.Assign(wings.ConvertAll(wing => wing.place));
             wings.Sort((a, b) => WingPairing.Compare(a.place, b.place));
@@ -76,16 +76,16 @@ namespace Alate
 
         private (int Set, WingSide Side, WingPair Pair) PieceOf(int a, int b, int c)
         {
-            var set = m_Sets.Find(a);
-            var part = m_Parts[set];
-            var middle = m_ToInsect.MultiplyPoint3x4((m_Positions[a] + m_Positions[b] + m_Positions[c]) / 3f);
-            var side = part.side ?? (middle.x < 0f ? WingSide.Left : WingSide.Right);
+            int set = m_Sets.Find(a);
+            (WingSide? side, bool hasBothPairs) part = m_Parts[set];
+            Vector3 middle = m_ToInsect.MultiplyPoint3x4((m_Positions[a] + m_Positions[b] + m_Positions[c]) / 3f);
+            WingSide side = part.side ?? (middle.x < 0f ? WingSide.Left : WingSide.Right);
             return (set, side, part.hasBothPairs ? PairOf(new[] { a, b, c }) : WingPair.Fore);
         }
 
         private SkinnedWing Made(int bone, int[][] submeshes)
         {
-            var name = bone == k_NoBone ? default : m_Bones.Name(bone);
+            WingName name = bone == k_NoBone ? default : m_Bones.Name(bone);
             var shape = WingShape.Of(m_Positions, MeshSelection.Of(submeshes), m_ToInsect);
             var place = new WingCandidate { shape = shape, namedSide = name.Side, pair = name.Pair };
             return new SkinnedWing { bone = bone, submeshes = submeshes, place = place };
@@ -95,7 +95,7 @@ namespace Alate
         {
             if (!m_Bones.IsSkinned)
                 return k_NoBone;
-            var heaviest = Heaviest(Weights(corners));
+            int heaviest = Heaviest(Weights(corners));
             return m_Bones[heaviest] == null ? heaviest : m_Bones.RootOf(heaviest);
         }
 
@@ -104,8 +104,8 @@ namespace Alate
         private bool HasBothPairs(int[] corners)
         {
             float fore = 0f, hind = 0f;
-            var weights = Weights(corners);
-            for (var bone = 0; bone < weights.Length; bone++)
+            float[] weights = Weights(corners);
+            for (int bone = 0; bone < weights.Length; bone++)
             {
                 fore += m_Bones.Name(bone).Pair == WingPair.Fore ? weights[bone] : 0f;
                 hind += m_Bones.Name(bone).Pair == WingPair.Hind ? weights[bone] : 0f;
@@ -116,10 +116,10 @@ namespace Alate
 
         private float[] Weights(int[] corners)
         {
-            var sums = new float[m_Bones.Count];
+            float[] sums = new float[m_Bones.Count];
             if (m_Bones.IsSkinned)
             {
-                foreach (var corner in corners)
+                foreach (int corner in corners)
                     m_Bones.AddWeights(corner, sums);
             }
 
@@ -128,8 +128,8 @@ namespace Alate
 
         private static int Heaviest(float[] weights)
         {
-            var heaviest = 0;
-            for (var bone = 1; bone < weights.Length; bone++)
+            int heaviest = 0;
+            for (int bone = 1; bone < weights.Length; bone++)
                 heaviest = weights[bone] > weights[heaviest] ? bone : heaviest;
             return heaviest;
         }

@@ -46,7 +46,7 @@ namespace Alate
             if (m_IsRestored)
                 return;
             m_IsRestored = true;
-            foreach (var group in m_Groups)
+            foreach (LODGroup group in m_Groups)
             {
                 if (group != null)
                     DetailLevels.Remove(group, Wings);
@@ -58,20 +58,20 @@ namespace Alate
                 Source.enabled = m_WasEnabled;
             }
 
-            foreach (var wing in Wings)
+            foreach (MeshRenderer wing in Wings)
             {
                 if (wing != null)
                     ObjectEnd.Destroy(wing.gameObject);
             }
 
-            foreach (var mesh in WingMeshes)
+            foreach (Mesh mesh in WingMeshes)
                 ObjectEnd.Destroy(mesh);
             ObjectEnd.Destroy(BodyMesh);
         }
 
         internal void Apply()
         {
-            foreach (var group in m_Groups)
+            foreach (LODGroup group in m_Groups)
                 DetailLevels.Add(group, Source, Wings);
             if (BodyMesh != null)
                 Source.sharedMesh = BodyMesh;

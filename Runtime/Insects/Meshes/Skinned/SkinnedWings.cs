@@ -43,7 +43,7 @@ namespace Alate
             var names = new RendererNames(source, source.sharedMesh, insect);
             if (names.IsCase)
                 return false;
-            for (var submesh = 0; submesh < source.sharedMesh.subMeshCount; submesh++)
+            for (int submesh = 0; submesh < source.sharedMesh.subMeshCount; submesh++)
             {
                 if (names.IsWing || names.Material(submesh).IsWing)
                     return true;
@@ -63,7 +63,7 @@ namespace Alate
 
         private void AddMirrored(TriangleSet found)
         {
-            foreach (var candidate in MirrorPairs.Of(WingCandidates.Of(m_Source, m_Mesh, m_Insect)))
+            foreach (WingCandidate candidate in MirrorPairs.Of(WingCandidates.Of(m_Source, m_Mesh, m_Insect)))
                 found.Add(candidate.part, candidate.submesh, candidate.point);
         }
     }

@@ -39,7 +39,7 @@ namespace Alate
         /// <summary>Adds the weights at a vertex to sums by bone.</summary>
         public void AddWeights(int vertex, float[] sums)
         {
-            var weights = m_Weights[vertex];
+            BoneWeight weights = m_Weights[vertex];
             Add(weights.boneIndex0, weights.weight0, sums);
             Add(weights.boneIndex1, weights.weight1, sums);
             Add(weights.boneIndex2, weights.weight2, sums);
@@ -49,10 +49,10 @@ namespace Alate
         /// <summary>The first bone of the wing that a bone moves: the wings of finer rigs have several, which all hang from the first.</summary>
         public int RootOf(int bone)
         {
-            var root = bone;
-            for (var place = m_Bones[bone].parent; place != null; place = place.parent)
+            int root = bone;
+            for (Transform place = m_Bones[bone].parent; place != null; place = place.parent)
             {
-                var above = Array.IndexOf(m_Bones, place);
+                int above = Array.IndexOf(m_Bones, place);
                 if (above < 0)
                     continue;
                 if (!IsSameWing(m_Names[above], m_Names[root]))
@@ -70,7 +70,7 @@ namespace Alate
         // Of objects above that are no bones, such as the rig, only those with a side speak for a wing.
         private static WingName NameOf(Transform bone, Transform insect, Transform[] bones)
         {
-            for (var place = bone; place != null && place != insect; place = place.parent)
+            for (Transform place = bone; place != null && place != insect; place = place.parent)
             {
                 var name = WingName.Read(place.name);
                 if (name.IsCase || (name.NamesWing && (name.Side != null || Array.IndexOf(bones, place) >= 0)))
@@ -82,7 +82,7 @@ namespace Alate
 
         private float WingWeight(int vertex)
         {
-            var weights = m_Weights[vertex];
+            BoneWeight weights = m_Weights[vertex];
             return WingWeight(weights.boneIndex0, weights.weight0) + WingWeight(weights.boneIndex1, weights.weight1)
                 + WingWeight(weights.boneIndex2, weights.weight2) + WingWeight(weights.boneIndex3, weights.weight3);
         }

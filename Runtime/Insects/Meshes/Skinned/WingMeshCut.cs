@@ -18,9 +18,9 @@ namespace Alate
         public static Mesh Take(Mesh mesh, BlendedShape shape, IReadOnlyList<int[]> submeshes, Matrix4x4 matrix)
         {
             var selection = MeshSelection.Of(submeshes);
-            var vertices = selection.vertices;
-            var turn = matrix.inverse.transpose;
-            var hand = matrix.determinant < 0f ? -1f : 1f;
+            int[] vertices = selection.vertices;
+            Matrix4x4 turn = matrix.inverse.transpose;
+            float hand = matrix.determinant < 0f ? -1f : 1f;
 
             var taken = new Mesh { indexFormat = vertices.Length > ushort.MaxValue ? IndexFormat.UInt32 : IndexFormat.UInt16 };
             taken.vertices = Array.ConvertAll(vertices, vertex => matrix.MultiplyPoint3x4(shape.positions[vertex]));
@@ -29,14 +29,14 @@ namespace Alate
             if (shape.tangents.Length > 0)
                 taken.tangents = Array.ConvertAll(vertices, vertex => Tangent(shape.tangents[vertex], matrix, hand));
             CopyColours(mesh, taken, vertices);
-            for (var channel = 0; channel < k_Channels; channel++)
+            for (int channel = 0; channel < k_Channels; channel++)
                 CopyCoordinates(mesh, taken, vertices, channel);
 
             taken.subMeshCount = submeshes.Count;
-            var start = 0;
-            for (var submesh = 0; submesh < submeshes.Count; submesh++)
+            int start = 0;
+            for (int submesh = 0; submesh < submeshes.Count; submesh++)
             {
-                var own = new int[submeshes[submesh].Length];
+                int[] own = new int[submeshes[submesh].Length];
                 Array.Copy(selection.triangles, start, own, 0, own.Length);
                 start += own.Length;
                 taken.SetTriangles(hand < 0f ? SurfaceMesh.Turned(own) : own, submesh, false);
@@ -51,15 +51,15 @@ namespace Alate
         /// <param name="isTaken">Whether a triangle of a submesh is left out.</param>
         public static Mesh Without(Mesh mesh, Func<int, int, bool> isTaken)
         {
-            var rest = UnityEngine.Object.Instantiate(mesh);
+            Mesh rest = UnityEngine.Object.Instantiate(mesh);
 
             // Submeshes with base vertices may have more vertices than their indices count to.
             if (mesh.vertexCount > ushort.MaxValue)
                 rest.indexFormat = IndexFormat.UInt32;
             rest.subMeshCount = mesh.subMeshCount;
-            for (var submesh = 0; submesh < mesh.subMeshCount; submesh++)
+            for (int submesh = 0; submesh < mesh.subMeshCount; submesh++)
             {
-                var corners = mesh.GetIndices(submesh);
+                int[] corners = mesh.GetIndices(submesh);
                 if (mesh.GetTopology(submesh) != MeshTopology.Triangles)
                 {
                     rest.SetIndices(corners, mesh.GetTopology(submesh), submesh, false);
@@ -67,7 +67,7 @@ namespace Alate
                 }
 
                 var left = new List<int>(corners.Length);
-                for (var corner = 0; corner < corners.Length; corner++)
+                for (int corner = 0; corner < corners.Length; corner++)
                 {
                     if (!isTaken(submesh, corner / 3))
                         left.Add(corners[corner]);
@@ -99,12 +99,12 @@ namespace Alate
 
         private static void CopyCoordinates(Mesh from, Mesh to, int[] vertices, int channel)
         {
-            var attribute = VertexAttribute.TexCoord0 + channel;
+            VertexAttribute attribute = VertexAttribute.TexCoord0 + channel;
             if (!from.HasVertexAttribute(attribute))
                 return;
             var all = new List<Vector4>();
             from.GetUVs(channel, all);
-            var picked = Array.ConvertAll(vertices, vertex => all[vertex]);
+            Vector4[] picked = Array.ConvertAll(vertices, vertex => all[vertex]);
             switch (from.GetVertexAttributeDimension(attribute))
             {
                 case 4:

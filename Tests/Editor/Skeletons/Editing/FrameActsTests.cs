@@ -51,7 +51,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void FittedAxes_FollowATurnedWing([Values(-70f, 20f, 80f)] float degrees)
         {
-            Quaternion turn = Quaternion.AngleAxis(degrees, new Vector3(1f, 2f, 0.5f).normalized);
+            var turn = Quaternion.AngleAxis(degrees, new Vector3(1f, 2f, 0.5f).normalized);
             foreach (JointChain chain in Skeleton.Chains)
             {
                 for (int j = 0; j < chain.Length; j++)

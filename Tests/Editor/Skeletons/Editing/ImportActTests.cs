@@ -36,7 +36,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void TooManyChains_AreRefused()
         {
-            var skeleton = Keep(ScriptableObject.CreateInstance<WingSkeleton>());
+            WingSkeleton skeleton = Keep(ScriptableObject.CreateInstance<WingSkeleton>());
             skeleton.Chains = new JointChain[17];
             for (int i = 0; i < 17; i++)
                 skeleton.Chains[i] = new JointChain(new Vector3(0f, 0f, -i), new Vector3(1f, 0f, -i), new Vector3(2f, 0f, -i));

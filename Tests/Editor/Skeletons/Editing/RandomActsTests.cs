@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -105,7 +104,7 @@ namespace Alate.Editor.Tests
         private string Chosen()
         {
             SkeletonEditing editing = m_Group.All[m_Random.Next(2)];
-            List<JointIndex> joints = JointPicking.All(editing.Skeleton).Where(joint => m_Random.Next(6) == 0).ToList();
+            var joints = JointPicking.All(editing.Skeleton).Where(joint => m_Random.Next(6) == 0).ToList();
             m_Group.Select(editing, joints, m_Random.Next(3) == 0);
             return $"select {joints.Count}";
         }
@@ -131,7 +130,7 @@ namespace Alate.Editor.Tests
 
         private string Moved()
         {
-            var extremes = new[] { float.NaN, float.PositiveInfinity, float.MaxValue, -1e9f, 1e-30f, 0f };
+            float[] extremes = new[] { float.NaN, float.PositiveInfinity, float.MaxValue, -1e9f, 1e-30f, 0f };
             Vector3 delta = m_Random.Next(4) == 0
                 ? Vector3.one * extremes[m_Random.Next(extremes.Length)]
                 : new Vector3(Small(), Small(), Small());

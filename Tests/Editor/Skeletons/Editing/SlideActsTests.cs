@@ -50,7 +50,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void JointsThatSlideTogether_AllGoTheWholeWay_WhereTheyHaveRoom()
         {
-            Vector3[] before = (Vector3[])Skeleton.Chains[2].joints.Clone();
+            var before = (Vector3[])Skeleton.Chains[2].joints.Clone();
             var path = new JointPath(before);
             float distance = path.DistanceOf(2) - path.DistanceOf(1);
             Select((2, 1), (2, 2), (2, 3), (2, 4));

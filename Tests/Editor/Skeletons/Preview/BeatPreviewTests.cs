@@ -109,7 +109,7 @@ namespace Alate.Editor.Tests
         {
             var monarch = new PresetValues(null);
 
-            PreviewFlight flight = PreviewFlight.Of(monarch);
+            var flight = PreviewFlight.Of(monarch);
 
             Assert.That(flight.surroundings.speed, Is.EqualTo(0.65f * monarch.parameters.maxSpeed).Within(1e-5f));
             Assert.That(-flight.surroundings.wind.z * monarch.size.wingLength, Is.EqualTo(flight.surroundings.speed).Within(1e-5f));

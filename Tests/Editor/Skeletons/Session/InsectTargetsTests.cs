@@ -35,7 +35,7 @@ namespace Alate.Editor.Tests
         public void TwinsFollow_WhereTheMeshHasASpaceOfItsOwn()
         {
             // The left mesh is turned and half as large in its own space; its object makes up for that.
-            Matrix4x4 own = Matrix4x4.TRS(new Vector3(0.1f, 0.2f, 0.3f), Quaternion.Euler(0f, 90f, 0f), 0.5f * Vector3.one);
+            var own = Matrix4x4.TRS(new Vector3(0.1f, 0.2f, 0.3f), Quaternion.Euler(0f, 90f, 0f), 0.5f * Vector3.one);
             Transform place = Left.Renderer.transform;
             Matrix4x4 drawn = Insect.transform.worldToLocalMatrix * place.localToWorldMatrix * own.inverse;
             place.localPosition = drawn.GetPosition();

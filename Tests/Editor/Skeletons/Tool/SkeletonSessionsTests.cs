@@ -44,8 +44,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void SelectionsOfDestroyedSkeletons_AreCleanedAway()
         {
-            var gone = ScriptableObject.CreateInstance<WingSkeleton>();
-            JointSelection left = JointSelection.Of(gone);
+            WingSkeleton gone = ScriptableObject.CreateInstance<WingSkeleton>();
+            var left = JointSelection.Of(gone);
             Assert.That(JointSelection.Of(gone), Is.SameAs(left));
             Object.DestroyImmediate(gone);
 

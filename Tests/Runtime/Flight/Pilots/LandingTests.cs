@@ -1,8 +1,6 @@
-using System;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests.Flight

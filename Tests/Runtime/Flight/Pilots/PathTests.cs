@@ -43,7 +43,7 @@ namespace Alate.Tests.Flight
             flyer.situation.position = s_Square[0];
             var path = new PathFollower();
             path.Restart();
-            var visits = new int[s_Square.Length];
+            int[] visits = new int[s_Square.Length];
             int last = -1;
             for (int step = 0; step < 90 * 50; step++)
             {
@@ -78,7 +78,7 @@ namespace Alate.Tests.Flight
             path.Restart();
             for (int step = 0; step < 500; step++)
             {
-                FlightCommand command = FlightCommand.Fly(path.Along(flyer.situation, points, true, 1f));
+                var command = FlightCommand.Fly(path.Along(flyer.situation, points, true, 1f));
                 Assert.That(math.all(math.isfinite(command.velocity)), Is.True);
                 flyer.Fly(command);
             }

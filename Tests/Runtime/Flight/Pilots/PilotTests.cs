@@ -17,7 +17,7 @@ namespace Alate.Tests.Play.Flight
         [UnityTest]
         public IEnumerator Wanderer_FliesIntoNoWall([Values(1, 2, 3)] int seed)
         {
-            var walls = new[] { Wall(new Vector3(6f, 5f, 0f), new Vector3(1f, 8f, 6f)), Wall(new Vector3(-5f, 4f, 4f), new Vector3(5f, 5f, 1f)), Wall(new Vector3(0f, -0.5f, 0f), new Vector3(60f, 1f, 60f)) };
+            BoxCollider[] walls = new[] { Wall(new Vector3(6f, 5f, 0f), new Vector3(1f, 8f, 6f)), Wall(new Vector3(-5f, 4f, 4f), new Vector3(5f, 5f, 1f)), Wall(new Vector3(0f, -0.5f, 0f), new Vector3(60f, 1f, 60f)) };
             WanderPilot pilot = Made<WanderPilot>();
             pilot.Seed = seed;
             pilot.Volume = new FlightVolume(VolumeShape.Box, new Vector3(0f, 5f, 0f), new Vector3(30f, 8f, 30f));
@@ -236,7 +236,7 @@ namespace Alate.Tests.Play.Flight
         {
             Wall(new Vector3(0f, -0.5f, 0f), new Vector3(60f, 1f, 60f));
             GameObject insect = Keep(new GameObject("insect"));
-            var perch = insect.AddComponent<PerchPilot>();
+            PerchPilot perch = insect.AddComponent<PerchPilot>();
             insect.AddComponent<FlockPilot>();
             insect.AddComponent<WanderPilot>().Seed = 3;
             var flyer = new PointFlyer();

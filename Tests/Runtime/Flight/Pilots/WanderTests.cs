@@ -90,7 +90,7 @@ namespace Alate.Tests.Flight
         public void Height_ClimbsAndSinks_OverManyBeats()
         {
             float[] height = Track(2, 200f, new FlightVolume(VolumeShape.Box, Vector3.zero, 1e6f * Vector3.one), WanderSettings.Default, 2.5f).Select(place => place.y / 10f).ToArray();
-            var climb = new float[height.Length - 1];
+            float[] climb = new float[height.Length - 1];
             for (int k = 0; k < climb.Length; k++)
                 climb[k] = (height[k + 1] - height[k]) / 0.02f;
             int changes = Enumerable.Range(1, climb.Length - 1).Count(k => climb[k - 1] * climb[k] < 0f);

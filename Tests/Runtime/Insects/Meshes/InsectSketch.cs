@@ -29,10 +29,10 @@ namespace Alate.Tests
         /// <summary>A child without a mesh.</summary>
         public Transform Place(string path)
         {
-            var place = Root;
-            foreach (var name in path.Split('/'))
+            Transform place = Root;
+            foreach (string name in path.Split('/'))
             {
-                var child = place.Find(name);
+                Transform child = place.Find(name);
                 if (child == null)
                 {
                     child = new GameObject(name).transform;
@@ -48,10 +48,10 @@ namespace Alate.Tests
         /// <summary>A body of a box and three pairs of legs.</summary>
         public MeshSketch Body()
         {
-            var body = new MeshSketch().Box(new Vector3(0f, 0f, -0.3f), new Vector3(0.2f, 0.2f, 1.2f));
-            for (var leg = 0; leg < 3; leg++)
+            MeshSketch body = new MeshSketch().Box(new Vector3(0f, 0f, -0.3f), new Vector3(0.2f, 0.2f, 1.2f));
+            for (int leg = 0; leg < 3; leg++)
             {
-                foreach (var side in new[] { 1f, -1f })
+                foreach (float side in new[] { 1f, -1f })
                     body.Box(new Vector3(0.4f * side, -0.2f, 0.2f - 0.2f * leg), new Vector3(0.6f, 0.03f, 0.03f));
             }
 
@@ -71,7 +71,7 @@ namespace Alate.Tests
 
         private MeshRenderer Draw(string path, Mesh mesh, string[] materials)
         {
-            var renderer = Place(path).gameObject.AddComponent<MeshRenderer>();
+            MeshRenderer renderer = Place(path).gameObject.AddComponent<MeshRenderer>();
             renderer.gameObject.AddComponent<MeshFilter>().sharedMesh = Kept(mesh);
             renderer.sharedMaterials = Array.ConvertAll(materials, Material);
             return renderer;

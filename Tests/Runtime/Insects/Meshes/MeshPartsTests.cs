@@ -21,10 +21,10 @@ namespace Alate.Tests
         [Test]
         public void TheWholeMesh_IsAllSubmeshes_WithoutVerticesThatNoneUses()
         {
-            var sketch = new MeshSketch().Stray(Vector3.one).Wing(Vector3.zero, 1f, 0.5f).Stray(Vector3.up);
-            var mesh = Made(sketch.NextSubmesh().Wing(Vector3.zero, -1f, 0.5f));
+            MeshSketch sketch = new MeshSketch().Stray(Vector3.one).Wing(Vector3.zero, 1f, 0.5f).Stray(Vector3.up);
+            Mesh mesh = Made(sketch.NextSubmesh().Wing(Vector3.zero, -1f, 0.5f));
 
-            var all = MeshParts.Select(mesh, WingPart.WholeMesh, 7, Vector3.zero);
+            MeshSelection all = MeshParts.Select(mesh, WingPart.WholeMesh, 7, Vector3.zero);
 
             Assert.That(all.vertices, Has.Length.EqualTo(mesh.vertexCount - 2).And.Ordered.And.Unique);
             Assert.That(all.vertices, Has.None.EqualTo(0).And.None.EqualTo(36));
@@ -34,9 +34,9 @@ namespace Alate.Tests
         [Test]
         public void ASubmesh_KeepsItsTrianglesAndTheirWinding()
         {
-            var mesh = Made(new MeshSketch().Box(Vector3.zero, Vector3.one).NextSubmesh().Wing(Vector3.right, 1f, 0.5f));
+            Mesh mesh = Made(new MeshSketch().Box(Vector3.zero, Vector3.one).NextSubmesh().Wing(Vector3.right, 1f, 0.5f));
 
-            var wing = MeshParts.Select(mesh, WingPart.Submesh, 1, Vector3.zero);
+            MeshSelection wing = MeshParts.Select(mesh, WingPart.Submesh, 1, Vector3.zero);
 
             Assert.That(Corners(wing), Is.EqualTo(mesh.GetTriangles(1)));
             Assert.That(wing.vertices, Has.Length.EqualTo(35).And.All.GreaterThanOrEqualTo(8));
@@ -45,7 +45,7 @@ namespace Alate.Tests
         [Test]
         public void LinesInTheMesh_AreNoPartOfTheWhole()
         {
-            var mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, -1f, 0.5f));
+            Mesh mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, -1f, 0.5f));
             mesh.SetIndices(new[] { 40, 41 }, MeshTopology.Lines, 1);
 
             Assert.That(Corners(MeshParts.Select(mesh, WingPart.WholeMesh, 0, Vector3.zero)), Is.EqualTo(mesh.GetTriangles(0)));
@@ -55,15 +55,15 @@ namespace Alate.Tests
         [TestCase(true)]
         public void AConnectedPart_IsTheWingAtThePoint_WeldedOrNot(bool split)
         {
-            var sketch = new MeshSketch().Wing(new Vector3(0.1f, 0f, 0f), 1f, 0.5f).Wing(new Vector3(-0.1f, 0f, 0f), -1f, 0.5f);
-            var mesh = Made(split ? sketch.Split() : sketch);
+            MeshSketch sketch = new MeshSketch().Wing(new Vector3(0.1f, 0f, 0f), 1f, 0.5f).Wing(new Vector3(-0.1f, 0f, 0f), -1f, 0.5f);
+            Mesh mesh = Made(split ? sketch.Split() : sketch);
 
-            foreach (var side in new[] { 1f, -1f })
+            foreach (float side in new[] { 1f, -1f })
             {
-                var wing = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(0.6f * side, 0.2f, -0.1f));
+                MeshSelection wing = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(0.6f * side, 0.2f, -0.1f));
 
                 Assert.That(wing.triangles, Has.Length.EqualTo(mesh.triangles.Length / 2));
-                foreach (var p in MeshParts.Surface(mesh, wing).positions)
+                foreach (Vector3 p in MeshParts.Surface(mesh, wing).positions)
                     Assert.That(p.x * side, Is.InRange(0.1f - 1e-6f, 1.1f + 1e-6f));
             }
         }
@@ -71,10 +71,10 @@ namespace Alate.Tests
         [Test]
         public void AConnectedPart_GoesThroughSeamsOfMaterials()
         {
-            var sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward).NextSubmesh();
-            var mesh = Made(sketch.Sheet(Vector3.right, Vector3.right, Vector3.forward).Box(new Vector3(5f, 0f, 0f), Vector3.one));
+            MeshSketch sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward).NextSubmesh();
+            Mesh mesh = Made(sketch.Sheet(Vector3.right, Vector3.right, Vector3.forward).Box(new Vector3(5f, 0f, 0f), Vector3.one));
 
-            var wing = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, Vector3.zero);
+            MeshSelection wing = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, Vector3.zero);
 
             Assert.That(wing.triangles, Has.Length.EqualTo(2 * mesh.GetTriangles(0).Length));
         }
@@ -82,10 +82,10 @@ namespace Alate.Tests
         [Test]
         public void ZerosOfEitherSign_AreTheSamePlace()
         {
-            var sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward);
-            var half = sketch.positions.Count;
+            MeshSketch sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward);
+            int half = sketch.positions.Count;
             sketch.Sheet(Vector3.zero, Vector3.left, Vector3.forward);
-            for (var vertex = half; vertex < sketch.positions.Count; vertex++)
+            for (int vertex = half; vertex < sketch.positions.Count; vertex++)
                 sketch.positions[vertex] = Vector3.Scale(sketch.positions[vertex], new Vector3(1f, -1f, 1f));
             Assert.That(1f / sketch.positions[half].y, Is.EqualTo(float.NegativeInfinity), "minus zero");
 
@@ -99,16 +99,16 @@ namespace Alate.Tests
         public void Seams_AreWeldedAcrossRoundings_ButNotAcrossGaps(float size, float offset)
         {
             // A sheet in eight strips whose common edges differ by the rounding of a float; then with gaps of a hundred-thousandth.
-            foreach (var gap in new[] { 0f, 1e-5f * (1f + offset) })
+            foreach (float gap in new[] { 0f, 1e-5f * (1f + offset) })
             {
                 var sketch = new MeshSketch();
-                for (var strip = 0; strip < 8; strip++)
+                for (int strip = 0; strip < 8; strip++)
                 {
                     var corner = new Vector3(strip * (1f / 7f) + gap * strip, 0f, 0f);
                     sketch.Sheet(corner, new Vector3(1f / 7f, 0f, 0f), new Vector3(0.1f, 0.1f, 0.7f), 3, 4);
                 }
 
-                for (var vertex = 0; vertex < sketch.positions.Count; vertex++)
+                for (int vertex = 0; vertex < sketch.positions.Count; vertex++)
                     sketch.positions[vertex] = size * (sketch.positions[vertex] + offset * Vector3.one) / 3f;
 
                 Assert.That(MeshParts.Parts(Made(sketch)), Has.Count.EqualTo(gap == 0f ? 1 : 8), $"gap {gap}");
@@ -124,12 +124,12 @@ namespace Alate.Tests
             float Any() => 2f * (float)random.NextDouble() - 1f;
             float Nearly(float value) => value * (1f + 1.2e-7f * random.Next(-2, 3));
             var sketch = new MeshSketch();
-            for (var square = 0; square < k_Squares; square++)
+            for (int square = 0; square < k_Squares; square++)
                 sketch.Sheet(new Vector3(Any(), Any(), Any()), 1e-3f * Vector3.right, 1e-3f * Vector3.forward, 1, 1);
             sketch.Split();
-            for (var vertex = 0; vertex < sketch.positions.Count; vertex++)
+            for (int vertex = 0; vertex < sketch.positions.Count; vertex++)
             {
-                var p = sketch.positions[vertex];
+                Vector3 p = sketch.positions[vertex];
                 sketch.positions[vertex] = new Vector3(Nearly(p.x), Nearly(p.y), Nearly(p.z));
             }
 
@@ -140,11 +140,11 @@ namespace Alate.Tests
         public void TheNearestTriangle_IsFoundByItsFace_NotItsCorners()
         {
             // The point is 1 above the middle of a large triangle whose corners are far, and 2 from a small sheet.
-            var mesh = Made(new MeshSketch()
+            Mesh mesh = Made(new MeshSketch()
                 .Sheet(new Vector3(-50f, 0f, -50f), new Vector3(100f, 0f, 0f), new Vector3(0f, 0f, 100f), 1, 1)
                 .Sheet(new Vector3(0f, 3f, 0f), Vector3.right, Vector3.forward));
 
-            var part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(5f, 1f, -5f));
+            MeshSelection part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(5f, 1f, -5f));
             Assert.That(part.vertices, Is.EqualTo(new[] { 0, 1, 2, 3 }));
             part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(0.5f, 2.1f, 0.5f));
             Assert.That(part.vertices, Has.Length.EqualTo(35));
@@ -155,17 +155,17 @@ namespace Alate.Tests
         {
             var random = new System.Random(5);
             Vector3 Any() => new Vector3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
-            for (var round = 0; round < 200; round++)
+            for (int round = 0; round < 200; round++)
             {
                 Vector3 a = Any(), b = Any(), c = Any(), point = 3f * Any() - Vector3.one;
-                var least = float.MaxValue;
-                for (var i = 0; i <= 100; i++)
+                float least = float.MaxValue;
+                for (int i = 0; i <= 100; i++)
                 {
-                    for (var j = 0; i + j <= 100; j++)
+                    for (int j = 0; i + j <= 100; j++)
                         least = Mathf.Min(least, (a + (b - a) * (i / 100f) + (c - a) * (j / 100f) - point).magnitude);
                 }
 
-                var distance = Mathf.Sqrt(TriangleDistance.Square(point, a, b, c));
+                float distance = Mathf.Sqrt(TriangleDistance.Square(point, a, b, c));
                 Assert.That(distance, Is.LessThan(least + 1e-6f).And.GreaterThan(least - 0.03f));
             }
         }
@@ -173,14 +173,14 @@ namespace Alate.Tests
         [Test]
         public void Surface_CarriesTheVerticesOfTheSelection()
         {
-            var mesh = Made(new MeshSketch().Box(Vector3.zero, Vector3.one).NextSubmesh().Wing(Vector3.right, 1f, 0.5f));
+            Mesh mesh = Made(new MeshSketch().Box(Vector3.zero, Vector3.one).NextSubmesh().Wing(Vector3.right, 1f, 0.5f));
             mesh.tangents = Array.ConvertAll(mesh.vertices, p => new Vector4(p.x, p.y, p.z, 1f));
-            var wing = MeshParts.Select(mesh, WingPart.Submesh, 1, Vector3.zero);
+            MeshSelection wing = MeshParts.Select(mesh, WingPart.Submesh, 1, Vector3.zero);
 
-            var surface = MeshParts.Surface(mesh, wing);
+            SurfaceMesh surface = MeshParts.Surface(mesh, wing);
 
             Assert.That(surface.name, Is.EqualTo(mesh.name));
-            for (var k = 0; k < wing.vertices.Length; k++)
+            for (int k = 0; k < wing.vertices.Length; k++)
             {
                 Assert.That(surface.positions[k], Is.EqualTo(mesh.vertices[wing.vertices[k]]));
                 Assert.That(surface.normals[k], Is.EqualTo(mesh.normals[wing.vertices[k]]));
@@ -193,22 +193,22 @@ namespace Alate.Tests
         [Test]
         public void Parts_HaveTheirAreaBoxAndPoint()
         {
-            var mesh = Made(new MeshSketch()
+            Mesh mesh = Made(new MeshSketch()
                 .Box(Vector3.up, new Vector3(1f, 2f, 3f))
                 .Sheet(new Vector3(2f, 0f, 0f), 2f * Vector3.right, Vector3.forward));
 
-            var parts = MeshParts.Parts(mesh);
+            List<(MeshSelection selection, Vector3 point)> parts = MeshParts.Parts(mesh);
 
             Assert.That(parts, Has.Count.EqualTo(2));
-            var shapes = parts.ConvertAll(part => WingShape.Of(mesh.vertices, part.selection, Matrix4x4.identity));
+            List<WingShape> shapes = parts.ConvertAll(part => WingShape.Of(mesh.vertices, part.selection, Matrix4x4.identity));
             Assert.That(shapes[0].area, Is.EqualTo(22f).Within(1e-4f));
             Assert.That(shapes[0].bounds.size, Is.EqualTo(new Vector3(1f, 2f, 3f)));
             Assert.That((shapes[0].centroid - Vector3.up).magnitude, Is.LessThan(1e-5f));
             Assert.That(shapes[1].area, Is.EqualTo(2f).Within(1e-5f));
             Assert.That((shapes[1].centroid - new Vector3(3f, 0f, 0.5f)).magnitude, Is.LessThan(1e-5f));
-            foreach (var part in parts)
+            foreach ((MeshSelection selection, Vector3 point) part in parts)
             {
-                var again = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, part.point);
+                MeshSelection again = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, part.point);
                 Assert.That(again.vertices, Is.EqualTo(part.selection.vertices));
                 Assert.That(again.triangles, Is.EqualTo(part.selection.triangles));
             }
@@ -218,14 +218,14 @@ namespace Alate.Tests
         [TestCase(false)]
         public void AHundredThousandTriangles_TakeNoTime(bool split)
         {
-            var sketch = new MeshSketch().Sheet(Vector3.right, Vector3.right, Vector3.forward, 250, 200);
+            MeshSketch sketch = new MeshSketch().Sheet(Vector3.right, Vector3.right, Vector3.forward, 250, 200);
             sketch.Sheet(Vector3.left, Vector3.left, Vector3.forward, 2, 2);
             if (split)
                 sketch.Split();
-            var mesh = Made(sketch);
+            Mesh mesh = Made(sketch);
             var watch = System.Diagnostics.Stopwatch.StartNew();
 
-            var part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(1.5f, 1f, 0.5f));
+            MeshSelection part = MeshParts.Select(mesh, WingPart.ConnectedPart, 0, new Vector3(1.5f, 1f, 0.5f));
 
             TestContext.WriteLine($"{watch.Elapsed.TotalMilliseconds:f0} ms for {mesh.vertexCount} vertices");
             Assert.That(part.triangles, Has.Length.EqualTo(300000));
@@ -235,10 +235,10 @@ namespace Alate.Tests
         [Test]
         public void AHundredThousandPieces_TakeNoTimeEither()
         {
-            var sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward, 250, 200).Split();
-            for (var vertex = 0; vertex < sketch.positions.Count; vertex++)
+            MeshSketch sketch = new MeshSketch().Sheet(Vector3.zero, Vector3.right, Vector3.forward, 250, 200).Split();
+            for (int vertex = 0; vertex < sketch.positions.Count; vertex++)
                 sketch.positions[vertex] += vertex / 3 * new Vector3(0f, 0.01f, 0f);
-            var mesh = Made(sketch);
+            Mesh mesh = Made(sketch);
             var watch = System.Diagnostics.Stopwatch.StartNew();
 
             Assert.That(MeshParts.Parts(mesh), Has.Count.EqualTo(100000));
@@ -249,7 +249,7 @@ namespace Alate.Tests
         [Test]
         public void WrongAsking_IsRefused_InOneLineThatNamesTheMesh()
         {
-            var mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh());
+            Mesh mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh());
             mesh.SetIndices(new[] { 1, 2 }, MeshTopology.Lines, 1);
 
             Refuses(mesh, WingPart.Submesh, 3, "Mesh 'Sketch' has no submesh 3: it has 3, numbered from 0.");
@@ -268,7 +268,7 @@ namespace Alate.Tests
         [Test]
         public void AMeshThatIsNotReadable_IsRefused()
         {
-            var mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f));
+            Mesh mesh = Made(new MeshSketch().Wing(Vector3.zero, 1f, 0.5f));
             mesh.UploadMeshData(true);
 
             foreach (WingPart part in Enum.GetValues(typeof(WingPart)))

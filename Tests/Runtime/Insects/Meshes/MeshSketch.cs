@@ -20,18 +20,18 @@ namespace Alate.Tests
         /// <summary>A parallelogram of columns × rows quads, two triangles each.</summary>
         public MeshSketch Sheet(Vector3 corner, Vector3 span, Vector3 chord, int columns = 6, int rows = 4)
         {
-            var first = positions.Count;
-            for (var c = 0; c <= columns; c++)
+            int first = positions.Count;
+            for (int c = 0; c <= columns; c++)
             {
-                for (var r = 0; r <= rows; r++)
+                for (int r = 0; r <= rows; r++)
                     positions.Add(corner + span * ((float)c / columns) + chord * ((float)r / rows));
             }
 
-            for (var c = 0; c < columns; c++)
+            for (int c = 0; c < columns; c++)
             {
-                for (var r = 0; r < rows; r++)
+                for (int r = 0; r < rows; r++)
                 {
-                    var a = first + c * (rows + 1) + r;
+                    int a = first + c * (rows + 1) + r;
                     Quad(a, a + rows + 1, a + rows + 2, a + 1);
                 }
             }
@@ -42,11 +42,11 @@ namespace Alate.Tests
         /// <summary>A flat wing that tapers: base at <paramref name="hinge"/>, span along ±X, chord backwards.</summary>
         public MeshSketch Wing(Vector3 hinge, float span, float chord, int columns = 6, int rows = 4)
         {
-            var first = positions.Count;
+            int first = positions.Count;
             Sheet(hinge, new Vector3(span, 0f, 0f), new Vector3(0f, 0f, -chord), columns, rows);
-            for (var vertex = first; vertex < positions.Count; vertex++)
+            for (int vertex = first; vertex < positions.Count; vertex++)
             {
-                var p = positions[vertex] - hinge;
+                Vector3 p = positions[vertex] - hinge;
                 p.z *= 1f - 0.6f * Mathf.Pow(p.x / span, 2f);
                 positions[vertex] = hinge + p;
             }
@@ -57,8 +57,8 @@ namespace Alate.Tests
         /// <summary>A closed box of 12 triangles with 8 vertices.</summary>
         public MeshSketch Box(Vector3 centre, Vector3 size)
         {
-            var first = positions.Count;
-            for (var corner = 0; corner < 8; corner++)
+            int first = positions.Count;
+            for (int corner = 0; corner < 8; corner++)
             {
                 var sign = new Vector3((corner & 1) - 0.5f, (corner >> 1 & 1) - 0.5f, (corner >> 2 & 1) - 0.5f);
                 positions.Add(centre + Vector3.Scale(sign, size));
@@ -83,11 +83,11 @@ namespace Alate.Tests
         /// <summary>Gives each triangle three vertices of its own.</summary>
         public MeshSketch Split()
         {
-            var old = positions.ToArray();
+            Vector3[] old = positions.ToArray();
             positions.Clear();
-            foreach (var submesh in m_Submeshes)
+            foreach (List<int> submesh in m_Submeshes)
             {
-                for (var corner = 0; corner < submesh.Count; corner++)
+                for (int corner = 0; corner < submesh.Count; corner++)
                 {
                     positions.Add(old[submesh[corner]]);
                     submesh[corner] = positions.Count - 1;
@@ -103,7 +103,7 @@ namespace Alate.Tests
             var mesh = new Mesh { name = name, indexFormat = positions.Count > ushort.MaxValue ? IndexFormat.UInt32 : IndexFormat.UInt16 };
             mesh.SetVertices(positions);
             mesh.subMeshCount = m_Submeshes.Count;
-            for (var submesh = 0; submesh < m_Submeshes.Count; submesh++)
+            for (int submesh = 0; submesh < m_Submeshes.Count; submesh++)
                 mesh.SetTriangles(m_Submeshes[submesh], submesh);
             mesh.RecalculateNormals();
             mesh.RecalculateBounds();
@@ -112,7 +112,7 @@ namespace Alate.Tests
 
         private void Quad(int a, int b, int c, int d)
         {
-            var triangles = m_Submeshes[m_Submeshes.Count - 1];
+            List<int> triangles = m_Submeshes[m_Submeshes.Count - 1];
             triangles.AddRange(new[] { a, b, c, a, c, d });
         }
     }

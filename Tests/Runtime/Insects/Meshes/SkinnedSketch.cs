@@ -24,7 +24,7 @@ namespace Alate.Tests
         /// <summary>A bone below others, by their names with slashes between.</summary>
         public Transform Bone(string path, Vector3 position = default, Quaternion? rotation = null, float scale = 1f)
         {
-            var bone = m_Insect.Place("Rig/" + path);
+            Transform bone = m_Insect.Place("Rig/" + path);
             bone.localPosition = position;
             bone.localRotation = rotation ?? Quaternion.Euler(20f, -50f, 110f);
             bone.localScale = scale * Vector3.one;
@@ -39,9 +39,9 @@ namespace Alate.Tests
         /// <param name="materials">Names.</param>
         public SkinnedMeshRenderer Skin(string name, MeshSketch sketch, Func<Vector3, BoneWeight> weights, params string[] materials)
         {
-            var mesh = m_Insect.Mesh(sketch);
+            Mesh mesh = m_Insect.Mesh(sketch);
             var numbers = new Vector2[mesh.vertexCount];
-            for (var vertex = 0; vertex < numbers.Length; vertex++)
+            for (int vertex = 0; vertex < numbers.Length; vertex++)
                 numbers[vertex] = new Vector2(vertex, 0.5f);
             mesh.uv = numbers;
             mesh.tangents = Array.ConvertAll(mesh.vertices, _ => new Vector4(0.6f, 0f, 0.8f, -1f));
@@ -72,7 +72,7 @@ namespace Alate.Tests
         {
             var random = new System.Random(seed);
             float Any(float size) => size * (2f * (float)random.NextDouble() - 1f);
-            foreach (var bone in m_Bones)
+            foreach (Transform bone in m_Bones)
             {
                 bone.localPosition += new Vector3(Any(0.3f), Any(0.3f), Any(0.3f));
                 bone.localRotation *= Quaternion.Euler(Any(60f), Any(60f), Any(60f));
@@ -82,13 +82,13 @@ namespace Alate.Tests
         /// <summary>Vertices of a mesh by linear blend skinning, world space.</summary>
         public Vector3[] Posed(Mesh mesh)
         {
-            var positions = mesh.vertices;
-            var weights = mesh.boneWeights;
-            var binds = mesh.bindposes;
-            for (var vertex = 0; vertex < positions.Length; vertex++)
+            Vector3[] positions = mesh.vertices;
+            BoneWeight[] weights = mesh.boneWeights;
+            Matrix4x4[] binds = mesh.bindposes;
+            for (int vertex = 0; vertex < positions.Length; vertex++)
             {
-                var p = positions[vertex];
-                var w = weights[vertex];
+                Vector3 p = positions[vertex];
+                BoneWeight w = weights[vertex];
                 positions[vertex] = w.weight0 * At(w.boneIndex0, p) + w.weight1 * At(w.boneIndex1, p)
                     + w.weight2 * At(w.boneIndex2, p) + w.weight3 * At(w.boneIndex3, p);
             }

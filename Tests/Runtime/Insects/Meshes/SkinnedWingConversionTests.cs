@@ -11,9 +11,9 @@ namespace Alate.Tests
         public void ARendererThatIsAllWing_BecomesOneUnderItsBone_AndFollowsIt([Values(0, 1, 2)] int pose)
         {
             m_Insect.Bone("chest/hinge", new Vector3(0.1f, 0f, 0f));
-            var source = m_Insect.Skin("Wing", Wing(1f), p => SkinnedSketch.One(1));
+            SkinnedMeshRenderer source = m_Insect.Skin("Wing", Wing(1f), p => SkinnedSketch.One(1));
             MoveOnce(pose);
-            var before = m_Insect.Posed(source.sharedMesh);
+            Vector3[] before = m_Insect.Posed(source.sharedMesh);
 
             m_Result = SkinnedWingConversion.Convert(source);
 
@@ -28,14 +28,14 @@ namespace Alate.Tests
         [Test]
         public void BothWingsOfARenderer_FollowTheirOwnBones()
         {
-            var source = Winged("Wings", Wings(), p => SkinnedSketch.One(p.x > 0f ? 1 : 2));
+            SkinnedMeshRenderer source = Winged("Wings", Wings(), p => SkinnedSketch.One(p.x > 0f ? 1 : 2));
 
             m_Result = SkinnedWingConversion.Convert(source);
             m_Insect.Move(3);
 
             Assert.That(m_Result.Wings.Select(wing => wing.name), Is.EqualTo(new[] { "Wing Right", "Wing Left" }));
             Assert.That(m_Result.Wings.Select(wing => wing.transform.parent), Is.EqualTo(m_Insect.Bones.Skip(1)));
-            foreach (var wing in m_Result.Wings)
+            foreach (MeshRenderer wing in m_Result.Wings)
                 AssertDrawn(wing, m_Insect.Posed(source.sharedMesh));
         }
 
@@ -43,31 +43,31 @@ namespace Alate.Tests
         public void WingsThatGrowOutOfTheBody_AreCutOff_WhereTheirBonesTakeOver()
         {
             // One connected mesh, from the left tip to the right; weights blend from the chest to the wings.
-            var sketch = new MeshSketch().Sheet(new Vector3(-1f, 0.1f, 0f), 2f * Vector3.right, 0.4f * Vector3.back, 40, 4);
-            var source = Winged("Butterfly", sketch, Blended);
-            var original = source.sharedMesh;
-            var bind = m_Insect.Posed(original);
+            MeshSketch sketch = new MeshSketch().Sheet(new Vector3(-1f, 0.1f, 0f), 2f * Vector3.right, 0.4f * Vector3.back, 40, 4);
+            SkinnedMeshRenderer source = Winged("Butterfly", sketch, Blended);
+            Mesh original = source.sharedMesh;
+            Vector3[] bind = m_Insect.Posed(original);
 
             m_Result = SkinnedWingConversion.Convert(source);
 
             Assert.That(source.enabled && source.sharedMesh == m_Result.BodyMesh);
             Assert.That(m_Result.Wings, Has.Count.EqualTo(2));
             Assert.That(TriangleCount(), Is.EqualTo(original.triangles.Length));
-            foreach (var wing in m_Result.Wings)
+            foreach (MeshRenderer wing in m_Result.Wings)
                 AssertDrawn(wing, bind);
             m_Insect.Move(11);
-            var posed = m_Insect.Posed(original);
+            Vector3[] posed = m_Insect.Posed(original);
             Assert.That(m_Insect.Posed(m_Result.BodyMesh), Is.EqualTo(posed));
-            foreach (var wing in m_Result.Wings)
+            foreach (MeshRenderer wing in m_Result.Wings)
                 AssertDrawn(wing, posed, number => Mathf.Abs(original.vertices[number].x) > 0.3f);
         }
 
         [Test]
         public void OfOneMeshWithTheBody_WingsAreFoundByMaterial_AndTheRestStaysSkinned()
         {
-            var sketch = Body().NextSubmesh().Wing(Hinge(1f), 1f, 0.5f).Wing(Hinge(-1f), -1f, 0.5f);
-            var source = Skinned("Fly", sketch, Blended, "chitin", "wing");
-            var original = source.sharedMesh;
+            MeshSketch sketch = Body().NextSubmesh().Wing(Hinge(1f), 1f, 0.5f).Wing(Hinge(-1f), -1f, 0.5f);
+            SkinnedMeshRenderer source = Skinned("Fly", sketch, Blended, "chitin", "wing");
+            Mesh original = source.sharedMesh;
 
             m_Result = SkinnedWingConversion.Convert(source, m_Insect.Root);
 
@@ -82,7 +82,7 @@ namespace Alate.Tests
         [Test]
         public void WhereNothingIsCalledAWing_ThinMirroredPartsAreWings()
         {
-            var source = Skinned("Fly", Body().Wing(Hinge(1f), 1f, 0.5f).Wing(Hinge(-1f), -1f, 0.5f), Blended);
+            SkinnedMeshRenderer source = Skinned("Fly", Body().Wing(Hinge(1f), 1f, 0.5f).Wing(Hinge(-1f), -1f, 0.5f), Blended);
 
             m_Result = SkinnedWingConversion.Convert(source, m_Insect.Root);
 
@@ -93,8 +93,8 @@ namespace Alate.Tests
         [Test]
         public void APartThatIsAskedFor_IsTaken_WhateverItIsCalled()
         {
-            var source = Skinned("Fly", Body().NextSubmesh().Wing(Hinge(1f), 1f, 0.5f), p => SkinnedSketch.One(0));
-            var original = source.sharedMesh;
+            SkinnedMeshRenderer source = Skinned("Fly", Body().NextSubmesh().Wing(Hinge(1f), 1f, 0.5f), p => SkinnedSketch.One(0));
+            Mesh original = source.sharedMesh;
 
             m_Result = SkinnedWingConversion.Convert(source, m_Insect.Root, WingPart.Submesh, 1);
             Assert.That(m_Result.WingMeshes.Single().triangles, Has.Length.EqualTo(original.GetTriangles(1).Length));
@@ -111,7 +111,7 @@ namespace Alate.Tests
             m_Insect.Bone("chest/wing.R/wing.R.001/Bone", 0.2f * Vector3.right);
             m_Insect.Bone("chest/wing.L", Hinge(-1f));
             BoneWeight Right(Vector3 p) => SkinnedSketch.Two(1, p.x > 0.6f ? 3 : 2, 0.9f);
-            var source = m_Insect.Skin("Wings", Wings(), p => p.x < 0f ? SkinnedSketch.One(4) : Right(p));
+            SkinnedMeshRenderer source = m_Insect.Skin("Wings", Wings(), p => p.x < 0f ? SkinnedSketch.One(4) : Right(p));
 
             m_Result = SkinnedWingConversion.Convert(source);
 
@@ -122,11 +122,11 @@ namespace Alate.Tests
         public void ForeAndHindWingsThatHangTogether_AreToldByTheirBones()
         {
             var sketch = new MeshSketch();
-            foreach (var side in new[] { 1f, -1f })
+            foreach (float side in new[] { 1f, -1f })
                 sketch.Wing(Hinge(side), side, 0.4f, 8, 8).Wing(Hinge(side) - new Vector3(0f, 0f, 0.4f), 0.8f * side, 0.3f, 8, 8);
-            foreach (var name in new[] { "forewing_r", "hindwing_r", "forewing_l", "hindwing_l" })
+            foreach (string name in new[] { "forewing_r", "hindwing_r", "forewing_l", "hindwing_l" })
                 m_Insect.Bone("chest/" + name, Hinge(name.EndsWith("r") ? 1f : -1f));
-            var source = m_Insect.Skin("Wings", sketch, p => SkinnedSketch.One((p.x > 0f ? 1 : 3) + (p.z < Hinge(1f).z - 0.4f ? 1 : 0)));
+            SkinnedMeshRenderer source = m_Insect.Skin("Wings", sketch, p => SkinnedSketch.One((p.x > 0f ? 1 : 3) + (p.z < Hinge(1f).z - 0.4f ? 1 : 0)));
 
             m_Result = SkinnedWingConversion.Convert(source);
 
@@ -144,7 +144,7 @@ namespace Alate.Tests
         public void WhatCannotBeConverted_IsRefused_AndNothingIsMade()
         {
             Refuses<ArgumentNullException>(null, "source");
-            var source = Skinned("Fly", Body(), p => SkinnedSketch.One(0));
+            SkinnedMeshRenderer source = Skinned("Fly", Body(), p => SkinnedSketch.One(0));
             Refuses<ArgumentException>(source, "Nothing in 'Fly' looks like a wing");
 
             source.name = "Wing";

@@ -26,7 +26,7 @@ namespace Alate.Tests
         {
             if (m_Result != null)
             {
-                foreach (var mesh in m_Result.WingMeshes)
+                foreach (Mesh mesh in m_Result.WingMeshes)
                     Object.DestroyImmediate(mesh);
                 Object.DestroyImmediate(m_Result.BodyMesh);
             }
@@ -37,13 +37,13 @@ namespace Alate.Tests
         // Each vertex of the wing, by the number that it carries, is drawn at its place.
         protected static void AssertDrawn(MeshRenderer wing, Vector3[] places, Predicate<int> which = null, float near = k_Near)
         {
-            var mesh = wing.GetComponent<MeshFilter>().sharedMesh;
-            var numbers = mesh.uv;
-            var positions = mesh.vertices;
-            for (var vertex = 0; vertex < positions.Length; vertex++)
+            Mesh mesh = wing.GetComponent<MeshFilter>().sharedMesh;
+            Vector2[] numbers = mesh.uv;
+            Vector3[] positions = mesh.vertices;
+            for (int vertex = 0; vertex < positions.Length; vertex++)
             {
-                var number = (int)numbers[vertex].x;
-                var drawn = wing.transform.localToWorldMatrix.MultiplyPoint3x4(positions[vertex]);
+                int number = (int)numbers[vertex].x;
+                Vector3 drawn = wing.transform.localToWorldMatrix.MultiplyPoint3x4(positions[vertex]);
                 if (which == null || which(number))
                     Assert.That((drawn - places[number]).magnitude, Is.LessThan(near), $"vertex {number}");
             }

@@ -12,28 +12,28 @@ namespace Alate.Tests
         [TestCase(-1f)]
         public void FacesNormalsAndTangents_AreKept_AlsoUnderABoneThatMirrors(float scale)
         {
-            var bone = m_Insect.Bone("chest/hinge", new Vector3(0.1f, 0f, 0f));
+            Transform bone = m_Insect.Bone("chest/hinge", new Vector3(0.1f, 0f, 0f));
             bone.localScale = new Vector3(scale, 1f, 1f);
-            var source = m_Insect.Skin("Wing", Wing(1f), p => SkinnedSketch.One(1));
-            var original = source.sharedMesh;
+            SkinnedMeshRenderer source = m_Insect.Skin("Wing", Wing(1f), p => SkinnedSketch.One(1));
+            Mesh original = source.sharedMesh;
 
             m_Result = SkinnedWingConversion.Convert(source);
 
-            var mesh = m_Result.WingMeshes.Single();
-            var toWorld = m_Result.Wings[0].transform.localToWorldMatrix;
-            var normalToWorld = toWorld.inverse.transpose;
-            for (var corner = 0; corner < mesh.triangles.Length; corner += 3)
+            Mesh mesh = m_Result.WingMeshes.Single();
+            Matrix4x4 toWorld = m_Result.Wings[0].transform.localToWorldMatrix;
+            Matrix4x4 normalToWorld = toWorld.inverse.transpose;
+            for (int corner = 0; corner < mesh.triangles.Length; corner += 3)
             {
                 Vector3 a = mesh.vertices[mesh.triangles[corner]], b = mesh.vertices[mesh.triangles[corner + 1]];
                 var face = Vector3.Cross(b - a, mesh.vertices[mesh.triangles[corner + 2]] - a);
                 Assert.That(Vector3.Dot(face, mesh.normals[mesh.triangles[corner]]), Is.GreaterThan(0f));
             }
 
-            for (var vertex = 0; vertex < mesh.vertexCount; vertex++)
+            for (int vertex = 0; vertex < mesh.vertexCount; vertex++)
             {
-                var normal = normalToWorld.MultiplyVector(mesh.normals[vertex]).normalized;
+                Vector3 normal = normalToWorld.MultiplyVector(mesh.normals[vertex]).normalized;
                 Assert.That((normal - m_Insect.Root.TransformDirection(original.normals[vertex])).magnitude, Is.LessThan(1e-4f));
-                var tangent = toWorld.MultiplyVector(mesh.tangents[vertex]).normalized;
+                Vector3 tangent = toWorld.MultiplyVector(mesh.tangents[vertex]).normalized;
                 Assert.That((tangent - m_Insect.Root.TransformDirection(original.tangents[vertex])).magnitude, Is.LessThan(1e-4f));
                 Assert.That(mesh.tangents[vertex].w, Is.EqualTo(original.tangents[vertex].w * scale));
             }
@@ -42,8 +42,8 @@ namespace Alate.Tests
         [Test]
         public void ColoursAndAllTextureCoordinates_AreKept()
         {
-            var source = Winged("Wings", Wings(), p => SkinnedSketch.One(p.x > 0f ? 1 : 2));
-            var original = source.sharedMesh;
+            SkinnedMeshRenderer source = Winged("Wings", Wings(), p => SkinnedSketch.One(p.x > 0f ? 1 : 2));
+            Mesh original = source.sharedMesh;
             original.colors32 = Array.ConvertAll(original.vertices, p => (Color32)new Color(p.x, p.y, -p.z, 1f));
             original.SetUVs(3, Array.ConvertAll(original.vertices, p => new Vector4(p.z, p.y, p.x, 5f)));
             original.SetUVs(7, Array.ConvertAll(original.vertices, p => p));
@@ -52,13 +52,13 @@ namespace Alate.Tests
 
             var fours = new List<Vector4>();
             var threes = new List<Vector3>();
-            foreach (var mesh in m_Result.WingMeshes)
+            foreach (Mesh mesh in m_Result.WingMeshes)
             {
                 mesh.GetUVs(3, fours);
                 mesh.GetUVs(7, threes);
-                for (var vertex = 0; vertex < mesh.vertexCount; vertex++)
+                for (int vertex = 0; vertex < mesh.vertexCount; vertex++)
                 {
-                    var p = original.vertices[(int)mesh.uv[vertex].x];
+                    Vector3 p = original.vertices[(int)mesh.uv[vertex].x];
                     Assert.That(mesh.colors32[vertex], Is.EqualTo((Color32)new Color(p.x, p.y, -p.z, 1f)));
                     Assert.That(fours[vertex], Is.EqualTo(new Vector4(p.z, p.y, p.x, 5f)));
                     Assert.That(threes[vertex], Is.EqualTo(p));
@@ -73,17 +73,17 @@ namespace Alate.Tests
         public void BlendShapes_AreKeptAsTheyAreSet()
         {
             m_Insect.Bone("chest/hinge", new Vector3(0.1f, 0f, 0f));
-            var source = m_Insect.Skin("Wing", Wing(1f), p => SkinnedSketch.One(1));
-            var mesh = source.sharedMesh;
-            foreach (var frame in new[] { 50f, 100f })
+            SkinnedMeshRenderer source = m_Insect.Skin("Wing", Wing(1f), p => SkinnedSketch.One(1));
+            Mesh mesh = source.sharedMesh;
+            foreach (float frame in new[] { 50f, 100f })
                 mesh.AddBlendShapeFrame("flap", frame, Array.ConvertAll(mesh.vertices, p => new Vector3(0f, p.x * frame, 0f)), null, null);
             mesh.AddBlendShapeFrame("none", 100f, Array.ConvertAll(mesh.vertices, p => Vector3.one), null, null);
             source.SetBlendShapeWeight(0, 75f);
 
             m_Result = SkinnedWingConversion.Convert(source);
 
-            var expected = m_Insect.Posed(mesh);
-            for (var vertex = 0; vertex < expected.Length; vertex++)
+            Vector3[] expected = m_Insect.Posed(mesh);
+            for (int vertex = 0; vertex < expected.Length; vertex++)
                 expected[vertex] += m_Insect.Root.TransformVector(new Vector3(0f, 75f * mesh.vertices[vertex].x, 0f));
             AssertDrawn(m_Result.Wings[0], expected, near: 1e-2f);
         }
@@ -91,9 +91,9 @@ namespace Alate.Tests
         [Test]
         public void TheSourceMesh_IsNeverChanged()
         {
-            var source = Winged("Fly", Body().Wing(Hinge(1f), 1f, 0.5f).Wing(Hinge(-1f), -1f, 0.5f), Blended);
-            var mesh = source.sharedMesh;
-            var (positions, triangles, weights, normals) = (mesh.vertices, mesh.triangles, mesh.boneWeights, mesh.normals);
+            SkinnedMeshRenderer source = Winged("Fly", Body().Wing(Hinge(1f), 1f, 0.5f).Wing(Hinge(-1f), -1f, 0.5f), Blended);
+            Mesh mesh = source.sharedMesh;
+            (Vector3[] positions, int[] triangles, BoneWeight[] weights, Vector3[] normals) = (mesh.vertices, mesh.triangles, mesh.boneWeights, mesh.normals);
 
             m_Result = SkinnedWingConversion.Convert(source, m_Insect.Root);
 
@@ -109,7 +109,7 @@ namespace Alate.Tests
         public void AMeshWithoutBones_IsConvertedWhereItIs()
         {
             using var insect = new SkinnedSketch();
-            var source = insect.Skin("Wings", Wings(), p => default);
+            SkinnedMeshRenderer source = insect.Skin("Wings", Wings(), p => default);
             source.transform.localPosition = Vector3.zero;
 
             m_Result = SkinnedWingConversion.Convert(source);

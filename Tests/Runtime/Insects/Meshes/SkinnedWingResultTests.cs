@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
@@ -21,8 +22,8 @@ namespace Alate.Tests
             m_Insect.Bone("chest");
             m_Insect.Bone("chest/wing_R", new Vector3(0.1f, 0.1f, 0f));
             m_Insect.Bone("chest/wing_L", new Vector3(-0.1f, 0.1f, 0f));
-            var sketch = new MeshSketch().Box(Vector3.zero, new Vector3(0.1f, 0.2f, 1f));
-            foreach (var side in new[] { 1f, -1f })
+            MeshSketch sketch = new MeshSketch().Box(Vector3.zero, new Vector3(0.1f, 0.2f, 1f));
+            foreach (float side in new[] { 1f, -1f })
                 sketch.NextSubmesh().Wing(new Vector3(0.1f * side, 0.2f, 0.2f), side, 0.5f);
             m_Source = m_Insect.Skin("Fly", sketch, Weights, "chitin", "membrane", "glass", "glow");
         }
@@ -37,7 +38,7 @@ namespace Alate.Tests
         [Test]
         public void HowItIsDrawn_IsKept()
         {
-            var anchor = m_Insect.Bones[0];
+            Transform anchor = m_Insect.Bones[0];
             m_Source.gameObject.layer = 5;
             m_Source.gameObject.tag = "EditorOnly";
             m_Source.shadowCastingMode = ShadowCastingMode.TwoSided;
@@ -53,7 +54,7 @@ namespace Alate.Tests
 
             Convert();
 
-            foreach (var wing in m_Result.Wings)
+            foreach (MeshRenderer wing in m_Result.Wings)
             {
                 Assert.That((wing.gameObject.layer, wing.tag, wing.enabled), Is.EqualTo((5, "EditorOnly", true)));
                 Assert.That((wing.shadowCastingMode, wing.receiveShadows), Is.EqualTo((ShadowCastingMode.TwoSided, false)));
@@ -69,7 +70,7 @@ namespace Alate.Tests
         [Test]
         public void EachWing_HasTheMaterialsOfItsSubmeshes_AndThoseBeyondTheLast()
         {
-            var materials = m_Source.sharedMaterials;
+            Material[] materials = m_Source.sharedMaterials;
 
             Convert();
 
@@ -102,8 +103,8 @@ namespace Alate.Tests
         [Test]
         public void WingsAppear_InTheLevelsOfDetailOfTheirSource_AndLeaveThemAfterwards()
         {
-            var other = m_Insect.Skin("Fly far", new MeshSketch().Box(Vector3.zero, Vector3.one), Weights);
-            var group = m_Insect.Root.gameObject.AddComponent<LODGroup>();
+            SkinnedMeshRenderer other = m_Insect.Skin("Fly far", new MeshSketch().Box(Vector3.zero, Vector3.one), Weights);
+            LODGroup group = m_Insect.Root.gameObject.AddComponent<LODGroup>();
             group.SetLODs(new[] { new LOD(0.5f, new Renderer[] { m_Source }), new LOD(0.1f, new Renderer[] { other }) });
 
             Convert();
@@ -123,7 +124,7 @@ namespace Alate.Tests
             Convert();
 
             Assert.That(WingFinder.FindSkinned(m_Insect.Root), Is.Empty);
-            var wings = WingFinder.Find(m_Insect.Root);
+            List<Wing> wings = WingFinder.Find(m_Insect.Root);
             Assert.That(wings.Select(wing => wing.Renderer), Is.EqualTo(m_Result.Wings));
             Assert.That(wings.Select(wing => wing.Side), Is.EqualTo(new[] { WingSide.Right, WingSide.Left }));
             Assert.That(wings.Select(wing => wing.Part), Is.All.EqualTo(WingPart.WholeMesh));
@@ -152,9 +153,9 @@ namespace Alate.Tests
         [UnityTest]
         public IEnumerator Restore_GivesTheMeshBack_AndLeavesNothing()
         {
-            var mesh = m_Source.sharedMesh;
+            Mesh mesh = m_Source.sharedMesh;
             Convert();
-            var made = m_Result.WingMeshes.Append(m_Result.BodyMesh).Concat<Object>(m_Result.Wings).ToArray();
+            Object[] made = m_Result.WingMeshes.Append(m_Result.BodyMesh).Concat<Object>(m_Result.Wings).ToArray();
             Assert.That(m_Source.sharedMesh, Is.Not.SameAs(mesh));
 
             m_Result.Restore();
@@ -172,7 +173,7 @@ namespace Alate.Tests
         {
             Convert();
             Object.DestroyImmediate(m_Insect.Root.gameObject);
-            var mesh = m_Result.BodyMesh;
+            Mesh mesh = m_Result.BodyMesh;
 
             m_Result.Restore();
             yield return null;

@@ -21,7 +21,7 @@ namespace Alate.Tests
 
         protected void AssertFound(params string[] wings)
         {
-            var found = WingFinder.Find(m_Insect.Root).ConvertAll(wing =>
+            List<string> found = WingFinder.Find(m_Insect.Root).ConvertAll(wing =>
                 $"{wing.Renderer.name} {wing.Pair} {wing.Side} {wing.Part}" + (wing.Part == WingPart.Submesh ? $" {wing.Submesh}" : ""));
             Assert.That(found, Is.EqualTo(wings));
         }
@@ -31,14 +31,14 @@ namespace Alate.Tests
         // All vertices of a part are on the side and in the pair that the wing is said to be.
         protected void AssertThePointsTellTheParts(List<Wing> wings)
         {
-            foreach (var wing in wings)
+            foreach (Wing wing in wings)
             {
-                var mesh = wing.Renderer.GetComponent<MeshFilter>().sharedMesh;
-                var surface = MeshParts.Surface(mesh, MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point));
-                var hinge = wing.Pair == WingPair.Fore ? s_Fore : s_Hind;
+                Mesh mesh = wing.Renderer.GetComponent<MeshFilter>().sharedMesh;
+                SurfaceMesh surface = MeshParts.Surface(mesh, MeshParts.Select(mesh, wing.Part, wing.Submesh, wing.Point));
+                Vector3 hinge = wing.Pair == WingPair.Fore ? s_Fore : s_Hind;
                 Assert.That(surface.triangles, Has.Length.EqualTo(6 * 24));
                 Assert.That(surface.positions.Max(p => p.z), Is.EqualTo(hinge.z).Within(1e-5f));
-                foreach (var p in surface.positions)
+                foreach (Vector3 p in surface.positions)
                     Assert.That(wing.Side == WingSide.Right ? p.x : -p.x, Is.GreaterThan(hinge.x - 1e-5f));
             }
         }

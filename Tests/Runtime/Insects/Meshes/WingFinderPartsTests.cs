@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -9,7 +10,7 @@ namespace Alate.Tests
         [TestCase(true)]
         public void OneMeshWithBothWings_IsTwoConnectedParts(bool split)
         {
-            var sketch = new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f);
+            MeshSketch sketch = new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f);
             m_Insect.Draw("Wings", split ? sketch.Split() : sketch);
 
             AssertFound("Wings Fore Right ConnectedPart", "Wings Fore Left ConnectedPart");
@@ -19,8 +20,8 @@ namespace Alate.Tests
         [Test]
         public void FourWingsInOneMeshWithTheBody_AreFoundByTheirShape()
         {
-            var sketch = m_Insect.Body();
-            foreach (var side in new[] { -1f, 1f })
+            MeshSketch sketch = m_Insect.Body();
+            foreach (float side in new[] { -1f, 1f })
                 sketch.Wing(Side(s_Hind, side), 0.8f * side, 0.4f).Wing(Side(s_Fore, side), side, 0.35f);
             m_Insect.Draw("Insect", sketch);
 
@@ -33,7 +34,7 @@ namespace Alate.Tests
         [Test]
         public void SubmeshesWhoseMaterialsAreCalledWing_AreWings()
         {
-            var sketch = m_Insect.Body().NextSubmesh().Wing(Mirror(s_Fore), -1f, 0.5f).NextSubmesh().Wing(s_Fore, 1f, 0.5f);
+            MeshSketch sketch = m_Insect.Body().NextSubmesh().Wing(Mirror(s_Fore), -1f, 0.5f).NextSubmesh().Wing(s_Fore, 1f, 0.5f);
             m_Insect.Draw("Butterfly", sketch, "Body", "Wing Left", "WingRight");
 
             AssertFound("Butterfly Fore Right Submesh 2", "Butterfly Fore Left Submesh 1");
@@ -42,7 +43,7 @@ namespace Alate.Tests
         [Test]
         public void ASubmeshWithBothWings_IsTakenApart()
         {
-            var sketch = m_Insect.Body().NextSubmesh().Wing(Mirror(s_Fore), -1f, 0.5f).Wing(s_Fore, 1f, 0.5f);
+            MeshSketch sketch = m_Insect.Body().NextSubmesh().Wing(Mirror(s_Fore), -1f, 0.5f).Wing(s_Fore, 1f, 0.5f);
             m_Insect.Draw("Butterfly", sketch, "Chitin", "M_Wings");
 
             AssertFound("Butterfly Fore Right ConnectedPart", "Butterfly Fore Left ConnectedPart");
@@ -53,7 +54,7 @@ namespace Alate.Tests
         public void SubmeshesOfAMeshOfWings_AreOneWingEach()
         {
             // Welded along the middle, so that the parts hang together; only the submeshes tell them.
-            var sketch = new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, -1f, 0.5f);
+            MeshSketch sketch = new MeshSketch().Wing(Vector3.zero, 1f, 0.5f).NextSubmesh().Wing(Vector3.zero, -1f, 0.5f);
             m_Insect.Draw("Wings", sketch, "Blue", "Blue");
 
             AssertFound("Wings Fore Right Submesh 0", "Wings Fore Left Submesh 1");
@@ -62,7 +63,7 @@ namespace Alate.Tests
         [Test]
         public void OneRendererASide_WithTwoWings_IsTwoWings()
         {
-            foreach (var side in new[] { 1f, -1f })
+            foreach (float side in new[] { 1f, -1f })
                 m_Insect.Draw("Wings" + side, Wing(side, s_Hind, 0.8f).Wing(Side(s_Fore, side), side, 0.35f));
 
             AssertFound(
@@ -78,7 +79,7 @@ namespace Alate.Tests
             m_Insect.Draw("Body", m_Insect.Body());
             m_Insect.Draw(right, Wing(1f, s_Fore, 1f));
             m_Insect.Draw(left, Wing(-1f, s_Fore, 1f));
-            foreach (var filter in m_Insect.Root.GetComponentsInChildren<MeshFilter>())
+            foreach (MeshFilter filter in m_Insect.Root.GetComponentsInChildren<MeshFilter>())
                 filter.sharedMesh.UploadMeshData(true);
 
             AssertFound($"{right} Fore Right WholeMesh", $"{left} Fore Left WholeMesh");
@@ -87,16 +88,16 @@ namespace Alate.Tests
         [Test]
         public void BothWingsInAMeshThatIsNotReadable_AreToldByPointsOnItsSides()
         {
-            var renderer = m_Insect.Draw("Wings", new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f));
-            var readable = renderer.GetComponent<MeshFilter>().sharedMesh;
-            var unreadable = m_Insect.Mesh(new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f));
+            MeshRenderer renderer = m_Insect.Draw("Wings", new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f));
+            Mesh readable = renderer.GetComponent<MeshFilter>().sharedMesh;
+            Mesh unreadable = m_Insect.Mesh(new MeshSketch().Wing(s_Fore, 1f, 0.5f).Wing(Mirror(s_Fore), -1f, 0.5f));
             unreadable.UploadMeshData(true);
             renderer.GetComponent<MeshFilter>().sharedMesh = unreadable;
 
             AssertFound("Wings Fore Right ConnectedPart", "Wings Fore Left ConnectedPart");
 
             // After Read/Write has been turned on, the points lead to the wings.
-            var wings = WingFinder.Find(m_Insect.Root);
+            List<Wing> wings = WingFinder.Find(m_Insect.Root);
             renderer.GetComponent<MeshFilter>().sharedMesh = readable;
             AssertThePointsTellTheParts(wings);
         }

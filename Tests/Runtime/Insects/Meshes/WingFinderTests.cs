@@ -29,7 +29,7 @@ namespace Alate.Tests
             m_Insect.Draw("Cube", m_Insect.Body());
             m_Insect.Draw("Plane", Wing(-1f, s_Fore, 1f));
             m_Insect.Draw("Plane.001", Wing(1f, s_Fore, 1f));
-            foreach (var side in new[] { 1f, -1f })
+            foreach (float side in new[] { 1f, -1f })
             {
                 m_Insect.Draw("Sphere" + side, new MeshSketch().Box(new Vector3(0.1f * side, 0f, 0.4f), 0.1f * Vector3.one));
                 m_Insect.Draw("Leg" + side, new MeshSketch().Box(new Vector3(0.5f * side, 0f, 0f), new Vector3(1f, 0.04f, 0.04f)));
@@ -53,8 +53,8 @@ namespace Alate.Tests
         [TestCase("Plane")]
         public void ANegativeScale_PutsAWingOnTheOtherSide(string name)
         {
-            var mesh = m_Insect.Draw(name + "A", Wing(1f, s_Fore, 1f)).GetComponent<MeshFilter>().sharedMesh;
-            var mirrored = m_Insect.Draw("Mirror/" + name + "B", new MeshSketch());
+            Mesh mesh = m_Insect.Draw(name + "A", Wing(1f, s_Fore, 1f)).GetComponent<MeshFilter>().sharedMesh;
+            MeshRenderer mirrored = m_Insect.Draw("Mirror/" + name + "B", new MeshSketch());
             mirrored.GetComponent<MeshFilter>().sharedMesh = mesh;
             m_Insect.Place("Mirror").localScale = new Vector3(-1f, 1f, 1f);
 
@@ -73,7 +73,7 @@ namespace Alate.Tests
         [Test]
         public void ClosedWings_AreToldApart_ThoughTheyTouchInTheMiddle()
         {
-            foreach (var side in new[] { 1f, -1f })
+            foreach (float side in new[] { 1f, -1f })
             {
                 var corner = new Vector3(0.01f * side, 0f, 0.5f);
                 m_Insect.Draw("Plane" + side, new MeshSketch().Sheet(corner, new Vector3(0.1f * side, 1f, 0f), Vector3.back));
@@ -86,16 +86,16 @@ namespace Alate.Tests
         public void AModelThatIsTurnedAndScaledInside_IsSeenFromTheRoot()
         {
             // As imported from a program with Z up and centimetres.
-            var model = m_Insect.Place("Model");
+            Transform model = m_Insect.Place("Model");
             model.localRotation = Quaternion.Euler(-90f, 0f, 0f);
             model.localScale = 0.01f * Vector3.one;
-            var back = Matrix4x4.TRS(Vector3.zero, model.localRotation, model.localScale).inverse;
-            foreach (var side in new[] { 1f, -1f })
+            Matrix4x4 back = Matrix4x4.TRS(Vector3.zero, model.localRotation, model.localScale).inverse;
+            foreach (float side in new[] { 1f, -1f })
             {
-                foreach (var hinge in new[] { s_Hind, s_Fore })
+                foreach (Vector3 hinge in new[] { s_Hind, s_Fore })
                 {
-                    var wing = Wing(side, hinge, 1f);
-                    for (var vertex = 0; vertex < wing.positions.Count; vertex++)
+                    MeshSketch wing = Wing(side, hinge, 1f);
+                    for (int vertex = 0; vertex < wing.positions.Count; vertex++)
                         wing.positions[vertex] = back.MultiplyPoint3x4(wing.positions[vertex]);
                     m_Insect.Draw($"Model/{(hinge == s_Fore ? "F" : "H")}{side}", wing);
                 }
@@ -107,10 +107,10 @@ namespace Alate.Tests
         [Test]
         public void ASmallHindWing_BelowTheRearOfABroadForeWing_IsAWingOfItsOwn()
         {
-            foreach (var side in new[] { 1f, -1f })
+            foreach (float side in new[] { 1f, -1f })
             {
-                var fore = new MeshSketch().Sheet(Side(s_Fore, side), side * Vector3.right, Vector3.back);
-                var below = Side(s_Fore + new Vector3(0.1f, -0.1f, -0.6f), side);
+                MeshSketch fore = new MeshSketch().Sheet(Side(s_Fore, side), side * Vector3.right, Vector3.back);
+                Vector3 below = Side(s_Fore + new Vector3(0.1f, -0.1f, -0.6f), side);
                 m_Insect.Draw("a" + side, new MeshSketch().Sheet(below, 0.6f * side * Vector3.right, 0.35f * Vector3.back));
                 m_Insect.Draw("b" + side, fore);
             }
@@ -131,7 +131,7 @@ namespace Alate.Tests
         [Test]
         public void VeinsOverAMembrane_AreTheSamePairAsIt()
         {
-            foreach (var side in new[] { 1f, -1f })
+            foreach (float side in new[] { 1f, -1f })
             {
                 m_Insect.Draw("Wing membrane" + side, Wing(side, s_Fore, 1f));
                 m_Insect.Draw("Wing veins" + side, Wing(side, s_Fore + new Vector3(0.02f, 0.01f, -0.02f), 0.95f));
@@ -175,9 +175,9 @@ namespace Alate.Tests
         {
             m_Insect.Draw("Wing_R", Wing(1f, s_Fore, 1f));
             m_Insect.Draw("Wing_L", Wing(-1f, s_Fore, 1f));
-            var hidden = m_Insect.Draw("Variant/Wing_R2", Wing(1f, s_Fore, 1.2f));
+            MeshRenderer hidden = m_Insect.Draw("Variant/Wing_R2", Wing(1f, s_Fore, 1.2f));
             m_Insect.Place("Variant").gameObject.SetActive(false);
-            var disabled = m_Insect.Draw("Wing_L2", Wing(-1f, s_Fore, 1.2f));
+            MeshRenderer disabled = m_Insect.Draw("Wing_L2", Wing(-1f, s_Fore, 1.2f));
             disabled.enabled = false;
             m_Insect.Root.gameObject.SetActive(false);
 
@@ -192,10 +192,10 @@ namespace Alate.Tests
         public void OfLevelsOfDetail_OnlyTheHighestCounts()
         {
             var levels = new List<LOD>();
-            for (var level = 0; level < 3; level++)
+            for (int level = 0; level < 3; level++)
             {
-                var right = m_Insect.Draw($"Wing_R_LOD{level}", Wing(1f, s_Fore, 1f));
-                var left = m_Insect.Draw($"Wing_L_LOD{level}", Wing(-1f, s_Fore, 1f));
+                MeshRenderer right = m_Insect.Draw($"Wing_R_LOD{level}", Wing(1f, s_Fore, 1f));
+                MeshRenderer left = m_Insect.Draw($"Wing_L_LOD{level}", Wing(-1f, s_Fore, 1f));
                 levels.Add(new LOD(0.5f / (level + 1), new Renderer[] { right, left, null }));
             }
 
@@ -207,7 +207,7 @@ namespace Alate.Tests
         [Test]
         public void TheWingsOfEverySpecies_AreFound_WithoutNames()
         {
-            foreach (var species in InsectCatalogue.All)
+            foreach (InsectDefinition species in InsectCatalogue.All)
             {
                 // Without names the firefly's open elytra, thin and mirrored, cannot be told from wings.
                 if (species.Name == "firefly")
@@ -215,17 +215,17 @@ namespace Alate.Tests
                 using var insect = new InsectSketch();
                 insect.Draw("0", species.Body.CreateSurface(InsectDefinition.UnitsPerMetre));
                 var expected = new List<string>();
-                for (var pair = 0; pair < species.Wings.Count; pair++)
+                for (int pair = 0; pair < species.Wings.Count; pair++)
                 {
-                    foreach (var side in new[] { WingSide.Right, WingSide.Left })
+                    foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
                     {
-                        var wing = species.Wings[pair];
+                        WingDefinition wing = species.Wings[pair];
                         insect.Draw($"{pair} {side}", wing.CreateSurface(side)).transform.localPosition = wing.HingeOn(side);
                         expected.Add($"{pair} {side} {(WingPair)pair} {side}");
                     }
                 }
 
-                var found = WingFinder.Find(insect.Root).ConvertAll(wing => $"{wing.Renderer.name} {wing.Pair} {wing.Side}");
+                List<string> found = WingFinder.Find(insect.Root).ConvertAll(wing => $"{wing.Renderer.name} {wing.Pair} {wing.Side}");
                 Assert.That(found, Is.EqualTo(expected), species.Name);
             }
         }

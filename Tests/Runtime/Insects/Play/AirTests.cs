@@ -16,7 +16,7 @@ namespace Alate.Tests.Play
         public IEnumerator AMonarchsMeanLift_IsThatOfTheModel()
         {
             // The model's own figures at 1.3 m/s, ten units a metre.
-            foreach (var (pitch, expected) in new[] { (0f, 0f), (18.6f, 0.67f), (30f, 1.02f) })
+            foreach ((float pitch, float expected) in new[] { (0f, 0f), (18.6f, 0.67f), (30f, 1.02f) })
             {
                 InsectWings insect = Insect();
                 insect.Motion.source = VelocitySource.Script;

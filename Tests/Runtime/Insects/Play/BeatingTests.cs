@@ -26,7 +26,7 @@ namespace Alate.Tests.Play
         public IEnumerator APrefabOfNothingButMeshes_LivesAndBeats()
         {
             GameObject bare = Bare();
-            var insect = bare.AddComponent<InsectWings>();
+            InsectWings insect = bare.AddComponent<InsectWings>();
             insect.FindWings();
             insect.Quality.culling = WingCulling.AlwaysSimulate;
             yield return Frames(2);

@@ -47,7 +47,7 @@ namespace Alate.Tests.Play
         {
             InsectWings original = Hatch();
             yield return Frames(10);
-            var shelter = Keep(new GameObject("shelter"));
+            GameObject shelter = Keep(new GameObject("shelter"));
             shelter.SetActive(false);
 
             InsectWings clone = Object.Instantiate(original, shelter.transform);
@@ -130,7 +130,7 @@ namespace Alate.Tests.Play
 
         private Rigidbody Carrier(InsectWings insect, Vector3 velocity)
         {
-            var body = Keep(new GameObject("carrier")).AddComponent<Rigidbody>();
+            Rigidbody body = Keep(new GameObject("carrier")).AddComponent<Rigidbody>();
             body.useGravity = false;
             insect.transform.SetParent(body.transform, false);
             body.AddForce(velocity, ForceMode.VelocityChange);

@@ -107,7 +107,7 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Hatch();
             Look(insect, 0.001f);
-            var second = Keep(new GameObject("second")).AddComponent<Camera>();
+            Camera second = Keep(new GameObject("second")).AddComponent<Camera>();
             second.transform.position = insect.transform.position + 3f * Vector3.back;
             WingSystem.DetailCameras.Add(second);
             yield return Frames(10);

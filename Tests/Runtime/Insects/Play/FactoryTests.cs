@@ -45,7 +45,7 @@ namespace Alate.Tests.Play
                 for (int chain = 0; chain < tips[wing].Length; chain++)
                 {
                     Assert.That(tips[wing][chain].x, Is.GreaterThan(0f), "the right wing is on the left");
-                    Vector3 mirrored = Vector3.Scale(tips[wing + 1][chain], new Vector3(-1f, 1f, 1f));
+                    var mirrored = Vector3.Scale(tips[wing + 1][chain], new Vector3(-1f, 1f, 1f));
                     Assert.That((mirrored - tips[wing][chain]).magnitude, Is.LessThan(1e-3f * BoundsSize(insect)));
                 }
             }

@@ -26,9 +26,9 @@ namespace Alate.Tests.Play
         /// <param name="name">Of its object.</param>
         protected InsectWings Hatch(Action<InsectWings> prepare = null, string name = "insect")
         {
-            var root = Keep(new GameObject(name));
+            GameObject root = Keep(new GameObject(name));
             root.SetActive(false);
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
                 insect.Wings.Add(MakeWing(root.transform, side));

@@ -153,9 +153,9 @@ namespace Alate.Tests.Play
 
         private void Do(Moment moment, Action deed)
         {
-            var doer = Keep(new GameObject("doer"));
-            var deeds = doer.AddComponent<Deeds>();
-            var late = doer.AddComponent<LateDeeds>();
+            GameObject doer = Keep(new GameObject("doer"));
+            Deeds deeds = doer.AddComponent<Deeds>();
+            LateDeeds late = doer.AddComponent<LateDeeds>();
             switch (moment)
             {
                 case Moment.FixedUpdate: deeds.inFixedUpdate = deed; break;

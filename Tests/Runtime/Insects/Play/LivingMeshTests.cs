@@ -108,7 +108,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AMeshWithoutNormalsOrTextureCoordinates_Lives()
         {
-            var mesh = Keep(new Mesh { name = "plain" });
+            Mesh mesh = Keep(new Mesh { name = "plain" });
             mesh.vertices = WingMesh.vertices;
             mesh.triangles = WingMesh.triangles;
             InsectWings insect = Hatch(made => Filter(made, 0).sharedMesh = mesh);

@@ -37,11 +37,11 @@ namespace Alate.Tests.Play
         [Test]
         public void WhereASceneHasASun_NoSecondLightIsMade()
         {
-            var lamp = Keep(new GameObject("lamp")).AddComponent<Light>();
+            Light lamp = Keep(new GameObject("lamp")).AddComponent<Light>();
             lamp.type = LightType.Point;
             Assert.That(Made(Vector3.zero, 1f).GetComponentsInChildren<Light>(), Has.Length.EqualTo(1), "a lamp is no sun");
 
-            var sun = Keep(new GameObject("sun")).AddComponent<Light>();
+            Light sun = Keep(new GameObject("sun")).AddComponent<Light>();
             sun.type = LightType.Directional;
             Assert.That(Made(Vector3.zero, 1f).GetComponentsInChildren<Light>(), Is.Empty);
         }

@@ -51,7 +51,7 @@ namespace Alate.Tests.Play
         protected GameObject Bare(float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
             WingDefinition kind = InsectCatalogue.Find("monarch").Wings[0];
-            var root = Keep(new GameObject("insect"));
+            GameObject root = Keep(new GameObject("insect"));
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
                 var wing = new GameObject("wing " + side);
@@ -70,7 +70,7 @@ namespace Alate.Tests.Play
             WingDefinition kind = InsectCatalogue.Find("monarch").Wings[0];
             GameObject root = Bare(unitsPerMetre);
             root.SetActive(false);
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
             foreach (MeshRenderer renderer in root.GetComponentsInChildren<MeshRenderer>(true))
             {

@@ -68,7 +68,7 @@ namespace Alate.Tests.Play
             InsectWings insect = Hatch();
             yield return Frames(3);
             FrameLoop crowd = WingSystem.Crowd;
-            var stray = Keep(new GameObject("stray", typeof(WingSystem)));
+            GameObject stray = Keep(new GameObject("stray", typeof(WingSystem)));
             yield return Frames(4);
 
             Assert.That(stray == null, Is.True, "two systems run");
@@ -79,9 +79,9 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnInsectMadeByScript_MayGetItsListAfterwards()
         {
-            var root = Keep(new GameObject("made"));
+            GameObject root = Keep(new GameObject("made"));
             Wing right = MakeWing(root.transform, WingSide.Right), left = MakeWing(root.transform, WingSide.Left);
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Add(right);
             insect.Wings.Add(left);
             yield return Frames(3);

@@ -37,7 +37,7 @@ namespace Alate.Tests.Play
         private IEnumerator Act(int seed, int acts)
         {
             var zoo = new Zoo(seed);
-            var early = new GameObject("early").AddComponent<ActInFixedUpdate>();
+            ActInFixedUpdate early = new GameObject("early").AddComponent<ActInFixedUpdate>();
             early.zoo = zoo;
             for (int act = 0; act < acts; act += k_ActsPerFrame)
             {

@@ -100,7 +100,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ATurnedInsectInTurnedWind_BeatsTheSame()
         {
-            Quaternion turn = Quaternion.Euler(0f, 130f, 0f);
+            var turn = Quaternion.Euler(0f, 130f, 0f);
             var wind = new Vector3(1f, 0f, -5f);
             InsectWings plain = Hatch(made => made.Air.wind = wind);
             InsectWings turned = Hatch(made =>

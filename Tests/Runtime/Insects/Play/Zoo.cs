@@ -127,7 +127,7 @@ namespace Alate.Tests.Play
 
             var root = new GameObject("insect " + m_Random.Next(1000));
             root.SetActive(false);
-            var insect = root.AddComponent<InsectWings>();
+            InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
             for (int side = 0; side < 2; side++)
             {

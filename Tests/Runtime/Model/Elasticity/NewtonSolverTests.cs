@@ -51,7 +51,7 @@ namespace Alate.Tests
                 SpringEnergy.Linearise(springs.pack, springs.scratch, springs.scratch.positions, false);
                 Assert.That(math.any(BlockCholesky.Factorise(springs.pack, springs.scratch)), Is.False);
                 BlockCholesky.Solve(springs.pack, springs.scratch);
-                var step = new[] { springs.scratch.step[0][0], springs.scratch.step[1][0], springs.scratch.step[2][0] };
+                float3[] step = new[] { springs.scratch.step[0][0], springs.scratch.step[1][0], springs.scratch.step[2][0] };
                 float3 gradient1 = springs.scratch.gradient[1][0], gradient2 = springs.scratch.gradient[2][0];
 
                 const float h = 0.05f;
@@ -98,7 +98,7 @@ namespace Alate.Tests
         {
             double[] start = { 0.52, 0.05, 0.0, 1.05, 0.2, 0.02 }, posed = { 0.5, 0.0, 0.0, 1.0, 0.0, 0.0 }, masses = { 0.3, 0.2 };
             double inertia = 1.0 / (k_Dt * k_Dt), anchor = k_AnchorRate * k_AnchorRate;
-            var anchors = new double[6];
+            double[] anchors = new double[6];
             for (int k = 0; k < 6; k++)
                 anchors[k] = (inertia * start[k] + anchor * posed[k]) / (inertia + anchor);
             double[] stiffnesses = { masses[0] * (inertia + anchor), masses[1] * (inertia + anchor) };

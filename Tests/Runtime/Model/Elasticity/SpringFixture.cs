@@ -77,7 +77,7 @@ namespace Alate.Tests
 
         private byte* Block(long bytes)
         {
-            var block = (byte*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
+            byte* block = (byte*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
             UnsafeUtility.MemClear(block, bytes);
             m_Blocks.Add((IntPtr)block);
             return block;

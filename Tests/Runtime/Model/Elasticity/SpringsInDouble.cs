@@ -23,7 +23,7 @@ namespace Alate.Tests
         /// <summary>Full steps from a place, [3 · joint + axis].</summary>
         public double[] Minimise(double[] start, int steps)
         {
-            var x = (double[])start.Clone();
+            double[] x = (double[])start.Clone();
             for (int k = 0; k < steps; k++)
             {
                 double[] step = Step(x);
@@ -37,7 +37,7 @@ namespace Alate.Tests
         private double[] Step(double[] x)
         {
             int count = x.Length;
-            var system = new double[count, count + 1];
+            double[,] system = new double[count, count + 1];
             for (int i = 0; i < count; i++)
             {
                 system[i, i] = m_Inertia[i / 3];
@@ -53,7 +53,7 @@ namespace Alate.Tests
         private void AddSpring(double[,] system, double[] x, int a, int b)
         {
             int count = x.Length;
-            var axis = new double[3];
+            double[] axis = new double[3];
             double length = 0.0;
             for (int i = 0; i < 3; i++)
             {
@@ -96,7 +96,7 @@ namespace Alate.Tests
                 }
             }
 
-            var solution = new double[count];
+            double[] solution = new double[count];
             for (int k = 0; k < count; k++)
                 solution[k] = system[k, count] / system[k, k];
             return solution;

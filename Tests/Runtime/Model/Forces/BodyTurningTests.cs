@@ -99,7 +99,7 @@ namespace Alate.Tests
         // Of both wings about the middle of the body, mean over a beat: the left one turns as a right one with y and z of the spin reversed.
         private static float3 Moment(float3 spin)
         {
-            float3 mirror = new float3(1f, -1f, -1f);
+            var mirror = new float3(1f, -1f, -1f);
             return Mean(spin) + mirror * Mean(mirror * spin);
         }
 

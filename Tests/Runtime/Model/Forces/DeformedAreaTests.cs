@@ -49,7 +49,7 @@ namespace Alate.Tests
         private static float[] Areas(PackFixture fixture)
         {
             Force(fixture);
-            var areas = new float[fixture.rig.PatchCount];
+            float[] areas = new float[fixture.rig.PatchCount];
             for (int patch = 0; patch < areas.Length; patch++)
                 areas[patch] = fixture.scratch.halfDensityAreas[patch].x / (0.5f * fixture.Pack.parameters->numbers.airDensity.x);
             return areas;

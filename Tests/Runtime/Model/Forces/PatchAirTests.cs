@@ -105,7 +105,7 @@ namespace Alate.Tests
         {
             ModelOptions options = ModelOptions.Physical;
             options.coefficients = set;
-            float3 span = new float3(1f, -0.1f, 0f);
+            var span = new float3(1f, -0.1f, 0f);
             span = math.normalize(span - s_Normal * math.dot(span, s_Normal));
             float3 wind = s_Wind - span * math.dot(s_Wind, span);
             return PatchLoads.Of(options, new SoaFloat3(wind), new SoaFloat3(s_Normal), 0f, 0.5f * 11.1f * 0.02f);

@@ -52,13 +52,13 @@ namespace Alate.Tests
         public static void Sum(int side, float3 wind, float3 spin, float3 hinge, out float3 force, out float3 moment)
         {
             double density = Parameters.airDensity, area = 0.5 / k_Columns * k_Chord / k_Rows;
-            var sumOfForces = new double[3];
-            var sumOfMoments = new double[3];
+            double[] sumOfForces = new double[3];
+            double[] sumOfMoments = new double[3];
             SurfaceMesh plate = TestWings.Rectangle(k_Columns, k_Rows);
             for (int k = 0; k < plate.triangles.Length; k += 3)
             {
                 Vector3 centre = (plate.positions[plate.triangles[k]] + plate.positions[plate.triangles[k + 1]] + plate.positions[plate.triangles[k + 2]]) / 3f;
-                var r = new float3(side * centre.x, centre.y, centre.z) + hinge;
+                float3 r = new float3(side * centre.x, centre.y, centre.z) + hinge;
 
                 // The stream without its part along the span, x; the plate's normal is y.
                 double vy = wind.y - (spin.z * (double)r.x - spin.x * (double)r.z), vz = wind.z - (spin.x * (double)r.y - spin.y * (double)r.x);

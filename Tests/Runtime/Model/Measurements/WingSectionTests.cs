@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -13,7 +14,7 @@ namespace Alate.Tests
         {
             var sheet = new Sheet();
 
-            WingSection section = WingSection.Cut(sheet.rest, sheet.triangles, span);
+            var section = WingSection.Cut(sheet.rest, sheet.triangles, span);
 
             float before = float.PositiveInfinity;
             for (int k = 0; k < section.Count; k++)
@@ -33,7 +34,7 @@ namespace Alate.Tests
         {
             var sheet = new Sheet(10, 8);
 
-            WingSection section = WingSection.Cut(sheet.rest, sheet.triangles, sheet.rest[5 * 9].x);
+            var section = WingSection.Cut(sheet.rest, sheet.triangles, sheet.rest[5 * 9].x);
 
             Assert.That(section.Count, Is.EqualTo(9));
         }
@@ -42,7 +43,7 @@ namespace Alate.Tests
         public void Section_FollowsTheDeformedMesh()
         {
             var sheet = new Sheet();
-            WingSection section = WingSection.Cut(sheet.rest, sheet.triangles, 0.33f);
+            var section = WingSection.Cut(sheet.rest, sheet.triangles, 0.33f);
             var shift = new float3(0.2f, -0.4f, 0.7f);
 
             float3 moved = section.At(2, sheet.Deformed(place => place + shift)) - section.At(2, sheet.rest);
@@ -57,8 +58,8 @@ namespace Alate.Tests
             int[] shuffled = Enumerable.Range(0, sheet.triangles.Length / 3).OrderBy(k => (k * 37) % 101)
                 .SelectMany(k => new[] { sheet.triangles[3 * k + 1], sheet.triangles[3 * k + 2], sheet.triangles[3 * k] }).ToArray();
 
-            WingSection one = WingSection.Cut(sheet.rest, sheet.triangles, 0.4f);
-            WingSection other = WingSection.Cut(sheet.rest, shuffled, 0.4f);
+            var one = WingSection.Cut(sheet.rest, sheet.triangles, 0.4f);
+            var other = WingSection.Cut(sheet.rest, shuffled, 0.4f);
 
             Assert.That(other.Count, Is.EqualTo(one.Count));
             for (int k = 0; k < one.Count; k++)
@@ -101,7 +102,7 @@ namespace Alate.Tests
         public void Fundamental_HasTheAmplitudeAndPhaseOfACosine_WhateverElseTheHeightHolds()
         {
             var sheet = new Sheet();
-            var beat = sheet.Beat(phase => quaternion.identity, (place, phase) => place);
+            List<BeatFrame> beat = sheet.Beat(phase => quaternion.identity, (place, phase) => place);
 
             float2 wave = EdgeLag.Fundamental(
                 beat, frame => 0.7f + 0.3f * math.cos(frame.Phase - 0.8f) + 0.2f * math.cos(2f * frame.Phase));

@@ -105,7 +105,7 @@ namespace Alate.Tests
             float chord = random.NextFloat(0.2f, 1f), last = random.NextFloat(0.3f, 1.4f), rootShare = random.NextFloat(0.1f, 0.6f);
             var made = new JointChain[chains];
             float share = 0f, sum = 0f;
-            var gaps = new float[chains];
+            float[] gaps = new float[chains];
             for (int i = 1; i < chains; i++)
                 sum += gaps[i] = random.NextFloat(0.1f, 1f);
             for (int i = 0; i < chains; i++)

@@ -130,7 +130,7 @@ namespace Alate.Tests
 
         private static byte[] Copy(void* from, int bytes)
         {
-            var copy = new byte[bytes];
+            byte[] copy = new byte[bytes];
             for (int k = 0; k < bytes; k++)
                 copy[k] = ((byte*)from)[k];
             return copy;

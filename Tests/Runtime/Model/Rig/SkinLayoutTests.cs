@@ -12,7 +12,7 @@ namespace Alate.Tests
         {
             SurfaceMesh surface = TestWings.Ellipse();
             WingRig rig = Bake(TestWings.Fan(), surface);
-            var written = new int[rig.VertexCount];
+            int[] written = new int[rig.VertexCount];
             for (int cell = 0; cell < rig.CellCount; cell++)
             {
                 SkinCell run = rig.View.skinCells[cell];

@@ -106,7 +106,7 @@ namespace Alate.Tests
         public void Submeshes_AreOneWing()
         {
             SurfaceMesh surface = TestWings.Ellipse();
-            Mesh mesh = TestWings.ToMesh(surface);
+            var mesh = TestWings.ToMesh(surface);
             int half = surface.triangles.Length / 6 * 3;
             mesh.subMeshCount = 2;
             mesh.SetTriangles(surface.triangles.Take(half).ToArray(), 0);
@@ -128,7 +128,7 @@ namespace Alate.Tests
         public void MoreVerticesThan16BitsCount_AreAllKept()
         {
             SurfaceMesh surface = TestWings.Ellipse(300, 230);
-            Mesh mesh = TestWings.ToMesh(surface);
+            var mesh = TestWings.ToMesh(surface);
             WingRig rig = BakeMesh(mesh, 256);
 
             Assert.That(rig.VertexCount, Is.EqualTo(301 * 231).And.GreaterThan(ushort.MaxValue));
@@ -139,7 +139,7 @@ namespace Alate.Tests
         [Test]
         public void AMeshThatIsNotReadable_IsRefusedByName()
         {
-            Mesh mesh = TestWings.ToMesh(TestWings.Ellipse());
+            var mesh = TestWings.ToMesh(TestWings.Ellipse());
             mesh.UploadMeshData(true);
 
             string message = Assert.Throws<ArgumentException>(() => BakeMesh(mesh)).Message;

@@ -132,7 +132,7 @@ namespace Alate.Tests
 
         private static float[] Weights(WingRig rig, int vertex)
         {
-            var weights = new float[rig.JointCount];
+            float[] weights = new float[rig.JointCount];
             for (int c = 0; c < 4; c++)
                 weights[rig.VertexJoints[vertex][c]] += rig.VertexWeights[vertex][c];
             return weights;
@@ -175,7 +175,7 @@ namespace Alate.Tests
         private static SurfaceMesh Split(SurfaceMesh surface)
         {
             var positions = new Vector3[surface.triangles.Length];
-            var triangles = new int[surface.triangles.Length];
+            int[] triangles = new int[surface.triangles.Length];
             for (int k = 0; k < triangles.Length; k++)
             {
                 positions[k] = surface.positions[surface.triangles[k]];

@@ -47,7 +47,7 @@ namespace Alate.Tests
         [Test]
         public void ANewSkeleton_HasTooFewChains()
         {
-            var skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
+            WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
 
             Assert.That(Kinds(skeleton), Is.EqualTo(new[] { SkeletonProblemKind.TooFewChains }));
         }

@@ -23,12 +23,12 @@ namespace Alate.Tests
         [Test]
         public void Swing_IsTheShortestTurn()
         {
-            SoaQuaternion swing = SoaQuaternion.Swing(Lanes.All(1f, 0f, 0f), new SoaFloat3(math.normalize(new float3(1f, 0.4f, -0.2f))));
+            var swing = SoaQuaternion.Swing(Lanes.All(1f, 0f, 0f), new SoaFloat3(math.normalize(new float3(1f, 0.4f, -0.2f))));
             float4 q = swing[0].value;
 
             // About the normal of both directions, by half of the angle between them.
             double across = Math.Sqrt(0.4 * 0.4 + 0.2 * 0.2), degrees = Math.Atan2(across, 1.0) * 180.0 / Math.PI;
-            Rotation expected = Rotation.About(0.0, 0.2 / across, 0.4 / across, degrees);
+            var expected = Rotation.About(0.0, 0.2 / across, 0.4 / across, degrees);
             Assert.That(q.w, Is.EqualTo(expected.w).Within(Lanes.CheckTolerance));
             Assert.That(q.x, Is.Zero.Within(Lanes.CheckTolerance));
             Assert.That(q.y, Is.EqualTo(expected.y).Within(Lanes.CheckTolerance));

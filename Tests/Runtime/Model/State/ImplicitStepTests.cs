@@ -50,8 +50,8 @@ namespace Alate.Tests
         [Test]
         public void EachWingOfAPack_HasItsOwnPast()
         {
-            float4 last = new float4(0f, 0.01f, 0.02f, 1e-3f);
-            ImplicitStep step = ImplicitStep.Of(new WingPack { options = ModelOptions.Physical, lastSubstep = &last }, 0.01f);
+            var last = new float4(0f, 0.01f, 0.02f, 1e-3f);
+            var step = ImplicitStep.Of(new WingPack { options = ModelOptions.Physical, lastSubstep = &last }, 0.01f);
 
             for (int lane = 0; lane < 4; lane++)
             {

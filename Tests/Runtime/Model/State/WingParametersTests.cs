@@ -15,11 +15,11 @@ namespace Alate.Tests
         [Test]
         public void EveryNumber_OutOfItsRange_IsNamed_AndClampedBack()
         {
-            foreach (var range in WingParameterRange.All)
+            foreach (WingParameterRange range in WingParameterRange.All)
             {
-                foreach (var bad in new[] { range.Minimum - 1f, range.Maximum * 2f + 1f, float.NaN, float.PositiveInfinity, float.NegativeInfinity })
+                foreach (float bad in new[] { range.Minimum - 1f, range.Maximum * 2f + 1f, float.NaN, float.PositiveInfinity, float.NegativeInfinity })
                 {
-                    var parameters = WingParameters.Default;
+                    WingParameters parameters = WingParameters.Default;
                     range.Of(ref parameters) = bad;
 
                     Assert.That(parameters.FindProblem(), Does.StartWith(range.Name + " is "));
@@ -31,12 +31,12 @@ namespace Alate.Tests
         [Test]
         public void EveryRange_ReachesAFieldOfItsOwn()
         {
-            foreach (var range in WingParameterRange.All)
+            foreach (WingParameterRange range in WingParameterRange.All)
             {
                 var parameters = default(WingParameters);
                 range.Of(ref parameters) = 1f;
 
-                foreach (var other in WingParameterRange.All)
+                foreach (WingParameterRange other in WingParameterRange.All)
                 {
                     Assert.That(other.Of(ref parameters), Is.EqualTo(other == range ? 1f : 0f), $"{range.Name} wrote {other.Name}");
                 }
@@ -46,11 +46,11 @@ namespace Alate.Tests
         [Test]
         public void Clamping_KeepsWhatIsInRange()
         {
-            var parameters = WingParameters.Default;
+            WingParameters parameters = WingParameters.Default;
             parameters.chordDelay = 1.7f;
             parameters.phase = new float3(0.1f, -3f, 3f);
 
-            var clamped = parameters.Clamped();
+            WingParameters clamped = parameters.Clamped();
 
             Assert.That(clamped.chordDelay, Is.EqualTo(1.7f));
             Assert.That(math.all(clamped.phase == parameters.phase), Is.True);
@@ -62,7 +62,7 @@ namespace Alate.Tests
         [TestCase(481, 480)]
         public void Substeps_OutOfRange_AreNamed_AndClamped(int given, int expected)
         {
-            var parameters = WingParameters.Default;
+            WingParameters parameters = WingParameters.Default;
             parameters.substepsPerBeat = given;
 
             Assert.That(parameters.FindProblem(), Is.EqualTo($"substepsPerBeat is {given}; it must be between 12 and 480."));
@@ -95,7 +95,7 @@ namespace Alate.Tests
         [Test]
         public void AProblem_SaysValueUnitAndBounds()
         {
-            var parameters = WingParameters.Default;
+            WingParameters parameters = WingParameters.Default;
             parameters.chordDelay = -1f;
 
             Assert.That(parameters.FindProblem(), Is.EqualTo("chordDelay is -1 half beats; it must be between 0 and 2."));

@@ -21,7 +21,7 @@ namespace Alate.Tests
         /// <summary>Surroundings at a speed and a pitch of the body.</summary>
         public static WingSurroundings Flying(float speed = 1.3f, float pitch = 0f)
         {
-            quaternion toBody = quaternion.RotateX(pitch);
+            var toBody = quaternion.RotateX(pitch);
             return new WingSurroundings
             {
                 wind = math.rotate(toBody, new float3(0f, 0f, -speed / Length)),

@@ -19,7 +19,7 @@ namespace Alate.Tests
             memory = new PackMemory(rig.View, parameters.options);
             for (int lane = 0; lane < WingPack.Lanes; lane++)
                 memory.Add(lane, parameters, surroundings);
-            RigSize size = RigSize.Of(rig.View);
+            var size = RigSize.Of(rig.View);
             long bytes = StepScratch.Layout(size, null, out _);
             m_Scratch = (byte*)UnsafeUtility.Malloc(bytes, 64, Allocator.Persistent);
             UnsafeUtility.MemClear(m_Scratch, bytes);

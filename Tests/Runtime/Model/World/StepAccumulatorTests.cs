@@ -1,5 +1,6 @@
 using System;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;
 
@@ -78,7 +79,7 @@ namespace Alate.Tests
                 }
 
                 flown.world.Skin(clock.Alpha);
-                var vertices = flown.world.Vertices(flown.wing);
+                NativeArray<SkinnedVertex> vertices = flown.world.Vertices(flown.wing);
                 return vertices[vertices.Length - 1].position;
             }
         }

@@ -4,6 +4,7 @@ using NUnit.Framework;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate.Tests
 {
@@ -198,7 +199,7 @@ namespace Alate.Tests
             {
                 WingParameters bad = Monarch.Parameters;
                 bad.elasticity = float.NaN;
-                var parameterError = Assert.Throws<ArgumentException>(() => flown.world.SetParameters(flown.wing, bad));
+                ArgumentException parameterError = Assert.Throws<ArgumentException>(() => flown.world.SetParameters(flown.wing, bad));
                 Assert.That(parameterError.Message, Does.Contain("elasticity"));
                 var wind = new WingSurroundings { wind = new float3(float.PositiveInfinity, 0f, 0f) };
                 Assert.Throws<ArgumentException>(() => flown.world.SetSurroundings(flown.wing, wind));
@@ -217,7 +218,7 @@ namespace Alate.Tests
             {
                 flown.world.Step(0.03f);
                 flown.world.Skin(0.7f);
-                var bounds = flown.world.Bounds(flown.wing);
+                Bounds bounds = flown.world.Bounds(flown.wing);
                 float3 min = float.MaxValue, max = float.MinValue;
                 foreach (SkinnedVertex vertex in flown.world.Vertices(flown.wing))
                 {

@@ -10,8 +10,8 @@ internal static class FieldOffsets
     public static int Of(FieldInfo field)
     {
         var method = new DynamicMethod("OffsetOf", typeof(int), Type.EmptyTypes, typeof(FieldOffsets).Module, true);
-        var il = method.GetILGenerator();
-        var instance = il.DeclareLocal(field.DeclaringType);
+        ILGenerator il = method.GetILGenerator();
+        LocalBuilder instance = il.DeclareLocal(field.DeclaringType);
         il.Emit(OpCodes.Ldloca, instance);
         il.Emit(OpCodes.Ldflda, field);
         il.Emit(OpCodes.Conv_U);

@@ -42,7 +42,7 @@ internal static unsafe class NativeHeap
 
     public static void Free(void* memory)
     {
-        if (!NativeMemoryLedger.Remove((nint)memory, out var entry))
+        if (!NativeMemoryLedger.Remove((nint)memory, out NativeMemoryLedger.Entry entry))
             throw new InvalidOperationException("This memory is not allocated: it was freed before, or never was allocated here.");
         Release(memory, entry.size);
     }

@@ -50,7 +50,7 @@ internal sealed unsafe class ContainerSafety
     {
         lock (s_All)
         {
-            if (!s_Free.TryPop(out var safety))
+            if (!s_Free.TryPop(out ContainerSafety safety))
             {
                 safety = new ContainerSafety(s_All.Count);
                 s_All.Add(safety);

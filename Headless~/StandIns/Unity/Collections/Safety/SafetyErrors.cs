@@ -13,12 +13,12 @@ internal static class SafetyErrors
             return Disposed(name);
         if ((writes ? handle.writeKey : handle.readKey) == SafetyHandle.Denied)
         {
-            var (job, field) = JobLayout.Describe(handle.slot);
+            (string job, string field) = JobLayout.Describe(handle.slot);
             return new InvalidOperationException(
                 $"The {name} {job}.{field} is declared {(writes ? "[ReadOnly]" : "[WriteOnly]")} in the job, which must not {(writes ? "write" : "read")} it.");
         }
 
-        var pending = ContainerSafety.Of(handle).FindConflict(writes, default, out bool otherWrites);
+        JobRecord pending = ContainerSafety.Of(handle).FindConflict(writes, default, out bool otherWrites);
         return new InvalidOperationException(
             $"The scheduled job {pending?.Name} {(otherWrites ? "writes to" : "reads from")} the {name}. Call Complete() on the job's handle "
             + $"before you {(writes ? "write to" : "read from")} it.");
@@ -31,7 +31,7 @@ internal static class SafetyErrors
             throw Disposed(name);
         if (handle.IsOfJob)
             throw new InvalidOperationException($"A job must not dispose of the {name} that was passed to it.");
-        var pending = ContainerSafety.Of(handle).FindConflict(true, dependency, out _);
+        JobRecord pending = ContainerSafety.Of(handle).FindConflict(true, dependency, out _);
         if (pending != null)
         {
             throw new InvalidOperationException(

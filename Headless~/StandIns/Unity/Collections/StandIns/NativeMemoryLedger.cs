@@ -56,7 +56,7 @@ public static class NativeMemoryLedger
             long bytes = 0;
             lock (s_Gate)
             {
-                foreach (var entry in s_Lasting.Values)
+                foreach (Entry entry in s_Lasting.Values)
                     bytes += entry.size;
             }
 
@@ -70,7 +70,7 @@ public static class NativeMemoryLedger
         var text = new StringBuilder();
         lock (s_Gate)
         {
-            foreach (var entry in s_Lasting.Values)
+            foreach (Entry entry in s_Lasting.Values)
             {
                 text.Append(CultureInfo.InvariantCulture, $"{entry.Source}, {entry.size} bytes, Allocator.{entry.allocator}").AppendLine();
                 if (entry.trace != null)
@@ -93,7 +93,7 @@ public static class NativeMemoryLedger
             s_Temporary.Clear();
         }
 
-        foreach (var (address, entry) in temporary)
+        foreach ((nint address, Entry entry) in temporary)
         {
             entry.safety?.Release();
             NativeHeap.Release((void*)address, entry.size);

@@ -14,7 +14,7 @@ public static class ImageConversion
         ArgumentNullException.ThrowIfNull(data);
         try
         {
-            PngFile png = PngFile.Read(data);
+            var png = PngFile.Read(data);
             tex.Become(png.Width, png.Height, UpsideDown(png.Width, png.Height, png.Pixels), !markNonReadable);
             return true;
         }

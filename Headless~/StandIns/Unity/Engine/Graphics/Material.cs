@@ -28,7 +28,7 @@ public class Material : Object, ICopyable
         doubleSidedGI = source.doubleSidedGI;
         _values.TakeFrom(source._values);
         _keywords.UnionWith(source._keywords);
-        foreach (var (tag, value) in source._tags)
+        foreach ((string tag, string value) in source._tags)
             _tags.Add(tag, value);
     }
 

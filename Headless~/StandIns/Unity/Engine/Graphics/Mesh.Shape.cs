@@ -27,7 +27,9 @@ public sealed partial class Mesh
                     + "The supplied array needs to be the same size as the Mesh.vertices array.", this);
             }
             else
+            {
                 _boneWeights = (BoneWeight[])value?.Clone() ?? [];
+            }
         }
     }
 
@@ -41,7 +43,7 @@ public sealed partial class Mesh
         for (int t = 0; t + 2 < corners.Length; t += 3)
         {
             (int a, int b, int c) = (corners[t], corners[t + 1], corners[t + 2]);
-            Vector3 normal = Vector3.Cross(positions[b] - positions[a], positions[c] - positions[a]);
+            var normal = Vector3.Cross(positions[b] - positions[a], positions[c] - positions[a]);
             sums[a] += normal;
             sums[b] += normal;
             sums[c] += normal;

@@ -42,7 +42,7 @@ public sealed partial class Mesh
         if (vertexCount < 0)
             throw new ArgumentException($"The number of vertices cannot be negative: {vertexCount}.", nameof(vertexCount));
         var seen = new HashSet<VertexAttribute>();
-        var strides = new int[VertexBuffers.MaxStreams];
+        int[] strides = new int[VertexBuffers.MaxStreams];
         foreach (VertexAttributeDescriptor a in attributes)
         {
             if (!seen.Add(a.attribute))

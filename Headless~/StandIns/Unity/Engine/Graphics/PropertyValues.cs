@@ -23,7 +23,7 @@ internal sealed class PropertyValues
     public Dictionary<string, Vector4[]> CopyVectors()
     {
         var copies = new Dictionary<string, Vector4[]>();
-        foreach (var (id, value) in _values)
+        foreach ((int id, object value) in _values)
         {
             if (value is Vector4[] vectors)
                 copies.Add(Shader.NameOf(id), (Vector4[])vectors.Clone());
@@ -42,7 +42,7 @@ internal sealed class PropertyValues
         _values.Clear();
         if (other == null)
             return;
-        foreach (var (id, value) in other._values)
+        foreach ((int id, object value) in other._values)
             _values.Add(id, value);
     }
 }

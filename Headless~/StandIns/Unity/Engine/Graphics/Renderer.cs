@@ -130,7 +130,7 @@ public class Renderer : Component, IStateful, IReferring
         to._localBounds = _localBounds;
         to._enabled = _enabled;
         to._properties = _properties?.Copy();
-        foreach (var (material, properties) in _propertiesOf)
+        foreach ((int material, MaterialPropertyBlock properties) in _propertiesOf)
             to._propertiesOf[material] = properties.Copy();
         to.forceRenderingOff = forceRenderingOff;
         to.receiveShadows = receiveShadows;

@@ -41,7 +41,7 @@ public sealed class Shader : Object
 
     internal static string NameOf(int id)
     {
-        foreach (var (name, known) in s_Ids)
+        foreach ((string name, int known) in s_Ids)
         {
             if (known == id)
                 return name;

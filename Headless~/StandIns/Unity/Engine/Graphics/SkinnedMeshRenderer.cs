@@ -93,7 +93,7 @@ public class SkinnedMeshRenderer : Renderer, IReferring
         to._mesh = _mesh;
         to._bones = [.. _bones];
         to.rootBone = rootBone;
-        foreach (var (shape, weight) in _shapeWeights)
+        foreach ((int shape, float weight) in _shapeWeights)
             to._shapeWeights[shape] = weight;
         to.updateWhenOffscreen = updateWhenOffscreen;
     }

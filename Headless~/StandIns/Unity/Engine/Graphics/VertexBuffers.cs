@@ -76,7 +76,7 @@ internal sealed class VertexBuffers
     /// <summary>All values of an attribute as floats; components that the buffer lacks are 0.</summary>
     public float[] Read(VertexAttribute attribute, int components)
     {
-        var values = new float[Count * components];
+        float[] values = new float[Count * components];
         VertexAttributeDescriptor a = Find(attribute);
         int offset = Offset(attribute), stride = _strides[a.stream], size = a.Size / a.dimension;
         ReadOnlySpan<byte> stream = _streams[a.stream];

@@ -13,9 +13,9 @@ internal static class LoadMethods
     {
         foreach (Assembly assembly in AppDomain.CurrentDomain.GetAssemblies())
         {
-            if (!s_Known.TryGetValue(assembly, out var methods))
+            if (!s_Known.TryGetValue(assembly, out List<(RuntimeInitializeLoadType Moment, Action Method)> methods))
                 s_Known.Add(assembly, methods = Find(assembly));
-            foreach (var (when, method) in methods)
+            foreach ((RuntimeInitializeLoadType when, Action method) in methods)
             {
                 if (when == moment)
                     Call(method);

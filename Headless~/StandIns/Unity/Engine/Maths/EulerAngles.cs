@@ -10,7 +10,7 @@ internal static class EulerAngles
     /// <summary>Degrees, 0 to 360. At the poles (x = ±90) z is 0.</summary>
     public static Vector3 From(Quaternion rotation)
     {
-        Quaternion q = Quaternion.Normalize(rotation);
+        var q = Quaternion.Normalize(rotation);
         float pole = q.w * q.x - q.y * q.z;
         if (MathF.Abs(pole) > k_Pole)
             return Degrees(MathF.CopySign(MathF.PI / 2f, pole), 2f * MathF.Atan2(q.y, q.w), 0f);

@@ -88,11 +88,11 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         float cosine = Vector3.Dot(from, to);
         if (cosine < -0.999999f)
         {
-            Vector3 axis = Vector3.Cross(Vector3.right, from);
+            var axis = Vector3.Cross(Vector3.right, from);
             return AngleAxis(180f, axis.sqrMagnitude > 1e-6f ? axis : Vector3.Cross(Vector3.up, from));
         }
 
-        Vector3 cross = Vector3.Cross(from, to);
+        var cross = Vector3.Cross(from, to);
         return Normalize(new Quaternion(cross.x, cross.y, cross.z, 1f + cosine));
     }
 
@@ -129,7 +129,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         Vector3 f = forward.normalized;
         if (f == Vector3.zero)
             return identity;
-        Vector3 right = Vector3.Cross(upwards, f);
+        var right = Vector3.Cross(upwards, f);
         return right.magnitude < 1e-6f * upwards.magnitude || upwards == Vector3.zero
             ? FromToRotation(Vector3.forward, f)
             : quaternion.LookRotation(f, upwards);

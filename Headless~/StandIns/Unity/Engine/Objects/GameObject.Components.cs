@@ -32,7 +32,7 @@ public sealed partial class GameObject
                 AddComponent(needed);
         }
 
-        var component = Factory.Make<Component>(componentType);
+        Component component = Factory.Make<Component>(componentType);
         Attach(component);
         Lifecycle.Added(component);
         return component;

@@ -35,14 +35,18 @@ public partial class Object
         if (top == null)
             return;
         if (top.parent != null)
+        {
             Debug.LogWarning("DontDestroyOnLoad only works for root GameObjects or components on root GameObjects.", target);
+        }
         else if (!Application.isPlaying)
         {
             throw new InvalidOperationException("The following game object is invoking the DontDestroyOnLoad method: "
                 + $"{target.name}. Notice that DontDestroyOnLoad can only be used in play mode.");
         }
         else
+        {
             SceneRecord.Lasting.Add(top);
+        }
     }
 
     public static T Instantiate<T>(T original) where T : Object => Copying.Copy(original, null, false, null);

@@ -14,7 +14,7 @@ public class ScriptableObject : Object
     {
         if (!typeof(ScriptableObject).IsAssignableFrom(type) || type.IsAbstract)
             throw new ArgumentException($"{type.Name} is not a ScriptableObject that can be created.", nameof(type));
-        var instance = Factory.Make<ScriptableObject>(type);
+        ScriptableObject instance = Factory.Make<ScriptableObject>(type);
         instance.Begin();
         return instance;
     }

@@ -97,7 +97,7 @@ public partial class Transform
     {
         get
         {
-            Matrix4x4 local = Matrix4x4.TRS(Alive()._localPosition, _localRotation, _localScale);
+            var local = Matrix4x4.TRS(Alive()._localPosition, _localRotation, _localScale);
             return _parent is null ? local : _parent.localToWorldMatrix * local;
         }
     }
@@ -149,7 +149,7 @@ public partial class Transform
     public void Rotate(Vector3 axis, float angle) => localRotation *= Quaternion.AngleAxis(angle, axis);
     public void Rotate(Vector3 eulers, Space relativeTo)
     {
-        Quaternion turn = Quaternion.Euler(eulers);
+        var turn = Quaternion.Euler(eulers);
         if (relativeTo == Space.Self)
             localRotation *= turn;
         else
@@ -158,7 +158,7 @@ public partial class Transform
 
     public void RotateAround(Vector3 point, Vector3 axis, float angle)
     {
-        Quaternion turn = Quaternion.AngleAxis(angle, axis);
+        var turn = Quaternion.AngleAxis(angle, axis);
         SetPositionAndRotation(point + turn * (position - point), turn * rotation);
     }
 

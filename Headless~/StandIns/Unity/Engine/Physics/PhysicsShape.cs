@@ -12,7 +12,7 @@ internal readonly record struct PhysicsShape(int Collider, int Layer, bool IsTri
     /// <summary>Where a ray enters; one that starts within does not.</summary>
     public bool Raycast(Vector3 from, Vector3 direction, float distance, out RaycastHit hit)
     {
-        Quaternion back = Quaternion.Inverse(Rotation);
+        var back = Quaternion.Inverse(Rotation);
         Vector3 start = back * (from - Centre), along = back * direction;
         Vector3 normal = default;
         float at = IsRound ? MeetSphere(start, along) : MeetBox(start, along, out normal);
@@ -30,7 +30,7 @@ internal readonly record struct PhysicsShape(int Collider, int Layer, bool IsTri
         Vector3 within = Quaternion.Inverse(Rotation) * (place - Centre);
         if (IsRound)
             return within.magnitude <= radius + Half.x;
-        Vector3 nearest = Vector3.Max(-Half, Vector3.Min(Half, within));
+        var nearest = Vector3.Max(-Half, Vector3.Min(Half, within));
         return (within - nearest).magnitude <= radius;
     }
 

@@ -41,7 +41,7 @@ internal static class Copying
 
     private static ScriptableObject Asset(ScriptableObject original)
     {
-        var copy = Factory.Make<ScriptableObject>(original.GetType());
+        ScriptableObject copy = Factory.Make<ScriptableObject>(original.GetType());
         copy.name = original.name + "(Clone)";
         copy.hideFlags = original.hideFlags;
         Fields(original, copy, new Dictionary<Object, Object>());
@@ -55,7 +55,7 @@ internal static class Copying
         var copies = new Dictionary<Object, Object>(ReferenceEqualityComparer.Instance);
         GameObject copy = Shell(original, null, copies);
         copy.name = original.name + "(Clone)";
-        foreach (var (from, to) in new List<KeyValuePair<Object, Object>>(copies))
+        foreach ((Object from, Object to) in new List<KeyValuePair<Object, Object>>(copies))
         {
             if (from is Component component and not Transform)
                 State(component, (Component)to, copies);
@@ -96,7 +96,7 @@ internal static class Copying
         {
             if (component is Transform)
                 continue;
-            var twin = Factory.Make<Component>(component.GetType());
+            Component twin = Factory.Make<Component>(component.GetType());
             copy.Attach(twin);
             copies.Add(component, twin);
         }
@@ -135,7 +135,7 @@ internal static class Copying
 
     private static object List(IList from, Type type, Type element, IReadOnlyDictionary<Object, Object> copies)
     {
-        var to = type.IsArray
+        IList to = type.IsArray
             ? Array.CreateInstance(element, from.Count)
             : (IList)Activator.CreateInstance(type);
         for (int i = 0; i < from.Count; i++)

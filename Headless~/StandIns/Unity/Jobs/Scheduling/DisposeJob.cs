@@ -17,7 +17,7 @@ internal sealed unsafe class DisposeJob : JobRecord
         lock (JobTable.Gate)
         {
             JobWorkers.EnsureStarted();
-            var record = JobPool<DisposeJob>.Take();
+            DisposeJob record = JobPool<DisposeJob>.Take();
             record.m_Memory = memory;
             record.m_Safety = safety;
             record.Begin(1, BatchOrder.Ascending);

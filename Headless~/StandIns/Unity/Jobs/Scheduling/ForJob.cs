@@ -23,8 +23,8 @@ internal sealed class ForJob<T> : JobRecord where T : struct, IJobFor
         lock (JobTable.Gate)
         {
             JobWorkers.EnsureStarted();
-            var record = JobPool<ForJob<T>>.Take();
-            var order = parallel ? JobWorkers.NextOrder() : BatchOrder.Ascending;
+            ForJob<T> record = JobPool<ForJob<T>>.Take();
+            BatchOrder order = parallel ? JobWorkers.NextOrder() : BatchOrder.Ascending;
             record.m_Length = length;
             record.m_IsParallel = parallel;
             record.m_BatchSize = order.IsAscending ? Math.Clamp(batchSize, 1, Math.Max(length, 1)) : 1;
@@ -43,7 +43,7 @@ internal sealed class ForJob<T> : JobRecord where T : struct, IJobFor
         T job = data;
         s_Layout.Attach(ref job, null);
         s_Layout.SetThreadIndex(ref job);
-        var outer = JobContext.Enter(s_Layout);
+        JobLayout outer = JobContext.Enter(s_Layout);
         try
         {
             ExecuteRange(ref job, 0, length, false);
@@ -62,7 +62,7 @@ internal sealed class ForJob<T> : JobRecord where T : struct, IJobFor
             return;
         T job = m_Data;
         s_Layout.SetThreadIndex(ref job);
-        var outer = JobContext.Enter(s_Layout);
+        JobLayout outer = JobContext.Enter(s_Layout);
         int executed = 0;
         do
         {

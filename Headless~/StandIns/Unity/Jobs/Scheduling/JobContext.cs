@@ -20,7 +20,7 @@ internal static class JobContext
 
     public static JobLayout Enter(JobLayout layout)
     {
-        var before = s_Layout;
+        JobLayout before = s_Layout;
         s_Layout = layout;
         return before;
     }

@@ -11,9 +11,9 @@ internal sealed class JobFence : JobRecord
     {
         lock (JobTable.Gate)
         {
-            var fence = JobPool<JobFence>.Take();
+            JobFence fence = JobPool<JobFence>.Take();
             fence.Begin(0, BatchOrder.Ascending);
-            foreach (var handle in handles)
+            foreach (JobHandle handle in handles)
                 fence.DependOn(handle);
             if (fence.DependencyCount > 0)
                 return JobTable.Submit(fence);

@@ -47,9 +47,9 @@ internal sealed class JobFields
 
     private void Visit(Type type, string path, int offset)
     {
-        foreach (var field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
+        foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
         {
-            var fieldType = field.FieldType;
+            Type fieldType = field.FieldType;
             string name = path + field.Name;
             if (fieldType.IsPointer || fieldType.IsFunctionPointer)
             {
@@ -96,7 +96,7 @@ internal sealed class JobFields
 
     private static bool IsContainer(Type type, out bool isView)
     {
-        var definition = type.IsGenericType ? type.GetGenericTypeDefinition() : null;
+        Type definition = type.IsGenericType ? type.GetGenericTypeDefinition() : null;
         isView = definition == typeof(NativeArray<>.ReadOnly);
         return isView || definition == typeof(NativeArray<>);
     }

@@ -23,7 +23,7 @@ internal sealed unsafe class JobLayout
     /// <summary>The job that is being executed, and its container of the given number.</summary>
     public static (string Job, string Field) Describe(int container)
     {
-        var layout = JobContext.Layout;
+        JobLayout layout = JobContext.Layout;
         return layout == null || container >= layout.m_Fields.Containers.Length
             ? ("job", "container")
             : (layout.Name, layout.m_Fields.Containers[container].name);
@@ -46,7 +46,7 @@ internal sealed unsafe class JobLayout
         {
             for (int i = 0; i < m_Fields.Containers.Length; i++)
             {
-                ref readonly var container = ref m_Fields.Containers[i];
+                ref readonly JobFields.Container container = ref m_Fields.Containers[i];
                 if (!container.exempt)
                     Check(data, container, i, dependency, scheduled);
             }
@@ -64,8 +64,8 @@ internal sealed unsafe class JobLayout
         {
             for (int i = 0; i < m_Fields.Containers.Length; i++)
             {
-                ref readonly var container = ref m_Fields.Containers[i];
-                var handle = Handle(data, container);
+                ref readonly JobFields.Container container = ref m_Fields.Containers[i];
+                SafetyHandle* handle = Handle(data, container);
                 if (handle->cell == null || (container.exempt && !handle->Exists))
                     continue;
                 var safety = ContainerSafety.Of(*handle);
@@ -86,7 +86,7 @@ internal sealed unsafe class JobLayout
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         fixed (byte* data = &Unsafe.As<T, byte>(ref job), before = &Unsafe.As<T, byte>(ref original))
         {
-            foreach (ref readonly var container in m_Fields.Containers.AsSpan())
+            foreach (ref readonly JobFields.Container container in m_Fields.Containers.AsSpan())
                 *Handle(data, container) = *Handle(before, container);
         }
 #endif
@@ -114,7 +114,7 @@ internal sealed unsafe class JobLayout
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
     private void Check(byte* data, in JobFields.Container container, int index, JobHandle dependency, bool scheduled)
     {
-        var handle = Handle(data, container);
+        SafetyHandle* handle = Handle(data, container);
         if (handle->cell == null)
             throw new InvalidOperationException($"{What(container)} has not been created. All containers of a job must be when it is scheduled.");
         if (!handle->Exists)
@@ -127,7 +127,7 @@ internal sealed unsafe class JobLayout
         }
 
         bool otherWrites = false;
-        var pending = handle->IsOfJob ? null : safety.FindConflict(!container.readOnly, dependency, out otherWrites);
+        JobRecord pending = handle->IsOfJob ? null : safety.FindConflict(!container.readOnly, dependency, out otherWrites);
         if (pending != null)
         {
             throw new InvalidOperationException(
@@ -137,7 +137,7 @@ internal sealed unsafe class JobLayout
 
         for (int i = 0; i < index; i++)
         {
-            ref readonly var other = ref m_Fields.Containers[i];
+            ref readonly JobFields.Container other = ref m_Fields.Containers[i];
             if (other.exempt || (other.readOnly && container.readOnly) || Handle(data, other)->cell != handle->cell)
                 continue;
             throw new InvalidOperationException(

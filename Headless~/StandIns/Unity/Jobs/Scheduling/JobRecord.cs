@@ -74,7 +74,7 @@ internal abstract class JobRecord
 
     public void DependOn(JobHandle handle)
     {
-        var record = JobTable.Find(handle);
+        JobRecord record = JobTable.Find(handle);
         if (record == null)
             return;
         Append(ref m_Dependencies, DependencyCount++, handle);
@@ -115,7 +115,7 @@ internal abstract class JobRecord
         IsFinished = true;
         for (int i = 0; i < m_DependentCount; i++)
         {
-            var dependent = m_Dependents[i];
+            JobRecord dependent = m_Dependents[i];
             m_Dependents[i] = null;
             if (--dependent.WaitingFor == 0)
                 JobTable.Start(dependent);

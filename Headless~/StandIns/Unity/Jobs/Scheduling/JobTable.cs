@@ -34,7 +34,7 @@ internal static class JobTable
     /// <summary>The job of a handle; null once it has been completed.</summary>
     public static JobRecord Find(JobHandle handle)
     {
-        var record = s_Records[handle.m_Index];
+        JobRecord record = s_Records[handle.m_Index];
         return record != null && record.Version == handle.m_Version ? record : null;
     }
 
@@ -44,7 +44,7 @@ internal static class JobTable
             return true;
         lock (Gate)
         {
-            var record = Find(handle);
+            JobRecord record = Find(handle);
             if (record == null || record.IsFinished)
                 return true;
         }
@@ -59,19 +59,19 @@ internal static class JobTable
     {
         lock (Gate)
         {
-            var record = Find(job);
+            JobRecord record = Find(job);
             return record == null || DependsOn(handle, record);
         }
     }
 
     public static bool DependsOn(JobHandle handle, JobRecord job)
     {
-        var record = Find(handle);
+        JobRecord record = Find(handle);
         if (record == null)
             return false;
         if (record == job)
             return true;
-        foreach (var dependency in record.Dependencies)
+        foreach (JobHandle dependency in record.Dependencies)
         {
             if (DependsOn(dependency, job))
                 return true;
@@ -84,7 +84,7 @@ internal static class JobTable
     public static JobHandle Submit(JobRecord record)
     {
         PendingCount++;
-        var handle = record.Handle;
+        JobHandle handle = record.Handle;
         if (record.WaitingFor == 0)
             Start(record);
         return handle;
@@ -186,7 +186,7 @@ internal static class JobTable
         {
             lock (Gate)
             {
-                var record = Find(handle);
+                JobRecord record = Find(handle);
                 if (record == null || record.IsFinished)
                     return;
             }
@@ -200,10 +200,10 @@ internal static class JobTable
 
     private static void Sync(JobHandle handle, ref Exception error)
     {
-        var record = Find(handle);
+        JobRecord record = Find(handle);
         if (record == null)
             return;
-        foreach (var dependency in record.Dependencies)
+        foreach (JobHandle dependency in record.Dependencies)
             Sync(dependency, ref error);
         error ??= record.Error;
         record.Sync();

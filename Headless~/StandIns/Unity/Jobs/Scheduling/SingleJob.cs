@@ -18,7 +18,7 @@ internal sealed class SingleJob<T> : JobRecord where T : struct, IJob
         lock (JobTable.Gate)
         {
             JobWorkers.EnsureStarted();
-            var record = JobPool<SingleJob<T>>.Take();
+            SingleJob<T> record = JobPool<SingleJob<T>>.Take();
             record.m_Data = data;
             record.Begin(1, BatchOrder.Ascending);
             s_Layout.Attach(ref record.m_Data, record);
@@ -33,7 +33,7 @@ internal sealed class SingleJob<T> : JobRecord where T : struct, IJob
         T job = data;
         s_Layout.Attach(ref job, null);
         s_Layout.SetThreadIndex(ref job);
-        var outer = JobContext.Enter(s_Layout);
+        JobLayout outer = JobContext.Enter(s_Layout);
         try
         {
             job.Execute();
@@ -52,7 +52,7 @@ internal sealed class SingleJob<T> : JobRecord where T : struct, IJob
             return;
         T job = m_Data;
         s_Layout.SetThreadIndex(ref job);
-        var outer = JobContext.Enter(s_Layout);
+        JobLayout outer = JobContext.Enter(s_Layout);
         try
         {
             job.Execute();

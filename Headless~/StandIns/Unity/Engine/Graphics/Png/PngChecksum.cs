@@ -17,7 +17,7 @@ internal static class PngChecksum
 
     private static uint[] MakeTable()
     {
-        var table = new uint[256];
+        uint[] table = new uint[256];
         for (uint k = 0; k < table.Length; k++)
         {
             uint entry = k;

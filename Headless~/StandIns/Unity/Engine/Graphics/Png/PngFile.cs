@@ -90,7 +90,7 @@ public sealed class PngFile
 
     private byte[] Unpacked()
     {
-        var pixels = new byte[m_Header.UnpackedLength];
+        byte[] pixels = new byte[m_Header.UnpackedLength];
         m_Packed.Position = 0;
         try
         {

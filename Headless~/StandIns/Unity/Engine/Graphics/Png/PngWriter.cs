@@ -35,7 +35,7 @@ internal static class PngWriter
         using var packed = new MemoryStream();
         using (var packing = new ZLibStream(packed, CompressionLevel.SmallestSize, leaveOpen: true))
         {
-            var above = new byte[4 * width];
+            byte[] above = new byte[4 * width];
             for (int row = 0; row < height; row++)
             {
                 byte[] line = Line(pixels.AsSpan(row * width, width));
@@ -49,7 +49,7 @@ internal static class PngWriter
 
     private static byte[] Line(ReadOnlySpan<Color32> pixels)
     {
-        var line = new byte[4 * pixels.Length];
+        byte[] line = new byte[4 * pixels.Length];
         for (int k = 0; k < pixels.Length; k++)
             (line[4 * k], line[4 * k + 1], line[4 * k + 2], line[4 * k + 3]) = (pixels[k].r, pixels[k].g, pixels[k].b, pixels[k].a);
         return line;
@@ -62,7 +62,7 @@ internal static class PngWriter
         long least = long.MaxValue;
         for (byte filter = 0; filter <= k_Filters; filter++)
         {
-            var filtered = new byte[1 + line.Length];
+            byte[] filtered = new byte[1 + line.Length];
             filtered[0] = filter;
             long sum = 0;
             for (int k = 0; k < line.Length; k++)
@@ -93,7 +93,7 @@ internal static class PngWriter
 
     private static void WriteChunk(MemoryStream file, string name, byte[] content)
     {
-        var chunk = new byte[12 + content.Length];
+        byte[] chunk = new byte[12 + content.Length];
         BinaryPrimitives.WriteInt32BigEndian(chunk, content.Length);
         System.Text.Encoding.Latin1.GetBytes(name, chunk.AsSpan(4));
         content.CopyTo(chunk, 8);
