@@ -12,7 +12,7 @@ using Object = UnityEngine.Object;
 namespace Alate.Tests.Play.Headless
 {
     /// <summary>A crowd of one species before a camera, and what it draws.</summary>
-    internal sealed class CrowdScene : IDisposable
+    internal sealed class CrowdScene
     {
         private readonly List<Object> m_Made = new List<Object>();
 
@@ -81,7 +81,7 @@ namespace Alate.Tests.Play.Headless
                 yield return null;
         }
 
-        public void Dispose()
+        public void Clear()
         {
             DrawnInstances.Calls = null;
             Crowd.enabled = false;

@@ -30,7 +30,7 @@ namespace Alate.Tests.Play.Headless
         [UnityTearDown]
         public IEnumerator TakeAway()
         {
-            m_Scene?.Dispose();
+            m_Scene?.Clear();
             m_Scene = null;
             PlainDevice.IsInUse = false;
             Time.captureDeltaTime = 0f;
