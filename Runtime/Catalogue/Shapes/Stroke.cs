@@ -10,6 +10,8 @@ namespace Alate.Catalogue
         /// <summary>Distance along the polyline at which the piece begins.</summary>
         public readonly double start;
 
+        private readonly double m_PerLengthSquared;
+
         public Stroke(double x0, double z0, double x1, double z1, double start)
         {
             x = x0;
@@ -17,16 +19,17 @@ namespace Alate.Catalogue
             dx = x1 - x0;
             dz = z1 - z0;
             length = Math.Sqrt(dx * dx + dz * dz);
+            m_PerLengthSquared = length > 0 ? 1 / (length * length) : 0;
             this.start = start;
         }
 
-        /// <summary>Distance of a place from the piece, with the distance along the polyline of the nearest point.</summary>
-        public double Distance(double placeX, double placeZ, out double along)
+        /// <summary>Squared distance of a place from the piece, with the distance along the polyline of the nearest point.</summary>
+        public double DistanceSquared(double placeX, double placeZ, out double along)
         {
-            double t = length > 0 ? Math.Clamp(((placeX - x) * dx + (placeZ - z) * dz) / (length * length), 0, 1) : 0;
+            double t = Math.Clamp(((placeX - x) * dx + (placeZ - z) * dz) * m_PerLengthSquared, 0, 1);
             double offX = placeX - x - t * dx, offZ = placeZ - z - t * dz;
             along = start + t * length;
-            return Math.Sqrt(offX * offX + offZ * offZ);
+            return offX * offX + offZ * offZ;
         }
     }
 }

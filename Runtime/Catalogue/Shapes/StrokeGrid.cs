@@ -56,7 +56,7 @@ namespace Alate.Catalogue
             double nearest = double.MaxValue;
             for (int k = 0; k < distances.Length; k++)
             {
-                distances[k] = m_Strokes[k].Distance(middleX, middleZ, out _);
+                distances[k] = Math.Sqrt(m_Strokes[k].DistanceSquared(middleX, middleZ, out _));
                 nearest = Math.Min(nearest, distances[k]);
             }
 

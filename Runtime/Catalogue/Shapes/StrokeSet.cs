@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Alate.Catalogue
@@ -36,7 +37,7 @@ namespace Alate.Catalogue
             Stroke[] around = m_Grid.Around(x, z);
             for (int k = 0; k < around.Length; k++)
             {
-                double distance = around[k].Distance(x, z, out double here);
+                double distance = around[k].DistanceSquared(x, z, out double here);
                 if (distance < nearest)
                 {
                     nearest = distance;
@@ -44,7 +45,7 @@ namespace Alate.Catalogue
                 }
             }
 
-            return nearest;
+            return Math.Sqrt(nearest);
         }
     }
 }

@@ -8,6 +8,9 @@ namespace Alate.Catalogue
     [MovedFrom(true, "Alate", "Alate")]
     public abstract class WingPattern
     {
+        /// <summary>Reach of the pattern beyond the outline, pixels: for filtering and small mipmaps.</summary>
+        private const int k_Bleed = 8;
+
         /// <summary>The colour at a place on the wing.</summary>
         /// <param name="span">Distance from the base along the span, wing lengths, 0 to 1.</param>
         /// <param name="forward">Distance ahead of the hinge line, wing lengths.</param>
@@ -28,8 +31,8 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// A picture of the wing for the texture coordinates of <see cref="WingMesher"/>, row by row from v = 0 as in a texture. What lies outside the outline is
-        /// painted on, so that filtering at the edge finds no foreign colour.
+        /// A picture of the wing for the texture coordinates of <see cref="WingMesher"/>, row by row from v = 0 as in a texture. The colours near the edge go on
+        /// outside the outline, so that filtering finds no foreign colour.
         /// </summary>
         /// <param name="outline">The outline that was meshed.</param>
         /// <param name="width">Columns, 1 or more.</param>
@@ -44,11 +47,16 @@ namespace Alate.Catalogue
 
             var colours = new Color32[width * height];
             double softness = Math.Max(1.0 / width, (outline.Front - outline.Rear) / height);
-            for (int pixel = 0; pixel < colours.Length; pixel++)
+            double perRow = (outline.Front - outline.Rear) / height;
+            for (int column = 0; column < width; column++)
             {
-                double u = (pixel % width + 0.5) / width;
-                double v = (pixel / width + 0.5) / height;
-                colours[pixel] = ColourAt(u, outline.Rear + v * (outline.Front - outline.Rear), softness);
+                double span = (column + 0.5) / width;
+                int first = Math.Clamp((int)((outline.TrailingAt(span) - outline.Rear) / perRow) - k_Bleed, 0, height - 1);
+                int last = Math.Clamp((int)((outline.LeadingAt(span) - outline.Rear) / perRow) + k_Bleed, first, height - 1);
+                for (int row = first; row <= last; row++)
+                    colours[row * width + column] = ColourAt(span, outline.Rear + (row + 0.5) * perRow, softness);
+                for (int row = 0; row < height; row++)
+                    colours[row * width + column] = colours[Math.Clamp(row, first, last) * width + column];
             }
 
             return colours;

@@ -26,7 +26,7 @@ namespace Alate.Tests
                 double nearest = double.MaxValue, along = 0;
                 foreach (Stroke stroke in strokes)
                 {
-                    double distance = stroke.Distance(x, z, out double here);
+                    double distance = Math.Sqrt(stroke.DistanceSquared(x, z, out double here));
                     if (distance < nearest)
                     {
                         nearest = distance;
@@ -44,11 +44,11 @@ namespace Alate.Tests
         {
             var stroke = new Stroke(1, 0, 3, 0, 0.5);
 
-            Assert.That(stroke.Distance(2, 2, out double along), Is.EqualTo(2));
+            Assert.That(stroke.DistanceSquared(2, 2, out double along), Is.EqualTo(4));
             Assert.That(along, Is.EqualTo(1.5));
-            Assert.That(stroke.Distance(0, 1, out along), Is.EqualTo(Math.Sqrt(2)).Within(1e-12));
+            Assert.That(stroke.DistanceSquared(0, 1, out along), Is.EqualTo(2).Within(1e-12));
             Assert.That(along, Is.EqualTo(0.5));
-            Assert.That(stroke.Distance(6, 4, out along), Is.EqualTo(5));
+            Assert.That(stroke.DistanceSquared(6, 4, out along), Is.EqualTo(25));
             Assert.That(along, Is.EqualTo(2.5));
         }
 
