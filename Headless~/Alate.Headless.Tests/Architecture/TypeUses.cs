@@ -15,8 +15,15 @@ namespace Alate.Tests.Architecture
         private static readonly Dictionary<short, OpCode> s_OpCodes = typeof(OpCodes).GetFields()
             .Select(field => (OpCode)field.GetValue(null)).ToDictionary(code => code.Value);
 
+        private static readonly Dictionary<Type, Type[]> s_Known = new Dictionary<Type, Type[]>();
+
         /// <summary>Top-level types that a top-level type and its nested types use, itself left out.</summary>
-        public static IEnumerable<Type> Of(Type type) => WithNested(type).SelectMany(OfOne).SelectMany(Parts).Select(TopLevel).Where(used => used != type).Distinct();
+        public static IReadOnlyList<Type> Of(Type type)
+        {
+            if (!s_Known.TryGetValue(type, out Type[] known))
+                s_Known.Add(type, known = WithNested(type).SelectMany(OfOne).SelectMany(Parts).Select(TopLevel).Where(used => used != type).Distinct().ToArray());
+            return known;
+        }
 
         /// <summary>The type that a nested one stands in.</summary>
         public static Type TopLevel(Type type)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -9,22 +10,27 @@ namespace Alate.Tests.Bakes
     /// <summary>glTF files that <c>bake</c> writes, played as the specification says, beside the live wings.</summary>
     public sealed class BakedGltfTests
     {
+        // Linear blends of joints differ from the live wings' dual quaternions by up to 0.06 %, see crowds.md.
+        private const double k_AtFrames = 1.5e-3;
+
         private readonly BakedFiles m_Files = new BakedFiles();
 
-        private static IEnumerable<string> Species => InsectCatalogue.Names;
+        private static IEnumerable<string> Others => InsectCatalogue.Names.Except(["monarch", "snailfish"]);
 
         [OneTimeTearDown]
         public void RemoveFiles() => m_Files.Dispose();
 
-        [TestCaseSource(nameof(Species))]
-        public void Joints_MoveTheWingsAsTheLiveOnes(string species)
-        {
-            // Linear blends of joints differ from the live wings' dual quaternions by up to 0.06 %, see crowds.md.
-            AssertLive(species, "gltf-skin", "skin", atFrames: 1.5e-3);
-        }
+        [TestCase("monarch")]
+        [TestCase("snailfish")]
+        public void Joints_MoveTheWingsAsTheLiveOnes(string species) => AssertLive(species, "gltf-skin", "skin", k_AtFrames);
+
+        [TestCaseSource(nameof(Others))]
+        [Explicit]
+        [Category("Long")]
+        public void Joints_MoveTheWingsOfAnyOtherSpecies_AsTheLiveOnes(string species) => AssertLive(species, "gltf-skin", "skin", k_AtFrames);
 
         [TestCase("monarch")]
-        [TestCase("fishfly")]
+        [TestCase("fishfly", Explicit = true, Category = "Long")]
         public void Shapes_AreThoseOfTheLiveWings(string species) => AssertLive(species, "gltf-morph", "morph", atFrames: 1e-3);
 
         [Test]

@@ -10,7 +10,9 @@ namespace Alate.Tests.Cli
     public sealed class FlightPageTests
     {
         // ALATE_WRITE_FIGURES=1 writes the page's tables again, as figures does with all pages.
-        [Test, Category("Long")]
+        [Test]
+        [Explicit]
+        [Category("Long")]
         public void ItsTables_AreThoseOfToday()
         {
             string path = Path.Combine(PackageRoot.Find(), "Documentation~", FlightFigures.Page);

@@ -98,7 +98,7 @@ namespace Alate.Tests.Cli
         {
             using var run = new CommandRun();
             string path = Path.Combine(run.Folder, folder);
-            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", seed, "--seconds", "3", "--out", path), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", seed, "--seconds", "0.3", "--out", path), Is.Zero, run.Errors);
             return File.ReadAllText(Path.Combine(path, "trajectory.csv"));
         }
 

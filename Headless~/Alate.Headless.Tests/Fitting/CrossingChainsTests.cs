@@ -9,7 +9,22 @@ namespace Alate.Tests
         private const int k_Wings = 6, k_ManyWings = 20;
 
         [TestCaseSource(typeof(WildWings), nameof(WildWings.Crossing))]
-        public void WingWhoseChainsCross_GetsStraightRaysThatDoNot(int seed)
+        public void WingWhoseChainsCross_GetsStraightRaysThatDoNot(int seed) => AssertStraight(seed);
+
+        [TestCaseSource(typeof(WildWings), nameof(WildWings.MoreCrossing))]
+        [Explicit]
+        [Category("Long")]
+        public void OneMoreWingWhoseChainsCross_GetsStraightRaysThatDoNot(int seed) => AssertStraight(seed);
+
+        [Test]
+        public void WingsWhoseChainsDoNotCross_KeepThem() => AssertKept(0, k_Wings);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void MoreWingsWhoseChainsDoNotCross_KeepThem() => AssertKept(k_Wings, k_ManyWings);
+
+        private static void AssertStraight(int seed)
         {
             SurfaceMesh wing = WildWings.Make(seed, out SkeletonFitSettings hints);
 
@@ -21,14 +36,6 @@ namespace Alate.Tests
             if (!fit.Warns(SkeletonFitWarningKind.LeadingEdgeGuessed))
                 Assert.That(fit.Warns(SkeletonFitWarningKind.ChainsLaidAsRays));
         }
-
-        [Test]
-        public void WingsWhoseChainsDoNotCross_KeepThem() => AssertKept(0, k_Wings);
-
-        [Test]
-        [Explicit]
-        [Category("Long")]
-        public void MoreWingsWhoseChainsDoNotCross_KeepThem() => AssertKept(k_Wings, k_ManyWings);
 
         private static void AssertKept(int first, int end)
         {

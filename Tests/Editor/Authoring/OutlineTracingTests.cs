@@ -26,7 +26,7 @@ namespace Alate.Editor.Tests
                 {
                     foreach (int side in kind == DrawnKind.Hard || kind == DrawnKind.Drawing ? new[] { 200, 600 } : new[] { 200 })
                     {
-                        if (count++ % 4 == 0 == isQuick)
+                        if (count++ % 7 == 0 == isQuick)
                             yield return new TestCaseData(wing.Name, kind, side);
                     }
                 }

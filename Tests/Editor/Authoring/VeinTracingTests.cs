@@ -98,8 +98,8 @@ namespace Alate.Editor.Tests
         }
 
         [TestCase("monarch", DrawnKind.Silhouette)]
-        [TestCase("scalloped", DrawnKind.Noisy)]
-        [TestCase("monarch", DrawnKind.Hard)]
+        [TestCase("scalloped", DrawnKind.Noisy, Explicit = true, Category = "Long")]
+        [TestCase("monarch", DrawnKind.Hard, Explicit = true, Category = "Long")]
         [TestCase("monarch", DrawnKind.Transparent)]
         [TestCase("scalloped", DrawnKind.Drawing)]
         [TestCase("scalloped", DrawnKind.Silhouette, Explicit = true, Category = "Long")]

@@ -14,9 +14,12 @@ namespace Alate.Tests.Crowds
     {
         private static readonly int[] s_Triangles = { 2000, 500, 160 };
 
-        private static IEnumerable<string> Species => InsectCatalogue.Names;
-
-        [TestCaseSource(nameof(Species))]
+        [TestCase("monarch")]
+        [TestCase("swallowtail", Explicit = true, Category = "Long")]
+        [TestCase("firefly", Explicit = true, Category = "Long")]
+        [TestCase("fishfly")]
+        [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]
+        [TestCase("snailfish", Explicit = true, Category = "Long")]
         public void EachSize_IsOfVerticesOfTheOneBefore_AndKeepsTheWings(string species)
         {
             InsectBake bake = Bake(species);

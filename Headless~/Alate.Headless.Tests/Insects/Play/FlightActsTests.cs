@@ -19,7 +19,9 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator RandomActs_HarmNobody() => Act(300, 7);
 
-        [UnityTest, Category("Long")]
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
         public IEnumerator FiveThousandRandomActs_HarmNobody() => Act(5000, 1);
 
         [UnityTest]

@@ -31,8 +31,8 @@ namespace Alate.Tests
             where wanted(shape, variant)
             select new TestCaseData(s_Names[shape], variant);
 
-        // Every other shape, each in one variant.
-        private static bool IsQuick(int shape, InsectVariant variant) => shape % 2 == 0 && variant == (shape % 4 == 0 ? InsectVariant.Standard : InsectVariant.Expressive);
+        // Every fourth shape, each in one variant.
+        private static bool IsQuick(int shape, InsectVariant variant) => shape % 4 == 1 && variant == (shape % 8 == 1 ? InsectVariant.Standard : InsectVariant.Expressive);
 
         [TestCaseSource(nameof(Some))]
         public void ATracedWing_HoldsInStillAirAndInWind(string name, InsectVariant variant) => AssertHolds(name, variant);
