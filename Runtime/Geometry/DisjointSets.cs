@@ -6,8 +6,14 @@ namespace Alate.Geometry
         private readonly int[] m_Parents;
 
         public DisjointSets(int count)
+            : this(new int[count], count)
         {
-            m_Parents = new int[count];
+        }
+
+        /// <summary>Sets in an array of the caller's, which may be longer, so that nothing is allocated.</summary>
+        public DisjointSets(int[] parents, int count)
+        {
+            m_Parents = parents;
             for (int member = 0; member < count; member++)
                 m_Parents[member] = member;
         }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
@@ -94,12 +95,11 @@ namespace Alate
                 m_GroupOf = new int[2 * packs.Count];
             }
 
-            for (int k = 0; k < packs.Count; k++)
-                m_Parents[k] = k;
+            var sets = new DisjointSets(m_Parents, packs.Count);
             int next = 0;
             for (int body = 0; body < m_Entries.Count; body++)
-                PlaceWings(body, ref next);
-            PlaceGroups(packs);
+                PlaceWings(body, sets, ref next);
+            PlaceGroups(packs, sets);
         }
 
         /// <summary>Lists for the job.</summary>
@@ -125,7 +125,7 @@ namespace Alate
             GrowingArray.Free(ref m_Lists);
         }
 
-        private void PlaceWings(int body, ref int next)
+        private void PlaceWings(int body, DisjointSets sets, ref int next)
         {
             BodyEntry entry = m_Entries[body];
             if (entry == null)
@@ -141,17 +141,17 @@ namespace Alate
                 place.firstCopy = wing.lane == 0 ? wing.pack.Count : WingPack.Lanes;
                 place.endCopy = WingPack.Lanes;
                 m_Wings[next++] = place;
-                Join(entry.wings[0].pack.index, wing.pack.index);
+                sets.Join(entry.wings[0].pack.index, wing.pack.index);
             }
         }
 
         // Groups in the order of their first pack, so that the order of packs is the order of work: counted, then filled, each pack and body once.
-        private void PlaceGroups(IReadOnlyList<PackMemory> packs)
+        private void PlaceGroups(IReadOnlyList<PackMemory> packs, DisjointSets sets)
         {
             GroupCount = 0;
             for (int pack = 0; pack < packs.Count; pack++)
             {
-                int root = Root(pack);
+                int root = sets.Find(pack);
                 if (root == pack)
                     m_GroupOf[pack] = GroupCount++;
                 m_GroupOf[pack] = m_GroupOf[root];
@@ -195,20 +195,6 @@ namespace Alate
         private bool Carried(int body) => m_Entries[body] != null && m_Entries[body].wings.Count > 0;
 
         private int GroupOf(int body) => m_GroupOf[m_Entries[body].wings[0].pack.index];
-
-        private int Root(int pack)
-        {
-            while (m_Parents[pack] != pack)
-                pack = m_Parents[pack] = m_Parents[m_Parents[pack]];
-            return pack;
-        }
-
-        private void Join(int a, int b)
-        {
-            a = Root(a);
-            b = Root(b);
-            m_Parents[math.max(a, b)] = math.min(a, b);
-        }
 
         private void Reserve(int count)
         {
