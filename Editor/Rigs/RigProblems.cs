@@ -86,7 +86,7 @@ namespace Alate.Editor
             for (int k = 0; k + 2 < indices.Length; k += 3)
             {
                 float3 a = rig.points[indices[k]], b = rig.points[indices[k + 1]], c = rig.points[indices[k + 2]];
-                if (math.length(math.cross(b - a, c - a)) > SurfaceTriangles.k_LeastDoubledArea)
+                if (math.length(math.cross(b - a, c - a)) > SurfaceTriangles.LeastDoubledArea)
                     continue;
                 first = flat++ == 0 ? indices[k] : first;
             }
@@ -111,7 +111,7 @@ namespace Alate.Editor
                     problems.Add(new RigProblem(RigProblemKind.MassConcentrated, Place(rig, joint), joints,
                         $"Joint {index.joint} of chain {index.chain} carries {Percent(mass)} of the wing's mass."));
                 }
-                else if (mass <= (float)JointMasses.k_Least)
+                else if (mass <= (float)JointMasses.LeastShare)
                 {
                     problems.Add(new RigProblem(RigProblemKind.NoMass, Place(rig, joint), joints,
                         $"Joint {index.joint} of chain {index.chain} carries no part of the mesh."));

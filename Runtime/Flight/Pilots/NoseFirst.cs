@@ -8,8 +8,11 @@ namespace Alate.Flight
     /// </summary>
     internal static class NoseFirst
     {
-        /// <summary>Fastest flight across the nose, backwards, and straight down, m/s.</summary>
-        public const float k_Aside = 0.12f, k_Back = 0.06f, k_Sink = 0.15f;
+        /// <summary>Fastest flight across the nose, m/s.</summary>
+        public const float MostAside = 0.12f;
+
+        /// <summary>Fastest flight backwards, and straight down, m/s.</summary>
+        private const float k_Back = 0.06f, k_Sink = 0.15f;
 
         /// <summary>Fastest climb of a slow insect, and fastest flight while the nose turns, m/s: hovering leaves no power for more.</summary>
         private const float k_SlowClimb = 0.03f, k_TurningSpeed = 0.05f;
@@ -73,7 +76,7 @@ namespace Alate.Flight
             float off = Wrap(math.atan2(velocity.x, velocity.z) - heading);
             float course = math.atan2(velocity.x, velocity.z);
             bool turns = speed > k_Turning && math.abs(off) > k_TurningAngle;
-            float most = turns ? k_TurningSpeed : k_Aside;
+            float most = turns ? k_TurningSpeed : MostAside;
             ahead = math.max(turns ? math.min(ahead, most) : ahead, -math.min(most, k_Back));
             aside = math.clamp(aside, -most, most);
             velocity.x = ahead * sin + aside * cos;

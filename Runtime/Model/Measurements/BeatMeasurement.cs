@@ -15,13 +15,13 @@ namespace Alate
         /// <summary>
         /// Span of the inner section of the twist, wing lengths. A mesh that begins farther out is cut a little past its beginning.
         /// </summary>
-        public const float k_InnerSpan = 0.1f;
+        public const float InnerSpan = 0.1f;
 
         /// <summary>Span of the section of camber and lag, wing lengths.</summary>
-        public const float k_MiddleSpan = 0.44f;
+        public const float MiddleSpan = 0.44f;
 
         /// <summary>Span of the outer section of the twist, wing lengths.</summary>
-        public const float k_OuterSpan = 0.75f;
+        public const float OuterSpan = 0.75f;
 
         /// <summary>The percentile of the stretch that is reported beside the largest.</summary>
         private const float k_StretchShare = 0.99f;
@@ -47,9 +47,9 @@ namespace Alate
             if (triangles.Length == 0)
                 throw new ArgumentException("There is no triangle to measure.", nameof(triangles));
             m_Rest = rest;
-            m_Inner = WingSection.Cut(rest, triangles, math.max(k_InnerSpan, Beginning(rest, triangles) + k_BaseMargin));
-            m_Middle = WingSection.Cut(rest, triangles, k_MiddleSpan);
-            m_Outer = WingSection.Cut(rest, triangles, k_OuterSpan);
+            m_Inner = WingSection.Cut(rest, triangles, math.max(InnerSpan, Beginning(rest, triangles) + k_BaseMargin));
+            m_Middle = WingSection.Cut(rest, triangles, MiddleSpan);
+            m_Outer = WingSection.Cut(rest, triangles, OuterSpan);
             m_Stretch = new EdgeStretch(rest, triangles);
             m_Tip = TipBend.FindTip(rest, triangles);
         }

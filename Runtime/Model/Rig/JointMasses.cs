@@ -12,9 +12,9 @@ namespace Alate
         /// Least mass of a joint before the sum is made 1 again. A joint that carries no part of the mesh would otherwise be
         /// thrown about by any load, or divide it by zero.
         /// </summary>
-        public const double k_Least = 1e-4;
+        public const double LeastShare = 1e-4;
 
-        /// <summary>m_i = Σ_t (A_t/A)(w_ia + w_ib + w_ic)/3, at least <see cref="k_Least"/>; sum 1.</summary>
+        /// <summary>m_i = Σ_t (A_t/A)(w_ia + w_ib + w_ic)/3, at least <see cref="LeastShare"/>; sum 1.</summary>
         public static float[] OfJoints(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] weights)
         {
             double[] sums = new double[rest.joints.Length];
@@ -30,7 +30,7 @@ namespace Alate
             double total = 0.0;
             for (int joint = 0; joint < sums.Length; joint++)
             {
-                sums[joint] = Math.Max(sums[joint], k_Least);
+                sums[joint] = Math.Max(sums[joint], LeastShare);
                 total += sums[joint];
             }
 

@@ -11,7 +11,7 @@ namespace Alate
     internal sealed class SurfaceTriangles
     {
         /// <summary>Doubled area, L², below which a triangle counts as empty.</summary>
-        public const float k_LeastDoubledArea = 1e-12f;
+        public const float LeastDoubledArea = 1e-12f;
 
         /// <summary>Vertex indices of the corners.</summary>
         public readonly List<int3> corners;
@@ -84,7 +84,7 @@ namespace Alate
         {
             float3 a = points[corner.x], b = points[corner.y], c = points[corner.z];
             float doubled = math.length(math.cross(b - a, c - a));
-            if (!(doubled > k_LeastDoubledArea))
+            if (!(doubled > LeastDoubledArea))
                 return false;
             corners.Add(corner);
             areas.Add(0.5f * doubled);

@@ -11,7 +11,7 @@ namespace Alate.Flight
     public sealed class PathFollower
     {
         /// <summary>Rate at which a distance from the path is flown off, 1/s: a fifth of the rate at which the body follows.</summary>
-        public const float k_Rate = 1f;
+        public const float Rate = 1f;
 
         /// <summary>Distance by which an arc may cut a corner, metres.</summary>
         private const float k_CornerCut = 0.15f;
@@ -43,7 +43,7 @@ namespace Alate.Flight
         {
             float3 way = (point - situation.position) / situation.unitsPerMetre;
             float distance = math.length(way);
-            float closing = math.min(math.min(k_Rate * distance, situation.limits.SpeedToStopWithin(distance)), speed);
+            float closing = math.min(math.min(Rate * distance, situation.limits.SpeedToStopWithin(distance)), speed);
             return pointVelocity + closing * math.normalizesafe(way);
         }
 
@@ -86,7 +86,7 @@ namespace Alate.Flight
             }
 
             HasArrived = isLast && math.distance(goal, position) < 0.05f * situation.unitsPerMetre;
-            float brake = isLast ? math.min(situation.limits.SpeedToStopWithin(ahead), k_Rate * math.max(ahead, 0f))
+            float brake = isLast ? math.min(situation.limits.SpeedToStopWithin(ahead), Rate * math.max(ahead, 0f))
                 : math.sqrt(corner * corner + situation.limits.Acceleration * math.max(ahead - lead, 0f));
             float3 nearest = start + tangent * math.clamp(gone, 0f, length) * situation.unitsPerMetre;
             float3 back = Towards(situation, nearest, default, 0.5f * speed);

@@ -38,14 +38,14 @@ namespace Alate.Flight
 
         private static void Cast()
         {
-            int count = s_Asked.Count * ObstacleSense.k_Rays;
+            int count = s_Asked.Count * ObstacleSense.RayCount;
             var rays = new NativeArray<RaycastCommand>(count, Allocator.TempJob, NativeArrayOptions.UninitializedMemory);
             var hits = new NativeArray<RaycastHit>(count, Allocator.TempJob);
             for (int k = 0; k < count; k++)
             {
-                ObstacleSense sense = s_Asked[k / ObstacleSense.k_Rays];
+                ObstacleSense sense = s_Asked[k / ObstacleSense.RayCount];
                 var look = new QueryParameters(sense.Layers, false, QueryTriggerInteraction.Ignore);
-                rays[k] = new RaycastCommand(sense.From, sense.Direction(k % ObstacleSense.k_Rays), look, sense.Reach);
+                rays[k] = new RaycastCommand(sense.From, sense.Direction(k % ObstacleSense.RayCount), look, sense.Reach);
             }
 
             RaycastCommand.ScheduleBatch(rays, hits, k_RaysPerJob).Complete();
@@ -53,7 +53,7 @@ namespace Alate.Flight
             {
                 RaycastHit hit = hits[k];
                 bool any = hit.collider != null;
-                s_Asked[k / ObstacleSense.k_Rays].Take(k % ObstacleSense.k_Rays, any ? (float3)hit.normal : default, any ? hit.distance : -1f);
+                s_Asked[k / ObstacleSense.RayCount].Take(k % ObstacleSense.RayCount, any ? (float3)hit.normal : default, any ? hit.distance : -1f);
             }
 
             rays.Dispose();

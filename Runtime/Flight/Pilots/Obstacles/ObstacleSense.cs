@@ -9,13 +9,13 @@ namespace Alate.Flight
     internal sealed class ObstacleSense
     {
         /// <summary>Rays of one insect.</summary>
-        public const int k_Rays = 5;
+        public const int RayCount = 5;
 
         /// <summary>Angle of the outer rays off the middle one: tangent of 35°.</summary>
         private const float k_Spread = 0.7f;
 
-        private readonly float4[] m_Met = new float4[k_Rays];
-        private readonly float3[] m_Directions = new float3[k_Rays];
+        private readonly float4[] m_Met = new float4[RayCount];
+        private readonly float3[] m_Directions = new float3[RayCount];
         private float3 m_Way = new float3(0f, 0f, 1f);
 
         /// <summary>Where the rays start, world units.</summary>
@@ -61,7 +61,7 @@ namespace Alate.Flight
 
         private float3 Limit(float3 velocity, in FlightSituation situation, float clearance)
         {
-            for (int ray = 0; ray < k_Rays; ray++)
+            for (int ray = 0; ray < RayCount; ray++)
             {
                 float4 met = m_Met[ray];
                 if (!(met.w >= 0f))
@@ -90,7 +90,7 @@ namespace Alate.Flight
         {
             float3 side = default;
             float farthest = -1f;
-            for (int ray = 1; ray < k_Rays; ray++)
+            for (int ray = 1; ray < RayCount; ray++)
             {
                 float free = m_Met[ray].w >= 0f ? m_Met[ray].w : 2f * Reach;
                 if (free <= farthest)
@@ -116,7 +116,7 @@ namespace Alate.Flight
             From = situation.position;
             Reach = (situation.limits.StoppingDistance(speed) + situation.limits.TurnRadius(speed) + 2f * clearance) * situation.unitsPerMetre;
             Layers = settings.layers;
-            for (int ray = 0; ray < k_Rays; ray++)
+            for (int ray = 0; ray < RayCount; ray++)
                 m_Met[ray].w = -1f;
             ObstacleRays.Ask(this);
         }

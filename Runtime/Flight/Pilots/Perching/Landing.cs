@@ -9,7 +9,7 @@ namespace Alate.Flight
     public sealed class Landing
     {
         /// <summary>Fastest contact, m/s.</summary>
-        public const float k_ContactSpeed = 0.28f;
+        public const float ContactSpeed = 0.28f;
 
         /// <summary>Speed with which the feet come down, m/s.</summary>
         private const float k_TouchSpeed = 0.12f;
@@ -89,7 +89,7 @@ namespace Alate.Flight
             float3 beside = off - along * m_Line, flat = off - gap * m_Spot.normal;
             float reach = k_Reach * situation.wingLength, near = k_Beside * situation.wingLength;
             bool isOver = math.length(flat) < near + 0.5f * math.max(gap, 0f);
-            if (math.abs(gap + 0.5f * reach) < 1.5f * reach && isOver && math.length(situation.velocity) < k_ContactSpeed)
+            if (math.abs(gap + 0.5f * reach) < 1.5f * reach && isOver && math.length(situation.velocity) < ContactSpeed)
             {
                 if (!math.isfinite(m_Spot.heading))
                     m_Spot.heading = situation.heading;
@@ -104,7 +104,7 @@ namespace Alate.Flight
             float down = gap > 0f ? math.clamp(k_FlareRate * along, k_TouchSpeed, k_LineSpeed) * straight : -0.1f;
             m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
-            float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.k_Aside) * math.normalizesafe(beside) + m_Drift;
+            float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
             return Wish(FlightWish.Land, -down * m_Line - back, situation);
         }
 

@@ -35,7 +35,7 @@ namespace Alate.Tests
             WingDeformation beat = Measure(
                 Sheet.Stroke, (place, phase) => Sheet.Feathered(place, degreesAtTip * k_Degree * place.x * math.cos(phase)), 48);
 
-            float between = BeatMeasurement.k_OuterSpan - BeatMeasurement.k_InnerSpan;
+            float between = BeatMeasurement.OuterSpan - BeatMeasurement.InnerSpan;
             Assert.That(beat.TwistRange / k_Degree, Is.EqualTo(2f * degreesAtTip * between).Within(0.5f).Percent);
             Assert.That(beat.CamberMax, Is.EqualTo(0f).Within(2e-3f), "a straight chord stays straight, but for the mesh's diagonals");
             Assert.That(beat.TipBendMax, Is.EqualTo(0f).Within(1e-4f), "the leading edge stays straight");
@@ -172,7 +172,7 @@ namespace Alate.Tests
 
             float twist = measurement.Twist(Array.ConvertAll(stalked, place => Sheet.Feathered(place, 0.4f * place.x)));
 
-            Assert.That(twist, Is.EqualTo(0.4f * (BeatMeasurement.k_OuterSpan - 0.3f)).Within(6f).Percent);
+            Assert.That(twist, Is.EqualTo(0.4f * (BeatMeasurement.OuterSpan - 0.3f)).Within(6f).Percent);
         }
 
         [Test]
