@@ -8,8 +8,6 @@ namespace Alate.Flight
     /// <summary>The flight while it lives: its body in the world of the wings.</summary>
     public sealed partial class InsectFlight
     {
-        private const float k_Tumbling = 70f * math.PI / 180f;
-
         private InsectWings m_Wings;
         private Link m_Link;
         private WingWorld m_World;
@@ -82,7 +80,7 @@ namespace Alate.Flight
             {
                 if (command.wish == FlightWish.Perch)
                     m_Perching.Sit(ref body, dt);
-                else if (m_Perching.Start(ref body, m_World, m_Body, TrimDrive(default), m_Live, dt))
+                else if (m_Perching.Start(ref body, m_World, m_Body, m_Table.DriveNear(0f, 0f), m_Live, dt))
                     TakeOff(ref body);
                 m_From = m_Perching.Centre(body.rotation, Legs);
                 Show(body.rotation, m_From);
@@ -96,8 +94,7 @@ namespace Alate.Flight
             }
 
             body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, m_Table, dt);
-            bool tumbles = body.tilt > k_Tumbling;
-            State = tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
+            State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
         }
 
         private FlightCommand Command(in FlightSituation situation)
@@ -107,15 +104,9 @@ namespace Alate.Flight
             return m_Pilot?.Command(situation) ?? FlightCommand.Fly(Velocity, Heading);
         }
 
-        private FlightSituation Situation(in FlyingBody body, float dt) => new FlightSituation
+        private FlightSituation Situation(in FlyingBody body, float dt) => new FlightSituation(body, m_Reference)
         {
             position = m_From,
-            rotation = body.rotation,
-            velocity = body.velocity,
-            angularVelocity = math.rotate(body.rotation, body.spin),
-            wind = m_Reference.Wind,
-            referenceVelocity = m_Reference.Velocity,
-            heading = m_Reference.Heading,
             state = State,
             limits = Limits,
             time = m_Time,
@@ -201,21 +192,9 @@ namespace Alate.Flight
             return true;
         }
 
-        private WingDrive TrimDrive(in BodyReference reference)
-        {
-            float[] point = m_Table.PointNear(reference.airSpeed, reference.climb);
-            return new WingDrive
-            {
-                frequency = point[TrimPoint.Drive],
-                amplitude = point[TrimPoint.Drive + 1],
-                tilt = point[TrimPoint.Drive + 2],
-                meanSweep = point[TrimPoint.Drive + 3],
-            };
-        }
-
         private void StartBeat(LiveInsect live, WingWorld world, in BodyReference reference)
         {
-            WingDrive drive = TrimDrive(reference);
+            WingDrive drive = m_Table.DriveNear(reference.airSpeed, reference.climb);
             foreach (LiveWing wing in live.wings)
             {
                 world.SetDrive(wing.handle, drive);

@@ -7,9 +7,6 @@ namespace Alate.Flight
     /// <summary>One insect that flies by its own wings in a world of its own, step by step: for tools, tests and measurements. Metres, seconds, kilograms.</summary>
     public sealed class FreeFlight : IDisposable
     {
-        /// <summary>Error of pitch and roll beyond which the body tumbles.</summary>
-        private const float k_Tumbling = 70f * math.PI / 180f;
-
         /// <summary>Beats until wings at rest are settled on the trim's beat.</summary>
         private const int k_SettledBeats = 4;
 
@@ -71,7 +68,7 @@ namespace Alate.Flight
         /// <summary>Power that the wings give to the air, mean over the last step, W.</summary>
         public float Power => Body.power;
 
-        /// <summary>Power of the aid in the last substep, W.</summary>
+        /// <summary>Power of the aid, mean over the last step, W.</summary>
         public float AidPower => Body.aidPower;
 
         /// <summary>Beats latched.</summary>
@@ -90,7 +87,7 @@ namespace Alate.Flight
         public FlightReference Reference => m_Reference;
 
         /// <summary>What the insect does.</summary>
-        public FlightState State => Body.tilt > k_Tumbling ? FlightState.Tumbling : FlightState.Flying;
+        public FlightState State => Body.Tumbles ? FlightState.Tumbling : FlightState.Flying;
 
         /// <summary>What the insect can do.</summary>
         public FlightLimits Limits => m_Table.Limits;
@@ -105,21 +102,13 @@ namespace Alate.Flight
 
         /// <summary>What a pilot is told.</summary>
         /// <param name="dt">Seconds of the coming step.</param>
-        public FlightSituation Situation(float dt) => new FlightSituation
+        public FlightSituation Situation(float dt) => new FlightSituation(Body, m_Reference)
         {
-            position = Position,
-            rotation = Rotation,
-            velocity = Velocity,
-            angularVelocity = AngularVelocity,
-            wind = m_Reference.Wind,
-            referenceVelocity = m_Reference.Velocity,
-            heading = m_Reference.Heading,
             state = State,
             limits = Limits,
             time = Time,
             deltaTime = dt,
             wingLength = m_Model.Length,
-            unitsPerMetre = 1f,
         };
 
         /// <summary>Flies a step towards a command.</summary>
@@ -139,20 +128,14 @@ namespace Alate.Flight
         private void Settle()
         {
             BodyReference reference = Body.reference;
-            float[] point = m_Table.PointNear(reference.airSpeed, reference.climb);
+            WingDrive drive = m_Table.DriveNear(reference.airSpeed, reference.climb);
             foreach (WingHandle wing in m_Wings)
             {
-                m_World.SetDrive(wing, new WingDrive
-                {
-                    frequency = point[TrimPoint.Drive],
-                    amplitude = point[TrimPoint.Drive + 1],
-                    tilt = point[TrimPoint.Drive + 2],
-                    meanSweep = point[TrimPoint.Drive + 3],
-                });
+                m_World.SetDrive(wing, drive);
                 m_World.Reset(wing);
             }
 
-            float h = 1f / (20f * point[TrimPoint.Drive]);
+            float h = 1f / (20f * drive.frequency);
             for (int k = 0; k < 20 * k_SettledBeats; k++)
                 m_World.Step(h);
             m_World.PlaceOnBob(m_Body);

@@ -61,15 +61,17 @@ namespace Alate.Flight
         /// <summary>What the insect can do.</summary>
         public FlightLimits Limits => new FlightLimits(TopSpeed, ClimbRates[0], ClimbRates[ClimbRates.Length - 1], FlightReference.Acceleration);
 
-        /// <summary>The point nearest to a speed and a climb.</summary>
-        internal float[] PointNear(float speed, float climb)
+        /// <summary>The beat of the trim that is nearest to a speed and a climb.</summary>
+        internal WingDrive DriveNear(float speed, float climb)
         {
-            int s = 0, c = 0;
-            for (int k = 1; k < Speeds.Length; k++)
-                s = math.abs(Speeds[k] - speed) < math.abs(Speeds[s] - speed) ? k : s;
-            for (int k = 1; k < ClimbRates.Length; k++)
-                c = math.abs(ClimbRates[k] - climb) < math.abs(ClimbRates[c] - climb) ? k : c;
-            return m_Points[At(s, c)];
+            float[] point = PointNear(speed, climb);
+            return new WingDrive
+            {
+                frequency = point[TrimPoint.Drive],
+                amplitude = point[TrimPoint.Drive + 1],
+                tilt = point[TrimPoint.Drive + 2],
+                meanSweep = point[TrimPoint.Drive + 3],
+            };
         }
 
         /// <summary>The table in native memory; made at the first use.</summary>
@@ -124,6 +126,16 @@ namespace Alate.Flight
         {
             m_Memory?.Dispose();
             m_Memory = null;
+        }
+
+        private float[] PointNear(float speed, float climb)
+        {
+            int s = 0, c = 0;
+            for (int k = 1; k < Speeds.Length; k++)
+                s = math.abs(Speeds[k] - speed) < math.abs(Speeds[s] - speed) ? k : s;
+            for (int k = 1; k < ClimbRates.Length; k++)
+                c = math.abs(ClimbRates[k] - climb) < math.abs(ClimbRates[c] - climb) ? k : c;
+            return m_Points[At(s, c)];
         }
 
         private float[] Nearest(int speed, int climb)

@@ -5,6 +5,9 @@ namespace Alate
     /// <summary>A body that its wings carry: what it is, how it moves, what it follows. SI units; world axes unless said otherwise.</summary>
     internal unsafe struct FlyingBody
     {
+        /// <summary>Tilt beyond which the body tumbles, radians.</summary>
+        private const float k_TumblingTilt = 70f * math.PI / 180f;
+
         /// <summary>1 for a body in use.</summary>
         public int used;
 
@@ -91,6 +94,9 @@ namespace Alate
         /// <summary>Values of the substep: middle of it.</summary>
         public quaternion middleRotation;
         public float3 middleVelocity, middleSpin;
+
+        /// <summary>Whether the body has turned so far that its wings must turn it back.</summary>
+        public readonly bool Tumbles => tilt > k_TumblingTilt;
 
         /// <summary>Last command, in units.</summary>
         public readonly float Last(int command) => last[command];
