@@ -10,9 +10,9 @@ namespace Alate.Editor
     {
         private static class Content
         {
-            public const string NoTrims = "Does not fly: it has no trims, or they were made for other numbers of preset or body. Take an insect of the catalogue with the variant Flight, or bake trims.";
+            public const string NoTrims = "Does not fly: it has no trims. Take an insect of the menu GameObject > Alate > Flying, or bake trims.";
+            public const string OtherNumbers = "Does not fly: its trims were made for other numbers of preset or body. Take the preset of the variant Flight, or bake trims.";
             public const string BadBody = "Does not fly: its masses or the parts of its body are not possible; see the console.";
-            public const string NoWings = "Does not fly: there are no Insect Wings on the object.";
             public const string NoPilot = "No pilot: the insect keeps the velocity that a script sets. Add a Wander Pilot to let it fly about.";
 
             public static readonly GUIContent AddPilot = new GUIContent("Add Wander Pilot", "Adds a pilot that flies the erratic track of a butterfly around the insect.");
@@ -48,7 +48,7 @@ namespace Alate.Editor
         {
             switch (problem)
             {
-                case FlightProblem.NoWings: return Content.NoWings;
+                case FlightProblem.OtherNumbers: return Content.OtherNumbers;
                 case FlightProblem.BadBody: return Content.BadBody;
                 default: return Content.NoTrims;
             }

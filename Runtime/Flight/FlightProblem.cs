@@ -6,11 +6,11 @@ namespace Alate.Flight
         /// <summary>It flies, or waits for its wings.</summary>
         None,
 
-        /// <summary>There are no Insect Wings on the object.</summary>
-        NoWings,
-
-        /// <summary>The trim table is missing, or was made for other numbers.</summary>
+        /// <summary>There are no trims.</summary>
         NoTrims,
+
+        /// <summary>The trims were made for other numbers of the preset or the body.</summary>
+        OtherNumbers,
 
         /// <summary>Masses or parts of the body are not possible.</summary>
         BadBody,

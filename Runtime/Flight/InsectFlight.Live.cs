@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -8,12 +7,15 @@ namespace Alate.Flight
     /// <summary>The flight while it lives: its body in the world of the wings.</summary>
     public sealed partial class InsectFlight
     {
+        /// <summary>Turn within a step that contacts may cause, degrees.</summary>
+        private const float k_MostPushed = 60f;
+
         private InsectWings m_Wings;
         private Link m_Link;
+        private CarriedRigidbody m_Carried;
         private WingWorld m_World;
         private LiveInsect m_Live;
         private BodyHandle m_Body;
-        private WingHandle m_First;
         private FlightModel m_Model;
         private TrimTable m_Table;
         private FlightReference m_Reference;
@@ -26,13 +28,19 @@ namespace Alate.Flight
 
         private void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float dt)
         {
-            if ((!ReferenceEquals(live, m_Live) || !ReferenceEquals(world, m_World) || !m_First.Equals(live.wings[0].handle)) && !Attach(live, world))
+            if (!IsAttached(live, world))
                 return;
+            ref FlyingBody body = ref world.Body(m_Body);
             PlacedWing placed = live.wings[0].placed;
             if (!placed.isValid)
+            {
+                // Without a size it stays where it is.
+                body.position = body.positionRest = default;
                 return;
+            }
+
+            FlightState before = State;
             m_Units = live.insect.MotionSettings.metresPerUnit > 0f ? 1f / live.insect.MotionSettings.metresPerUnit : placed.length / live.wings[0].values.size.wingLength;
-            ref FlyingBody body = ref world.Body(m_Body);
             TakeOver(ref body);
             body.wind = wind / m_Units;
             body.weight = gravity * m_Model.GravityShare;
@@ -40,6 +48,18 @@ namespace Alate.Flight
             body.aid = m_Aid;
             Fly(ref body, dt);
             m_Time += dt;
+            if (m_World == null)
+                return;
+            if (m_Carried != null)
+            {
+                Show(body.rotation, m_From);
+                m_Carried.Move(m_ShownPosition, m_ShownRotation, dt);
+            }
+
+            if (State == FlightState.Perched && before != FlightState.Perched)
+                Raise(Landed);
+            else if (State != FlightState.Perched && before == FlightState.Perched)
+                Raise(TookOff);
         }
 
         // Between steps: where the body has got to becomes where the next step starts; whoever moved the object meanwhile has moved the body.
@@ -48,37 +68,65 @@ namespace Alate.Flight
             var moved = (Vector3)(body.position * m_Units);
             m_From += moved;
             body.position = body.positionRest = default;
-            if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)
-                Teleported(ref body);
+            if (m_Carried != null && !m_Carried.IsThere)
+                m_Carried = null;
+            if (m_Carried != null)
+                TakeOverPushes(ref body, moved);
+            else if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)
+                Teleported(ref body, m_ShownPosition, m_ShownRotation, transform.position, transform.rotation);
             m_FromRotation = body.rotation;
             Position = m_From;
             BodyVelocity = body.velocity;
             AidPower = body.aidPower;
         }
 
-        private void Teleported(ref FlyingBody body)
+        // What contacts have turned and stopped within a step goes into the flight; a larger turn or a perched insect's jump is somebody's who places it.
+        private void TakeOverPushes(ref FlyingBody body, Vector3 moved)
+        {
+            Vector3 before = m_ShownPosition, position = m_Carried.Position;
+            float turn = Quaternion.Angle(Quaternion.identity, m_Carried.Turned);
+            bool jumped = (position - before).magnitude > m_Model.Length * m_Units;
+            if (turn > k_MostPushed || State == FlightState.Perched && jumped)
+            {
+                Teleported(ref body, before, m_ShownRotation, position, m_Carried.Rotation);
+            }
+            else if (State != FlightState.Perched)
+            {
+                m_From = position + m_Carried.Rotation * (Vector3)(m_Model.Centre * m_Units) + moved;
+                body.rotation = math.normalize(math.mul(m_Carried.Turned, body.rotation));
+                body.velocity += (float3)m_Carried.Pushed / m_Units;
+                body.spin += math.rotate(math.conjugate(body.rotation), m_Carried.Spun);
+            }
+        }
+
+        private void Teleported(ref FlyingBody body, Vector3 from, Quaternion fromRotation, Vector3 to, Quaternion toRotation)
         {
             // The turn about the vertical is taken over; pitch and roll are the flight's own.
-            float turn = HeadingOf(transform.rotation) - HeadingOf(m_ShownRotation);
+            float turn = HeadingOf(toRotation) - HeadingOf(fromRotation);
+            var turned = quaternion.AxisAngle(new float3(0f, 1f, 0f), turn);
             if (math.abs(turn) > 1e-3f)
             {
-                var turned = quaternion.AxisAngle(new float3(0f, 1f, 0f), turn);
                 body.rotation = math.mul(turned, body.rotation);
                 body.velocity = math.rotate(turned, body.velocity);
                 m_Reference = m_Reference.Turned(turn);
             }
 
-            m_From = transform.position + (Vector3)math.rotate(transform.rotation, m_Model.Centre * m_Units);
+            if (State == FlightState.Perched)
+                m_Perching.Carry(from, to, turned, turn);
+            m_From = to + (Vector3)math.rotate(toRotation, m_Model.Centre * m_Units);
             Show(body.rotation, m_From);
         }
 
         private void Fly(ref FlyingBody body, float dt)
         {
-            FlightSituation situation = Situation(body, dt);
-            FlightCommand command = Command(situation);
+            FlightCommand command = m_Seat.Command(Situation(body, dt), FlightCommand.Fly(Velocity, Heading));
+            // The pilot may have switched the insect off.
+            if (m_World == null)
+                return;
+            bool sits = command.wish == FlightWish.Perch && command.spot.IsFinite;
             if (State == FlightState.Perched)
             {
-                if (command.wish == FlightWish.Perch)
+                if (sits)
                     m_Perching.Sit(ref body, dt);
                 else if (m_Perching.Start(ref body, m_World, m_Body, m_Table.DriveNear(0f, 0f), m_Live, dt))
                     TakeOff(ref body);
@@ -87,7 +135,7 @@ namespace Alate.Flight
                 if (State == FlightState.Perched)
                     return;
             }
-            else if (command.wish == FlightWish.Perch)
+            else if (sits)
             {
                 Perch(ref body, command.spot);
                 return;
@@ -95,13 +143,6 @@ namespace Alate.Flight
 
             body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, m_Table, dt);
             State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
-        }
-
-        private FlightCommand Command(in FlightSituation situation)
-        {
-            if (m_Pilot == null || m_Pilot is UnityEngine.Object gone && gone == null)
-                m_Pilot = TryGetComponent(out FlightPilot found) && found.isActiveAndEnabled ? found : null;
-            return m_Pilot?.Command(situation) ?? FlightCommand.Fly(Velocity, Heading);
         }
 
         private FlightSituation Situation(in FlyingBody body, float dt) => new FlightSituation(body, m_Reference)
@@ -125,7 +166,6 @@ namespace Alate.Flight
                 m_World.SetDrive(wing.handle, new WingDrive { frequency = m_Model.Frequency, amplitude = 0f });
             State = FlightState.Perched;
             Show(body.rotation, m_From);
-            Landed?.Invoke(this);
         }
 
         private void TakeOff(ref FlyingBody body)
@@ -139,153 +179,23 @@ namespace Alate.Flight
             m_World.PlaceOnBob(m_Body);
             m_FromRotation = body.rotation;
             State = FlightState.Flying;
-            TookOff?.Invoke(this);
         }
 
-        private bool Attach(LiveInsect live, WingWorld world)
+        private void Raise(Action<InsectFlight> told)
         {
-            bool again = m_Model != null && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World) && world.Contains(m_Body);
-            FlyingBody kept = again ? world.Body(m_Body) : default;
-            Vector3 from = m_From;
-            Detach();
-            if (!Measure(live))
-                return false;
-            m_World = world;
-            m_Live = live;
-            m_First = live.wings[0].handle;
-            FlyingBody body = m_Model.CreateBody();
-            body.table = m_Table.View;
-            body.steered = 1;
-            body.mode = BodyMode.Free;
-            if (again)
-            {
-                body.rotation = kept.rotation;
-                body.velocity = kept.velocity;
-                body.spin = kept.spin;
-                body.reference = kept.reference;
-                body.mode = kept.mode;
-                body.position = kept.position;
-            }
-            else
-            {
-                float heading = HeadingOf(transform.rotation);
-                m_Reference = new FlightReference(default, heading, default);
-                body.reference.heading = heading;
-                State = FlightState.Flying;
-            }
-
-            m_Body = world.AddBody(body);
-            for (int k = 0; k < live.wings.Length; k++)
-                world.Attach(live.wings[k].handle, m_Body, m_Model.Place(m_Model.Wings[k]));
-            if (again)
-            {
-                m_From = from;
-                return true;
-            }
-
-            StartBeat(live, world, body.reference);
-            ref FlyingBody placed = ref world.Body(m_Body);
-            m_FromRotation = placed.rotation;
-            m_From = transform.position + (Vector3)math.rotate(transform.rotation, m_Model.Centre * m_Units);
-            Show(placed.rotation, m_From);
-            Problem = FlightProblem.None;
-            return true;
-        }
-
-        private void StartBeat(LiveInsect live, WingWorld world, in BodyReference reference)
-        {
-            WingDrive drive = m_Table.DriveNear(reference.airSpeed, reference.climb);
-            foreach (LiveWing wing in live.wings)
-            {
-                world.SetDrive(wing.handle, drive);
-                world.Reset(wing.handle);
-                world.Resume(wing.handle, live.insect.StartPhase / (360f * drive.frequency));
-            }
-
-            world.PlaceOnBob(m_Body);
-        }
-
-        private bool Measure(LiveInsect live)
-        {
-            if (m_Trims == null)
-            {
-                Fail(FlightProblem.NoTrims, "it has no trims. Make them by TrimBake, or take an insect of the catalogue.");
-                return false;
-            }
-
-            PlacedWing first = live.wings[0].placed;
-            m_Units = first.isValid ? first.length / live.wings[0].values.size.wingLength : 1f;
             try
             {
-                m_Model = new FlightModel(WingsOf(live), m_Parts, live.wings[0].values.size.insectMass, live.wings[0].values.size.fluidDensity, live.wings[0].values.size.gravityShare);
+                told?.Invoke(this);
             }
-            catch (ArgumentException problem)
+            catch (Exception exception)
             {
-                Fail(FlightProblem.BadBody, problem.Message);
-                return false;
+                Debug.LogException(exception, this);
             }
-
-            m_Table = m_Trims.Take(m_Model.Key);
-            if (m_Table != null)
-            {
-                Limits = m_Table.Limits;
-                return true;
-            }
-
-            m_Model.Dispose();
-            m_Model = null;
-            Fail(FlightProblem.NoTrims, "its trims were made for other numbers of preset or body.");
-            return false;
-        }
-
-        private List<FlightWing> WingsOf(LiveInsect live)
-        {
-            var wings = new List<FlightWing>();
-            quaternion back = math.conjugate((quaternion)live.root.rotation);
-            foreach (LiveWing wing in live.wings)
-            {
-                PlacedWing placed = wing.placed;
-                var axes = new float3x3(math.rotate(back, placed.span), math.rotate(back, placed.up), math.rotate(back, placed.forward));
-                wings.Add(new FlightWing
-                {
-                    Rig = wing.rig,
-                    Parameters = wing.values.parameters,
-                    Hinge = math.rotate(back, placed.hinge - (float3)live.root.position) / m_Units,
-                    Axes = axes,
-                    Length = wing.values.size.wingLength,
-                    Mass = wing.values.size.wingMass,
-                    GravityShare = wing.values.size.gravityShare,
-                    IsLeft = math.dot(math.cross(axes.c0, axes.c1), axes.c2) < 0f,
-                });
-            }
-
-            return wings;
-        }
-
-        private void Detach()
-        {
-            if (m_Table != null)
-                FlightTrims.Return(m_Table);
-            m_Table = null;
-            m_Model?.Dispose();
-            m_Model = null;
-            if (m_World != null && ReferenceEquals(WingSystem.Crowd?.World, m_World))
-            {
-                m_World.RemoveBody(m_Body);
-                for (int k = 0; m_Live != null && k < m_Live.wings.Length; k++)
-                {
-                    if (m_World.Contains(m_Live.wings[k].handle))
-                        m_World.ReleaseDrive(m_Live.wings[k].handle);
-                }
-            }
-
-            m_World = null;
-            m_Live = null;
         }
 
         private void Show(LiveInsect live, WingWorld world, float alpha)
         {
-            if (!ReferenceEquals(live, m_Live) || !ReferenceEquals(world, m_World) || !world.Contains(m_Body))
+            if (m_Carried != null || !ReferenceEquals(live, m_Live) || !ReferenceEquals(world, m_World) || !world.Contains(m_Body))
                 return;
             // Moved by somebody since: the next step takes it over.
             if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)
@@ -297,10 +207,16 @@ namespace Alate.Flight
 
         private void Show(Quaternion rotation, Vector3 centre)
         {
-            transform.SetPositionAndRotation(centre - rotation * (Vector3)(m_Model.Centre * m_Units), rotation);
+            m_ShownPosition = Origin(rotation, centre);
+            m_ShownRotation = rotation;
+            if (m_Carried != null)
+                return;
+            transform.SetPositionAndRotation(m_ShownPosition, rotation);
             m_ShownPosition = transform.position;
             m_ShownRotation = transform.rotation;
         }
+
+        private Vector3 Origin(Quaternion rotation, Vector3 centre) => centre - rotation * (Vector3)(m_Model.Centre * m_Units);
 
         private static float HeadingOf(Quaternion rotation)
         {

@@ -27,9 +27,9 @@ namespace Alate.Flight
         [Tooltip("Help from outside after a tumble, towards the wanted velocity and attitude: 0 none, 1 enough for 2 m/s gusts.")]
         private float m_Aid;
 
-        private IFlightPilot m_Pilot;
+        private PilotSeat m_Seat;
 
-        /// <summary>Trims and gains; null does not fly. Taken over when the component is enabled.</summary>
+        /// <summary>Trims and gains; null does not fly. Taken over at the next step.</summary>
         public FlightTrims Trims
         {
             get => m_Trims;
@@ -46,11 +46,15 @@ namespace Alate.Flight
             set => m_Aid = float.IsNaN(value) ? 0f : math.saturate(value);
         }
 
-        /// <summary>Who says where to fly; null takes the <see cref="FlightPilot"/> on this object, and <see cref="Velocity"/> where there is none.</summary>
+        /// <summary>
+        /// Who says where to fly: the pilot that was set, or else the first <see cref="FlightPilot"/> on this object, looked for four times a second; null where there is none, and then
+        /// <see cref="Velocity"/> counts. Pilots that are disabled or destroyed are not asked. One that throws an exception is asked no more until it is disabled and enabled, or a
+        /// pilot is set; the insect hovers.
+        /// </summary>
         public IFlightPilot Pilot
         {
-            get => m_Pilot;
-            set => m_Pilot = value;
+            get => Seat.Pilot;
+            set => Seat.Pilot = value;
         }
 
         /// <summary>Wanted velocity without a pilot, m/s of the real insect along the world's axes.</summary>
@@ -62,8 +66,13 @@ namespace Alate.Flight
         /// <summary>What the insect does.</summary>
         public FlightState State { get; private set; }
 
-        /// <summary>Why it does not fly.</summary>
+        /// <summary>Why it does not fly as it should.</summary>
         public FlightProblem Problem { get; private set; }
+
+        /// <summary>Whether the pilot has thrown an exception and is asked no more.</summary>
+        internal bool HasPilotFailed => m_Seat != null && m_Seat.HasFailed;
+
+        private PilotSeat Seat => m_Seat ??= new PilotSeat(this);
 
         /// <summary>What the insect can do; all 0 until it flies.</summary>
         public FlightLimits Limits { get; private set; }
@@ -85,6 +94,8 @@ namespace Alate.Flight
 
         private void OnEnable()
         {
+            Seat.Restart();
+            m_Start = default;
             m_Wings = GetComponent<InsectWings>();
             if (m_Wings != null)
                 m_Wings.Flyer = m_Link ??= new Link(this);

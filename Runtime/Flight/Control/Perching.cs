@@ -14,10 +14,9 @@ namespace Alate.Flight
         /// <summary>Beats before the legs let go.</summary>
         private const float k_StartBeats = 3f;
 
-        private readonly quaternion m_Contact, m_Seat;
-        private readonly float3 m_ContactFeet, m_Spot;
-        private readonly float m_Heading;
-        private float3 m_Feet;
+        private quaternion m_Contact, m_Seat;
+        private float3 m_ContactFeet, m_Spot, m_Feet;
+        private float m_Heading;
         private float m_Time, m_Started;
 
         /// <summary>The contact: the body moves no more by itself.</summary>
@@ -38,6 +37,21 @@ namespace Alate.Flight
             m_ContactFeet = m_Feet = centre + math.rotate(body.rotation, legs);
             m_Time = m_Started = 0f;
             Hold(ref body);
+        }
+
+        /// <summary>Takes the spot along with whoever moves the insect.</summary>
+        /// <param name="from">A point that goes along, world units.</param>
+        /// <param name="to">Where it goes.</param>
+        /// <param name="turn">Turn about the vertical.</param>
+        /// <param name="angle">Its angle, radians.</param>
+        public void Carry(float3 from, float3 to, quaternion turn, float angle)
+        {
+            m_Contact = math.mul(turn, m_Contact);
+            m_Seat = math.mul(turn, m_Seat);
+            m_Heading += angle;
+            m_ContactFeet = to + math.rotate(turn, m_ContactFeet - from);
+            m_Spot = to + math.rotate(turn, m_Spot - from);
+            m_Feet = to + math.rotate(turn, m_Feet - from);
         }
 
         /// <summary>Sits on.</summary>

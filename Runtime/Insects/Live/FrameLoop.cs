@@ -11,6 +11,7 @@ namespace Alate
     {
         private readonly InsectRegistry m_Registry;
         private readonly BeatCalls m_Calls = new BeatCalls();
+        private readonly List<InsectWings> m_Flying = new List<InsectWings>();
         private readonly AssetWatch<WingPreset, PresetValues> m_Presets = new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset));
         private readonly WindZones m_WindZones = new WindZones();
         private readonly Viewers m_Viewers = new Viewers();
@@ -183,7 +184,7 @@ namespace Alate
                 float3 gravity = Physics.gravity;
                 foreach (LiveInsect live in Insects)
                 {
-                    if (Clocks.Advances(physics, live.Clock) && live.Detail != WingDetail.Frozen)
+                    if (Clocks.Advances(physics, live.Clock) && (live.Detail != WingDetail.Frozen || live.insect.Flyer != null))
                         UpdateSurroundings(live, gravity);
                 }
             }
@@ -203,11 +204,18 @@ namespace Alate
         private void PrepareFlights(bool physics)
         {
             float3 gravity = Physics.gravity;
+            m_Flying.Clear();
             foreach (LiveInsect live in Insects)
             {
-                ClockTime clock = m_Clocks.times[live.Clock];
-                if (clock.IsDue && Clocks.Advances(physics, live.Clock) && live.insect.Flyer is { } flyer)
-                    flyer.Prepare(live, World, live.flight.wind, gravity, clock.length * clock.count);
+                if (live.insect.Flyer != null && m_Clocks.times[live.Clock].IsDue && Clocks.Advances(physics, live.Clock))
+                    m_Flying.Add(live.insect);
+            }
+
+            // A pilot may switch insects off.
+            foreach (InsectWings insect in m_Flying)
+            {
+                if (insect.Live is { } live && insect.Flyer is { } flyer)
+                    flyer.Prepare(live, World, live.flight.wind, gravity, m_Clocks.times[live.Clock].length * m_Clocks.times[live.Clock].count);
             }
         }
 

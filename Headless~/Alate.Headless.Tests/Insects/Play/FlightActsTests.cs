@@ -1,6 +1,5 @@
 using System.Collections;
 using System.Collections.Generic;
-using Alate.Catalogue;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -11,7 +10,7 @@ using Random = Unity.Mathematics.Random;
 namespace Alate.Tests.Play
 {
     /// <summary>What users do to insects that fly.</summary>
-    public sealed class FlightActsTests : PlayFixture
+    public sealed class FlightActsTests : FlightFixture
     {
         [TearDown]
         public void LetTimeRun() => Time.timeScale = 1f;
@@ -27,7 +26,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator WithTimeAtRest_AnInsectStandsInTheAir_AndFliesOn()
         {
-            InsectFlight flight = Hatch("monarch");
+            InsectFlight flight = Hatch();
             yield return Frames(60);
             Time.timeScale = 0f;
             yield return Frames(2);
@@ -43,7 +42,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator FromAPool_AnInsectFliesAnew_WhereItIsPut()
         {
-            InsectFlight flight = Hatch("monarch");
+            InsectFlight flight = Hatch();
             yield return Frames(60);
             flight.gameObject.SetActive(false);
             yield return Frames(10);
@@ -119,14 +118,6 @@ namespace Alate.Tests.Play
             }
 
             return false;
-        }
-
-        private InsectFlight Hatch(string name)
-        {
-            InsectDefinition species = InsectCatalogue.Find(name);
-            InsectWings wings = Keep(InsectFactory.Create(species, InsectVariant.Flight).gameObject).GetComponent<InsectWings>();
-            wings.Quality.culling = WingCulling.AlwaysSimulate;
-            return CatalogueFlight.AddTo(wings, species);
         }
 
         private sealed class Waverer : IFlightPilot

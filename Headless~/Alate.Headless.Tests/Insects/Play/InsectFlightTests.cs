@@ -9,7 +9,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    public sealed class InsectFlightTests : PlayFixture
+    public sealed class InsectFlightTests : FlightFixture
     {
         [UnityTest]
         public IEnumerator AMonarch_FliesWhereItIsWanted_AtAnyScale([Values(1f, 0.1f)] float scale)
@@ -104,15 +104,6 @@ namespace Alate.Tests.Play
             }
 
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
-        }
-
-        private InsectFlight Hatch()
-        {
-            InsectDefinition monarch = InsectCatalogue.Find("monarch");
-            InsectWings wings = Keep(InsectFactory.Create(monarch, InsectVariant.Flight).gameObject).GetComponent<InsectWings>();
-            wings.Quality.culling = WingCulling.AlwaysSimulate;
-            InsectFlight flight = CatalogueFlight.AddTo(wings, monarch);
-            return flight;
         }
 
         private sealed class Percher : IFlightPilot

@@ -19,6 +19,7 @@ public class Rigidbody : Component, IStateful
     public bool useGravity { get; set; } = true;
     public bool isKinematic { get; set; }
     public Vector3 angularVelocity { get; set; }
+    public float maxAngularVelocity { get; set; } = 7f;
     public Vector3 centerOfMass { get; set; }
     public Vector3 worldCenterOfMass => transform.TransformPoint(centerOfMass);
     public RigidbodyInterpolation interpolation { get; set; }
@@ -104,6 +105,7 @@ public class Rigidbody : Component, IStateful
         to.mass = mass;
         to.useGravity = useGravity;
         to.isKinematic = isKinematic;
+        to.maxAngularVelocity = maxAngularVelocity;
         to.centerOfMass = centerOfMass;
     }
 
@@ -122,7 +124,7 @@ public class Rigidbody : Component, IStateful
         else
         {
             _velocity += (_force / mass + (useGravity ? Physics.gravity : Vector3.zero)) * step;
-            angularVelocity += _torque / Inertia * step;
+            angularVelocity = Vector3.ClampMagnitude(angularVelocity + _torque / Inertia * step, maxAngularVelocity);
             position += _velocity * step;
             rotation = Quaternion.AngleAxis(angularVelocity.magnitude * step * Mathf.Rad2Deg, angularVelocity) * rotation;
         }

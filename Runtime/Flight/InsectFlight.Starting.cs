@@ -1,0 +1,199 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Flight
+{
+    /// <summary>How a flight starts and ends.</summary>
+    public sealed partial class InsectFlight
+    {
+        private Start m_Start;
+        private int m_Presets;
+
+        // A start that failed is tried again when something has changed, not in every step.
+        private bool IsAttached(LiveInsect live, WingWorld world)
+        {
+            var start = new Start(live, world, m_Trims);
+            bool flies = m_World != null;
+            int presets = flies ? 0 : PresetsOf(live);
+            if (start.Is(m_Start) && (flies || presets == m_Presets))
+                return flies;
+            m_Start = start;
+            m_Presets = presets;
+            return Attach(live, world);
+        }
+
+        private static int PresetsOf(LiveInsect live)
+        {
+            int presets = 0;
+            foreach (LiveWing wing in live.wings)
+                presets = HashCode.Combine(presets, wing.values, wing.values.Stamp);
+            return presets;
+        }
+
+        private bool Attach(LiveInsect live, WingWorld world)
+        {
+            bool again = m_Model != null && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World) && world.Contains(m_Body);
+            FlyingBody kept = again ? world.Body(m_Body) : default;
+            Vector3 from = m_From;
+            Detach();
+            if (!Measure(live))
+                return false;
+            m_World = world;
+            m_Live = live;
+            if (live.Clock == WingUpdateMode.FixedUpdate && TryGetComponent(out Rigidbody rigid))
+                m_Carried = new CarriedRigidbody(rigid);
+            Problem = FlightProblem.None;
+            FlyingBody body = m_Model.CreateBody();
+            body.table = m_Table.View;
+            body.steered = 1;
+            body.mode = BodyMode.Free;
+            if (again)
+            {
+                body.rotation = kept.rotation;
+                body.velocity = kept.velocity;
+                body.spin = kept.spin;
+                body.reference = kept.reference;
+                body.mode = kept.mode;
+                body.position = kept.position;
+            }
+            else
+            {
+                float heading = HeadingOf(transform.rotation);
+                m_Reference = new FlightReference(default, heading, default);
+                body.reference.heading = heading;
+                State = FlightState.Flying;
+            }
+
+            m_Body = world.AddBody(body);
+            for (int k = 0; k < live.wings.Length; k++)
+                world.Attach(live.wings[k].handle, m_Body, m_Model.Place(m_Model.Wings[k]));
+            if (again)
+            {
+                m_From = from;
+                return true;
+            }
+
+            StartBeat(live, world, body.reference);
+            ref FlyingBody placed = ref world.Body(m_Body);
+            m_FromRotation = placed.rotation;
+            m_From = transform.position + (Vector3)math.rotate(transform.rotation, m_Model.Centre * m_Units);
+            Show(placed.rotation, m_From);
+            return true;
+        }
+
+        private void StartBeat(LiveInsect live, WingWorld world, in BodyReference reference)
+        {
+            WingDrive drive = m_Table.DriveNear(reference.airSpeed, reference.climb);
+            foreach (LiveWing wing in live.wings)
+            {
+                world.SetDrive(wing.handle, drive);
+                world.Reset(wing.handle);
+                world.Resume(wing.handle, live.insect.StartPhase / (360f * drive.frequency));
+            }
+
+            world.PlaceOnBob(m_Body);
+        }
+
+        private bool Measure(LiveInsect live)
+        {
+            if (m_Trims == null)
+            {
+                Fail(FlightProblem.NoTrims, "it has no trims. Bake them, or take an insect of the catalogue.");
+                return false;
+            }
+
+            PlacedWing first = live.wings[0].placed;
+            m_Units = first.isValid ? first.length / live.wings[0].values.size.wingLength : 1f;
+            try
+            {
+                m_Model = new FlightModel(WingsOf(live), m_Parts, live.wings[0].values.size.insectMass, live.wings[0].values.size.fluidDensity, live.wings[0].values.size.gravityShare);
+            }
+            catch (ArgumentException problem)
+            {
+                Fail(FlightProblem.BadBody, problem.Message);
+                return false;
+            }
+
+            m_Table = m_Trims.Take(m_Model.Key);
+            if (m_Table != null)
+            {
+                Limits = m_Table.Limits;
+                return true;
+            }
+
+            m_Model.Dispose();
+            m_Model = null;
+            Fail(FlightProblem.OtherNumbers, "its trims were made for other numbers of preset or body. Take the preset of the variant Flight, or bake trims.");
+            return false;
+        }
+
+        private List<FlightWing> WingsOf(LiveInsect live)
+        {
+            var wings = new List<FlightWing>();
+            quaternion back = math.conjugate((quaternion)live.root.rotation);
+            foreach (LiveWing wing in live.wings)
+            {
+                PlacedWing placed = wing.placed;
+                var axes = new float3x3(math.rotate(back, placed.span), math.rotate(back, placed.up), math.rotate(back, placed.forward));
+                wings.Add(new FlightWing
+                {
+                    Rig = wing.rig,
+                    Parameters = wing.values.parameters,
+                    Hinge = math.rotate(back, placed.hinge - (float3)live.root.position) / m_Units,
+                    Axes = axes,
+                    Length = wing.values.size.wingLength,
+                    Mass = wing.values.size.wingMass,
+                    GravityShare = wing.values.size.gravityShare,
+                    IsLeft = math.dot(math.cross(axes.c0, axes.c1), axes.c2) < 0f,
+                });
+            }
+
+            return wings;
+        }
+
+        private void Detach()
+        {
+            if (m_Table != null)
+                FlightTrims.Return(m_Table);
+            m_Table = null;
+            m_Model?.Dispose();
+            m_Model = null;
+            if (m_World != null && ReferenceEquals(WingSystem.Crowd?.World, m_World))
+            {
+                m_World.RemoveBody(m_Body);
+                for (int k = 0; m_Live != null && k < m_Live.wings.Length; k++)
+                {
+                    if (m_World.Contains(m_Live.wings[k].handle))
+                        m_World.ReleaseDrive(m_Live.wings[k].handle);
+                }
+            }
+
+            m_Carried?.Release();
+            m_Carried = null;
+            m_World = null;
+            m_Live = null;
+        }
+
+        /// <summary>What a flight was started with; it is started again when that changes.</summary>
+        private readonly struct Start
+        {
+            private readonly LiveInsect m_Live;
+            private readonly WingWorld m_World;
+            private readonly WingHandle m_First;
+            private readonly FlightTrims m_Trims;
+
+            public Start(LiveInsect live, WingWorld world, FlightTrims trims)
+            {
+                m_Live = live;
+                m_World = world;
+                m_First = live.wings[0].handle;
+                m_Trims = trims;
+            }
+
+            public bool Is(in Start other) =>
+                ReferenceEquals(m_Live, other.m_Live) && ReferenceEquals(m_World, other.m_World) && m_First.Equals(other.m_First) && ReferenceEquals(m_Trims, other.m_Trims);
+        }
+    }
+}
