@@ -38,10 +38,7 @@ namespace Alate.Editor
 
         private static void AddPilot(InsectFlight flight)
         {
-            WanderPilot pilot = Undo.AddComponent<WanderPilot>(flight.gameObject);
-            FlightVolume volume = pilot.Volume;
-            volume.centre = flight.transform.position;
-            pilot.Volume = volume;
+            Undo.AddComponent<WanderPilot>(flight.gameObject).StayAroundStart();
         }
 
         private static string MessageOf(FlightProblem problem)

@@ -1,5 +1,7 @@
 using System;
+using System.Linq;
 using Alate.Catalogue;
+using Alate.Flight;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -7,8 +9,8 @@ using Object = UnityEngine.Object;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Saves an insect of the catalogue into the user's project: a prefab, and beside it its meshes, skeletons, presets of all variants,
-    /// materials and pictures. Existing assets stay unchanged, so that the user's changes are kept.
+    /// Saves an insect of the catalogue into the user's project: a prefab that beats on the spot, one that flies about, and beside them their meshes, skeletons, presets of
+    /// all variants, materials, pictures and trims. Existing assets stay unchanged, so that the user's changes are kept.
     /// </summary>
     internal sealed class InsectAssets
     {
@@ -24,17 +26,27 @@ namespace Alate.Editor
             m_Folder = folder;
         }
 
-        /// <summary>Path of the prefab of a species.</summary>
-        public string PrefabPath(InsectDefinition species) => $"{m_Folder}/{species.DisplayName}.prefab";
+        /// <summary>Path of a prefab of a species.</summary>
+        /// <param name="species">The insect.</param>
+        /// <param name="flies">Whether it flies about, or beats on the spot.</param>
+        public string PrefabPath(InsectDefinition species, bool flies = false) => $"{m_Folder}/{(flies ? "Flying " : "")}{species.DisplayName}.prefab";
 
-        /// <summary>Finds the prefab, or saves a new one.</summary>
-        public GameObject FindOrSave(InsectDefinition species)
+        /// <summary>Finds a prefab, or saves new ones of both kinds where there are none.</summary>
+        /// <exception cref="ArgumentException">The species does not fly.</exception>
+        public GameObject FindOrSave(InsectDefinition species, bool flies = false)
         {
-            GameObject existing = AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species));
-            return existing != null ? existing : Save(species);
+            if (flies && !CatalogueFlight.Flies(species))
+                throw new ArgumentException($"The {species.DisplayName} does not fly.", nameof(flies));
+            GameObject existing = Find(species, flies);
+            if (existing != null)
+                return existing;
+            Save(species);
+            return Find(species, flies);
         }
 
-        private GameObject Save(InsectDefinition species)
+        private GameObject Find(InsectDefinition species, bool flies) => AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species, flies));
+
+        private void Save(InsectDefinition species)
         {
             AssetFolder.Ensure(m_Folder);
             var kit = InsectParts.Make(species, keepPixels: true);
@@ -47,25 +59,29 @@ namespace Alate.Editor
                 wing.material = Keep(wing.material);
             }
 
-            GameObject root = kit.Assemble(KeepPresets(kit, species));
-            root.SetActive(true);
-            GameObject prefab = PrefabUtility.SaveAsPrefabAsset(root, PrefabPath(species));
-            Object.DestroyImmediate(root);
-            AssetDatabase.SaveAssets();
-            return prefab;
-        }
-
-        // Those of the standard variant; the others lie beside them, to be dragged into the field Preset.
-        private WingPreset[] KeepPresets(InsectParts kit, InsectDefinition species)
-        {
-            WingPreset[] standard = null;
-            foreach (InsectVariant variant in species.Variants)
+            // The presets that no prefab has lie beside them, to be dragged into the field Preset.
+            var presets = species.Variants.ToDictionary(variant => variant, variant => Array.ConvertAll(kit.CreatePresets(variant, ModelReading.Physical), Keep));
+            SavePrefab(kit.Assemble(presets[InsectVariant.Standard]), PrefabPath(species));
+            if (CatalogueFlight.Flies(species))
             {
-                WingPreset[] kept = Array.ConvertAll(kit.CreatePresets(variant, ModelReading.Physical), Keep);
-                standard = standard ?? kept;
+                GameObject flying = kit.Assemble(presets[InsectVariant.Flight]);
+                CatalogueFlight.AddTo(flying.GetComponent<InsectWings>(), species, Keep(CatalogueFlight.CreateTrims(species)));
+                flying.AddComponent<WanderPilot>().StayAroundStart();
+                SavePrefab(flying, PrefabPath(species, true));
             }
 
-            return standard;
+            AssetDatabase.SaveAssets();
+        }
+
+        private static void SavePrefab(GameObject made, string path)
+        {
+            if (AssetDatabase.LoadAssetAtPath<GameObject>(path) == null)
+            {
+                made.SetActive(true);
+                PrefabUtility.SaveAsPrefabAsset(made, path);
+            }
+
+            Object.DestroyImmediate(made);
         }
 
         private Material Keep(Material made)

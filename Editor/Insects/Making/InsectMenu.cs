@@ -5,11 +5,12 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// The menus that make insects: <i>GameObject > Alate</i> places one, <i>Assets > Create > Alate</i> saves its prefab into the folder that is selected.
+    /// The menus that make insects: <i>GameObject > Alate</i> places one that beats on the spot, <i>GameObject > Alate > Flying</i> one that flies about, <i>Assets > Create > Alate</i> saves
+    /// the prefabs of both into the folder that is selected.
     /// </summary>
     internal static class InsectMenu
     {
-        private const string k_Place = "GameObject/Alate/", k_Save = "Assets/Create/Alate/Insects/";
+        private const string k_Place = "GameObject/Alate/", k_Flying = k_Place + "Flying/", k_Save = "Assets/Create/Alate/Insects/";
         private const int k_PlacePriority = 10, k_SavePriority = 312;
 
         [MenuItem(k_Place + "Monarch", false, k_PlacePriority)]
@@ -30,6 +31,21 @@ namespace Alate.Editor
         [MenuItem(k_Place + "Snailfish", false, k_PlacePriority)]
         private static void PlaceSnailfish(MenuCommand command) => Place("snailfish", command);
 
+        [MenuItem(k_Flying + "Monarch", false, k_PlacePriority)]
+        private static void PlaceFlyingMonarch(MenuCommand command) => Place("monarch", command, true);
+
+        [MenuItem(k_Flying + "Swallowtail", false, k_PlacePriority)]
+        private static void PlaceFlyingSwallowtail(MenuCommand command) => Place("swallowtail", command, true);
+
+        [MenuItem(k_Flying + "Firefly", false, k_PlacePriority)]
+        private static void PlaceFlyingFirefly(MenuCommand command) => Place("firefly", command, true);
+
+        [MenuItem(k_Flying + "Fishfly", false, k_PlacePriority)]
+        private static void PlaceFlyingFishfly(MenuCommand command) => Place("fishfly", command, true);
+
+        [MenuItem(k_Flying + "Painted Lichen Moth", false, k_PlacePriority)]
+        private static void PlaceFlyingPaintedLichenMoth(MenuCommand command) => Place("painted-lichen-moth", command, true);
+
         [MenuItem(k_Save + "Monarch", false, k_SavePriority)]
         private static void SaveMonarch() => Save("monarch");
 
@@ -48,10 +64,10 @@ namespace Alate.Editor
         [MenuItem(k_Save + "Snailfish", false, k_SavePriority)]
         private static void SaveSnailfish() => Save("snailfish");
 
-        private static void Place(string species, MenuCommand command)
+        private static void Place(string species, MenuCommand command, bool flies = false)
         {
             // The menu is called once for each selected object, with it as the context.
-            new InsectPlacing().Place(species, command.context as GameObject);
+            new InsectPlacing().Place(species, command.context as GameObject, flies);
         }
 
         private static void Save(string species)

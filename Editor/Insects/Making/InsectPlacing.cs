@@ -1,5 +1,6 @@
 using System;
 using Alate.Catalogue;
+using Alate.Flight;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
@@ -28,22 +29,32 @@ namespace Alate.Editor
         /// <summary>Makes the insect.</summary>
         /// <param name="species">Its name in the catalogue.</param>
         /// <param name="parent">What was clicked on; null places it in the current stage.</param>
-        /// <exception cref="ArgumentException">There is no such species.</exception>
-        public GameObject Place(string species, GameObject parent)
+        /// <param name="flies">Whether it flies about, or beats on the spot.</param>
+        /// <exception cref="ArgumentException">There is no such species, or it does not fly.</exception>
+        public GameObject Place(string species, GameObject parent, bool flies = false)
         {
             InsectDefinition definition = InsectCatalogue.Find(species);
-            GameObject made = Application.isPlaying ? InsectFactory.Create(definition).gameObject : Instance(definition);
-            Undo.RegisterCreatedObjectUndo(made, "Create " + definition.DisplayName);
+            GameObject made = Application.isPlaying ? Create(definition, flies) : Instance(definition, flies);
+            Undo.RegisterCreatedObjectUndo(made, "Create " + made.name);
             ObjectFactory.PlaceGameObject(made, parent);
             Selection.activeGameObject = made;
             return made;
         }
 
-        private GameObject Instance(InsectDefinition species)
+        private static GameObject Create(InsectDefinition species, bool flies)
+        {
+            if (!flies)
+                return InsectFactory.Create(species).gameObject;
+            InsectFlight flight = CatalogueFlight.AddTo(InsectFactory.Create(species, InsectVariant.Flight), species);
+            flight.gameObject.AddComponent<WanderPilot>().StayAroundStart();
+            return flight.gameObject;
+        }
+
+        private GameObject Instance(InsectDefinition species, bool flies)
         {
             var assets = new InsectAssets($"{m_Home}/{species.DisplayName}");
-            GameObject prefab = assets.FindOrSave(species);
-            if (!IsOpen(assets.PrefabPath(species)))
+            GameObject prefab = assets.FindOrSave(species, flies);
+            if (!IsOpen(assets.PrefabPath(species, flies)))
                 return (GameObject)PrefabUtility.InstantiatePrefab(prefab);
 
             // A prefab cannot contain itself: while it is open, a plain copy is put into it.

@@ -2,6 +2,7 @@ using System.Linq;
 using System.Reflection;
 using Alate.Catalogue;
 using Alate.Editor;
+using Alate.Flight;
 using NUnit.Framework;
 using StandIns;
 using UnityEditor;
@@ -29,6 +30,9 @@ public sealed class InsectMenuTests
         {
             Assert.That(items, Has.One.EqualTo("GameObject/Alate/" + species.DisplayName).IgnoreCase);
             Assert.That(items, Has.One.EqualTo("Assets/Create/Alate/Insects/" + species.DisplayName).IgnoreCase);
+            // Fish swim: they wander too slowly for a pilot of butterflies.
+            if (species.Name != "snailfish")
+                Assert.That(items, Has.One.EqualTo("GameObject/Alate/Flying/" + species.DisplayName).IgnoreCase);
         }
     }
 
@@ -39,6 +43,16 @@ public sealed class InsectMenuTests
         GameObject made = Selection.activeGameObject;
         Assert.That(made.name, Is.EqualTo(name));
         Assert.That(made.GetComponent<InsectWings>().Wings, Is.Not.Empty);
+        Object.DestroyImmediate(made);
+    }
+
+    [Test]
+    public void FlyingItem_MakesAnInsectThatFlies()
+    {
+        Items().Single(item => item.Path == "GameObject/Alate/Flying/Firefly").Method.Invoke(null, [new MenuCommand(null)]);
+        GameObject made = Selection.activeGameObject;
+        Assert.That(made.name, Is.EqualTo("Flying Firefly"));
+        Assert.That(made.GetComponent<InsectFlight>().Trims != null, Is.True);
         Object.DestroyImmediate(made);
     }
 

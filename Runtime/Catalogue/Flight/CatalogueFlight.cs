@@ -45,26 +45,41 @@ namespace Alate.Catalogue
         /// <returns>The table; null where none is made for these numbers: <see cref="TrimBake"/> makes one.</returns>
         public static TrimTable CreateTable(InsectDefinition insect, FlightModel model) => TrimTableText.Read(TrimTables.Of(insect.Name), model.Key);
 
+        /// <summary>Whether an insect flies, or swims, with <see cref="InsectVariant.Flight"/>: it has such numbers and a trim table for them.</summary>
+        /// <param name="insect">The insect.</param>
+        public static bool Flies(InsectDefinition insect) => TrimTables.Of(insect.Name) != null;
+
         /// <summary>Lets an insect that was made with <see cref="InsectVariant.Flight"/> fly by its own wings.</summary>
         /// <param name="wings">The insect.</param>
         /// <param name="insect">Its species.</param>
         /// <exception cref="ArgumentException">There is no trim table of the species.</exception>
         public static InsectFlight AddTo(InsectWings wings, InsectDefinition insect)
         {
-            string text = TrimTables.Of(insect.Name);
-            if (text == null)
-            {
-                throw new ArgumentException($"The {insect.DisplayName} has no trim table: it does not fly.", nameof(insect));
-            }
-
-            InsectFlight flight = wings.gameObject.AddComponent<InsectFlight>();
             if (!s_Trims.TryGetValue(insect.Name, out FlightTrims trims) || trims == null)
             {
-                trims = FlightTrims.Create(text);
+                trims = CreateTrims(insect);
                 trims.hideFlags = HideFlags.HideAndDontSave;
                 s_Trims[insect.Name] = trims;
             }
 
+            return AddTo(wings, insect, trims);
+        }
+
+        /// <summary>Makes an asset of an insect's trim table.</summary>
+        /// <exception cref="ArgumentException">There is no trim table of the species.</exception>
+        internal static FlightTrims CreateTrims(InsectDefinition insect)
+        {
+            if (!Flies(insect))
+                throw new ArgumentException($"The {insect.DisplayName} has no trim table: it does not fly.", nameof(insect));
+            FlightTrims trims = FlightTrims.Create(TrimTables.Of(insect.Name));
+            trims.name = insect.DisplayName + " Flight Trims";
+            return trims;
+        }
+
+        /// <summary>Lets an insect fly by a trim table of its species.</summary>
+        internal static InsectFlight AddTo(InsectWings wings, InsectDefinition insect, FlightTrims trims)
+        {
+            InsectFlight flight = wings.gameObject.AddComponent<InsectFlight>();
             flight.Trims = trims;
             flight.Parts.AddRange(insect.FlightParts);
             return flight;

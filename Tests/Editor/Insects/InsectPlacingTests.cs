@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Flight;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -116,11 +117,52 @@ namespace Alate.Editor.Tests
         public void PresetsOfAllVariants_AreSaved()
         {
             Place("firefly");
-            foreach (string variant in new[] { "", " Biological", " Expressive" })
+            foreach (string variant in new[] { "", " Biological", " Expressive", " Flight" })
             {
                 string path = $"{k_Home}/Firefly/Firefly Hind Wing Preset{variant}.asset";
                 Assert.That(AssetDatabase.LoadAssetAtPath<WingPreset>(path) != null, Is.True, path);
             }
+        }
+
+        [TestCase("monarch", Explicit = true, Category = "Long")]
+        [TestCase("swallowtail", Explicit = true, Category = "Long")]
+        [TestCase("firefly")]
+        [TestCase("fishfly", Explicit = true, Category = "Long")]
+        [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]
+        [TestCase("snailfish", Explicit = true, Category = "Long")]
+        public void AFlyingInsect_IsAnInstanceOfItsOwnPrefab_OfTheSameAssets(string name)
+        {
+            GameObject insect = Place(name, null, true), still = Place(name);
+            InsectDefinition species = InsectCatalogue.Find(name);
+            Assert.That(PrefabUtility.IsPartOfPrefabInstance(insect), Is.True);
+            Assert.That(insect.name, Is.EqualTo("Flying " + species.DisplayName));
+            Assert.That(PartsOf(insect), Is.EqualTo(PartsOf(still)));
+
+            InsectFlight flight = insect.GetComponent<InsectFlight>();
+            AssertIsSaved(flight.Trims, name);
+            Assert.That(flight.Parts, Is.EqualTo(species.FlightParts));
+            AssertIsSaved(insect.GetComponent<InsectWings>().Preset, name);
+            Assert.That(insect.GetComponent<InsectWings>().Preset, Is.Not.SameAs(still.GetComponent<InsectWings>().Preset));
+            Assert.That(insect.GetComponent<WanderPilot>().FromStart, Is.True);
+            Assert.That(still.GetComponent<InsectFlight>() == null, Is.True);
+        }
+
+        [Test]
+        public void AFlyingInsect_IsUndoneInOneStep()
+        {
+            GameObject insect = Place("firefly", null, true);
+            Undo.PerformUndo();
+            Assert.That(insect == null, Is.True);
+        }
+
+        [Test]
+        public void WithTheStillPrefabOfTheUser_TheFlyingOneIsAdded()
+        {
+            Place("firefly");
+            AssetDatabase.DeleteAsset($"{k_Home}/Firefly/Flying Firefly.prefab");
+            var still = AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/Firefly/Firefly.prefab");
+            Assert.That(Place("firefly", null, true).GetComponent<InsectFlight>() != null, Is.True);
+            Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/Firefly/Firefly.prefab"), Is.SameAs(still));
         }
 
         [Test]
@@ -138,9 +180,9 @@ namespace Alate.Editor.Tests
             Assert.That(AssetFolder.Of(null), Is.EqualTo("Assets"));
         }
 
-        private GameObject Place(string species, GameObject parent = null)
+        private GameObject Place(string species, GameObject parent = null, bool flies = false)
         {
-            GameObject made = new InsectPlacing(k_Home).Place(species, parent);
+            GameObject made = new InsectPlacing(k_Home).Place(species, parent, flies);
             m_Made.Add(made);
             return made;
         }

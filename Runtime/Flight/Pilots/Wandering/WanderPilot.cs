@@ -17,6 +17,10 @@ namespace Alate.Flight
         private Transform m_Around;
 
         [SerializeField]
+        [Tooltip("Counts the middle of the volume from where the insect starts, instead of from the world's origin. Around comes before it.")]
+        private bool m_FromStart;
+
+        [SerializeField]
         [Tooltip("How the insect wanders.")]
         private WanderSettings m_Settings = WanderSettings.Default;
 
@@ -28,8 +32,10 @@ namespace Alate.Flight
         private ObstacleSettings m_Obstacles = ObstacleSettings.Default;
 
         private ErraticCourse m_Course;
+        private Vector3 m_Start;
+        private bool m_HasStarted;
 
-        /// <summary>Where the insect stays, world units; relative to <see cref="Around"/> where there is one.</summary>
+        /// <summary>Where the insect stays, world units; relative to <see cref="Around"/> where there is one, or else to the start with <see cref="FromStart"/>.</summary>
         public FlightVolume Volume
         {
             get => m_Volume;
@@ -41,6 +47,13 @@ namespace Alate.Flight
         {
             get => m_Around;
             set => m_Around = value;
+        }
+
+        /// <summary>Whether the middle of the volume counts from where the insect is when the pilot, once enabled, steers for the first time.</summary>
+        public bool FromStart
+        {
+            get => m_FromStart;
+            set => m_FromStart = value;
         }
 
         /// <summary>How the insect wanders.</summary>
@@ -68,18 +81,34 @@ namespace Alate.Flight
                 FlightVolume volume = m_Volume;
                 if (m_Around != null)
                     volume.centre += m_Around.position;
+                else if (m_FromStart)
+                    volume.centre += m_HasStarted ? m_Start : transform.position;
                 return volume;
             }
+        }
+
+        /// <summary>Keeps the insect about where it starts and above: sets <see cref="FromStart"/>, and the volume's floor to the height of the start.</summary>
+        public void StayAroundStart()
+        {
+            m_FromStart = true;
+            m_Volume.centre = new Vector3(0f, 0.5f * m_Volume.size.y, 0f);
         }
 
         /// <inheritdoc/>
         public override FlightCommand Command(in FlightSituation situation)
         {
+            if (!m_HasStarted)
+                m_Start = situation.position;
+            m_HasStarted = true;
             m_Course ??= new ErraticCourse(m_Seed != 0 ? m_Seed : GetHashCode());
             float3 wanted = m_Course.Next(situation, WorldVolume, m_Settings);
             return NoseFirst.Limit(FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles)), situation);
         }
 
-        private void OnEnable() => m_Course?.Restart();
+        private void OnEnable()
+        {
+            m_HasStarted = false;
+            m_Course?.Restart();
+        }
     }
 }
