@@ -195,7 +195,7 @@ namespace Alate.Flight
 
         private void Show(LiveInsect live, WingWorld world, float alpha)
         {
-            if (m_Carried != null || !ReferenceEquals(live, m_Live) || !ReferenceEquals(world, m_World) || !world.Contains(m_Body))
+            if (m_Carried != null || !live.wings[0].placed.isValid || !ReferenceEquals(live, m_Live) || !ReferenceEquals(world, m_World) || !world.Contains(m_Body))
                 return;
             // Moved by somebody since: the next step takes it over.
             if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)

@@ -83,6 +83,23 @@ namespace Alate
             body.middleSpin = body.spin;
         }
 
+        /// <summary>Sets attitude and motion to the trim's with its bob at a phase, and their rates to those of the bob.</summary>
+        /// <param name="body">The body.</param>
+        /// <param name="point">A <see cref="TrimPoint"/>.</param>
+        /// <param name="phase">Φ, radians.</param>
+        /// <param name="rate">Of the phase, rad/s.</param>
+        /// <param name="velocity">Mean over the beat, m/s.</param>
+        public static unsafe void PlaceOnBob(ref FlyingBody body, float* point, float phase, float rate, float3 velocity)
+        {
+            const float step = 0.01f;
+            BodyBob after = BodyBob.At(point, phase + step), before = BodyBob.At(point, phase - step);
+            Place(ref body, point, BodyBob.At(point, phase), velocity);
+            float perStep = 0.5f * rate / step;
+            float3 acceleration = math.rotate(quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading), perStep * (after.velocity - before.velocity));
+            body.acceleration = math.rotate(math.conjugate(body.rotation), acceleration);
+            body.spinRate = new float3(perStep * (after.rate - before.rate), 0f, 0f);
+        }
+
         private static void Advance(ref FlyingBody body, float3 change, float3 turnChange, float h)
         {
             body.Move(h * (body.velocity + 0.5f * change));

@@ -66,6 +66,9 @@ namespace Alate
         /// <summary>Whether the feedback makes commands; otherwise the trim holds.</summary>
         public int steered;
 
+        /// <summary>Above 0 while the body follows its reference, because its wings are not computed, or still settle: beats left and 1.</summary>
+        public int follows;
+
         /// <summary>Seconds since the last sample.</summary>
         public float sinceSample;
 
@@ -100,6 +103,16 @@ namespace Alate
 
         /// <summary>Last command, in units.</summary>
         public readonly float Last(int command) => last[command];
+
+        /// <summary>Forgets what the feedback has measured and commanded.</summary>
+        public void Forget()
+        {
+            for (int k = 0; k < FlightCommands.Count; k++)
+                last[k] = 0f;
+            integral = velocityError = turnError = rateError = force = moment = default;
+            tilt = aidPower = power = 0f;
+            latched = clipped = 0;
+        }
 
         /// <summary>Height over the reach of the float: position to add, without losing what is small.</summary>
         public void Move(float3 by)

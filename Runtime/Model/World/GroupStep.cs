@@ -8,6 +8,9 @@ namespace Alate
         /// <summary>Substeps before the latch at which the feedback samples: at least a quarter of one stays between.</summary>
         private const float k_SampleAhead = 1.25f;
 
+        /// <summary>Beats that wings settle, with the one that is under way, before they carry a body again that followed its reference.</summary>
+        private const int k_SettledBeats = 2;
+
         /// <summary>Rate at which an insect whose wings are not computed follows its reference, 1/s.</summary>
         private const float k_Following = 5f;
 
@@ -32,7 +35,7 @@ namespace Alate
                 for (int k = 0; k < group.packCount; k++)
                     PackStep.Run(ref lists.Pack(group, k), scratch, dt);
                 for (int k = 0; k < group.bodyCount; k++)
-                    Follow(ref lists.Body(group, k), dt);
+                    Follow(ref lists.Body(group, k), lists, dt);
                 return;
             }
 
@@ -92,8 +95,21 @@ namespace Alate
                     body.latched = 0;
                 BodyMotion.Place(ref body, point, BodyBob.At(point, phase + 0.5f * h * beat->rate[lane]), body.reference.velocity);
             }
+            else if (body.mode == BodyMode.Free && body.follows > 1)
+            {
+                Glide(ref body, lists, phase + 0.5f * h * beat->rate[lane], beat->rate[lane], h);
+                body.follows -= due && body.latched == 0 ? 1 : 0;
+                body.latched = due ? 1 : 0;
+            }
             else if (body.mode == BodyMode.Free)
             {
+                if (body.follows != 0)
+                {
+                    body.follows = 0;
+                    body.table.Read(body.reference.airSpeed, body.reference.climb, point);
+                    BodyMotion.PlaceOnBob(ref body, point, phase, beat->rate[lane], body.velocity);
+                }
+
                 if (due && body.latched == 0)
                 {
                     body.latched = 1;
@@ -130,7 +146,7 @@ namespace Alate
             for (int k = 0; k < body.wingCount; k++)
                 air.Add(lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
             body.power += air.power;
-            if (body.mode == BodyMode.Free)
+            if (body.mode == BodyMode.Free && body.follows == 0)
                 BodyMotion.Step(ref body, air, h);
             else
                 BodyMotion.Read(ref body, air);
@@ -139,22 +155,31 @@ namespace Alate
             body.reference.heading += h * body.reference.turning;
         }
 
-        // Far away nobody computes the wings' forces: the body follows its reference in the trimmed attitude.
-        private static void Follow(ref FlyingBody body, float dt)
+        // Far away and out of sight nobody computes the wings' forces.
+        private static void Follow(ref FlyingBody body, in GroupLists lists, float dt)
         {
             if (body.mode != BodyMode.Free)
                 return;
-            float* point = stackalloc float[TrimPoint.Floats];
-            body.table.Read(body.reference.airSpeed, body.reference.climb, point);
-            float3 before = body.velocity;
-            quaternion turned = body.rotation;
-            BodyMotion.Place(ref body, point, default, body.reference.velocity);
-            float share = 1f - math.exp(-k_Following * dt);
-            body.velocity = before + share * (body.velocity - before);
-            body.rotation = math.slerp(turned, body.rotation, share);
-            body.Move(dt * 0.5f * (before + body.velocity));
+            BeatState* beat = lists.Beat(body, out int lane);
+            Glide(ref body, lists, beat->phase[lane], beat->rate[lane], dt);
             body.reference.velocity += dt * body.reference.acceleration;
             body.reference.heading += dt * body.reference.turning;
+            body.follows = k_SettledBeats + 1;
+            body.latched = 1;
+        }
+
+        // The body follows its reference in the trimmed attitude with its bob, and the wings are commanded the trim's beat.
+        private static void Glide(ref FlyingBody body, in GroupLists lists, float phase, float rate, float dt)
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            body.table.Read(body.reference.airSpeed, body.reference.climb, point);
+            float3 before = body.velocity, mean = math.lerp(before, body.reference.velocity, 1f - math.exp(-k_Following * dt));
+            BodyMotion.PlaceOnBob(ref body, point, phase, rate, mean);
+            body.velocity = mean;
+            body.Move(dt * 0.5f * (before + mean));
+            body.Forget();
+            for (int k = 0; k < body.wingCount; k++)
+                lists.Command(lists.wings[body.firstWing + k], BodyFeedback.Drive(body, point, lists.wings[body.firstWing + k].side));
         }
     }
 }

@@ -69,18 +69,12 @@ namespace Alate
         /// <summary>Puts a body where its table has it at the phase of its wings.</summary>
         internal unsafe void PlaceOnBob(BodyHandle handle)
         {
-            const float step = 0.01f;
             ref FlyingBody body = ref Body(handle);
             Upload();
             var wing = new WingReading(m_Arrays, m_Bodies.FirstWing(handle));
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
-            BodyBob after = BodyBob.At(point, wing.Phase + step), before = BodyBob.At(point, wing.Phase - step);
-            BodyMotion.Place(ref body, point, BodyBob.At(point, wing.Phase), body.reference.velocity);
-            float rate = math.PI * wing.Frequency / step;
-            float3 acceleration = math.rotate(quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading), rate * (after.velocity - before.velocity));
-            body.acceleration = math.rotate(math.conjugate(body.rotation), acceleration);
-            body.spinRate = new float3(rate * (after.rate - before.rate), 0f, 0f);
+            BodyMotion.PlaceOnBob(ref body, point, wing.Phase, 2f * math.PI * wing.Frequency, body.reference.velocity);
         }
 
         /// <summary>Sets a body's last command, in units.</summary>
