@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
+using System.Linq;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -12,6 +13,15 @@ namespace Alate.Tests.Play
     /// <summary>What users do to insects that fly.</summary>
     public sealed class FlightActsTests : FlightFixture
     {
+        private readonly Dictionary<string, FlightTrims> m_Trims = new Dictionary<string, FlightTrims>();
+
+        [SetUp]
+        public void LookAside()
+        {
+            Camera camera = Keep(new GameObject("camera")).AddComponent<Camera>();
+            WingSystem.DetailCameras.Add(camera);
+        }
+
         [TearDown]
         public void LetTimeRun() => Time.timeScale = 1f;
 
@@ -62,9 +72,13 @@ namespace Alate.Tests.Play
             for (int act = 0; act < acts; act++)
             {
                 if (flights.Count < 4)
+                {
                     flights.Add(Hatch(species[random.NextInt(species.Length)]));
+                    m_Trims[flights[^1].name] = flights[^1].Trims;
+                }
+
                 int at = random.NextInt(flights.Count);
-                if (Do(random.NextInt(11), flights[at], ref random))
+                if (Do(random.NextInt(20), flights[at], ref random))
                     flights.RemoveAt(at);
                 yield return null;
                 foreach (InsectFlight flight in flights)
@@ -77,7 +91,7 @@ namespace Alate.Tests.Play
             Assert.That(WingSystem.InsectCount, Is.Zero);
         }
 
-        private static bool Do(int act, InsectFlight flight, ref Random random)
+        private bool Do(int act, InsectFlight flight, ref Random random)
         {
             switch (act)
             {
@@ -112,12 +126,63 @@ namespace Alate.Tests.Play
                 case 9:
                     Time.timeScale = random.NextInt(4) == 0 ? 0f : random.NextFloat(0.2f, 2f);
                     break;
+                case 10:
+                    flight.Aid = random.NextInt(5) == 0 ? float.NaN : random.NextFloat();
+                    break;
+                case 11:
+                    flight.Trims = flight.Trims == null ? m_Trims[flight.name] : random.NextBool() ? null : m_Trims.Values.First();
+                    break;
+                case 12:
+                    if (flight.TryGetComponent(out Rigidbody body))
+                        Object.Destroy(body);
+                    else
+                        flight.gameObject.AddComponent<Rigidbody>().isKinematic = random.NextBool();
+                    break;
+                case 13:
+                    if (flight.TryGetComponent(out FlightPilot pilot))
+                        Object.Destroy(pilot);
+                    else
+                        AddPilot(flight.gameObject, random.NextInt(4));
+                    break;
+                case 14:
+                    if (flight.TryGetComponent(out PerchPilot percher))
+                        percher.LandOn(new PerchSpot { position = random.NextInt(5) == 0 ? float.NaN : random.NextFloat3(-5f, 5f), normal = random.NextFloat3Direction() });
+                    break;
+                case 15:
+                    if (flight.TryGetComponent(out FollowPilot follower))
+                        follower.GoTo(random.NextInt(5) == 0 ? new Vector3(0f, float.PositiveInfinity, 0f) : (Vector3)random.NextFloat3(-20f, 20f));
+                    break;
+                case 16:
+                    flight.GetComponent<InsectWings>().UpdateMode = (WingUpdateMode)random.NextInt(4);
+                    break;
+                case 17:
+                    InsectWings rebuilt = flight.GetComponent<InsectWings>();
+                    if (random.NextBool())
+                        rebuilt.Rebuild();
+                    else
+                        rebuilt.Quality.patches = random.NextInt(24, 80);
+                    break;
+                case 18:
+                    flight.GetComponent<InsectWings>().Air.wind = random.NextFloat3(-20f, 20f);
+                    break;
                 default:
-                    flight.Aid = random.NextFloat();
+                    flight.GetComponent<InsectWings>().Quality.culling = (WingCulling)random.NextInt(3);
                     break;
             }
 
             return false;
+        }
+
+        private static void AddPilot(GameObject insect, int kind)
+        {
+            if (kind == 0)
+                insect.AddComponent<PerchPilot>();
+            else if (kind == 1)
+                insect.AddComponent<FollowPilot>();
+            else if (kind == 2)
+                insect.AddComponent<FlockPilot>();
+            else
+                insect.AddComponent<WanderPilot>().StayAroundStart();
         }
 
         private sealed class Waverer : IFlightPilot
