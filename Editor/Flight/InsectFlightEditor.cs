@@ -1,54 +1,77 @@
+using System;
 using Alate.Flight;
 using UnityEditor;
 using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Inspector of Insect Flight: what the insect does or why it does not fly, a pilot at the press of a button, and the fields.</summary>
+    /// <summary>Inspector of Insect Flight: what the insect does or why it does not fly, with fixes, and the fields.</summary>
     [CustomEditor(typeof(InsectFlight))]
+    [CanEditMultipleObjects]
     internal sealed class InsectFlightEditor : UnityEditor.Editor
     {
         private static class Content
         {
-            public const string NoTrims = "Does not fly: it has no trims. Take an insect of the menu GameObject > Alate > Flying, or bake trims.";
-            public const string OtherNumbers = "Does not fly: its trims were made for other numbers of preset or body. Take the preset of the variant Flight, or bake trims.";
-            public const string BadBody = "Does not fly: its masses or the parts of its body are not possible; see the console.";
-            public const string NoPilot = "No pilot: the insect keeps the velocity that a script sets. Add a Wander Pilot to let it fly about.";
-
-            public static readonly GUIContent AddPilot = new GUIContent("Add Wander Pilot", "Adds a pilot that flies the erratic track of a butterfly around the insect.");
+            public static readonly GUIContent AddPilot = new GUIContent("Add Wander Pilot", "Adds a pilot that flies the erratic track of a butterfly about where the insect starts.");
+            public static readonly GUIContent TakeBody = new GUIContent("Take A Monarch's Body", "Fills the parts of the body with those of a monarch, at the size of these wings.");
+            public static readonly GUIContent BakeTrims = new GUIContent(
+                "Bake Trims…", "Finds the steady flights of this insect and the gains that hold it, saves them as an asset and assigns it. Takes about a minute; can be cancelled.");
         }
+
+        private string m_Answer = "";
+
+        /// <inheritdoc/>
+        public override bool RequiresConstantRepaint() => Application.isPlaying && targets.Length == 1;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
         {
-            var flight = (InsectFlight)target;
-            if (flight.Problem != FlightProblem.None)
-                EditorGUILayout.HelpBox(MessageOf(flight.Problem), MessageType.Warning);
-            else if (Application.isPlaying)
-                EditorGUILayout.HelpBox($"{flight.State}, {flight.BodyVelocity.magnitude:0.00} m/s, aid {1000f * flight.AidPower:0.00} mW", MessageType.Info);
-            if (flight.Pilot == null && !flight.TryGetComponent(out FlightPilot _))
+            FlightStatus status = FindStatus();
+            if (!string.IsNullOrEmpty(status.Message))
+                EditorGUILayout.HelpBox(status.Message, status.Kind);
+            switch (status.Fault)
             {
-                EditorGUILayout.HelpBox(Content.NoPilot, MessageType.Info);
-                if (GUILayout.Button(Content.AddPilot))
-                    AddPilot(flight);
+                case FlightFault.NoPilot: Offer(Content.AddPilot, status.Fault, FlightFixes.AddPilot); break;
+                case FlightFault.NoBody: Offer(Content.TakeBody, status.Fault, FlightFixes.TakeBody); break;
+                case FlightFault.NoTrims:
+                case FlightFault.OtherNumbers:
+                    Offer(Content.BakeTrims, status.Fault, flight => FlightFixes.BakeTrims(flight, FlightFixes.BakeWithBar, AssetPath.Ask));
+                    break;
             }
 
+            if (m_Answer.Length > 0)
+                EditorGUILayout.LabelField(m_Answer, EditorStyles.wordWrappedMiniLabel);
             DrawDefaultInspector();
         }
 
-        private static void AddPilot(InsectFlight flight)
+        // Of the first selected insect that has a problem, or the first one.
+        private FlightStatus FindStatus()
         {
-            Undo.AddComponent<WanderPilot>(flight.gameObject).StayAroundStart();
+            foreach (UnityEngine.Object chosen in targets)
+            {
+                var status = FlightStatus.Of((InsectFlight)chosen);
+                if (status.Fault != FlightFault.None)
+                    return status;
+            }
+
+            return targets.Length == 1 ? FlightStatus.Of((InsectFlight)target) : default;
         }
 
-        private static string MessageOf(FlightProblem problem)
+        // All selected insects with the problem are mended at once.
+        private void Offer(GUIContent label, FlightFault fault, Func<InsectFlight, FixOutcome> fix)
         {
-            switch (problem)
+            if (!GUILayout.Button(label))
+                return;
+            Edits.InOneStep(label.text, () =>
             {
-                case FlightProblem.OtherNumbers: return Content.OtherNumbers;
-                case FlightProblem.BadBody: return Content.BadBody;
-                default: return Content.NoTrims;
-            }
+                foreach (UnityEngine.Object chosen in targets)
+                {
+                    if (FlightStatus.Of((InsectFlight)chosen).Fault == fault)
+                        m_Answer = fix((InsectFlight)chosen).Message;
+                }
+            });
+            serializedObject.Update();
+            GUIUtility.ExitGUI();
         }
     }
 }

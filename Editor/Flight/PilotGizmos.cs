@@ -5,13 +5,18 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Draws the gizmos of pilots: the volume of a wanderer, the path of a follower, marks to perch on, and the wanted velocity of what flies.</summary>
+    /// <summary>Draws the gizmos of pilots: the volume of a wanderer, the path of a follower, marks to perch on; of what flies its path, velocity and wanted velocity, and the force that carries it.</summary>
     internal static class PilotGizmos
     {
         private const float k_MarkSize = 0.5f;
 
         /// <summary>World units drawn for a metre per second of the body.</summary>
         private const float k_VelocityScale = 1f;
+
+        /// <summary>World units drawn for a weight of force.</summary>
+        private const float k_ForceScale = 1f;
+
+        private static readonly FlightTrail s_Trail = new FlightTrail();
 
         [DrawGizmo(GizmoType.InSelectionHierarchy)]
         private static void Draw(WanderPilot pilot, GizmoType type)
@@ -52,6 +57,18 @@ namespace Alate.Editor
                 return;
             Gizmos.color = GizmoColours.Velocity;
             Gizmos.DrawRay(flight.Position, k_VelocityScale * flight.BodyVelocity);
+            Gizmos.color = GizmoColours.Up;
+            Gizmos.DrawRay(flight.Position, k_ForceScale * flight.Force);
+            if (flight.TryReadTrim(out _, out Vector3 wanted))
+            {
+                Gizmos.color = GizmoColours.Span;
+                Gizmos.DrawRay(flight.Position, k_VelocityScale * wanted);
+            }
+
+            Gizmos.color = GizmoColours.Bounds;
+            s_Trail.Add(flight, flight.Position);
+            for (int k = 1; k < s_Trail.Points.Count; k++)
+                Gizmos.DrawLine(s_Trail.Points[k - 1], s_Trail.Points[k]);
         }
 
         private static Vector3 Place(FollowPilot pilot, Vector3 point) => pilot.Origin == null ? point : pilot.Origin.TransformPoint(point);

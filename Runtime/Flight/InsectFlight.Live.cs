@@ -78,6 +78,7 @@ namespace Alate.Flight
             Position = m_From;
             BodyVelocity = body.velocity;
             AidPower = body.aidPower;
+            Force = body.force / math.max(m_Model.Weight, 1e-12f);
         }
 
         // What contacts have turned and stopped within a step goes into the flight; a larger turn or a perched insect's jump is somebody's who places it.

@@ -104,8 +104,7 @@ namespace Alate.Flight
                 return false;
             }
 
-            PlacedWing first = live.wings[0].placed;
-            m_Units = first.isValid ? first.length / live.wings[0].values.size.wingLength : 1f;
+            m_Units = SceneModel.UnitsPerMetre(live.wings[0].placed, live.wings[0].values);
             try
             {
                 m_Model = new FlightModel(WingsOf(live), m_Parts, live.wings[0].values.size.insectMass, live.wings[0].values.size.fluidDensity, live.wings[0].values.size.gravityShare);
@@ -132,24 +131,8 @@ namespace Alate.Flight
         private List<FlightWing> WingsOf(LiveInsect live)
         {
             var wings = new List<FlightWing>();
-            quaternion back = math.conjugate((quaternion)live.root.rotation);
             foreach (LiveWing wing in live.wings)
-            {
-                PlacedWing placed = wing.placed;
-                var axes = new float3x3(math.rotate(back, placed.span), math.rotate(back, placed.up), math.rotate(back, placed.forward));
-                wings.Add(new FlightWing
-                {
-                    Rig = wing.rig,
-                    Parameters = wing.values.parameters,
-                    Hinge = math.rotate(back, placed.hinge - (float3)live.root.position) / m_Units,
-                    Axes = axes,
-                    Length = wing.values.size.wingLength,
-                    Mass = wing.values.size.wingMass,
-                    GravityShare = wing.values.size.gravityShare,
-                    IsLeft = math.dot(math.cross(axes.c0, axes.c1), axes.c2) < 0f,
-                });
-            }
-
+                wings.Add(SceneModel.Describe(wing.rig, wing.placed, live.root, wing.values, m_Units));
             return wings;
         }
 

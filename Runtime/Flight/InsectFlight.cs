@@ -86,11 +86,33 @@ namespace Alate.Flight
         /// <summary>Power of the aid in the last step, watts of the real insect.</summary>
         public float AidPower { get; private set; }
 
+        /// <summary>Force of air and aid, mean over the last step, in weights of the insect along the world's axes.</summary>
+        internal Vector3 Force { get; private set; }
+
         /// <summary>Raised when the insect has landed.</summary>
         public event Action<InsectFlight> Landed;
 
         /// <summary>Raised when the insect takes off.</summary>
         public event Action<InsectFlight> TookOff;
+
+        /// <summary>Makes the flight model of the insect as it is set up now, in play or not, to bake trims for it with <see cref="TrimBake"/>. Dispose it.</summary>
+        /// <exception cref="InvalidOperationException">The wings have a problem, or masses or body are not possible; the message says which.</exception>
+        public FlightModel CreateModel() => SceneModel.Create(GetComponent<InsectWings>(), m_Parts);
+
+        /// <summary>Reads the trim that is nearest to how the insect flies now.</summary>
+        /// <param name="drive">Its beat.</param>
+        /// <param name="wanted">Velocity that the feedback follows, m/s.</param>
+        /// <returns>False where it does not fly.</returns>
+        internal bool TryReadTrim(out WingDrive drive, out Vector3 wanted)
+        {
+            drive = default;
+            wanted = m_Reference.Velocity;
+            if (m_Table == null || State == FlightState.Perched)
+                return false;
+            float3 air = m_Reference.Velocity - m_Reference.Wind;
+            drive = m_Table.DriveNear(math.length(air.xz), air.y);
+            return true;
+        }
 
         private void OnEnable()
         {

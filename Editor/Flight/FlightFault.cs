@@ -1,0 +1,15 @@
+namespace Alate.Editor
+{
+    /// <summary>What keeps an insect from flying, or from flying where it should.</summary>
+    internal enum FlightFault
+    {
+        None,
+        Wings,
+        NoBody,
+        BadBody,
+        NoTrims,
+        OtherNumbers,
+        PilotFailed,
+        NoPilot,
+    }
+}

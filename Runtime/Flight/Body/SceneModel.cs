@@ -1,0 +1,82 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Flight
+{
+    /// <summary>Makes flight models of insects in a scene.</summary>
+    internal static class SceneModel
+    {
+        /// <summary>Describes a wing as the flight sees it.</summary>
+        /// <param name="rig">Rig of the wing.</param>
+        /// <param name="placed">The wing in the world.</param>
+        /// <param name="root">The insect.</param>
+        /// <param name="values">Of the wing's preset.</param>
+        /// <param name="units">World units of a metre of the insect.</param>
+        public static FlightWing Describe(WingRig rig, in PlacedWing placed, Transform root, PresetValues values, float units)
+        {
+            quaternion back = math.conjugate((quaternion)root.rotation);
+            var axes = new float3x3(math.rotate(back, placed.span), math.rotate(back, placed.up), math.rotate(back, placed.forward));
+            return new FlightWing
+            {
+                Rig = rig,
+                Parameters = values.parameters,
+                Hinge = math.rotate(back, placed.hinge - (float3)root.position) / units,
+                Axes = axes,
+                Length = values.size.wingLength,
+                Mass = values.size.wingMass,
+                GravityShare = values.size.gravityShare,
+                IsLeft = math.dot(math.cross(axes.c0, axes.c1), axes.c2) < 0f,
+            };
+        }
+
+        /// <summary>World units of a metre of an insect, by the size at which its first wing is drawn.</summary>
+        public static float UnitsPerMetre(in PlacedWing first, PresetValues values) => first.isValid ? first.length / values.size.wingLength : 1f;
+
+        /// <summary>Makes a model of the authored meshes; the insect need not play.</summary>
+        /// <exception cref="InvalidOperationException">The wings have a problem, or the body is not possible; the message is one line.</exception>
+        public static FlightModel Create(InsectWings insect, IReadOnlyList<BodyEllipsoid> parts)
+        {
+            InsectProblem problem = insect.FindProblem();
+            if (problem.IsProblem)
+                throw new InvalidOperationException(problem.Of(insect.name).Message);
+            var rigs = new List<WingRig>();
+            try
+            {
+                var wings = new List<FlightWing>();
+                PresetValues first = null;
+                float units = 1f;
+                foreach (Wing wing in insect.Wings)
+                {
+                    MeshFilter filter = InsectCheck.FilterOf(wing);
+                    WingRig rig = Rig(insect, wing, filter, rigs.Count);
+                    rigs.Add(rig);
+                    var placed = new PlacedWing(filter.transform.localToWorldMatrix, rig.Frame);
+                    var values = new PresetValues(wing.Preset == null ? insect.Preset : wing.Preset);
+                    if (first == null)
+                        units = UnitsPerMetre(placed, first = values);
+                    wings.Add(Describe(rig, placed, insect.transform, values, units));
+                }
+
+                return new FlightModel(wings, parts, first.size.insectMass, first.size.fluidDensity, first.size.gravityShare);
+            }
+            catch (ArgumentException exception)
+            {
+                throw new InvalidOperationException(RiggedParts.OneLine(exception), exception);
+            }
+            finally
+            {
+                foreach (WingRig rig in rigs)
+                    rig.Release();
+            }
+        }
+
+        private static WingRig Rig(InsectWings insect, Wing wing, MeshFilter filter, int index)
+        {
+            var parts = new RiggedParts(InsectCheck.MeshOf(wing, filter), new AutomaticSkeleton(insect.transform, filter.transform), insect.Patches);
+            RiggedPart[] rigged = parts.Build(new[] { wing }, new List<int> { index }, out InsectProblem problem);
+            return rigged != null ? rigged[0].Rig : throw new InvalidOperationException(problem.Of(insect.name).Message);
+        }
+    }
+}
