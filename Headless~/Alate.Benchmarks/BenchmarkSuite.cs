@@ -66,6 +66,7 @@ public static class BenchmarkSuite
             new CrowdComparison(monarch).Run(report, swarm);
         }
 
+        FlightComparison.Run(report);
         SpeciesFigures.Run(report);
     }
 

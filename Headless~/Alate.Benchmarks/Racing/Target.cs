@@ -34,6 +34,7 @@ internal static class Targets
     public static readonly Target Indexer = new("indexer_over_pointer", "NativeArray indexer / pointer", "ns/element", 1.2, 1.0);
     public static readonly Target Crowd = new("crowd_400_over_16", "an insect of 400 / of 16", "us/insect", 1.3, 1.1);
     public static readonly Target Cores = new("two_cores_over_one", "two cores / one, 64 insects", "us/insect", 1.7, 1.9);
+    public static readonly Target Flight = new("flight_over_wings", "frame of 400 monarchs that fly / of their wings", "us/insect", 1.1, 1.05);
     public static readonly Target Trace = new("trace_2000_ms", "tracing a picture of 2000 x 2000", "ms", 2000, 1000);
     public static readonly Target Single = new("single_insect_over_crowd", "an insect alone / of 64", "us/insect", 2.0, 2.0);
 }
