@@ -6,14 +6,15 @@ using UnityEngine;
 namespace Alate.Samples
 {
     /// <summary>
-    /// A garden: monarchs and swallowtails fly by their own wings, land on flowers, bask, and flee from the camera; fireflies blink at dusk; a snailfish swims in its pond.
+    /// A garden: monarchs and swallowtails fly by their own wings, land on flowers, bask, and flee from the camera; fireflies blink at dusk; a snailfish swims
+    /// in the pond around.
     /// </summary>
     [AddComponentMenu("Alate/Samples/Garden Sample")]
     [DisallowMultipleComponent]
     public sealed class GardenSample : MonoBehaviour
     {
         private const int k_Most = 60, k_Flowers = 16;
-        private const float k_CameraDistance = 30f, k_GardenRadius = 22f;
+        private const float k_CameraDistance = 30f, k_GardenRadius = 16f, k_PondRadius = 30f, k_PondDepth = 8f;
 
         private static readonly Color[] s_Petals =
         {
@@ -50,6 +51,7 @@ namespace Alate.Samples
             m_Solid = Keep(WingMaterial.ForVertexColours(isWing: true, isTranslucent: false));
             m_Camera = OrbitCamera.Create(transform, transform.position + 6f * Vector3.up, k_CameraDistance);
             Draw("Ground", Vector3.zero, Keep(FlowerMesh.Plate(k_GardenRadius, new Color(0.36f, 0.5f, 0.24f))));
+            Draw("Pond", k_PondDepth * Vector3.down, Keep(FlowerMesh.Plate(k_PondRadius, new Color(0.2f, 0.36f, 0.42f))));
             BoxCollider ground = new GameObject("Ground Collider").AddComponent<BoxCollider>();
             ground.transform.SetParent(transform, false);
             ground.center = new Vector3(0f, -0.5f, 0f);
@@ -74,7 +76,6 @@ namespace Alate.Samples
             m_Time += Time.deltaTime;
             Tell(m_Butterflies);
             Tell(m_Others);
-            m_Fish.Swim(m_Time);
             m_Camera.GetComponent<Camera>().backgroundColor = Color.Lerp(new Color(0.62f, 0.68f, 0.7f), new Color(0.07f, 0.08f, 0.16f), m_Dusk);
         }
 

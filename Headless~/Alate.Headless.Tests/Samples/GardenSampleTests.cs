@@ -34,6 +34,28 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
     }
 
     [UnityTest]
+    public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins()
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 0f);
+        InsectFlight fish = Sample.GetComponentsInChildren<InsectFlight>().Single(flight => flight.name == "Snailfish");
+        yield return Frames(20 * 60);
+        float turned = 0f;
+        Vector3 before = fish.Position;
+        for (int frame = 0; frame < 60 * 60; frame++)
+        {
+            yield return null;
+            Assert.That((fish.Problem, fish.State), Is.EqualTo((FlightProblem.None, FlightState.Flying)), $"frame {frame}");
+            Assert.That(new Vector2(fish.Position.x, fish.Position.z).magnitude, Is.EqualTo(20f).Within(3f), $"frame {frame}");
+            Assert.That(fish.Position.y, Is.EqualTo(-3f).Within(1.5f), $"frame {frame}");
+            turned += Vector3.SignedAngle(before, fish.Position, Vector3.up);
+            before = fish.Position;
+        }
+
+        Assert.That(Mathf.Abs(turned), Is.EqualTo(Mathf.Rad2Deg * 60f * 0.2f * 10f / 20f).Within(60f));
+    }
+
+    [UnityTest]
     public IEnumerator TheSlider_MakesAndEndsButterflies([Values(0, 5)] int count)
     {
         yield return Begin();

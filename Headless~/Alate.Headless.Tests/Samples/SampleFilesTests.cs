@@ -85,11 +85,12 @@ public sealed class SampleFilesTests
         }
     }
 
-    // The assemblies of flight and crowds only where the sample uses them.
-    private static string[] References(string text) =>
-        text.Contains("using Alate.Crowds;") ? ["Alate", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Model", "Unity.Mathematics"]
-        : text.Contains("using Alate.Flight;") ? ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Flight", "Alate.Model"]
-        : ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model"];
+    // The assemblies of flight, crowds and mathematics only where the sample uses them.
+    private static IEnumerable<string> References(string text)
+    {
+        string[] always = ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model"], chosen = ["Alate.Crowds", "Alate.Flight", "Unity.Mathematics"];
+        return always.Concat(chosen.Where(assembly => text.Contains($"using {assembly};"))).Order(StringComparer.Ordinal);
+    }
 
     private static string TextOf(string folder) =>
         string.Concat(Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));

@@ -71,7 +71,7 @@ namespace Alate.Catalogue
         {
             if (!Flies(insect))
                 throw new ArgumentException($"The {insect.DisplayName} has no trim table: it does not fly.", nameof(insect));
-            FlightTrims trims = FlightTrims.Create(TrimTables.Of(insect.Name));
+            var trims = FlightTrims.Create(TrimTables.Of(insect.Name));
             trims.name = insect.DisplayName + " Flight Trims";
             return trims;
         }

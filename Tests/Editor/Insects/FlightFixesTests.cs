@@ -30,7 +30,7 @@ namespace Alate.Editor.Tests
         public void AnInsectOfTheMenu_HasNothingTheMatter()
         {
             InsectFlight flight = Place();
-            FlightStatus status = FlightStatus.Of(flight);
+            var status = FlightStatus.Of(flight);
             Assert.That(status.Fault, Is.EqualTo(FlightFault.None), status.Message);
             Assert.That(status.Message, Is.Empty);
         }

@@ -160,7 +160,7 @@ namespace Alate.Editor.Tests
         {
             Place("firefly");
             AssetDatabase.DeleteAsset($"{k_Home}/Firefly/Flying Firefly.prefab");
-            var still = AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/Firefly/Firefly.prefab");
+            GameObject still = AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/Firefly/Firefly.prefab");
             Assert.That(Place("firefly", null, true).GetComponent<InsectFlight>() != null, Is.True);
             Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/Firefly/Firefly.prefab"), Is.SameAs(still));
         }
