@@ -1,0 +1,37 @@
+using System.Collections;
+using Alate.Editor;
+using Alate.Flight;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Alate.Tests.Play
+{
+    /// <summary>Insects of the menu GameObject > Alate > Flying, in play.</summary>
+    public sealed class FlyingMenuTests : PlayFixture
+    {
+        [UnityTest]
+        public IEnumerator AFlyingInsect_WandersWhereItWasPut_WithoutAid([Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth")] string name)
+        {
+            InsectFlight flight = Keep(new InsectPlacing().Place(name, null, true)).GetComponent<InsectFlight>();
+            flight.GetComponent<InsectWings>().Quality.culling = WingCulling.AlwaysSimulate;
+            flight.GetComponent<WanderPilot>().Seed = 3;
+            var place = new Vector3(100f, 2f, -40f);
+            flight.transform.position = place;
+            float farthest = 0f;
+            for (int frame = 0; frame < 40 * 60; frame++)
+            {
+                yield return null;
+                Vector3 way = flight.transform.position - place;
+                farthest = Mathf.Max(farthest, way.magnitude);
+                Assert.That(flight.State, Is.EqualTo(FlightState.Flying).Or.EqualTo(FlightState.Landing), $"frame {frame}");
+                Assert.That(Mathf.Max(Mathf.Abs(way.x), Mathf.Abs(way.z)), Is.LessThan(0.5f * 40f + 1f), $"frame {frame}");
+                Assert.That(way.y, Is.InRange(-2f, 17f), $"frame {frame}");
+            }
+
+            Assert.That(flight.Problem, Is.EqualTo(FlightProblem.None));
+            Assert.That(flight.AidPower, Is.Zero);
+            Assert.That(farthest, Is.GreaterThan(5f));
+        }
+    }
+}
