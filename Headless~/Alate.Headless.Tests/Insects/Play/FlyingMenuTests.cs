@@ -11,7 +11,14 @@ namespace Alate.Tests.Play
     public sealed class FlyingMenuTests : PlayFixture
     {
         [UnityTest]
-        public IEnumerator AFlyingInsect_WandersWhereItWasPut_WithoutAid([Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth")] string name)
+        public IEnumerator AMonarch_WandersWhereItWasPut_WithoutAid() => Wander("monarch");
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator AnyOtherInsect_WandersWhereItWasPut_WithoutAid([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth")] string name) => Wander(name);
+
+        private IEnumerator Wander(string name)
         {
             InsectFlight flight = Keep(new InsectPlacing().Place(name, null, true)).GetComponent<InsectFlight>();
             flight.GetComponent<InsectWings>().Quality.culling = WingCulling.AlwaysSimulate;
