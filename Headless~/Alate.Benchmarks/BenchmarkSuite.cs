@@ -53,6 +53,7 @@ public static class BenchmarkSuite
         SubstepBreakdown.Run(report, monarch, version01);
         OnOneCore(() => Crowds(report, monarch, version01, plain));
         SystemFigures.Run(report);
+        OnOneCore(() => UploadComparison.Run(report, monarch));
         OnOneCore(() => BakedFigures.Run(report));
         AuthoringFigures.Run(report);
     }

@@ -36,5 +36,7 @@ internal static class Targets
     public static readonly Target Cores = new("two_cores_over_one", "two cores / one, 64 insects", "us/insect", 1.7, 1.9);
     public static readonly Target Flight = new("flight_over_wings", "frame of 400 monarchs that fly / of their wings", "us/insect", 1.1, 1.05);
     public static readonly Target Trace = new("trace_2000_ms", "tracing a picture of 2000 x 2000", "ms", 2000, 1000);
+    public static readonly Target Upload = new("upload_over_floats", "upload / upload of floats, 400 insects", "us/frame", 0.8, 0.67);
+    public static readonly Target PackedSkin = new("packed_skin_over_floats", "skinning / skinning into floats, 400 insects", "us/frame", 1.1, 1.0);
     public static readonly Target Single = new("single_insect_over_crowd", "an insect alone / of 64", "us/insect", 2.0, 2.0);
 }

@@ -8,11 +8,12 @@ namespace Alate
 {
     /// <summary>
     /// Copies a mesh so that each wing's vertices can be written in one piece: vertices in a given order; stream 0 position and normal,
-    /// stream 1 tangents where there are any, the next one colours and texture coordinates. Bone weights and blend shapes are left out.
+    /// stream 1 tangents where there are any, the next one colours and texture coordinates. Normals and tangents are signed bytes where the device reads them. Bone weights and
+    /// blend shapes are left out.
     /// </summary>
     internal static class DeformableMesh
     {
-        /// <summary>Index of the stream of <see cref="SkinnedVertex"/>.</summary>
+        /// <summary>Index of the stream of <see cref="PackedVertex"/>, or of <see cref="SkinnedVertex"/>.</summary>
         public const int VertexStream = 0;
 
         /// <summary>Index of the stream of tangents.</summary>
@@ -24,10 +25,14 @@ namespace Alate
         public const MeshUpdateFlags UploadFlags = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices
             | MeshUpdateFlags.DontNotifyMeshUsers | MeshUpdateFlags.DontResetBoneBounds;
 
+        /// <summary>Returns true where the device reads signed bytes.</summary>
+        public static bool CanPack => SystemInfo.SupportsVertexAttributeFormat(VertexAttributeFormat.SNorm8, 4);
+
         /// <summary>Makes a copy that is never saved.</summary>
         /// <param name="source">A readable mesh.</param>
         /// <param name="order">[new vertex] The source's vertex; each one once.</param>
-        public static Mesh Build(Mesh source, int[] order)
+        /// <param name="packed">Whether normals and tangents are signed bytes, or floats.</param>
+        public static Mesh Build(Mesh source, int[] order, bool packed)
         {
             // Submeshes with base vertices may have more vertices than their indices count to.
             IndexFormat indices = order.Length > k_MostOfSixteenBits ? IndexFormat.UInt32 : source.indexFormat;
@@ -36,9 +41,14 @@ namespace Alate
             Vector3[] normals = source.normals;
             Vector4[] tangents = source.tangents;
             var others = new OtherAttributes(source, tangents.Length > 0 ? TangentStream + 1 : TangentStream);
-            mesh.SetVertexBufferParams(order.Length, Layout(tangents.Length > 0, others.Descriptors));
-            mesh.SetVertexBufferData(Vertices(order, positions, normals), 0, 0, order.Length, VertexStream, UploadFlags);
-            if (tangents.Length > 0)
+            mesh.SetVertexBufferParams(order.Length, Layout(packed, tangents.Length > 0, others.Descriptors));
+            if (packed)
+                mesh.SetVertexBufferData(PackedVertices(order, positions, normals), 0, 0, order.Length, VertexStream, UploadFlags);
+            else
+                mesh.SetVertexBufferData(Vertices(order, positions, normals), 0, 0, order.Length, VertexStream, UploadFlags);
+            if (tangents.Length > 0 && packed)
+                mesh.SetVertexBufferData(Array.ConvertAll(order, v => Packed(tangents[v], tangents[v].w)), 0, 0, order.Length, TangentStream, UploadFlags);
+            else if (tangents.Length > 0)
                 mesh.SetVertexBufferData(Array.ConvertAll(order, v => tangents[v]), 0, 0, order.Length, TangentStream, UploadFlags);
             if (others.Words > 0)
                 mesh.SetVertexBufferData(others.Pick(order), 0, 0, order.Length * others.Words, others.Stream, UploadFlags);
@@ -48,15 +58,21 @@ namespace Alate
             return mesh;
         }
 
-        private static VertexAttributeDescriptor[] Layout(bool tangents, IReadOnlyList<VertexAttributeDescriptor> others)
+        private static VertexAttributeDescriptor[] Layout(bool packed, bool tangents, IReadOnlyList<VertexAttributeDescriptor> others)
         {
             var layout = new List<VertexAttributeDescriptor>
             {
                 new VertexAttributeDescriptor(VertexAttribute.Position, VertexAttributeFormat.Float32, 3, VertexStream),
-                new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.Float32, 3, VertexStream),
+                packed
+                    ? new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.SNorm8, 4, VertexStream)
+                    : new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.Float32, 3, VertexStream),
             };
             if (tangents)
-                layout.Add(new VertexAttributeDescriptor(VertexAttribute.Tangent, VertexAttributeFormat.Float32, 4, TangentStream));
+            {
+                VertexAttributeFormat format = packed ? VertexAttributeFormat.SNorm8 : VertexAttributeFormat.Float32;
+                layout.Add(new VertexAttributeDescriptor(VertexAttribute.Tangent, format, 4, TangentStream));
+            }
+
             layout.AddRange(others);
             return layout.ToArray();
         }
@@ -73,6 +89,13 @@ namespace Alate
 
             return vertices;
         }
+
+        private static PackedVertex[] PackedVertices(int[] order, Vector3[] positions, Vector3[] normals)
+        {
+            return Array.ConvertAll(order, v => new PackedVertex { position = positions[v], normal = normals.Length > 0 ? Packed(normals[v], 0f) : 0 });
+        }
+
+        private static int Packed(Vector3 direction, float w) => SignedBytes.Pack(new SoaFloat3(direction.normalized), w).x;
 
         private static void CopyTriangles(Mesh source, int[] order, Mesh mesh)
         {

@@ -76,7 +76,7 @@ namespace Alate
                 wing.ApplyParameters(presets, new InsectTuning(insect, Fade), out WingParameters parameters);
                 wing.Place();
                 WingSurroundings around = wing.Surroundings(flight);
-                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing);
+                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing, wing.packing);
                 world.SetSkinned(wing.handle, m_Skinned);
                 if (!leader.IsNone)
                     world.Follow(wing.handle, leader);

@@ -1,6 +1,5 @@
 using System;
 using Unity.Collections;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate
@@ -22,10 +21,12 @@ namespace Alate
             this.template = template;
             renderer = wings[0].Renderer;
             this.wings = new LiveWing[wings.Length];
+            VertexPacking packing = !template.IsPacked ? VertexPacking.None
+                : MaterialTangents.AreRead(renderer) ? VertexPacking.NormalsAndTangents : VertexPacking.Normals;
             for (int w = 0; w < wings.Length; w++)
             {
                 wings[w].Authored = template.Source;
-                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w);
+                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w, packing);
             }
 
             m_Copy = template.CreateCopy();
@@ -45,11 +46,16 @@ namespace Alate
         {
             foreach (LiveWing wing in wings)
             {
-                NativeArray<SkinnedVertex> vertices = world.Vertices(wing.handle);
-                m_Copy.SetVertexBufferData(vertices, 0, wing.start, vertices.Length, DeformableMesh.VertexStream, DeformableMesh.UploadFlags);
-                NativeArray<float4> tangents = world.Tangents(wing.handle);
-                if (tangents.IsCreated)
-                    m_Copy.SetVertexBufferData(tangents, 0, wing.start, tangents.Length, DeformableMesh.TangentStream, DeformableMesh.UploadFlags);
+                if (template.IsPacked)
+                {
+                    Upload(world.PackedVertices(wing.handle), wing.start, DeformableMesh.VertexStream);
+                    Upload(world.PackedTangents(wing.handle), wing.start, DeformableMesh.TangentStream);
+                }
+                else
+                {
+                    Upload(world.Vertices(wing.handle), wing.start, DeformableMesh.VertexStream);
+                    Upload(world.Tangents(wing.handle), wing.start, DeformableMesh.TangentStream);
+                }
             }
         }
 
@@ -62,6 +68,12 @@ namespace Alate
                 wing.ForgetAuthored();
             LivingMeshes.Remove(m_Copy);
             ObjectEnd.Destroy(m_Copy);
+        }
+
+        private void Upload<T>(NativeArray<T> values, int start, int stream) where T : struct
+        {
+            if (values.IsCreated)
+                m_Copy.SetVertexBufferData(values, 0, start, values.Length, stream, DeformableMesh.UploadFlags);
         }
 
         // MeshFilter.mesh makes a duplicate and shows that instead: a frozen, bent wing that must not be taken for an authored one.

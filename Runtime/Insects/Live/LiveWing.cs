@@ -13,6 +13,9 @@ namespace Alate
         /// <summary>Index of the first vertex in the deformed mesh.</summary>
         public readonly int start;
 
+        /// <summary>What is computed of the wing's vertices.</summary>
+        public readonly VertexPacking packing;
+
         public WingHandle handle;
         public PlacedWing placed;
 
@@ -27,10 +30,11 @@ namespace Alate
         private readonly TemplateKey.WingKey m_Key;
         private readonly SkeletonValue m_Skeleton;
 
-        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape)
+        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape, VertexPacking packing)
         {
             m_Wing = wing;
             m_Skeleton = skeleton;
+            this.packing = packing;
             m_Key = new TemplateKey.WingKey(wing, skeleton.Hash);
             renderer = wing.Renderer;
             rig = template.Shapes[shape].Rig;

@@ -21,7 +21,8 @@ namespace Alate
             Source = source;
             Shapes = shapes;
             Starts = new int[shapes.Length];
-            m_Mesh = DeformableMesh.Build(source, Order(source.vertexCount));
+            IsPacked = DeformableMesh.CanPack;
+            m_Mesh = DeformableMesh.Build(source, Order(source.vertexCount), IsPacked);
             m_Mesh.bounds = Reach(source.bounds);
         }
 
@@ -33,6 +34,9 @@ namespace Alate
 
         /// <summary>[wing] Index of its first vertex in the copies.</summary>
         public int[] Starts { get; }
+
+        /// <summary>True where normals and tangents of the copies are signed bytes.</summary>
+        public bool IsPacked { get; }
 
         /// <summary>Vertices of the mesh.</summary>
         public int VertexCount => m_Mesh.vertexCount;

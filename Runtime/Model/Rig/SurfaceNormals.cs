@@ -5,10 +5,10 @@ namespace Alate
     /// <summary>Rest normals for skinning, mesh space.</summary>
     internal static class SurfaceNormals
     {
-        private const float k_LeastLengthSquared = 1e-12f;
+        private const float k_LeastLengthSquared = 1e-12f, k_UnitTolerance = 1e-5f;
 
         /// <summary>
-        /// Makes the normals: the mesh's own; where there are none, or one is zero or not finite, the area-weighted mean of the vertex's
+        /// Makes the normals: the mesh's own, made unit; where there are none, or one is zero or not finite, the area-weighted mean of the vertex's
         /// triangles. Where that vanishes, as between the two sides of a double-sided wing, and at unused vertices: the up axis.
         /// </summary>
         public static float3[] Make(SurfaceMesh surface, in WingFrame frame)
@@ -18,7 +18,7 @@ namespace Alate
             bool complete = given;
             for (int k = 0; given && k < normals.Length; k++)
             {
-                normals[k] = surface.normals[k];
+                normals[k] = Unit(surface.normals[k]);
                 complete &= IsUsable(normals[k]);
             }
 
@@ -52,6 +52,10 @@ namespace Alate
 
             return sums;
         }
+
+        // One that is unit already stays as it is.
+        private static float3 Unit(float3 normal) =>
+            IsUsable(normal) && math.abs(math.lengthsq(normal) - 1f) > k_UnitTolerance ? math.normalize(normal) : normal;
 
         private static bool IsUsable(float3 normal) =>
             math.all(math.isfinite(normal)) && math.lengthsq(normal) > k_LeastLengthSquared;

@@ -9,15 +9,18 @@ namespace Alate
     /// </summary>
     internal static unsafe class DualQuaternionSkinning
     {
+        private const float k_LeastSquare = 1e-30f;
+
         /// <summary>Skins the quads of one cell from <paramref name="first"/> up to <paramref name="end"/> and widens the bounds.</summary>
         public static void Cell(CellBlend* blend, in SkinTarget target, int first, int end, SoaBounds* bounds)
         {
-            Vertices(blend, target.rig.skinQuads, first, end, target.vertices, bounds);
-            if (target.tangents != null)
-                Tangents(blend, target.rig.skinQuads, target.rig.skinTangents, first, end, target.tangents);
+            Vertices(blend, target.rig.skinQuads, first, end, target.vertices, target.packedVertices, bounds);
+            if (target.tangents != null || target.packedTangents != null)
+                Tangents(blend, target.rig.skinQuads, target.rig.skinTangents, first, end, target.tangents, target.packedTangents);
         }
 
-        private static void Vertices(CellBlend* blend, SkinQuad* quads, int first, int end, SkinnedVertex* vertices, SoaBounds* bounds)
+        private static void Vertices(
+            CellBlend* blend, SkinQuad* quads, int first, int end, SkinnedVertex* vertices, PackedVertex* packed, SoaBounds* bounds)
         {
             SoaBounds all = *bounds;
             for (SkinQuad* quad = quads + first; quad < quads + end; quad++)
@@ -35,7 +38,10 @@ namespace Alate
                 SoaFloat3 slide = e * w - q * ew;
                 p += (SoaFloat3.Cross(q, innerP) + slide) * scale;
                 n += SoaFloat3.Cross(q, innerN) * scale;
-                Write(vertices, quad->target, p, n);
+                if (packed != null)
+                    Write(packed, quad->target, p, n);
+                else
+                    Write(vertices, quad->target, p, n);
                 all.Encapsulate(p);
             }
 
@@ -44,7 +50,7 @@ namespace Alate
 
         // The handedness in w stays.
         private static void Tangents(
-            CellBlend* blend, SkinQuad* quads, SkinTangentQuad* tangents, int first, int end, float4* output)
+            CellBlend* blend, SkinQuad* quads, SkinTangentQuad* tangents, int first, int end, float4* output, int* packed)
         {
             for (int k = first; k < end; k++)
             {
@@ -55,8 +61,19 @@ namespace Alate
                 SkinTangentQuad* rest = tangents + k;
                 var t = new SoaFloat3(rest->tx, rest->ty, rest->tz);
                 t += SoaFloat3.Cross(q, SoaFloat3.Cross(q, t) + t * w) * scale;
-                float4x4 rows = math.transpose(new float4x4(t.x, t.y, t.z, rest->tw));
                 int4 target = quads[k].target;
+                if (packed != null)
+                {
+                    // Bytes are spent on the direction alone, whatever the length that a mesh gives it.
+                    int4 bytes = SignedBytes.Pack(t * math.rsqrt(math.max(SoaFloat3.LengthSquared(t), k_LeastSquare)), rest->tw);
+                    packed[target.x] = bytes.x;
+                    packed[target.y] = bytes.y;
+                    packed[target.z] = bytes.z;
+                    packed[target.w] = bytes.w;
+                    continue;
+                }
+
+                float4x4 rows = math.transpose(new float4x4(t.x, t.y, t.z, rest->tw));
                 output[target.x] = rows.c0;
                 output[target.y] = rows.c1;
                 output[target.z] = rows.c2;
@@ -82,6 +99,17 @@ namespace Alate
             Store(vertices + target.y, head.c1, tail.c1);
             Store(vertices + target.z, head.c2, tail.c2);
             Store(vertices + target.w, head.c3, tail.c3);
+        }
+
+        // The packed normal goes through the transposition as the bits of a float: its highest byte is zero, so no processor takes it for a number it would change.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Write(PackedVertex* vertices, int4 target, in SoaFloat3 p, in SoaFloat3 n)
+        {
+            float4x4 rows = math.transpose(new float4x4(p.x, p.y, p.z, math.asfloat(SignedBytes.Pack(n))));
+            *(float4*)(vertices + target.x) = rows.c0;
+            *(float4*)(vertices + target.y) = rows.c1;
+            *(float4*)(vertices + target.z) = rows.c2;
+            *(float4*)(vertices + target.w) = rows.c3;
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -15,11 +15,17 @@ namespace Alate
         /// <summary>True where the job deforms the wing; otherwise vertices and bounds stay.</summary>
         public bool skinned;
 
-        /// <summary>[vertexCount] Deformed vertices, in the mesh's order.</summary>
+        /// <summary>[vertexCount] Deformed vertices, in the mesh's order; null where they are packed.</summary>
         public SkinnedVertex* vertices;
 
-        /// <summary>[vertexCount] Deformed tangents; null where the mesh has none.</summary>
+        /// <summary>[vertexCount] Deformed tangents; null where the mesh has none, or they are packed or not wanted.</summary>
         public float4* tangents;
+
+        /// <summary>[vertexCount] Deformed vertices; null where they are not packed.</summary>
+        public PackedVertex* packedVertices;
+
+        /// <summary>[vertexCount] Deformed tangents by <see cref="SignedBytes"/>; null as <see cref="tangents"/>.</summary>
+        public int* packedTangents;
     }
 
     /// <summary>Work of one index of the skinning job: some quads of one wing.</summary>

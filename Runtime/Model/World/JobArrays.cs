@@ -253,8 +253,10 @@ namespace Alate
                 pack = entry.pack.index,
                 lane = entry.lane,
                 skinned = entry.skinned,
-                vertices = (SkinnedVertex*)entry.vertices.GetUnsafePtr(),
-                tangents = entry.tangents.IsCreated ? (float4*)entry.tangents.GetUnsafePtr() : null,
+                vertices = (SkinnedVertex*)Pointer(entry.vertices),
+                tangents = (float4*)Pointer(entry.tangents),
+                packedVertices = (PackedVertex*)Pointer(entry.packedVertices),
+                packedTangents = (int*)Pointer(entry.packedTangents),
             };
             entry.firstChunk = m_ChunkCount;
             int quads = entry.rig.View.quadCount;
@@ -269,6 +271,8 @@ namespace Alate
                 };
             }
         }
+
+        private static void* Pointer<T>(NativeArray<T> array) where T : struct => array.IsCreated ? array.GetUnsafePtr() : null;
 
         private void ReserveScratch(in RigSize size)
         {

@@ -18,11 +18,17 @@ namespace Alate
         /// <summary>Index of the body that the wing carries and 1; 0 for none.</summary>
         public int body;
 
-        /// <summary>Deformed vertices, mesh order.</summary>
+        /// <summary>Deformed vertices, mesh order; not created where they are packed.</summary>
         public NativeArray<SkinnedVertex> vertices;
 
-        /// <summary>Deformed tangents; not created where the mesh has none.</summary>
+        /// <summary>Deformed tangents; not created where the mesh has none, or they are packed or not wanted.</summary>
         public NativeArray<float4> tangents;
+
+        /// <summary>Deformed vertices, mesh order; not created where they are not packed.</summary>
+        public NativeArray<PackedVertex> packedVertices;
+
+        /// <summary>Deformed tangents by <see cref="SignedBytes"/>; not created as <see cref="tangents"/>.</summary>
+        public NativeArray<int> packedTangents;
 
         /// <summary>Index of the wing's first chunk in the skinning job, and number of chunks.</summary>
         public int firstChunk;
@@ -37,22 +43,32 @@ namespace Alate
         /// <summary>Bounds of the wing's vertices, kept while the jobs' arrays are laid out again.</summary>
         public ChunkBounds bounds;
 
-        public unsafe WingEntry(WingRig rig, int version, in WingParameters parameters)
+        public unsafe WingEntry(WingRig rig, int version, in WingParameters parameters, VertexPacking packing)
         {
             this.rig = rig;
             this.version = version;
             this.parameters = parameters;
             rig.Retain();
+            bool hasTangents = rig.View.skinTangents != null;
+            if (packing != VertexPacking.None)
+            {
+                packedVertices = new NativeArray<PackedVertex>(rig.VertexCount, Allocator.Persistent);
+                if (hasTangents && packing == VertexPacking.NormalsAndTangents)
+                    packedTangents = new NativeArray<int>(rig.VertexCount, Allocator.Persistent);
+                return;
+            }
+
             vertices = new NativeArray<SkinnedVertex>(rig.VertexCount, Allocator.Persistent);
-            if (rig.View.skinTangents != null)
+            if (hasTangents)
                 tangents = new NativeArray<float4>(rig.VertexCount, Allocator.Persistent);
         }
 
         public void Dispose()
         {
-            vertices.Dispose();
-            if (tangents.IsCreated)
-                tangents.Dispose();
+            GrowingArray.Free(ref vertices);
+            GrowingArray.Free(ref tangents);
+            GrowingArray.Free(ref packedVertices);
+            GrowingArray.Free(ref packedTangents);
             rig.Release();
         }
     }

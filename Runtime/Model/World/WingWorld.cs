@@ -53,7 +53,8 @@ namespace Alate
         public WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings) =>
             Add(rig, parameters, surroundings, default);
 
-        internal WingHandle Add(WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey pacing)
+        internal WingHandle Add(
+            WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey pacing, VertexPacking packing = VertexPacking.None)
         {
             if (rig == null)
                 throw new ArgumentNullException(nameof(rig));
@@ -66,7 +67,7 @@ namespace Alate
             int index = m_Free.Count > 0 ? m_Free.Pop() : m_Entries.Count;
             if (index == m_Entries.Count)
                 m_Entries.Add(null);
-            var entry = new WingEntry(rig, m_NextVersion++, parameters) { surroundings = surroundings, pacing = pacing };
+            var entry = new WingEntry(rig, m_NextVersion++, parameters, packing) { surroundings = surroundings, pacing = pacing };
             m_Entries[index] = entry;
             Count++;
             m_Arrays.Download(m_Packs.Packs, m_Entries);
@@ -239,6 +240,12 @@ namespace Alate
         /// <summary>Tangents that go with the vertices, w the handedness; not created where the mesh has none.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public NativeArray<float4> Tangents(WingHandle wing) => Entry(wing).tangents;
+
+        /// <summary>Vertices of a wing that was added with packing; not created otherwise, as those of <see cref="Vertices"/> are not for such a wing.</summary>
+        internal NativeArray<PackedVertex> PackedVertices(WingHandle wing) => Entry(wing).packedVertices;
+
+        /// <summary>Tangents of a wing that was added with packing; not created where they are not wanted, or the mesh has none.</summary>
+        internal NativeArray<int> PackedTangents(WingHandle wing) => Entry(wing).packedTangents;
 
         /// <summary>Bounds of the vertices that the last <see cref="Skin"/> made, mesh space.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>

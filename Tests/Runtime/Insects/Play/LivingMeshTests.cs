@@ -12,6 +12,9 @@ namespace Alate.Tests.Play
     {
         private const int k_BodyVertices = 4;
 
+        /// <summary>Half a step of each of three signed bytes.</summary>
+        private const float k_Byte = 0.5f * 1.7321f / 127f;
+
         [UnityTest]
         public IEnumerator InAMeshOfBodyAndWings_OnlyTheWingsMove([Values(WingPart.Submesh, WingPart.ConnectedPart)] WingPart part)
         {
@@ -95,8 +98,8 @@ namespace Alate.Tests.Play
             for (int v = 0; v < normals.Length; v++)
             {
                 var tangent = (Vector3)tangents[v];
-                Assert.That(normals[v].magnitude, Is.EqualTo(1f).Within(1e-3f));
-                Assert.That(tangent.magnitude, Is.EqualTo(1f).Within(1e-3f));
+                Assert.That(normals[v].magnitude, Is.EqualTo(1f).Within(k_Byte));
+                Assert.That(tangent.magnitude, Is.EqualTo(1f).Within(k_Byte));
                 Assert.That(Vector3.Dot(normals[v], tangent), Is.EqualTo(0f).Within(1e-2f));
                 Assert.That(tangents[v].w, Is.EqualTo(-1f));
                 turned = Mathf.Max(turned, Vector3.Angle(normals[v], Vector3.up));
@@ -116,7 +119,29 @@ namespace Alate.Tests.Play
 
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);
             foreach (Vector3 normal in Shown(insect, 0).normals)
-                Assert.That(normal.magnitude, Is.EqualTo(1f).Within(1e-3f));
+                Assert.That(normal.magnitude, Is.EqualTo(1f).Within(k_Byte));
+        }
+
+        [UnityTest]
+        public IEnumerator Tangents_AreLeftAtRest_WhereNoMaterialReadsThem([Values] bool normalMap)
+        {
+            Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
+            mesh.tangents = System.Array.ConvertAll(mesh.vertices, _ => new Vector4(1f, 0f, 0f, -1f));
+            var material = new Material(Shader.Find("Standard"));
+            if (normalMap)
+                material.EnableKeyword("_NORMALMAP");
+            InsectWings insect = Hatch(made =>
+            {
+                Filter(made, 0).sharedMesh = mesh;
+                Filter(made, 0).GetComponent<MeshRenderer>().sharedMaterial = material;
+            });
+            yield return Frames(23);
+
+            float turned = 0f;
+            foreach (Vector4 tangent in Shown(insect, 0).tangents)
+                turned = Mathf.Max(turned, Vector3.Angle(tangent, Vector3.right));
+            Object.DestroyImmediate(material);
+            Assert.That(turned, normalMap ? Is.GreaterThan(3f) : Is.Zero);
         }
 
         [UnityTest]

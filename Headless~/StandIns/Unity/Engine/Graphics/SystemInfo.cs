@@ -1,7 +1,12 @@
+using UnityEngine.Rendering;
+
 namespace UnityEngine;
 
 /// <summary>A device that can do what a desktop computer's can.</summary>
 public sealed class SystemInfo
 {
     public static bool supportsInstancing => !Unity.StandIns.PlainDevice.IsInUse;
+
+    public static bool SupportsVertexAttributeFormat(VertexAttributeFormat format, int dimension) =>
+        !Unity.StandIns.PlainDevice.IsInUse || format == VertexAttributeFormat.Float32;
 }

@@ -1,9 +1,9 @@
 namespace Unity.StandIns;
 
-/// <summary>Lets a test run on a device that draws no instances.</summary>
+/// <summary>Lets a test run on a device that draws no instances and reads vertices of floats only.</summary>
 [StandInExtension]
 public static class PlainDevice
 {
-    /// <summary>Whether SystemInfo.supportsInstancing is false.</summary>
+    /// <summary>Whether the device is plain.</summary>
     public static bool IsInUse { get; set; }
 }

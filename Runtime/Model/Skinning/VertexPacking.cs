@@ -1,0 +1,15 @@
+namespace Alate
+{
+    /// <summary>What the skinning job writes for a wing.</summary>
+    internal enum VertexPacking
+    {
+        /// <summary>Positions, normals and, where the mesh has them, tangents; all as floats.</summary>
+        None,
+
+        /// <summary>Positions as floats and normals as signed bytes; no tangents.</summary>
+        Normals,
+
+        /// <summary>Positions as floats, normals and tangents as signed bytes.</summary>
+        NormalsAndTangents,
+    }
+}
