@@ -24,7 +24,7 @@ internal static class UploadComparison
 
     private static void Compare(Report report, Specimen monarch, SurfaceMesh surface, bool tangents)
     {
-        Mesh mesh = surface.ToMesh("monarch");
+        var mesh = surface.ToMesh("monarch");
         var rig = WingRig.Bake(monarch.Skeleton, surface, WingRigSettings.Default);
         using var floats = new Uploaded(mesh, rig, monarch, VertexPacking.None);
         using var packed = new Uploaded(mesh, rig, monarch, tangents ? VertexPacking.NormalsAndTangents : VertexPacking.Normals);

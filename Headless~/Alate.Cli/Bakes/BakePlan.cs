@@ -30,6 +30,8 @@ internal sealed record BakePlan
         {
             insect.name = Species.Name;
             insect.Motion.metresPerUnit = 1f / InsectDefinition.UnitsPerMetre;
+            if (Variant == InsectVariant.Flight)
+                CatalogueFlight.AddTo(insect, Species);
             InsectBake bake = InsectBaker.Bake(insect, Motions, new BakeSettings(Frames));
             return Triangles is int triangles && triangles < bake.Surface.TriangleCount ? SmallerBake.Of(bake, triangles, out smallerError) : bake;
         }

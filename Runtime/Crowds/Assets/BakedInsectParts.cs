@@ -109,7 +109,13 @@ namespace Alate.Crowds
                     frames = clip.Frames.Count,
                     frequency = clip.Frequency,
                     velocity = clip.Velocity,
+                    angularVelocity = clip.AngularVelocity,
+                    attitude = clip.Attitude,
                     steering = clip.Motion.Steering,
+                    roll = clip.Motion.Roll,
+                    isFlown = clip.RightBeat.HasValue,
+                    rightBeat = clip.RightBeat.GetValueOrDefault(),
+                    leftBeat = clip.LeftBeat.GetValueOrDefault(),
                     error = clip.Error.between,
                 });
                 first += clip.Frames.Count;

@@ -25,6 +25,21 @@ namespace Alate.Crowds
         /// <summary>How the beat differs from the preset's.</summary>
         public InsectSteering steering;
 
+        /// <summary>Difference of the amplitudes of both sides over their sum; positive beats the left side harder.</summary>
+        public float roll;
+
+        /// <summary>Rotation of the body out of its heading: its pitch, and its bank in a turn. A pose that looks ahead is heading times attitude.</summary>
+        public Quaternion attitude;
+
+        /// <summary>Angular velocity of the body in its own axes, radians a second.</summary>
+        public Vector3 angularVelocity;
+
+        /// <summary>True where the loop was flown by trims, with the two beats below instead of steering and roll.</summary>
+        public bool isFlown;
+
+        /// <summary>Beats of the right and of the left wings.</summary>
+        public WingDrive rightBeat, leftBeat;
+
         /// <summary>Largest distance from the flown wings between two frames, wing lengths.</summary>
         public float error;
     }

@@ -21,22 +21,26 @@ namespace Alate.Crowds
         private readonly BakedSurface m_Surface;
         private readonly BakeMotion m_Motion;
         private readonly float m_MaxSpeed;
-        private readonly float3 m_Velocity;
+        private readonly SteadyFlight m_Steady;
+        private readonly BodyFlight m_Flight;
 
         /// <exception cref="BakeException">Parameters out of range, or wings that beat at different rates.</exception>
         public BakeFlight(
-            InsectWings insect, IReadOnlyList<DrawnWing> drawn, IReadOnlyList<BakedWing> wings, BakedSurface surface, BakeMotion motion, float metresPerUnit)
+            InsectWings insect, IReadOnlyList<DrawnWing> drawn, IReadOnlyList<BakedWing> wings, BakedSurface surface, BakeMotion motion, SteadyFlight steady,
+            float metresPerUnit)
         {
             m_Drawn = drawn;
             m_Wings = wings;
             m_Surface = surface;
             m_Motion = motion;
             m_MaxSpeed = new PresetValues(insect.Preset).parameters.maxSpeed;
-            m_Velocity = motion.FlightOf(m_MaxSpeed, 0f, metresPerUnit).velocity;
+            m_Steady = steady;
+            float told = insect.MotionSettings.metresPerUnit;
+            m_Flight = steady == null ? motion.FlightOf(m_MaxSpeed, told, metresPerUnit) : steady.FlightOf(told, metresPerUnit);
             try
             {
                 foreach (DrawnWing wing in drawn)
-                    m_Handles.Add(Add(insect, wing, metresPerUnit));
+                    m_Handles.Add(Add(insect, wing));
                 CheckFrequencies();
             }
             catch
@@ -74,26 +78,42 @@ namespace Alate.Crowds
             error.closure = closure;
             BakedFrame[] kept = IsStill(flown) ? new[] { flown[0] } : Every(flown, k_Fineness, frames);
             MeasureBetween(flown, kept, ref error);
-            return new BakedClip { Motion = m_Motion, Frequency = Frequency, Velocity = m_Velocity, Frames = kept, Error = error };
+            return new BakedClip
+            {
+                Motion = m_Motion,
+                Frequency = Frequency,
+                Velocity = m_Flight.velocity,
+                AngularVelocity = m_Flight.angularVelocity,
+                Attitude = m_Steady == null ? quaternion.RotateX(-math.radians(m_Motion.PitchDegrees)) : m_Steady.Attitude,
+                RightBeat = m_Steady?.Right,
+                LeftBeat = m_Steady?.Left,
+                Frames = kept,
+                Error = error,
+            };
         }
 
         /// <summary>Frees the world.</summary>
         public void Dispose() => m_World.Dispose();
 
-        private WingHandle Add(InsectWings insect, DrawnWing wing, float metresPerUnit)
+        private WingHandle Add(InsectWings insect, DrawnWing wing)
         {
             var values = new PresetValues(wing.Wing.Preset == null ? insect.Preset : wing.Wing.Preset);
             WingParameters parameters = values.parameters;
             parameters.amplitudeScale *= wing.Wing.AmplitudeScale;
             parameters.phaseLead += Mathf.Deg2Rad * wing.Wing.PhaseLead;
-            m_Motion.Apply(wing.Wing.Side, ref parameters);
-            parameters = parameters.Clamped();
-            BodyFlight flight = m_Motion.FlightOf(m_MaxSpeed, insect.MotionSettings.metresPerUnit, metresPerUnit);
-            WingSurroundings around = flight.Around(wing.Placed, values.size.wingLength, values.size.gravityShare);
+            WingSurroundings around = m_Flight.Around(wing.Placed, values.size.wingLength, values.size.gravityShare);
+            if (m_Steady != null)
+            {
+                WingHandle driven = m_World.Add(wing.Rig, parameters.Clamped(), around);
+                m_World.SetDrive(driven, wing.Wing.Side == WingSide.Left ? m_Steady.Left : m_Steady.Right);
+                m_World.Reset(driven);
+                return driven;
+            }
 
             // One body has one speed, also where its wings are drawn at slightly different scales.
             around.speed = m_Motion.SpeedOf(m_MaxSpeed);
-            return m_World.Add(wing.Rig, parameters, around);
+            m_Motion.Apply(wing.Wing.Side, ref parameters);
+            return m_World.Add(wing.Rig, parameters.Clamped(), around);
         }
 
         private void CheckFrequencies()

@@ -12,11 +12,11 @@ namespace Alate.Crowds
 
         private static readonly BakeMotion[] s_All =
         {
-            new BakeMotion("cruise") { Speed = 0.65f },
-            new BakeMotion("hover") { Steering = Beat(1.15f, 0f) },
-            new BakeMotion("climb") { Speed = 0.4f, Climb = 0.25f, PitchDegrees = 20f, Steering = Beat(1.1f, 0f) },
-            new BakeMotion("turn-left") { Speed = 0.5f, Roll = -0.15f },
-            new BakeMotion("turn-right") { Speed = 0.5f, Roll = 0.15f },
+            new BakeMotion("cruise") { Speed = 0.65f, IsFlown = true },
+            new BakeMotion("hover") { Steering = Beat(1.15f, 0f), IsFlown = true },
+            new BakeMotion("climb") { Speed = 0.4f, Climb = 0.25f, PitchDegrees = 20f, Steering = Beat(1.1f, 0f), IsFlown = true },
+            new BakeMotion("turn-left") { Speed = 0.5f, Roll = -0.15f, TurnDegrees = -60f, IsFlown = true },
+            new BakeMotion("turn-right") { Speed = 0.5f, Roll = 0.15f, TurnDegrees = 60f, IsFlown = true },
             new BakeMotion("glide") { Speed = 0.65f, Steering = Beat(0f, 8f) },
             new BakeMotion("rest") { Steering = Beat(0f, 0f) },
         };
@@ -31,7 +31,7 @@ namespace Alate.Crowds
             Name = name;
         }
 
-        /// <summary>The motions that come with the package: a held body that the air meets at these speeds.</summary>
+        /// <summary>The motions that come with the package.</summary>
         public static IReadOnlyList<BakeMotion> All => s_All;
 
         /// <summary>The names of <see cref="All"/>.</summary>
@@ -39,6 +39,15 @@ namespace Alate.Crowds
 
         /// <summary>Name of the clip.</summary>
         public string Name { get; }
+
+        /// <summary>
+        /// Whether an insect with an <see cref="Alate.Flight.InsectFlight"/> flies it freely by its trims: its speeds are then shares of the table's top speed, its attitude and beat
+        /// are those that carry the insect. Otherwise, and without that component, the body is held and the air meets it.
+        /// </summary>
+        public bool IsFlown { get; set; }
+
+        /// <summary>Turn to the right where the motion is flown, degrees a second, −180 to 180; 0.</summary>
+        public float TurnDegrees { get; set; }
 
         /// <summary>Speed ahead over the preset's top speed, −1 to 1; 0.</summary>
         public float Speed { get; set; }
@@ -70,6 +79,8 @@ namespace Alate.Crowds
                 return $"Clip '{Name}': speeds must lie between -1 and 1 of the top speed, not {Speed} ahead and {Climb} up.";
             if (!(math.abs(PitchDegrees) <= 90f))
                 return $"Clip '{Name}': the pitch must lie between -90 and 90 degrees, not {PitchDegrees}.";
+            if (!(math.abs(TurnDegrees) <= 180f))
+                return $"Clip '{Name}': the turn must lie between -180 and 180 degrees a second, not {TurnDegrees}.";
             return math.abs(Roll) <= 1f ? null : $"Clip '{Name}': the roll must lie between -1 and 1, not {Roll}.";
         }
 

@@ -18,6 +18,18 @@ namespace Alate.Crowds
         /// <summary>Velocity of the body, units of the insect's space per second, in its own axes.</summary>
         public float3 Velocity { get; internal set; }
 
+        /// <summary>Angular velocity of the body in its own axes, radians a second.</summary>
+        public float3 AngularVelocity { get; internal set; }
+
+        /// <summary>Rotation of the body out of its heading: its pitch, and its bank in a turn.</summary>
+        public quaternion Attitude { get; internal set; }
+
+        /// <summary>Beat of the right and of the left wings where the clip was flown by trims; otherwise null: the motion's steering says how the beat differs from the preset's.</summary>
+        public WingDrive? RightBeat { get; internal set; }
+
+        /// <inheritdoc cref="RightBeat"/>
+        public WingDrive? LeftBeat { get; internal set; }
+
         /// <summary>[frame] The insect at phase frame / number of frames.</summary>
         public IReadOnlyList<BakedFrame> Frames { get; internal set; }
 

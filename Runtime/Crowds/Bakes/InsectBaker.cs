@@ -16,7 +16,8 @@ namespace Alate.Crowds
         /// <param name="settings">How finely.</param>
         /// <exception cref="ArgumentNullException">There is no insect, or there are no motions.</exception>
         /// <exception cref="BakeException">
-        /// The insect has a problem or more than <see cref="MaxVertices"/> vertices, two clips have one name, a motion is out of range, or a clip does not loop; the message is one line.
+        /// The insect has a problem or more than <see cref="MaxVertices"/> vertices, two clips have one name, a motion is out of range, a clip does not loop, or trims for a motion that is flown are missing; the
+        /// message is one line.
         /// </exception>
         public static InsectBake Bake(InsectWings insect, IReadOnlyList<BakeMotion> motions, in BakeSettings settings)
         {
@@ -40,9 +41,10 @@ namespace Alate.Crowds
 
             var clips = new List<BakedClip>();
             float metresPerUnit = MetresPerUnit(insect, drawn.Wings[0]);
+            using var flown = FlownInsect.Of(insect, drawn.Wings, metresPerUnit);
             foreach (BakeMotion motion in motions)
             {
-                using var flight = new BakeFlight(insect, drawn.Wings, wings, surface, motion, metresPerUnit);
+                using var flight = new BakeFlight(insect, drawn.Wings, wings, surface, motion, flown?.Fly(motion), metresPerUnit);
                 clips.Add(flight.Record(chosen));
             }
 

@@ -1,3 +1,4 @@
+using Alate.Flight;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
@@ -11,6 +12,8 @@ namespace Alate.Crowds
         private const int k_Substeps = 64;
 
         private readonly Renderer[] m_Renderers;
+        private readonly LoopFlyer m_Flyer = new LoopFlyer();
+        private readonly float[] m_Amplitudes;
         private float m_Beats;
 
         /// <param name="prefab">What it is a copy of.</param>
@@ -26,6 +29,10 @@ namespace Alate.Crowds
             Wings.Quality.levelOfDetail = false;
             Wings.Quality.substepsPerBeat = k_Substeps;
             Wings.gameObject.SetActive(true);
+            if (Wings.TryGetComponent(out InsectFlight flight))
+                flight.enabled = false;
+            Wings.Flyer = m_Flyer;
+            m_Amplitudes = Wings.Wings.ConvertAll(wing => wing.AmplitudeScale).ToArray();
             Leave();
         }
 
@@ -67,8 +74,13 @@ namespace Alate.Crowds
             body.SetPositionAndRotation(pose.position, pose.rotation);
             body.localScale = Vector3.one * pose.scale;
             Wings.Velocity = math.rotate(pose.rotation, (float3)loop.velocity) * pose.scale;
-            Wings.Steering = loop.steering;
+            Wings.AngularVelocity = math.rotate(pose.rotation, (float3)loop.angularVelocity);
+            m_Flyer.loop = loop;
+            m_Flyer.rate = pose.rate;
+            Wings.Steering = loop.isFlown ? InsectSteering.Default : loop.steering;
             Wings.Steering.frequencyScale *= pose.rate;
+            for (int k = 0; k < m_Amplitudes.Length; k++)
+                Wings.Wings[k].AmplitudeScale = m_Amplitudes[k] * (loop.isFlown ? 1f : Wings.Wings[k].Side == WingSide.Left ? 1f + loop.roll : 1f - loop.roll);
             float frequency = Wings.Frequency;
             if (!(frequency > 0f))
                 return;

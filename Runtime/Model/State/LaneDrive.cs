@@ -20,6 +20,17 @@ namespace Alate
         /// <summary>Added to the middle of the stroke, radians up.</summary>
         public float4 meanFlap;
 
+        /// <summary>One wing's command.</summary>
+        public WingDrive Of(int lane) => new WingDrive
+        {
+            frequency = frequency[lane],
+            amplitude = amplitude[lane],
+            meanFlap = meanFlap[lane],
+            tilt = means.x[lane],
+            meanSweep = means.y[lane],
+            meanFeather = means.z[lane],
+        };
+
         /// <summary>Writes one wing's command, or releases the wing.</summary>
         public void Set(int lane, in WingDrive drive, bool isCommanded)
         {

@@ -1,8 +1,10 @@
+using System;
 using Unity.Mathematics;
 
 namespace Alate
 {
     /// <summary>One beat of one wing as a flight controller commands it; takes effect at the next beat and is glided into over the first half of it.</summary>
+    [Serializable]
     public struct WingDrive
     {
         /// <summary>Frequency, hertz, 0.1 to 1000.</summary>

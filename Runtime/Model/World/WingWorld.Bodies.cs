@@ -21,6 +21,13 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void ReleaseDrive(WingHandle wing) => WriteDrive(Entry(wing), default, false);
 
+        /// <summary>The beat that a wing was last commanded to, by a script or the body's feedback.</summary>
+        internal unsafe WingDrive Drive(WingHandle wing)
+        {
+            WingEntry entry = Entry(wing);
+            return entry.pack.view.parameters->drive.Of(entry.lane);
+        }
+
         /// <summary>Adds a body that wings are to carry.</summary>
         internal BodyHandle AddBody(in FlyingBody body)
         {

@@ -20,9 +20,20 @@ namespace Alate.Tests.Play.Headless
         /// <param name="count">How many.</param>
         /// <param name="clips">Loops.</param>
         public CrowdScene(string species, int count, params string[] clips)
+            : this(species, InsectVariant.Standard, count, clips)
+        {
+        }
+
+        /// <param name="species">The insects.</param>
+        /// <param name="variant">Those that fly are baked by their trims.</param>
+        /// <param name="count">How many.</param>
+        /// <param name="clips">Loops.</param>
+        public CrowdScene(string species, InsectVariant variant, int count, params string[] clips)
         {
             ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
-            Prefab = InsectFactory.Create(species);
+            Prefab = InsectFactory.Create(InsectCatalogue.Find(species), variant);
+            if (variant == InsectVariant.Flight)
+                CatalogueFlight.AddTo(Prefab, InsectCatalogue.Find(species));
             Prefab.transform.position = new Vector3(0f, 0f, -100f);
             Bake = InsectBaker.Bake(Prefab, Array.ConvertAll(clips, BakeMotion.Find), BakeSettings.Default);
             Baked = BakedInsect.Create(Bake);

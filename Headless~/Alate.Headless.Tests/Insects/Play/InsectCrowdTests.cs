@@ -107,32 +107,15 @@ namespace Alate.Tests.Play.Headless
         public IEnumerator TheNearest_AreLive_AndNothingJumpsAsTheySwap([Values("monarch", "firefly")] string species, [Values("hover", "cruise")] string loop)
         {
             m_Scene = new CrowdScene(species, 4, loop);
-            for (int k = 0; k < 4; k++)
-                m_Scene.Place(k, CrowdPose.At(new float3(0f, 0f, 4f * k), quaternion.identity, 0.2f * k));
-            m_Scene.Crowd.LivePrefab = m_Scene.Prefab;
-            m_Scene.Crowd.LiveCount = 1;
-            float largest = 0f;
-            int swapped = -1;
-            LateDeeds late = m_Scene.Crowd.gameObject.AddComponent<LateDeeds>();
-            for (int frame = 0; frame < 150; frame++)
-            {
-                int now = frame;
-                late.inLateUpdate = () =>
-                {
-                    InsectWings live = m_Scene.Crowd.LiveTwinOf(0);
-                    if (live == null)
-                        return;
-                    swapped = swapped < 0 ? now : swapped;
-                    largest = math.max(largest, Apart(live, m_Scene.Crowd.Poses[0].phase));
-                };
-                yield return null;
-            }
+            return Swap();
+        }
 
-            TestContext.Progress.WriteLine($"live against baked, {species}, {loop}: {100f * largest:0.00} % of the wing length, first after {swapped} frames");
-            Assert.That(swapped, Is.InRange(30, 120), "after the wings have settled");
-            Assert.That(largest, Is.LessThan(5e-3f));
-            Assert.That(m_Scene.Crowd.LiveNow, Is.EqualTo(1));
-            Assert.That(m_Scene.Crowd.DrawnCount, Is.EqualTo(3));
+        [UnityTest]
+        public IEnumerator WhereTheLoopWasFlownByTrims_NothingJumpsEither([Values("hover", "turn-left")] string loop)
+        {
+            m_Scene = new CrowdScene("monarch", InsectVariant.Flight, 4, loop);
+            Assert.That(m_Scene.Baked.Loops[0].isFlown, Is.True);
+            return Swap();
         }
 
         [UnityTest]
@@ -178,6 +161,37 @@ namespace Alate.Tests.Play.Headless
             {
                 Object.DestroyImmediate(insect.gameObject);
             }
+        }
+
+        private IEnumerator Swap()
+        {
+            CrowdLoop loop = m_Scene.Baked.Loops[0];
+            for (int k = 0; k < 4; k++)
+                m_Scene.Place(k, CrowdPose.At(new float3(0f, 0f, 4f * k), loop.attitude, 0.2f * k));
+            m_Scene.Crowd.LivePrefab = m_Scene.Prefab;
+            m_Scene.Crowd.LiveCount = 1;
+            float largest = 0f;
+            int swapped = -1;
+            LateDeeds late = m_Scene.Crowd.gameObject.AddComponent<LateDeeds>();
+            for (int frame = 0; frame < 150; frame++)
+            {
+                int now = frame;
+                late.inLateUpdate = () =>
+                {
+                    InsectWings live = m_Scene.Crowd.LiveTwinOf(0);
+                    if (live == null)
+                        return;
+                    swapped = swapped < 0 ? now : swapped;
+                    largest = math.max(largest, Apart(live, m_Scene.Crowd.Poses[0].phase));
+                };
+                yield return null;
+            }
+
+            TestContext.Progress.WriteLine($"live against baked, {m_Scene.Prefab.name}, {loop.name}: {100f * largest:0.00} % of the wing length, first after {swapped} frames");
+            Assert.That(swapped, Is.InRange(30, 120), "after the wings have settled");
+            Assert.That(largest, Is.LessThan(5e-3f));
+            Assert.That(m_Scene.Crowd.LiveNow, Is.EqualTo(1));
+            Assert.That(m_Scene.Crowd.DrawnCount, Is.EqualTo(3));
         }
 
         // Largest distance of the live wings from the texture's, wing lengths.

@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Flight;
+using Unity.Mathematics;
+
+namespace Alate.Crowds
+{
+    /// <summary>An insect that has an Insect Flight, as a body that flies: for motions that are flown by its trims.</summary>
+    internal sealed class FlownInsect : IDisposable
+    {
+        private readonly InsectWings m_Insect;
+        private readonly FlightModel m_Model;
+        private readonly TrimTable m_Table;
+
+        private FlownInsect(InsectWings insect, InsectFlight flight, IReadOnlyList<DrawnWing> wings, float metresPerUnit)
+        {
+            m_Insect = insect;
+            PresetSize size = new PresetValues(insect.Preset).size;
+            try
+            {
+                m_Model = new FlightModel(wings.Select(wing => Describe(wing, insect, metresPerUnit)).ToList(), flight.Parts, size.insectMass, size.fluidDensity, size.gravityShare);
+            }
+            catch (ArgumentException problem)
+            {
+                throw new BakeException($"'{insect.name}' cannot fly: {problem.Message}");
+            }
+
+            m_Table = flight.Trims == null ? null : flight.Trims.Take(m_Model.Key);
+        }
+
+        /// <summary>Makes it; null where the insect has no Insect Flight.</summary>
+        /// <exception cref="BakeException">Its body cannot fly.</exception>
+        public static FlownInsect Of(InsectWings insect, IReadOnlyList<DrawnWing> wings, float metresPerUnit) =>
+            insect.TryGetComponent(out InsectFlight flight) ? new FlownInsect(insect, flight, wings, metresPerUnit) : null;
+
+        /// <summary>Flies a motion; null where it is one in which the body is held.</summary>
+        /// <exception cref="BakeException">There are no trims for it, or the insect is lost.</exception>
+        public SteadyFlight Fly(BakeMotion motion)
+        {
+            if (!motion.IsFlown)
+                return null;
+            if (m_Table == null)
+            {
+                throw new BakeException(
+                    $"Clip '{motion.Name}' is flown by trims, and '{m_Insect.name}' has none for its numbers; without trims it has: {string.Join(", ", BakeMotion.All.Where(known => !known.IsFlown).Select(known => known.Name))}.");
+            }
+
+            return SteadyFlight.Fly(m_Model, m_Table, motion);
+        }
+
+        /// <inheritdoc/>
+        public void Dispose()
+        {
+            if (m_Table != null)
+                FlightTrims.Return(m_Table);
+            m_Model.Dispose();
+        }
+
+        private static FlightWing Describe(DrawnWing wing, InsectWings insect, float metresPerUnit)
+        {
+            var values = new PresetValues(wing.Wing.Preset == null ? insect.Preset : wing.Wing.Preset);
+            var axes = new float3x3(wing.Placed.span, wing.Placed.up, wing.Placed.forward);
+            return new FlightWing
+            {
+                Rig = wing.Rig,
+                Parameters = values.parameters,
+                Hinge = wing.Placed.hinge * metresPerUnit,
+                Axes = axes,
+                Length = values.size.wingLength,
+                Mass = values.size.wingMass,
+                GravityShare = values.size.gravityShare,
+                IsLeft = math.determinant(axes) < 0f,
+            };
+        }
+    }
+}
