@@ -150,6 +150,9 @@ namespace Alate.Crowds
             LateUpdate();
         }
 
+        /// <summary>Draws the last frame again, for measurements.</summary>
+        internal void RunDrawing() => LateUpdate();
+
         private void OnDisable() => Free();
 
         private void Update() => Begin(Time.deltaTime);

@@ -50,7 +50,7 @@ internal static class BakedFigures
         for (int k = 0; k < count; k++)
             poses[k] = CrowdPose.At(new float3(k % 100 - 50f, k / 100 % 10 - 5f, k / 1000), quaternion.RotateY(k), k / (float)count);
         var frame = new Contestant($"{count} baked", 1000.0, () => crowd.RunFrame(k_FrameTime));
-        double time = Race.Run(frame)[0];
+        double time = Race.Run(frame)[0], drawing = Race.Run(new Contestant($"{count} drawn", 1000.0, crowd.RunDrawing))[0];
         long before = GC.GetAllocatedBytesForCurrentThread();
         for (int k = 0; k < k_Frames; k++)
             crowd.RunFrame(k_FrameTime);
@@ -58,6 +58,7 @@ internal static class BakedFigures
 
         string title = $"frame of {count} baked insects, {crowd.DrawnCount} in sight";
         report.Figure("baked_frame_us", $"{count}", title, "us", time);
+        report.Figure("baked_drawing_us", $"{count}", "  of which filling and making the calls", "us", drawing);
         report.Figure("baked_bytes_per_frame", $"{count}", "  allocated", "bytes", garbage / (double)k_Frames);
         report.Figure("baked_draw_calls", $"{count}", "  drawn by", "calls", crowd.DrawCalls);
         report.Figure("baked_triangles", $"{count}", "  triangles", "thousands", crowd.Triangles / 1000.0);

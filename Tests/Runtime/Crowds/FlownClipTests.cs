@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
@@ -62,7 +61,7 @@ namespace Alate.Tests.Crowds
         [Test]
         public void TheBody_LiesAsItsTrimsSay()
         {
-            using (var model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch")))
+            using (FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch")))
             using (TrimTable table = CatalogueFlight.CreateTable(InsectCatalogue.Find("monarch"), model))
             {
                 foreach (string name in new[] { "hover", "cruise", "turn-left" })
@@ -92,7 +91,7 @@ namespace Alate.Tests.Crowds
             BakedWing wing = m_Bake.Wings[0];
             var sums = new float3[k_Frames, wing.RestJoints.Length];
             int[] counts = new int[k_Frames];
-            using (var model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch")))
+            using (FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch")))
             using (TrimTable table = CatalogueFlight.CreateTable(InsectCatalogue.Find("monarch"), model))
             {
                 float speed = clip.Motion.Speed * table.TopSpeed;

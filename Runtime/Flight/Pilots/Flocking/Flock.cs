@@ -11,6 +11,9 @@ namespace Alate.Flight
         private static double s_Time = double.NaN;
         private static int s_Frame;
 
+        /// <summary>All pilots that flock.</summary>
+        public static IReadOnlyList<FlockPilot> Pilots => s_Pilots;
+
         /// <summary>A pilot joins.</summary>
         public static void Enter(FlockPilot pilot) => s_Pilots.Add(pilot);
 

@@ -1,0 +1,127 @@
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Crowds
+{
+    /// <summary>
+    /// Fills a crowd and lets each insect circle in a box around this object, with speed, size and phase of its own. The box lies along the object's axes; the number of insects is
+    /// the crowd's.
+    /// </summary>
+    [AddComponentMenu("Alate/Crowd Spawner")]
+    [RequireComponent(typeof(InsectCrowd))]
+    [DisallowMultipleComponent]
+    public sealed class CrowdSpawner : MonoBehaviour
+    {
+        /// <summary>Insects of one batch of the job.</summary>
+        private const int k_Batch = 256;
+
+        [SerializeField]
+        [Tooltip("Size of the box in which the insects fly, world units from side to side.")]
+        private Vector3 m_Area = new Vector3(20f, 4f, 20f);
+
+        [SerializeField]
+        [Range(0f, 4f)]
+        [Tooltip("Slowest insect over the speed of its loop, 0 to 4; 0.8.")]
+        private float m_SlowestSpeed = 0.8f;
+
+        [SerializeField]
+        [Range(0f, 4f)]
+        [Tooltip("Fastest insect over the speed of its loop, 0 to 4; 1.2.")]
+        private float m_FastestSpeed = 1.2f;
+
+        [SerializeField]
+        [Range(0f, 0.9f)]
+        [Tooltip("How much sizes differ, 0 to 0.9; 0.15 is from 0.85 to 1.15.")]
+        private float m_SizeVariation = 0.15f;
+
+        [SerializeField]
+        [Tooltip("Name of the loop that is shown. Empty: the first one.")]
+        private string m_Loop = "";
+
+        [SerializeField]
+        [Tooltip("Another number places all insects elsewhere.")]
+        private int m_Seed = 1;
+
+        private InsectCrowd m_Crowd;
+        private float m_Time;
+
+        /// <summary>Size of the box, world units from side to side; negative sizes count as positive ones.</summary>
+        public Vector3 Area
+        {
+            get => m_Area;
+            set => m_Area = value;
+        }
+
+        /// <summary>Slowest and fastest insect over the speed of its loop, 0 to 4 (clamped); 0.8 and 1.2. The larger one is the fastest.</summary>
+        public Vector2 Speeds
+        {
+            get => new Vector2(Mathf.Min(m_SlowestSpeed, m_FastestSpeed), Mathf.Max(m_SlowestSpeed, m_FastestSpeed));
+            set
+            {
+                m_SlowestSpeed = Mathf.Clamp(value.x, 0f, 4f);
+                m_FastestSpeed = Mathf.Clamp(value.y, 0f, 4f);
+            }
+        }
+
+        /// <summary>How much sizes differ, 0 to 0.9 (clamped); 0.15 is from 0.85 to 1.15.</summary>
+        public float SizeVariation
+        {
+            get => m_SizeVariation;
+            set => m_SizeVariation = Mathf.Clamp(value, 0f, 0.9f);
+        }
+
+        /// <summary>Name of the loop that is shown; empty is the first one.</summary>
+        public string Loop
+        {
+            get => m_Loop;
+            set => m_Loop = value ?? "";
+        }
+
+        /// <summary>Another number places all insects elsewhere.</summary>
+        public int Seed
+        {
+            get => m_Seed;
+            set => m_Seed = value;
+        }
+
+        /// <summary>What keeps the spawner from placing insects; null when all is well.</summary>
+        public string Problem
+        {
+            get
+            {
+                BakedInsect insect = Crowd.Insect;
+                return Crowd.Problem ?? (string.IsNullOrEmpty(m_Loop) || insect.IndexOf(m_Loop) >= 0 ? null : $"'{insect.name}' has no loop '{m_Loop}'.");
+            }
+        }
+
+        private InsectCrowd Crowd => m_Crowd != null ? m_Crowd : m_Crowd = GetComponent<InsectCrowd>();
+
+        /// <summary>Moves all insects on by a time, seconds; called in each frame while the component is enabled.</summary>
+        public void Advance(float seconds)
+        {
+            m_Time += seconds;
+            NativeArray<CrowdPose> poses = Crowd.Poses;
+            if (!poses.IsCreated)
+                return;
+            int loop = Mathf.Max(0, Crowd.Insect.IndexOf(m_Loop));
+            CrowdLoop shown = Crowd.Insect.Loops[loop];
+            new SpawnJob
+            {
+                toWorld = float4x4.TRS(transform.position, transform.rotation, 1f),
+                half = 0.5f * math.abs((float3)m_Area),
+                speed = math.length((float3)shown.velocity),
+                speeds = Speeds,
+                sizes = m_SizeVariation,
+                loop = loop,
+                attitude = shown.attitude,
+                seed = (uint)m_Seed,
+                time = m_Time,
+                poses = poses,
+            }.ScheduleParallel(poses.Length, k_Batch, default).Complete();
+        }
+
+        private void Update() => Advance(Time.deltaTime);
+    }
+}
