@@ -18,6 +18,9 @@ namespace Alate.Editor
             public const string Save = "Save...";
             public const string SaveMessage = "One asset with the texture, the meshes and the materials.";
 
+            public const string Shown = "Shown, slowed down";
+
+            public static readonly GUIContent Prefab = new GUIContent("Prefab", "Saves a prefab too: a crowd of the insect with a spawner, ready to be dropped into a scene.");
             public static readonly GUIContent Insect = new GUIContent("Insect", "The insect whose wings are flown. It is not changed.");
             public static readonly GUIContent Clips = new GUIContent("Clips", "Loops that go into the texture; a crowd can blend two of them.");
             public static readonly GUIContent Frames = new GUIContent("Frames", "Frames of each loop, 4 to 240; 48 keep the error between frames below 0.5 % of the wing length.");
@@ -26,6 +29,12 @@ namespace Alate.Editor
         [SerializeField] private InsectWings m_Insect;
         [SerializeField] private List<string> m_Clips = new List<string> { BakeMotion.Names[0] };
         [SerializeField] private int m_Frames = BakeSettings.DefaultFrames;
+        [SerializeField] private bool m_Prefab = true;
+
+        /// <summary>Height of the picture, and seconds that a beat takes in it.</summary>
+        private const float k_PreviewHeight = 180f, k_BeatSeconds = 1.5f;
+
+        private int m_Shown;
 
         private readonly InsectBaking m_Baking = new InsectBaking();
 
@@ -38,6 +47,13 @@ namespace Alate.Editor
         }
 
         private void OnDisable() => m_Baking.Dispose();
+
+        // The picture moves.
+        private void Update()
+        {
+            if (m_Baking.Preview != null)
+                Repaint();
+        }
 
         private void OnGUI()
         {
@@ -78,11 +94,21 @@ namespace Alate.Editor
             if (m_Baking.Made == null)
                 return;
             EditorGUILayout.HelpBox(string.Join("\n", m_Baking.Describe().ToArray()), MessageType.None);
+            ShowPreview();
+            m_Prefab = EditorGUILayout.Toggle(Content.Prefab, m_Prefab);
             if (!GUILayout.Button(Content.Save))
                 return;
             string path = AssetPath.Ask(Content.Title, AssetPath.FileName(m_Insect.name + " Baked"), Content.SaveMessage);
             if (!string.IsNullOrEmpty(path) && m_Baking.Save(path) is BakedInsect saved)
-                ProjectWindowUtil.ShowCreatedAsset(saved);
+                ProjectWindowUtil.ShowCreatedAsset(m_Prefab ? m_Baking.SavePrefab(saved, m_Insect) : (Object)saved);
+        }
+
+        private void ShowPreview()
+        {
+            m_Shown = Mathf.Clamp(EditorGUILayout.Popup(Content.Shown, m_Shown, m_Baking.Clips), 0, m_Baking.Clips.Length - 1);
+            Rect area = EditorGUILayout.GetControlRect(false, k_PreviewHeight);
+            if (Event.current.type == EventType.Repaint)
+                m_Baking.Preview.Draw(area, m_Shown, (float)(EditorApplication.timeSinceStartup / k_BeatSeconds % 1.0));
         }
     }
 }

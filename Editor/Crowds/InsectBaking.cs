@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using Alate.Crowds;
 using UnityEditor;
@@ -19,6 +20,12 @@ namespace Alate.Editor
         /// <summary>What was made and is not saved; null where nothing is.</summary>
         public BakedInsect Made { get; private set; }
 
+        /// <summary>Picture of what was made; null where nothing is.</summary>
+        public LoopPreview Preview { get; private set; }
+
+        /// <summary>Names of the clips that were made.</summary>
+        public string[] Clips => m_Bake == null ? Array.Empty<string>() : m_Bake.Clips.Select(clip => clip.Name).ToArray();
+
         /// <summary>What keeps the insect from being baked, one line; null when all is well.</summary>
         public string Problem { get; private set; }
 
@@ -33,6 +40,7 @@ namespace Alate.Editor
             {
                 m_Bake = InsectBaker.Bake(insect, clips.Select(BakeMotion.Find).ToList(), new BakeSettings(frames));
                 Made = BakedInsect.Create(m_Bake);
+                Preview = new LoopPreview(m_Bake);
             }
             catch (BakeException problem)
             {
@@ -74,7 +82,29 @@ namespace Alate.Editor
                 AssetDatabase.AddObjectToAsset(material, free);
             AssetDatabase.SaveAssets();
             Made = null;
+            Preview = null;
             return asset;
+        }
+
+        /// <summary>Saves a prefab beside an asset: a crowd of it with a spawner, ready to be dropped into a scene.</summary>
+        /// <param name="asset">A saved asset.</param>
+        /// <param name="live">Insect that takes the places of the nearest; an object of the scene is left out.</param>
+        public GameObject SavePrefab(BakedInsect asset, InsectWings live)
+        {
+            var root = new GameObject(asset.name + " Crowd");
+            try
+            {
+                InsectCrowd crowd = root.AddComponent<InsectCrowd>();
+                crowd.Insect = asset;
+                if (live != null && !string.IsNullOrEmpty(AssetDatabase.GetAssetPath(live)))
+                    crowd.LivePrefab = live;
+                root.AddComponent<CrowdSpawner>();
+                return PrefabUtility.SaveAsPrefabAsset(root, AssetDatabase.GenerateUniqueAssetPath(Path.ChangeExtension(AssetDatabase.GetAssetPath(asset), null) + " Crowd.prefab"));
+            }
+            finally
+            {
+                Object.DestroyImmediate(root);
+            }
         }
 
         /// <summary>Destroys what was not saved.</summary>
@@ -82,6 +112,7 @@ namespace Alate.Editor
         {
             Problem = null;
             m_Bake = null;
+            Preview = null;
             if (Made == null)
                 return;
             Made.DestroyParts();

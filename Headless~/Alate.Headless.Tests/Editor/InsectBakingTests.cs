@@ -5,6 +5,7 @@ using Alate.Editor;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEditor;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Editor;
@@ -60,6 +61,36 @@ public sealed class InsectBakingTests
         Assert.That(first.Sizes.Select(size => AssetDatabase.GetAssetPath(size.mesh)), Is.All.EqualTo(k_Path));
         Assert.That(first.Materials.Select(AssetDatabase.GetAssetPath), Is.All.EqualTo(k_Path));
         Assert.That(m_Baking.Made, Is.Null);
+    }
+
+    [Test]
+    public void ThePreview_MovesWithinItsArea_AndEndsWhenTheAssetIsSaved()
+    {
+        var area = new Rect(10f, 20f, 300f, 180f);
+        m_Baking.Bake(m_Insect, ["cruise"], 24);
+        Vector3[][] Shown(float phase) => [.. m_Baking.Preview.Lines(area, 0, phase).Select(line => line.points)];
+        Vector3[] top = [.. Shown(0f).SelectMany(line => line)], bottom = [.. Shown(0.5f).SelectMany(line => line)];
+
+        Assert.That(m_Baking.Clips, Is.EqualTo(new[] { "cruise" }));
+        Assert.That(top.Concat(bottom).All(point => area.Contains(point)), Is.True);
+        Assert.That(top.Zip(bottom, (a, b) => (a - b).magnitude).Max(), Is.GreaterThan(20f), "pixels");
+        Assert.That(Shown(1f)[0], Is.EqualTo(Shown(0f)[0]));
+        m_Baking.Save("Assets/Firefly Baked.asset");
+        Assert.That(m_Baking.Preview, Is.Null);
+    }
+
+    [Test]
+    public void ThePrefab_HoldsACrowdOfTheAssetWithASpawner()
+    {
+        m_Baking.Bake(m_Insect, ["rest"], 24);
+        BakedInsect saved = m_Baking.Save("Assets/Firefly Baked.asset");
+        GameObject prefab = m_Baking.SavePrefab(saved, m_Insect);
+
+        Assert.That(AssetDatabase.GetAssetPath(prefab), Is.EqualTo("Assets/Firefly Baked Crowd.prefab"));
+        Assert.That(prefab.GetComponent<InsectCrowd>().Insect, Is.SameAs(saved));
+        Assert.That(prefab.GetComponent<InsectCrowd>().LivePrefab, Is.Null, "an object of the scene cannot be in a prefab");
+        Assert.That(prefab.TryGetComponent(out CrowdSpawner _), Is.True);
+        AssetDatabase.DeleteAsset("Assets/Firefly Baked Crowd.prefab");
     }
 
     [Test]

@@ -129,6 +129,23 @@ namespace Alate.Tests.Crowds
         }
 
         [Test]
+        public void WingsThatFlutter_DoNotLoop()
+        {
+            InsectWings insect = Insect("monarch");
+            WingPreset soft = Keep(InsectCatalogue.Monarch());
+            soft.Stiffness.elasticity *= 0.01f;
+            soft.Stiffness.damping = 0f;
+            insect.Preset = soft;
+            foreach (Wing wing in insect.Wings)
+                wing.Preset = soft;
+            var motion = new BakeMotion("storm") { Speed = 1f };
+
+            Assert.That(
+                () => InsectBaker.Bake(insect, new[] { motion }, new BakeSettings(BakeSettings.MinFrames)),
+                Throws.TypeOf<BakeException>().With.Message.StartsWith("Clip 'storm' does not loop: after 60 beats the wings are"));
+        }
+
+        [Test]
         public void MoreVerticesThanSixteenBitsCount_AreRefused()
         {
             InsectWings insect = Insect("monarch");

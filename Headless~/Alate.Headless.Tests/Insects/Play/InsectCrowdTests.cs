@@ -111,7 +111,12 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
-        public IEnumerator WhereTheLoopWasFlownByTrims_NothingJumpsEither([Values("hover", "turn-left")] string loop)
+        public IEnumerator WhereATurnWasFlownByTrims_NothingJumpsEither() => SwapFlown("turn-left");
+
+        [UnityTest, Explicit, Category("Long")]
+        public IEnumerator WhereOtherLoopsWereFlownByTrims_NothingJumpsEither([Values("cruise", "hover", "climb", "turn-right")] string loop) => SwapFlown(loop);
+
+        private IEnumerator SwapFlown(string loop)
         {
             m_Scene = new CrowdScene("monarch", InsectVariant.Flight, 4, loop);
             Assert.That(m_Scene.Baked.Loops[0].isFlown, Is.True);
