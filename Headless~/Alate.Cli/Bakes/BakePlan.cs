@@ -19,19 +19,24 @@ internal sealed record BakePlan
     public int MaxSize { get; init; } = BakeLayout.DefaultMaxSize;
     public string Folder { get; init; }
 
+    /// <summary>A wing of the user's own and its skeleton; null bakes the species.</summary>
+    public string MeshFile { get; init; }
+
+    /// <inheritdoc cref="MeshFile"/>
+    public string SkeletonFile { get; init; }
+
+    /// <summary>What is baked, for people.</summary>
+    public string DisplayName => MeshFile == null ? Species.DisplayName : System.IO.Path.GetFileName(MeshFile);
+
     /// <summary>Bakes the insect.</summary>
     /// <exception cref="UserException">It cannot be baked so.</exception>
     /// <param name="smallerError">What the wings lose by the smaller mesh, wing lengths.</param>
     public InsectBake Bake(out float smallerError)
     {
         smallerError = 0f;
-        InsectWings insect = InsectFactory.Create(Species, Variant);
+        InsectWings insect = MeshFile == null ? Catalogued() : OwnInsect.Create(Species, Variant, MeshFile, SkeletonFile);
         try
         {
-            insect.name = Species.Name;
-            insect.Motion.metresPerUnit = 1f / InsectDefinition.UnitsPerMetre;
-            if (Variant == InsectVariant.Flight)
-                CatalogueFlight.AddTo(insect, Species);
             InsectBake bake = InsectBaker.Bake(insect, Motions, new BakeSettings(Frames));
             return Triangles is int triangles && triangles < bake.Surface.TriangleCount ? SmallerBake.Of(bake, triangles, out smallerError) : bake;
         }
@@ -43,5 +48,15 @@ internal sealed record BakePlan
         {
             UnityEngine.Object.DestroyImmediate(insect.gameObject);
         }
+    }
+
+    private InsectWings Catalogued()
+    {
+        InsectWings insect = InsectFactory.Create(Species, Variant);
+        insect.name = Species.Name;
+        insect.Motion.metresPerUnit = 1f / InsectDefinition.UnitsPerMetre;
+        if (Variant == InsectVariant.Flight)
+            CatalogueFlight.AddTo(insect, Species);
+        return insect;
     }
 }

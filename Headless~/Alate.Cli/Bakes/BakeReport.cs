@@ -24,7 +24,7 @@ internal static class BakeReport
         };
         folder.Commit();
         var terminal = new Terminal(output);
-        terminal.ShowTable($"{plan.Species.DisplayName}: {bake.Surface.VertexCount} vertices, {bake.Surface.TriangleCount} triangles", Rows(bake));
+        terminal.ShowTable($"{plan.DisplayName}: {bake.Surface.VertexCount} vertices, {bake.Surface.TriangleCount} triangles", Rows(bake));
         if (smallerError > 0f)
             output.WriteLine($"The smaller mesh is {Number(100f * smallerError)} % of the wing length from the whole wings (root of the mean square).");
         terminal.ShowFiles(plan.Folder, files);

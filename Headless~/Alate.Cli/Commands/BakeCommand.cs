@@ -16,7 +16,14 @@ internal static class BakeCommand
 
     public static Command Create(TextWriter output)
     {
-        var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
+        var species = new Argument<string>("SPECIES")
+        {
+            Arity = ArgumentArity.ZeroOrOne,
+            Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}. Not with --mesh.",
+        };
+        var mesh = new Option<string>("--mesh") { HelpName = "FILE.obj", Description = "A wing of your own, at rest. Needs --skeleton and --species." };
+        var skeleton = new Option<string>("--skeleton") { HelpName = "FILE.json", Description = "The skeleton of that wing, in the mesh's space." };
+        var preset = new Option<string>("--species") { HelpName = "PRESET", Description = "The species whose size, beat and stiffness that wing takes." };
         var clips = new Option<string>("--clips")
         {
             HelpName = "NAMES",
@@ -44,13 +51,15 @@ internal static class BakeCommand
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/bake-SPECIES]" };
         var command = new Command("bake", "Bakes loops of an insect for other programs: OpenVAT textures, or glTF with joints or shapes.")
         {
-            species, clips, format, frames, triangles, normals, size, variant, folder,
+            species, clips, format, frames, triangles, normals, size, variant, mesh, skeleton, preset, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
             InsectVariant chosen = parsed.GetValue(variant) ?? InsectVariant.Standard;
-            InsectDefinition definition = FlightOptions.Find(parsed.GetValue(species), chosen);
+            string meshFile = parsed.GetValue(mesh), skeletonFile = parsed.GetValue(skeleton);
+            InsectDefinition definition = FlightOptions.Find(NameOf(parsed.GetValue(species), parsed.GetValue(preset), meshFile, skeletonFile), chosen);
+            string name = meshFile == null ? definition.Name : Path.GetFileNameWithoutExtension(meshFile);
             BakeReport.Run(
                 new BakePlan
                 {
@@ -62,12 +71,26 @@ internal static class BakeCommand
                     Triangles = parsed.GetValue(triangles),
                     Normals = parsed.GetValue(normals) ?? BakeNormals.Separate,
                     MaxSize = parsed.GetValue(size) ?? BakeLayout.DefaultMaxSize,
-                    Folder = parsed.GetValue(folder) ?? Path.Combine("out", "bake-" + definition.Name),
+                    MeshFile = meshFile,
+                    SkeletonFile = skeletonFile,
+                    Folder = parsed.GetValue(folder) ?? Path.Combine("out", "bake-" + name),
                 },
                 output);
             return 0;
         });
         return command;
+    }
+
+    private static string NameOf(string species, string preset, string mesh, string skeleton)
+    {
+        if ((mesh == null) != (skeleton == null))
+            throw new UserException("A wing of your own needs both --mesh and --skeleton.");
+        if (mesh == null && preset != null)
+            throw new UserException("--species goes with --mesh and --skeleton; name a species of the catalogue as 'bake SPECIES'.");
+        if (mesh != null && species != null)
+            throw new UserException("With --mesh the species is named by --species, not as an argument.");
+        string known = string.Join(", ", InsectCatalogue.Names);
+        return species ?? preset ?? throw new UserException(mesh == null ? $"Which species? Known: {known}." : $"--mesh needs --species. Known: {known}.");
     }
 
     private static List<BakeMotion> Motions(string names)
@@ -86,7 +109,9 @@ internal static class BakeCommand
         "Examples:\n"
         + "  bake monarch --clips cruise,hover,rest\n"
         + "  bake firefly --format gltf-skin --out blender\n"
-        + "  bake swallowtail --clips cruise --format gltf-morph --frames 24\n\n"
+        + "  bake swallowtail --clips cruise --format gltf-morph --frames 24\n"
+        + "  bake monarch --variant flight --clips hover,climb,turn-left\n"
+        + "  bake --mesh wing.obj --skeleton wing.json --species firefly\n\n"
         + "Writes into the output folder:\n"
         + "  openvat     SPECIES_vat/ with SPECIES.png, SPECIES-vnrm.png, SPECIES-remap_info.json and SPECIES.glb\n"
         + "  gltf-skin   SPECIES-skin.glb, joints that turn and move the wings\n"

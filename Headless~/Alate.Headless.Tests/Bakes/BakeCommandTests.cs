@@ -2,6 +2,7 @@ using System.IO;
 using System.Linq;
 using Alate.Tests.Cli;
 using NUnit.Framework;
+using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
@@ -37,6 +38,49 @@ namespace Alate.Tests.Bakes
             Assert.That(run.Run("bake", "monarch", "--out", Path.Combine(file, "below")), Is.EqualTo(2));
             Assert.That(run.Errors, Does.StartWith("alate: Cannot write into"));
             Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+        }
+
+        [TestCase(WingSide.Right)]
+        [TestCase(WingSide.Left)]
+        public void AWingOfTheUsersOwn_IsBakedWithItsMirrorImage(WingSide side)
+        {
+            using var run = new CommandRun();
+            string mesh = run.Write("wing.obj", OwnWing.Obj(side: side)), skeleton = run.Write("wing.json", OwnWing.Skeleton(side));
+
+            Assert.That(run.Run("bake", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--frames", "12", "--out", run.Out), Is.Zero, run.Errors);
+            var vat = new VatReader(Path.Combine(run.Out, "wing_vat"), "wing");
+            float3[] shown = vat.At(5).Positions;
+            Assert.That(shown, Has.Length.EqualTo(vat.VertexCount));
+            for (int vertex = 0; vertex < shown.Length / 2; vertex++)
+                Assert.That(math.distance(shown[vertex] * new float3(-1f, 1f, 1f), shown[vertex + shown.Length / 2]), Is.LessThan(1e-5f), "metres");
+            Assert.That(shown.Max(place => math.abs(place.x)), Is.InRange(0.02f, 0.08f), "a monarch's wings, metres");
+        }
+
+        [Test]
+        public void AMeshOfTooManyVertices_IsOneLine()
+        {
+            using var run = new CommandRun();
+            string small = OwnWing.Obj();
+            int first = small.Split('\n').Count(line => line.StartsWith("v "));
+            string many = string.Concat(Enumerable.Range(0, 11000).Select(k =>
+                $"v {k}e-5 0 -0.1\nv {k}e-5 0 -0.2\nv {k + 1}e-5 0 -0.1\nf {first + 3 * k + 1} {first + 3 * k + 2} {first + 3 * k + 3}\n"));
+            string mesh = run.Write("wing.obj", small + many), skeleton = run.Write("wing.json", OwnWing.Skeleton());
+
+            Assert.That(run.Run("bake", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("at most 65535 can be baked: use a smaller mesh."));
+            Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+        }
+
+        [TestCase("--mesh wing.obj", "A wing of your own needs both --mesh and --skeleton.")]
+        [TestCase("monarch --species firefly", "--species goes with --mesh and --skeleton")]
+        [TestCase("monarch --mesh a.obj --skeleton a.json", "With --mesh the species is named by --species")]
+        [TestCase("--mesh a.obj --skeleton a.json", "--mesh needs --species.")]
+        public void OptionsThatNeedOrExcludeEachOther_AreNamed(string arguments, string message)
+        {
+            using var run = new CommandRun();
+
+            Assert.That(run.Run([.. $"bake {arguments}".Split(' '), "--out", run.Out]), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain(message));
         }
 
         [Test]

@@ -34,16 +34,19 @@ namespace Alate.Tests.Bakes
             for (int k = 0; k < s_Clips.Length; k++)
             {
                 BakedClip clip = finer.Clips[k];
+
+                // The finer flight has another time step, which turns normals at the fishfly's folds by more than the frames do: the bake's own error has the step of its frames.
+                Assert.That(whole.Clips[k].Error.normalBetween, Is.LessThan(2f), clip.Name);
                 (int start, _, _) = vat.Clip(clip.Name);
                 for (int half = 0; half < 2 * k_Frames; half++)
                 {
                     BakedFrame flown = half % 2 == 0 ? whole.Clips[k].Frames[half / 2] : clip.Frames[half];
                     (float3[] positions, float3[] normals) = vat.At(start + 0.5 * half);
-                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1e-3 : 5e-3, $"texture, {clip.Name} at {half} of {2 * k_Frames}");
+                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1e-3 : 5e-3, half % 2 == 0, $"texture, {clip.Name} at {half} of {2 * k_Frames}");
                     if (half % 5 != 0)
                         continue;
                     (positions, normals) = skin.Play(clip.Name, half / (2.0 * k_Frames) * skin.Length(clip.Name));
-                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1.5e-3 : 5e-3, $"joints, {clip.Name} at {half} of {2 * k_Frames}");
+                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1.5e-3 : 5e-3, half % 2 == 0, $"joints, {clip.Name} at {half} of {2 * k_Frames}");
                 }
             }
         }
@@ -56,7 +59,7 @@ namespace Alate.Tests.Bakes
             Frames = frames,
         }.Bake(out _);
 
-        private static void AssertNear(InsectBake bake, BakedFrame flown, float3[] positions, float3[] normals, double near, string where)
+        private static void AssertNear(InsectBake bake, BakedFrame flown, float3[] positions, float3[] normals, double near, bool atFrame, string where)
         {
             double distance = 0.0, angle = 0.0;
             foreach (BakedWing wing in bake.Wings)
@@ -70,7 +73,8 @@ namespace Alate.Tests.Bakes
             }
 
             Assert.That(distance, Is.LessThan(near), where);
-            Assert.That(angle, Is.LessThan(2.0), where);
+            if (atFrame)
+                Assert.That(angle, Is.LessThan(2.0), where);
         }
 
         private static float3 ToGltf(float3 insect) => new float3(-insect.x, insect.y, insect.z);

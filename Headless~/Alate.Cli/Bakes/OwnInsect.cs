@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Alate.Authoring;
+using Alate.Catalogue;
+using Alate.Cli.Input;
+using Alate.Crowds;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Cli.Bakes;
+
+/// <summary>An insect of a wing of the user's own and its mirror image, with the hinge, size, beat and stiffness of a species; without a body.</summary>
+internal static class OwnInsect
+{
+    /// <summary>Reads the files and makes the insect; the caller destroys its object.</summary>
+    /// <param name="definition">The species.</param>
+    /// <param name="variant">Which of its numbers.</param>
+    /// <param name="meshFile">OBJ file of a wing at rest.</param>
+    /// <param name="skeletonFile">JSON file of its skeleton, in the mesh's space.</param>
+    /// <exception cref="UserException">The files are no wing.</exception>
+    public static InsectWings Create(InsectDefinition definition, InsectVariant variant, string meshFile, string skeletonFile)
+    {
+        ObjMesh read = TextFile.Read(meshFile, ObjReader.Read);
+        WingSkeleton skeleton = TextFile.Read(skeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), read.Origin));
+        List<SkeletonProblem> problems = skeleton.Validate();
+        if (problems.Count > 0)
+            throw new UserException($"{skeletonFile}: {problems[0].Message}");
+        SurfaceMesh surface = read.ToSurface(meshFile);
+        if (2 * surface.positions.Length > InsectBaker.MaxVertices)
+            throw new UserException($"{meshFile}: with its mirror image the wing has {2 * surface.positions.Length} vertices; at most {InsectBaker.MaxVertices} can be baked: use a smaller mesh.");
+        WingFrame frame = FrameOf(skeleton, surface, meshFile);
+        WingDefinition kind = definition.Wings[0];
+        WingPreset preset = kind.CreatePreset(ModelReading.Physical, variant);
+        var mesh = surface.ToMesh(Path.GetFileNameWithoutExtension(meshFile));
+        if (surface.normals == null || surface.normals.Length == 0)
+            mesh.RecalculateNormals();
+
+        var root = new GameObject(Path.GetFileNameWithoutExtension(meshFile));
+        root.SetActive(false);
+        InsectWings insect = root.AddComponent<InsectWings>();
+        insect.Preset = preset;
+        float side = frame.mirrored ? -1f : 1f;
+        foreach (float mirror in new[] { 1f, -1f })
+        {
+            var half = new GameObject("half");
+            half.transform.SetParent(root.transform, false);
+            half.transform.localScale = new Vector3(mirror, 1f, 1f);
+            var wing = new GameObject(side * mirror > 0f ? "wing right" : "wing left", typeof(MeshFilter), typeof(MeshRenderer));
+            wing.transform.SetParent(half.transform, false);
+            var turn = math.conjugate(new quaternion(new float3x3(side * frame.axes.c0, frame.axes.c1, frame.axes.c2)));
+            float3 hinge = (float3)kind.Hinge * new float3(side, 1f, 1f) * (frame.length / preset.WingLength);
+            wing.transform.localRotation = turn;
+            wing.transform.localPosition = hinge - math.rotate(turn, frame.origin);
+            wing.GetComponent<MeshFilter>().sharedMesh = mesh;
+            insect.Wings.Add(new Wing { Renderer = wing.GetComponent<MeshRenderer>(), Side = side * mirror > 0f ? WingSide.Right : WingSide.Left, Skeleton = skeleton, Preset = preset });
+        }
+
+        root.SetActive(true);
+        return insect;
+    }
+
+    private static WingFrame FrameOf(WingSkeleton skeleton, SurfaceMesh surface, string meshFile)
+    {
+        try
+        {
+            var rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
+            WingFrame frame = rig.Frame;
+            rig.Release();
+            return frame;
+        }
+        catch (ArgumentException problem)
+        {
+            throw new UserException($"{meshFile}: {problem.Message}");
+        }
+    }
+}
