@@ -67,7 +67,7 @@ namespace Alate.Tests.Crowds
                 foreach (string name in new[] { "hover", "cruise", "turn-left" })
                 {
                     BakedClip clip = Clip(name);
-                    float[] point = table.PointNear(clip.Motion.Speed * table.TopSpeed, 0f);
+                    float[] point = PointNear(table, clip.Motion.Speed * table.TopSpeed);
                     float3 ahead = math.rotate(clip.Attitude, new float3(0f, 0f, 1f));
                     Assert.That(math.degrees(math.asin(ahead.y)), Is.EqualTo(math.degrees(point[TrimPoint.Pitch])).Within(10.0), name);
                     WingDrive beat = clip.RightBeat.Value;
@@ -190,6 +190,17 @@ namespace Alate.Tests.Crowds
             {
                 flight.Trims = trims;
             }
+        }
+
+        // The level point of the table nearest to a speed.
+        private static float[] PointNear(TrimTable table, float speed)
+        {
+            int s = 0, c = 0;
+            for (int k = 1; k < table.Speeds.Length; k++)
+                s = math.abs(table.Speeds[k] - speed) < math.abs(table.Speeds[s] - speed) ? k : s;
+            for (int k = 1; k < table.ClimbRates.Length; k++)
+                c = math.abs(table.ClimbRates[k]) < math.abs(table.ClimbRates[c]) ? k : c;
+            return table.Point(s, c);
         }
 
         private BakedClip Clip(string name) => m_Bake.Clips.First(clip => clip.Name == name);
