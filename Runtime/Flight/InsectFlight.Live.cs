@@ -172,8 +172,8 @@ namespace Alate.Flight
         private void TakeOff(ref FlyingBody body)
         {
             float heading = HeadingOf(body.rotation);
-            m_Reference = new FlightReference(default, heading, body.wind);
-            body.reference = new BodyReference { heading = heading };
+            m_Reference = new FlightReference(m_Perching.Jump, heading, body.wind);
+            body.reference = new BodyReference { velocity = m_Perching.Jump, heading = heading };
             body.mode = BodyMode.Free;
             body.integral = default;
             body.latched = 0;

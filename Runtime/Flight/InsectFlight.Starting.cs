@@ -118,6 +118,7 @@ namespace Alate.Flight
             m_Table = m_Trims.Take(m_Model.Key);
             if (m_Table != null)
             {
+                m_Table.Acceleration = m_Model.AccelerationAt(m_Table.TopSpeed);
                 Limits = m_Table.Limits;
                 return true;
             }

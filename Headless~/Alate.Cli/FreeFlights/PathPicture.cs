@@ -54,7 +54,11 @@ internal static class PathPicture
             Dot(grid, SampleGrid.k_Fineness * (scale * place.xy + shift), place.z + extent);
         for (int k = 0; k < k_Insects; k++)
             Insect(grid, shading, camera, flight, flight.Moments[(flight.Moments.Count - 1) * k / (k_Insects - 1)], factor, scale, shift);
-        return grid.Pixels(s_Paper);
+        Color32[] pixels = grid.Pixels(s_Paper);
+        var labels = new PathLabels(pixels, k_Width);
+        labels.Title(FormattableString.Invariant($"from {view.Words}, {flight.Moments[^1].Time:0.#} s, the insect drawn {factor:0.#} times as large as the way"));
+        labels.Scale(scale);
+        return pixels;
     }
 
     private static void Insect(SampleGrid grid, Shading shading, PictureCamera camera, FreeRecord flight, FreeMoment at, float factor, float scale, float2 shift)

@@ -11,13 +11,19 @@ namespace Alate.Tests.Flight
         public void SpotsThatAreHardToReach_AreReached([Values(100, 138, 686, 984)] int seed) =>
             Assert.That(PerchFlights.Of("monarch").Fly(seed).Landed);
 
-        [TestCase("monarch")]
-        public void Insects_Land_AndLeave(string name) => FlyAll(name, 20);
+        [TestCase("monarch", 20)]
+        [TestCase("firefly", 2)]
+        [TestCase("fishfly", 3)]
+        [TestCase("painted-lichen-moth", 3)]
+        public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 
-        [TestCase("monarch")]
+        [TestCase("monarch", 1000)]
+        [TestCase("firefly", 200)]
+        [TestCase("fishfly", 200)]
+        [TestCase("painted-lichen-moth", 200)]
         [Explicit]
         [Category("Long")]
-        public void AThousandLandings(string name) => FlyAll(name, 1000);
+        public void AThousandLandings(string name, int count) => FlyAll(name, count);
 
         private static void FlyAll(string name, int count)
         {

@@ -118,6 +118,7 @@ namespace Alate.Catalogue
             species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
             species.Beat.maxFrequency = 14f;
             species.Size.wingLength *= larger;
+            species.Rest.feet *= larger;
             species.Size.wingMass *= larger * larger;
             species.Size.insectMass = 0.34e-3f;
         }

@@ -18,6 +18,9 @@ namespace Alate.Flight
         /// <summary>Speed below which the drag of a body that floats is no measure, m/s.</summary>
         private const float k_LeastSwim = 0.05f;
 
+        /// <summary>Share of the drag at top speed by which a body that floats is sped up.</summary>
+        private const float k_SwimShare = 0.25f;
+
         /// <summary>[key] What was measured before: all insects of a swarm are alike.</summary>
         private static readonly Dictionary<uint, MassSum> s_Sums = new Dictionary<uint, MassSum>();
 
@@ -96,6 +99,13 @@ namespace Alate.Flight
             float speed = math.max(k_LeastSwim, math.length(new float2(condition.Speed, condition.Climb)));
             return Floats ? Drag.z * speed * speed : Weight;
         }
+
+        /// <summary>
+        /// Largest change of velocity that a reference may ask for, m/s²: 2.5 of what flies; of what floats a share of that with which it slows down from its top speed by
+        /// its own drag, for its fins push no harder.
+        /// </summary>
+        internal float AccelerationAt(float topSpeed) =>
+            Floats ? math.min(FlightReference.Acceleration, k_SwimShare * Drag.z * topSpeed * topSpeed / Mass) : FlightReference.Acceleration;
 
         /// <summary>Releases the rigs.</summary>
         public void Dispose()

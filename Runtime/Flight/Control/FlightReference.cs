@@ -8,14 +8,14 @@ namespace Alate.Flight
     /// </summary>
     public struct FlightReference
     {
-        /// <summary>Largest change of velocity, m/s².</summary>
+        /// <summary>Largest change of velocity of what flies, m/s²; what swims has less.</summary>
         public const float Acceleration = 2.5f;
 
         /// <summary>Seconds of the filters of velocity and wind.</summary>
         private const float k_Filter = 0.1f;
 
-        /// <summary>Speed above which the insect looks along its way and turns on an arc, m/s.</summary>
-        private const float k_Cruising = 0.3f;
+        /// <summary>Speed above which the insect looks along its way and turns on an arc: m/s, and at most a share of the top speed.</summary>
+        private const float k_Cruising = 0.3f, k_CruisingShare = 0.25f;
 
         /// <summary>Fastest turn of the heading, rad/s, and rate at which it is approached, 1/s.</summary>
         private const float k_MostTurning = 3f, k_Turning = 4f;
@@ -30,7 +30,7 @@ namespace Alate.Flight
         private const float k_Beyond = 1.1f;
 
         private float3 m_Velocity, m_Rate;
-        private float m_Turning, m_Aim;
+        private float m_Turning, m_Aim, m_Cruising, m_Acceleration;
 
         /// <summary>Velocity over ground, m/s.</summary>
         public float3 Velocity => m_Velocity;
@@ -48,6 +48,8 @@ namespace Alate.Flight
             m_Rate = default;
             m_Turning = 0f;
             m_Aim = float.NaN;
+            m_Cruising = k_Cruising;
+            m_Acceleration = Acceleration;
             Heading = heading;
             Wind = wind;
         }
@@ -74,12 +76,14 @@ namespace Alate.Flight
         {
             if (!math.all(math.isfinite(wanted)))
                 wanted = default;
+            m_Cruising = math.min(k_Cruising, k_CruisingShare * table.TopSpeed);
+            m_Acceleration = table.Acceleration;
             Wind += (1f - math.exp(-dt / k_Filter)) * (wind - Wind);
             float3 target = Bounded(wanted, table);
             target = OnAnArc(target);
             float3 rate = (target - m_Velocity) * (1f / k_Filter);
             float size = math.length(rate);
-            rate *= size > Acceleration ? Acceleration / size : 1f;
+            rate *= size > m_Acceleration ? m_Acceleration / size : 1f;
             m_Rate = rate;
             var reference = new BodyReference { velocity = m_Velocity, acceleration = rate };
             Turn(heading, dt);
@@ -114,26 +118,26 @@ namespace Alate.Flight
             float2 from = (m_Velocity - Wind).xz, to = (target - Wind).xz;
             float speed = math.length(from), wanted = math.length(to);
             m_Aim = float.NaN;
-            if (speed < k_Cruising && wanted > k_Cruising)
+            if (speed < m_Cruising && wanted > m_Cruising)
             {
                 // From hovering it turns first, then goes.
                 float aim = math.atan2(to.x, to.y);
                 if (math.abs(Wrapped(aim - Heading)) < k_Aligned)
                     return target;
                 m_Aim = aim;
-                float2 slow = to * (k_Cruising * k_Slow / wanted);
+                float2 slow = to * (m_Cruising * k_Slow / wanted);
                 return new float3(slow.x + Wind.x, target.y, slow.y + Wind.z);
             }
 
-            if (speed < k_Cruising || wanted < 1e-3f)
+            if (speed < m_Cruising || wanted < 1e-3f)
                 return target;
             float angle = math.atan2(from.y * to.x - from.x * to.y, math.dot(from, to));
-            float most = math.min(Acceleration / speed, k_MostTurning) * k_Filter;
+            float most = math.min(m_Acceleration / speed, k_MostTurning) * k_Filter;
             if (math.abs(angle) <= most)
                 return target;
             math.sincos(math.clamp(angle, -most, most), out float sin, out float cos);
             float2 along = from / speed;
-            float length = math.abs(angle) > 0.5f * math.PI ? math.max(wanted, k_Cruising) : wanted;
+            float length = math.abs(angle) > 0.5f * math.PI ? math.max(wanted, m_Cruising) : wanted;
             float2 turned = length * new float2(along.x * cos + along.y * sin, along.y * cos - along.x * sin);
             return new float3(turned.x + Wind.x, target.y, turned.y + Wind.z);
         }
@@ -143,12 +147,12 @@ namespace Alate.Flight
             float2 air = (m_Velocity - Wind).xz;
             float speed = math.length(air);
             float course = math.atan2(air.x, air.y);
-            if (speed <= k_Cruising && math.isfinite(m_Aim))
+            if (speed <= m_Cruising && math.isfinite(m_Aim))
                 wanted = m_Aim;
-            else if (speed > k_Cruising || (!math.isfinite(wanted) && speed > 0.5f * k_Cruising))
+            else if (speed > m_Cruising || (!math.isfinite(wanted) && speed > 0.5f * m_Cruising))
                 wanted = course;
             float error = math.isfinite(wanted) ? Wrapped(wanted - Heading) : 0f;
-            if (speed > k_Cruising)
+            if (speed > m_Cruising)
             {
                 // The course is smooth already: a heading that lagged behind it would fly sideways through a gust.
                 m_Turning = math.clamp(error / math.max(dt, k_Course), -k_MostCrabbing, k_MostCrabbing);

@@ -26,6 +26,7 @@ namespace Alate.Flight
         {
             m_Model = model;
             m_Table = table;
+            table.Acceleration = model.AccelerationAt(table.TopSpeed);
             FlyingBody body = model.CreateBody();
             body.mode = BodyMode.Held;
             body.steered = 1;

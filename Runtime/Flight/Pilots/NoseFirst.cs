@@ -11,7 +11,7 @@ namespace Alate.Flight
         /// <summary>Fastest flight across the nose, m/s.</summary>
         public const float MostAside = 0.12f;
 
-        /// <summary>Fastest flight backwards, and straight down, m/s.</summary>
+        /// <summary>Fastest flight backwards, and down where it is slow, m/s.</summary>
         private const float k_Back = 0.06f, k_Sink = 0.15f;
 
         /// <summary>Fastest climb of a slow insect, and fastest flight while the nose turns, m/s: hovering leaves no power for more.</summary>
@@ -54,9 +54,7 @@ namespace Alate.Flight
             return command;
         }
 
-        // Straight down, or ahead and down: slow flight between them sinks hardly.
-        private static float Sink(float flown, bool turns) =>
-            turns ? k_SlowClimb : math.max(k_Sink * math.saturate(2f - flown / k_TurningSpeed * 0.5f), math.max(k_SlowClimb, k_MoreSink * (flown - 2f * k_Slow)));
+        private static float Sink(float flown, bool turns) => turns ? k_SlowClimb : math.max(k_Sink, k_MoreSink * (flown - 2f * k_Slow));
 
         private static float2 OnTheWay(float2 wanted, float2 way, float speed, float flown)
         {

@@ -7,7 +7,7 @@ namespace Alate.Flight
     public sealed class TrimBake
     {
         /// <summary>Speeds and climbs of a table, m/s.</summary>
-        public static readonly IReadOnlyList<float> DefaultSpeeds = new[] { 0f, 0.3f, 0.65f, 1f, 1.3f }, DefaultClimbs = new[] { -0.3f, 0f, 0.3f };
+        public static readonly IReadOnlyList<float> DefaultSpeeds = new[] { 0f, 0.15f, 0.3f, 0.65f, 1f, 1.3f }, DefaultClimbs = new[] { -0.3f, -0.15f, 0f, 0.3f };
 
         /// <summary>Rounds in which points that did not close are tried from neighbours that did.</summary>
         private const int k_Rounds = 3;
@@ -42,7 +42,12 @@ namespace Alate.Flight
                 }
             }
 
-            return table.Fill() ? table : null;
+            if (!table.Fill())
+                return null;
+            TableFlight.Check(m_Model, table, Log);
+            table.Fill();
+            table.Dispose();
+            return table;
         }
 
         /// <summary>Trims over speeds and climbs, each also tried from its neighbours'; null where none closes.</summary>

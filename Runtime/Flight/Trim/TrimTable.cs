@@ -59,7 +59,10 @@ namespace Alate.Flight
         }
 
         /// <summary>What the insect can do.</summary>
-        public FlightLimits Limits => new FlightLimits(TopSpeed, ClimbRates[0], ClimbRates[ClimbRates.Length - 1], FlightReference.Acceleration);
+        public FlightLimits Limits => new FlightLimits(TopSpeed, ClimbRates[0], ClimbRates[ClimbRates.Length - 1], Acceleration);
+
+        /// <summary>Largest change of velocity that the insect follows, m/s²; <see cref="FlightModel.AccelerationAt"/>.</summary>
+        internal float Acceleration { get; set; } = FlightReference.Acceleration;
 
         /// <summary>The beat of the trim that is nearest to a speed and a climb.</summary>
         internal WingDrive DriveNear(float speed, float climb)
@@ -157,6 +160,9 @@ namespace Alate.Flight
 
             return nearest;
         }
+
+        /// <summary>Takes a point out again; <see cref="Fill"/> gives it its neighbour's numbers.</summary>
+        internal void Open(int speed, int climb) => m_Closed[At(speed, climb)] = false;
 
         private void Ends(int speed, out float least, out float most)
         {

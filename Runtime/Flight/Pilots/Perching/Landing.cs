@@ -3,58 +3,61 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// The way down to one spot: to a place before it, then along a straight line, slower and slower, until the feet reach it; up again and once more where the insect came
-    /// down beside it.
+    /// The way down to one spot: to the top of a line that slopes down to it, then along the line, slower and slower, until the feet reach the spot; on, up and once more where
+    /// the insect missed it. Comes in from where the insect is, turned towards the wanted heading and away from a slope that would be in the way.
     /// </summary>
     public sealed class Landing
     {
         /// <summary>Fastest contact, m/s.</summary>
         public const float ContactSpeed = 0.28f;
 
-        /// <summary>Speed with which the feet come down, m/s.</summary>
-        private const float k_TouchSpeed = 0.12f;
+        /// <summary>What the legs reach from where the feet belong, and within which they do not wait for a nearer place, wing lengths.</summary>
+        private const float k_Reach = 0.24f, k_Close = 0.19f;
 
-        /// <summary>Fastest way along the line, m/s.</summary>
-        private const float k_LineSpeed = 0.15f;
+        /// <summary>Height of the line over its length on the ground: as slow insects sink.</summary>
+        private const float k_Rise = 0.45f;
 
-        /// <summary>Rate of the speed along the line, 1/s.</summary>
-        private const float k_FlareRate = 1.2f;
+        /// <summary>Distance of the line's top from the spot, metres, where the insect can stop within.</summary>
+        private const float k_LineLength = 0.45f;
+
+        /// <summary>Fastest flight along the line, m/s, and growth of the speed with the distance, 1/s.</summary>
+        private const float k_LineSpeed = 0.33f, k_FlareRate = 0.8f;
+
+        /// <summary>Speed at the spot: wing lengths a second, and its bounds, m/s. What has a short reach comes slower.</summary>
+        private const float k_Touch = 4f, k_LeastTouch = 0.05f, k_MostTouch = 0.16f;
+
+        /// <summary>Fastest approach to the surface: over the height above it, 1/s, and what is added to it, m/s.</summary>
+        private const float k_SettleRate = 3f, k_Settle = 0.02f;
 
         /// <summary>Rate at which the insect gets back to the line, 1/s.</summary>
-        private const float k_LineRate = 1.5f;
+        private const float k_LineRate = 2f;
 
-        /// <summary>Rate at which a steady drift off the line is learned, 1/s², and the fastest drift, m/s.</summary>
-        private const float k_DriftRate = 1f, k_MostDrift = 0.08f;
+        /// <summary>Rate at which a steady drift off the line is learned, 1/s², distance from the line within which it is, metres, and the fastest drift, m/s.</summary>
+        private const float k_DriftRate = 1f, k_DriftWithin = 0.03f, k_MostDrift = 0.05f;
 
-        /// <summary>Length of the line, metres, where the insect can stop within.</summary>
-        private const float k_LineLength = 0.25f;
+        /// <summary>Distance off the line over the distance along it within which the insect begins, and from which it gives up, with what it may be off at the spot, metres.</summary>
+        private const float k_Begin = 0.25f, k_GiveUp = 0.5f, k_Astray = 0.1f;
 
-        /// <summary>What the legs reach, wing lengths.</summary>
-        private const float k_Reach = 0.12f;
+        /// <summary>Largest turn out of the straight way towards the wanted heading, and angle off the line's heading at which the insect begins, radians.</summary>
+        private const float k_MostTurn = 0.8f, k_Aligned = 0.6f;
 
-        /// <summary>How far beside the spot the insect may be when it comes down, wing lengths.</summary>
-        private const float k_Beside = 0.15f;
+        /// <summary>Height of the line over the surface, over its length on the ground: room for wings beside a slope.</summary>
+        private const float k_Clearance = 0.3f;
 
-        /// <summary>Growth of that distance with the height above the spot.</summary>
-        private const float k_Funnel = 0.3f;
+        /// <summary>Distance from the spot within which an insect flies on and comes back, metres.</summary>
+        private const float k_Near = 0.35f;
 
-        /// <summary>Distance beside the spot from which it is near, metres.</summary>
-        private const float k_Near = 0.3f;
-
-        /// <summary>Seconds and speed, m/s, of flying on for another try.</summary>
-        private const float k_RoundTime = 1.6f, k_RoundSpeed = 0.65f;
+        /// <summary>Longest time, speed and way of flying on for another try: seconds, m/s, metres.</summary>
+        private const float k_RoundTime = 1.6f, k_RoundSpeed = 0.65f, k_RoundWay = 0.6f;
 
         /// <summary>Seconds after which a line is flown again.</summary>
-        private const float k_Patience = 8f;
-
-        /// <summary>Tries after which the insect lands whichever way it looks.</summary>
-        private const int k_TriesByHeading = 3;
+        private const float k_Patience = 6f;
 
         private PerchSpot m_Spot;
-        private readonly float3 m_Line;
         private readonly float m_Stand;
-        private float m_LineTime, m_RoundTime;
-        private float3 m_Drift, m_Round;
+        private float m_LineTime, m_RoundTime, m_Heading, m_Distance;
+        private bool m_HasCourse;
+        private float3 m_Line, m_Drift, m_Round;
 
         /// <param name="spot">Where to land.</param>
         /// <param name="stand">Height of the centre of mass over the feet, metres of the insect.</param>
@@ -62,7 +65,6 @@ namespace Alate.Flight
         {
             m_Spot = spot;
             m_Spot.normal = math.normalizesafe(spot.normal, new float3(0f, 1f, 0f));
-            m_Line = math.normalizesafe(m_Spot.normal + new float3(0f, 1f, 0f), m_Spot.normal);
             m_Stand = stand;
         }
 
@@ -81,31 +83,38 @@ namespace Alate.Flight
             float unit = situation.unitsPerMetre;
             float3 seat = m_Spot.position + m_Stand * unit * m_Spot.normal;
             float3 off = (situation.position - seat) / unit;
-            if (!IsFlaring)
-                return Approach(situation, seat, off);
+            if (!m_HasCourse)
+                ChooseCourse(situation, off);
+            return IsFlaring ? Flare(situation, off) : Approach(situation, seat, off);
+        }
 
+        private FlightCommand Flare(in FlightSituation situation, float3 off)
+        {
             m_LineTime += situation.deltaTime;
-            float gap = math.dot(off, m_Spot.normal), along = math.dot(off, m_Line);
-            float3 beside = off - along * m_Line, flat = off - gap * m_Spot.normal;
-            float reach = k_Reach * situation.wingLength, near = k_Beside * situation.wingLength;
-            bool isOver = math.length(flat) < near + 0.5f * math.max(gap, 0f);
-            if (math.abs(gap + 0.5f * reach) < 1.5f * reach && isOver && math.length(situation.velocity) < ContactSpeed)
+            float reach = k_Reach * situation.wingLength, gap = math.dot(off, m_Spot.normal), along = math.dot(off, m_Line);
+            float distance = math.length(off);
+            bool isNearest = distance < k_Close * situation.wingLength || distance > m_Distance;
+            m_Distance = distance;
+            if (distance < reach && isNearest && gap > -0.5f * reach && math.length(situation.velocity) < ContactSpeed)
             {
                 if (!math.isfinite(m_Spot.heading))
                     m_Spot.heading = situation.heading;
                 return Wish(FlightWish.Perch, default, situation);
             }
 
-            if (m_LineTime > k_Patience || gap < -2f * reach || math.length(beside) > 4f * near + 0.1f + 0.6f * math.max(along, 0f))
+            float3 beside = off - along * m_Line;
+            if (m_LineTime > k_Patience || gap < -1.5f * reach || along < -2f * reach || math.length(beside) > k_Astray + k_GiveUp * math.max(along, 0f))
                 return GoRound(situation);
 
-            // Beside the line the insect waits above the spot.
-            float straight = math.saturate(2f - math.length(beside) / (near + k_Funnel * math.max(gap, 0f)));
-            float down = gap > 0f ? math.clamp(k_FlareRate * along, k_TouchSpeed, k_LineSpeed) * straight : -0.1f;
-            m_Drift += k_DriftRate * situation.deltaTime * beside;
+            float touch = math.clamp(k_Touch * situation.wingLength, k_LeastTouch, k_MostTouch);
+            float speed = along > 0f ? math.min(touch + k_FlareRate * math.max(along - reach, 0f), k_LineSpeed) : 0f;
+            if (math.length(beside) < k_DriftWithin)
+                m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
             float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
-            return Wish(FlightWish.Land, -down * m_Line - back, situation);
+            float3 velocity = -speed * m_Line - back;
+            velocity -= math.min(math.dot(velocity, m_Spot.normal) + (gap > 0f ? k_SettleRate * gap + k_Settle : 0f), 0f) * m_Spot.normal;
+            return Wish(FlightWish.Land, velocity, situation);
         }
 
         private FlightCommand Approach(in FlightSituation situation, float3 seat, float3 off)
@@ -113,32 +122,56 @@ namespace Alate.Flight
             if (m_RoundTime > 0f)
             {
                 m_RoundTime -= situation.deltaTime;
-                return Wish(FlightWish.Land, m_Round, situation);
+                if (m_RoundTime > 0f && math.length(off.xz) < k_RoundWay)
+                    return Wish(FlightWish.Land, m_Round, situation);
+                m_RoundTime = 0f;
+                ChooseCourse(situation, off);
             }
 
             float along = math.dot(off, m_Line);
             if (math.length(off.xz) < k_Near && math.dot(off, m_Spot.normal) < 0f)
                 return GoRound(situation);
-            if (along > 0f && math.length(off - along * m_Line) < math.max(0.05f, 0.4f * along) && math.length(situation.referenceVelocity) < k_LineSpeed)
+            if (along > 0.5f * k_LineLength && math.length(off - along * m_Line) < k_Begin * along && math.abs(Wrap(situation.heading - m_Heading)) < k_Aligned)
             {
                 IsFlaring = true;
                 m_LineTime = -along / (0.5f * k_LineSpeed);
                 m_Drift = default;
+                m_Distance = float.PositiveInfinity;
             }
 
-            // Hovering insects hardly climb: near the spot the height that there is has to do.
-            float3 velocity = LineTop(situation, seat);
-            if (math.length(off.xz) < k_Near)
-                velocity.y = math.min(velocity.y, 0f);
-            return Wish(FlightWish.Land, velocity, situation);
+            float length = math.max(k_LineLength, situation.limits.StoppingDistance(k_LineSpeed));
+            return Wish(FlightWish.Land, PathFollower.Towards(situation, seat + m_Line * length * situation.unitsPerMetre, default, 0.7f * situation.limits.TopSpeed), situation);
+        }
+
+        // Straight in, or, from close by, on and back; turned towards the wanted heading, but not so that the slope is in the way.
+        private void ChooseCourse(in FlightSituation situation, float3 off)
+        {
+            m_HasCourse = true;
+            bool isNear = math.length(off.xz) < k_Near;
+            m_Heading = isNear ? situation.heading + math.PI : math.atan2(-off.x, -off.z);
+            if (math.isfinite(m_Spot.heading))
+                m_Heading += math.clamp(Wrap(m_Spot.heading - m_Heading), -k_MostTurn, k_MostTurn);
+            math.sincos(m_Heading, out float sin, out float cos);
+            var course = new float2(sin, cos);
+            float2 down = m_Spot.normal.xz;
+            float most = k_Rise * m_Spot.normal.y - k_Clearance;
+            if (math.dot(course, down) > most && math.lengthsq(down) > 1e-6f)
+            {
+                float2 slope = math.normalize(down);
+                float outwards = math.clamp(most / math.length(down), -1f, 1f);
+                float2 aside = math.normalizesafe(course - slope * math.dot(course, slope), new float2(slope.y, -slope.x));
+                course = outwards * slope + math.sqrt(1f - outwards * outwards) * aside;
+                m_Heading = math.atan2(course.x, course.y);
+            }
+
+            m_Line = math.normalize(new float3(-course.x, k_Rise, -course.y));
         }
 
         // Ahead and up for another try.
         private FlightCommand GoRound(in FlightSituation situation)
         {
             IsFlaring = false;
-            if (++Attempts == k_TriesByHeading)
-                m_Spot.heading = float.NaN;
+            Attempts++;
             m_RoundTime = k_RoundTime;
             math.sincos(situation.heading, out float sin, out float cos);
             var ahead = new float3(sin, 0f, cos);
@@ -146,12 +179,12 @@ namespace Alate.Flight
             return Wish(FlightWish.Land, m_Round, situation);
         }
 
-        private float3 LineTop(in FlightSituation situation, float3 seat) =>
-            PathFollower.Towards(situation, seat + m_Line * Length(situation.limits) * situation.unitsPerMetre, default, 0.7f * situation.limits.TopSpeed);
+        private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation)
+        {
+            var command = new FlightCommand { velocity = velocity, heading = m_Heading, wish = wish, spot = m_Spot };
+            return NoseFirst.Limit(command, situation);
+        }
 
-        private static float Length(in FlightLimits limits) => math.max(k_LineLength, limits.StoppingDistance(k_LineSpeed));
-
-        private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation) =>
-            NoseFirst.Limit(new FlightCommand { velocity = velocity, heading = m_Spot.heading, wish = wish, spot = m_Spot }, situation);
+        private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
     }
 }

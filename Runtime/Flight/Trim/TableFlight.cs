@@ -1,0 +1,58 @@
+using System;
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>
+    /// Flies halfway between the points of a table. Trims of two kinds may close side by side, and what is mixed of their gains holds neither: the one farther from level
+    /// flight is taken out then, and what lies beyond it.
+    /// </summary>
+    internal static class TableFlight
+    {
+        /// <summary>Seconds of a flight and its steps.</summary>
+        private const float k_Seconds = 4f, k_Step = 0.01f;
+
+        /// <summary>Tilt, radians, and error of the velocity, m/s, from which an insect is lost.</summary>
+        private const float k_MostTilt = 0.8f, k_MostError = 0.6f;
+
+        /// <summary>Takes the points out that the insect cannot fly to from level flight.</summary>
+        public static void Check(FlightModel model, TrimTable table, Action<string> log)
+        {
+            int level = 0;
+            for (int c = 1; c < table.ClimbRates.Length; c++)
+                level = math.abs(table.ClimbRates[c]) < math.abs(table.ClimbRates[level]) ? c : level;
+            for (int s = 0; s < table.Speeds.Length; s++)
+            {
+                foreach (int way in new[] { -1, 1 })
+                {
+                    bool holds = true;
+                    for (int c = level + way; c >= 0 && c < table.ClimbRates.Length; c += way)
+                    {
+                        if (!table.IsClosed(s, c) || !table.IsClosed(s, c - way) && holds)
+                            continue;
+                        var between = new FlightCondition(table.Speeds[s], 0.5f * (table.ClimbRates[c] + table.ClimbRates[c - way]));
+                        holds = holds && Holds(model, table, between);
+                        if (holds)
+                            continue;
+                        log?.Invoke($"{between}: the trims around it do not mix; {new FlightCondition(table.Speeds[s], table.ClimbRates[c])} is left out.");
+                        table.Open(s, c);
+                    }
+                }
+            }
+        }
+
+        private static bool Holds(FlightModel model, TrimTable table, in FlightCondition condition)
+        {
+            using var flight = new FreeFlight(model, table, condition);
+            FlightCommand command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
+            while (flight.Time < k_Seconds)
+            {
+                flight.Step(command, k_Step);
+                if (!(flight.Tilt < k_MostTilt) || !(math.length(flight.VelocityError) < k_MostError))
+                    return false;
+            }
+
+            return true;
+        }
+    }
+}
