@@ -18,7 +18,9 @@ internal static class FreeRun
         using TrimTable table = CatalogueFlight.CreateTable(plan.Insect, model)
             ?? throw new UserException($"The {plan.Insect.DisplayName} has no trim table: 'trim {plan.Insect.Name}' says at which speeds it flies.");
         using var flight = new FreeFlight(model, table) { Aid = (float)plan.Aid };
-        IFlightPilot pilot = plan.WanderSeed is { } seed ? new CoursePilot(seed) : new PointPilot(plan.Points);
+        bool hovers = plan.Points is { Count: 1 } && math.all(plan.Points[0] == 0f);
+        // What cannot stand still swims about instead.
+        IFlightPilot pilot = plan.WanderSeed is { } seed ? new CoursePilot(seed) : hovers && table.Speeds[0] > 0f ? new CoursePilot(1) : new PointPilot(plan.Points);
         var moments = new List<FreeMoment>();
         int steps = (int)Math.Ceiling(plan.Seconds / plan.Step - 1e-9);
         for (int step = 0; step < steps; step++)

@@ -73,6 +73,17 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator WithoutABody_ItSaysSoOnce_AndBeatsOn()
+        {
+            InsectFlight flight = Hatch();
+            flight.Parts.Clear();
+            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("does not fly: A body needs at least one part with mass"));
+            yield return Frames(30);
+            Assert.That(flight.Problem, Is.EqualTo(FlightProblem.BadBody));
+            Assert.That(flight.GetComponent<InsectWings>().Frequency, Is.GreaterThan(0f));
+        }
+
+        [UnityTest]
         public IEnumerator SwitchedOffAndOn_InAnyOrder_ItLivesOn()
         {
             var flights = new List<InsectFlight> { Hatch(), Hatch(), Hatch() };
