@@ -44,7 +44,7 @@ namespace Alate.Flight
         private static bool Holds(FlightModel model, TrimTable table, in FlightCondition condition)
         {
             using var flight = new FreeFlight(model, table, condition);
-            FlightCommand command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
+            var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
             while (flight.Time < k_Seconds)
             {
                 flight.Step(command, k_Step);
