@@ -32,6 +32,12 @@ internal sealed record FlightPlan
 
     /// <summary>Factor on the species' k_e.</summary>
     public double Elasticity { get; init; } = 1;
+
+    /// <summary>Factor on all amplitudes of the beat, 0 to 2.</summary>
+    public double Amplitude { get; init; } = 1;
+
+    /// <summary>Factor on the frequency of the beat; the wing stays as stiff as it is.</summary>
+    public double Frequency { get; init; } = 1;
     public int? Substeps { get; init; }
 
     /// <summary>0 is one per triangle.</summary>
@@ -89,6 +95,8 @@ internal sealed record FlightPlan
         WingParameters parameters = shown.ToParameters();
         UnityEngine.Object.DestroyImmediate(shown);
         parameters.elasticity *= (float)Elasticity;
+        parameters.amplitudeScale *= (float)Amplitude;
+        parameters.maxFrequency *= (float)Frequency;
         parameters.substepsPerBeat = Substeps ?? parameters.substepsPerBeat;
         parameters.chordDelay = (float)(Lag ?? parameters.chordDelay);
         parameters.options.coefficients = Coefficients ?? parameters.options.coefficients;

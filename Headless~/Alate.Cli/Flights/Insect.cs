@@ -5,7 +5,9 @@ using Alate.Authoring;
 using Alate.Catalogue;
 using Alate.Cli.Commands;
 using Alate.Cli.Input;
+using Alate.Cli.Pictures;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate.Cli.Flights;
 
@@ -54,6 +56,7 @@ internal sealed class Insect
                 Surface = surface,
                 Colours = surface.colours,
                 Pattern = wing.Pattern,
+                Definition = wing,
                 PatternScale = (float)wing.Outline.Length * InsectDefinition.UnitsPerMetre,
                 Origin = (float3)wing.Hinge,
             });
@@ -70,14 +73,29 @@ internal sealed class Insect
         List<SkeletonProblem> problems = skeleton.Validate();
         if (problems.Count > 0)
             throw new UserException($"{plan.SkeletonFile}: {problems[0].Message}");
+        return OfWing(definition, plan, name, mesh.ToSurface(plan.MeshFile), mesh.Colours, skeleton);
+    }
+
+    /// <summary>An insect with the body and the numbers of a species, and a wing of another kind.</summary>
+    /// <param name="definition">The species.</param>
+    /// <param name="plan">Its preset and variant are taken.</param>
+    /// <param name="name">Name of the insect.</param>
+    /// <param name="surface">A right wing at rest.</param>
+    /// <param name="colours">[vertex] Null for none.</param>
+    /// <param name="skeleton">Valid for the surface.</param>
+    /// <param name="picture">For the surface's texture coordinates; null for none.</param>
+    public static Insect OfWing(
+        InsectDefinition definition, FlightPlan plan, string name, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture = null)
+    {
         WingDefinition model = definition.Wings[0];
         var wing = new InsectWing
         {
             Name = model.Name,
             Preset = model.CreatePreset(plan.Preset, plan.Variant),
             Skeleton = skeleton,
-            Surface = mesh.ToSurface(plan.MeshFile),
-            Colours = mesh.Colours,
+            Surface = surface,
+            Colours = colours,
+            Picture = picture,
             Hinge = model.Hinge,
         };
         return new Insect(name, name, [wing], definition.Body.CreateSurface(1f));

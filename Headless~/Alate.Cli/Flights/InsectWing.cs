@@ -1,4 +1,5 @@
 using Alate.Catalogue;
+using Alate.Cli.Pictures;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -17,6 +18,15 @@ internal sealed class InsectWing
 
     /// <summary>The catalogue's colouring, finer than the vertices' colours; else null.</summary>
     public WingPattern Pattern { get; init; }
+
+    /// <summary>The wing as the catalogue describes it; null for a wing of the user's own.</summary>
+    public WingDefinition Definition { get; init; }
+
+    /// <summary>A picture of the user's for the mesh's texture coordinates; else null.</summary>
+    public WingTexture Picture { get; init; }
+
+    /// <summary>The picture or the catalogue's painting for the mesh's texture coordinates; null where there is neither.</summary>
+    public WingTexture Texture => Picture ?? (Definition == null ? null : WingTexture.Of(Definition));
 
     /// <summary>Mesh units of one wing length of the pattern.</summary>
     public float PatternScale { get; init; }

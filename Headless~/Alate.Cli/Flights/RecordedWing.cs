@@ -9,7 +9,7 @@ internal sealed class RecordedWing
 {
     public InsectWing Wing { get; init; }
     public WingPlacement Placement { get; init; }
-    public WingParameters Parameters { get; init; }
+    public WingParameters Parameters { get; set; }
 
     /// <summary>[vertex] Wing frame, wing lengths.</summary>
     public float3[] Rest { get; init; }

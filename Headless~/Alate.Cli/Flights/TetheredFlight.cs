@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using Unity.Collections;
-using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
@@ -15,10 +13,7 @@ internal sealed class TetheredFlight : IDisposable
 
     private readonly FlightPlan m_Plan;
     private readonly Insect m_Insect;
-    private readonly WingWorld m_World = new();
-    private readonly List<WingHandle> m_Handles = [];
-    private readonly List<RecordedWing> m_Wings = [];
-    private readonly List<WingFrame> m_Frames = [];
+    private readonly TetheredWings m_Wings;
     private readonly double m_Frequency, m_Substep;
     private readonly int m_SubstepsPerBeat, m_Start;
 
@@ -29,12 +24,11 @@ internal sealed class TetheredFlight : IDisposable
     {
         m_Plan = plan;
         m_Insect = insect;
+        m_Wings = new TetheredWings(plan, insect);
         try
         {
-            foreach (InsectWing wing in insect.Wings)
-                Add(wing);
-            m_Frequency = m_World.Read(m_Handles[0]).Frequency;
-            m_SubstepsPerBeat = m_Wings[0].Parameters.substepsPerBeat;
+            m_Frequency = m_Wings.Read(0).Frequency;
+            m_SubstepsPerBeat = m_Wings.All[0].Parameters.substepsPerBeat;
             m_Substep = 1.0 / (m_Frequency * m_SubstepsPerBeat);
             int wanted = CountSteps();
             Steps = Math.Max(wanted, k_SettledBeats * m_SubstepsPerBeat);
@@ -42,7 +36,7 @@ internal sealed class TetheredFlight : IDisposable
         }
         catch
         {
-            m_World.Dispose();
+            m_Wings.Dispose();
             throw;
         }
     }
@@ -76,18 +70,18 @@ internal sealed class TetheredFlight : IDisposable
             progress(done);
         }
 
-        for (int k = 0; k < m_Wings.Count; k++)
+        for (int k = 0; k < m_Wings.All.Count; k++)
         {
-            WingReading reading = m_World.Read(m_Handles[k]);
-            m_Wings[k].Frequency = reading.Frequency;
-            m_Wings[k].Resets = reading.Resets;
+            WingReading reading = m_Wings.Read(k);
+            m_Wings.All[k].Frequency = reading.Frequency;
+            m_Wings.All[k].Resets = reading.Resets;
         }
 
         return new FlightRecord
         {
             Plan = m_Plan,
             Insect = m_Insect,
-            Wings = m_Wings,
+            Wings = m_Wings.All,
             Seconds = (Steps - m_Start) * m_Substep,
             Beats = (double)(Steps - m_Start) / m_SubstepsPerBeat,
             MicrosecondsPerSubstep = Median(cost),
@@ -95,49 +89,13 @@ internal sealed class TetheredFlight : IDisposable
     }
 
     /// <summary>Frees the world and the rigs.</summary>
-    public void Dispose() => m_World.Dispose();
-
-    private void Add(InsectWing wing)
-    {
-        WingParameters parameters = m_Plan.ParametersOf(wing.Preset);
-        WingRig rig = Bake(wing);
-        float3[] rest = Array.ConvertAll(wing.Surface.positions, position => rig.Frame.ToWing(position));
-        BeatMeasurement measurement = Measurement(rest, wing.Surface);
-        foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
-        {
-            WingPlacement placement = wing.PlacementOf(rig.Frame, side);
-            WingSurroundings surroundings = m_Plan.SurroundingsOf(wing.Preset, side);
-            surroundings.hinge = placement.Hinge / wing.Preset.WingLength;
-            m_Handles.Add(m_World.Add(rig, parameters, surroundings));
-            if (m_Plan.Drive is WingDrive drive)
-            {
-                m_World.SetDrive(m_Handles[^1], drive);
-                m_World.Reset(m_Handles[^1]);
-            }
-
-            m_Frames.Add(rig.Frame);
-            m_Wings.Add(new RecordedWing
-            {
-                Wing = wing,
-                Placement = placement,
-                Parameters = parameters,
-                Rest = rest,
-                Measurement = measurement,
-                Triangles = wing.Surface.triangles,
-                ChainCount = rig.ChainCount,
-                JointsPerChain = rig.JointsPerChain,
-                IsMeshMirrored = rig.Frame.mirrored,
-            });
-        }
-
-        rig.Release();
-    }
+    public void Dispose() => m_Wings.Dispose();
 
     // Microseconds of each substep.
     private double Advance(int count)
     {
         long before = Stopwatch.GetTimestamp();
-        m_World.Step((float)(count * m_Substep));
+        m_Wings.World.Step((float)(count * m_Substep));
         return Stopwatch.GetElapsedTime(before).TotalMicroseconds / count;
     }
 
@@ -148,30 +106,6 @@ internal sealed class TetheredFlight : IDisposable
         List<double> chosen = many.Count > 0 ? many : cost;
         chosen.Sort();
         return chosen[chosen.Count / 2];
-    }
-
-    private WingRig Bake(InsectWing wing)
-    {
-        try
-        {
-            return WingRig.Bake(wing.Skeleton, wing.Surface, new WingRigSettings { patchCount = m_Plan.Patches });
-        }
-        catch (ArgumentException problem)
-        {
-            throw new UserException(problem.Message);
-        }
-    }
-
-    private static BeatMeasurement Measurement(float3[] rest, SurfaceMesh surface)
-    {
-        try
-        {
-            return new BeatMeasurement(rest, surface.triangles);
-        }
-        catch (ArgumentException problem)
-        {
-            throw new UserException($"Mesh '{surface.name}' cannot be measured: {problem.Message}");
-        }
     }
 
     private int CountSteps()
@@ -187,37 +121,8 @@ internal sealed class TetheredFlight : IDisposable
 
     private void Record(double time)
     {
-        m_World.Skin();
-        for (int k = 0; k < m_Wings.Count; k++)
-            m_Wings[k].Frames.Add(FrameOf(m_World.Read(m_Handles[k]), m_World.Vertices(m_Handles[k]), m_Frames[k], time));
-    }
-
-    private static RecordedFrame FrameOf(in WingReading reading, NativeArray<SkinnedVertex> vertices, in WingFrame frame, double time)
-    {
-        int chains = reading.ChainCount, joints = reading.JointsPerChain;
-        var recorded = new RecordedFrame
-        {
-            Time = time,
-            Phase = reading.Phase,
-            Root = reading.DrivenRotation(0, 0),
-            AirForce = reading.AirForce,
-            AirMoment = reading.AirMoment,
-            NewtonIterations = reading.NewtonIterations,
-            Positions = new float3[vertices.Length],
-            Normals = new float3[vertices.Length],
-            Joints = new float3[chains * joints],
-            Bends = new float3[chains * (joints - 1)],
-        };
-        for (int k = 0; k < vertices.Length; k++)
-        {
-            recorded.Positions[k] = frame.ToWing(vertices[k].position);
-            recorded.Normals[k] = frame.DirectionToWing(vertices[k].normal);
-        }
-
-        for (int k = 0; k < recorded.Joints.Length; k++)
-            recorded.Joints[k] = reading.JointPosition(k / joints, k % joints);
-        for (int k = 0; k < recorded.Bends.Length; k++)
-            recorded.Bends[k] = reading.BendAngles(k / (joints - 1), k % (joints - 1));
-        return recorded;
+        m_Wings.World.Skin();
+        for (int k = 0; k < m_Wings.All.Count; k++)
+            m_Wings.All[k].Frames.Add(m_Wings.FrameOf(k, time));
     }
 }

@@ -7,6 +7,7 @@ using System.Runtime.InteropServices;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Alate.Cli.Projects;
+using Alate.Tests.Views;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -15,15 +16,13 @@ namespace Alate.Tests.Bakes
     /// <summary>Ten thousand insects in a vertex shader of WebGL 2, in Chromium without a screen. Skipped where it is not installed (Debian: chromium).</summary>
     public sealed class WebTests
     {
-        private const string k_Browser = "/usr/bin/chromium";
         private const int k_Seconds = 120;
         private static readonly int[] s_Probes = { 0, 1, 77, 1234, 9999 };
 
         [Test]
         public void TenThousandInsects_ArePlayedByAVertexShader()
         {
-            if (!File.Exists(k_Browser))
-                Assert.Ignore("chromium is not installed.");
+            WebTools.NeedChromium();
             using var files = new BakedFiles();
             string folder = Path.Combine(files.Folder("monarch --triangles 160"), "monarch_vat");
             var vat = new VatReader(folder, "monarch");
@@ -50,15 +49,14 @@ namespace Alate.Tests.Bakes
 
         private static JsonElement Run(string page, string folder)
         {
-            var start = new ProcessStartInfo(k_Browser) { RedirectStandardOutput = true, RedirectStandardError = true };
-            foreach (string argument in new[]
+            var start = new ProcessStartInfo(WebTools.Chromium) { RedirectStandardOutput = true, RedirectStandardError = true };
+            string[] arguments =
             {
-                "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--user-data-dir=" + Path.Combine(folder, "profile"),
+                "--user-data-dir=" + Path.Combine(folder, "profile"),
                 "--virtual-time-budget=20000", "--dump-dom", "file://" + page,
-            })
-            {
+            };
+            foreach (string argument in WebTools.Options.Concat(arguments))
                 start.ArgumentList.Add(argument);
-            }
 
             using var browser = Process.Start(start);
             browser.ErrorDataReceived += (_, _) => { };

@@ -123,6 +123,27 @@ namespace Alate
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         public float PatchAngleOfAttack(int patch) => math.asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
 
+        /// <summary>Adds the force of the air on each patch in the last substep to the four joints around it, as the step itself shares it out.</summary>
+        /// <param name="loads">[chain · m + joint] Wing masses · L/s².</param>
+        /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
+        internal void AddJointLoads(float3[] loads)
+        {
+            int joints = JointsPerChain;
+            for (int cell = 0, patch = 0; patch < PatchCount; cell++)
+            {
+                int corner = cell / (joints - 1) * joints + cell % (joints - 1), end = patch + m_Pack.rig.patchCells[cell].patchCount;
+                for (; patch < end; patch++)
+                {
+                    float u = m_Pack.rig.patchU[patch], v = m_Pack.rig.patchV[patch];
+                    float3 force = PatchForce(patch);
+                    loads[corner] += (1f - u) * (1f - v) * force;
+                    loads[corner + 1] += (1f - u) * v * force;
+                    loads[corner + joints] += u * (1f - v) * force;
+                    loads[corner + joints + 1] += u * v * force;
+                }
+            }
+        }
+
         private BeatState* Beat => Current().beat;
 
         private PackReadings* Readings => Current().readings;

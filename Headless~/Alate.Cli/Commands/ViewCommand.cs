@@ -1,0 +1,80 @@
+using System;
+using System.CommandLine;
+using System.ComponentModel;
+using System.Diagnostics;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using Alate.Catalogue;
+using Alate.Cli.Views;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>view [SPECIES]</c>: serves a page on which an insect flies and answers to sliders.</summary>
+internal static class ViewCommand
+{
+    private const string k_First = "monarch";
+
+    public static Command Create(TextWriter output)
+    {
+        var species = new Argument<string>("SPECIES")
+        {
+            Arity = ArgumentArity.ZeroOrOne,
+            Description = $"The insect that flies first: {string.Join(", ", InsectCatalogue.Names)}. [default: {k_First}]",
+        };
+        Option<InsectVariant?> variant = FlightOptions.Variant();
+        Option<int?> port = Numbers.OptionalCount("--port", "N", 0, 65535, $"Port on this machine, 0 to 65535; 0 is any that is free. [default: {ViewServer.DefaultPort}]");
+        Option<string> three = Three();
+        var silent = new Option<bool>("--no-browser") { Description = "Opens no browser." };
+        var command = new Command("view", "Opens a page in which an insect flies, by the real simulation, and answers to sliders.") { species, variant, port, three, silent };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
+            InsectDefinition insect = FlightOptions.Find(parsed.GetValue(species) ?? k_First, shown);
+            ThreeSource source = parsed.GetValue(three) is string folder ? ThreeSource.Of(folder) : ThreeSource.Public;
+            Serve(insect, shown, parsed.GetValue(port) ?? ViewServer.DefaultPort, source, !parsed.GetValue(silent), output);
+            return 0;
+        });
+        return command;
+    }
+
+    /// <summary>The option for a folder with three.js.</summary>
+    public static Option<string> Three() => new("--three")
+    {
+        HelpName = "DIR",
+        Description = $"A folder with three.js {ThreeSource.Version}, such as node_modules/three, for machines without a network. [default: a public server]",
+    };
+
+    private static void Serve(InsectDefinition insect, InsectVariant variant, int port, ThreeSource three, bool opens, TextWriter output)
+    {
+        ViewServer server = ViewServer.Start(insect, variant, port, three).GetAwaiter().GetResult();
+        output.WriteLine($"The {insect.DisplayName} flies at {server.Address}  (Ctrl-C stops)");
+        output.Flush();
+        if (opens)
+            Open(server.Address.ToString());
+        server.Simulation.RunUntil(Task.Delay(Timeout.Infinite));
+    }
+
+    // Where there is no browser the address stands on the terminal.
+    private static void Open(string address)
+    {
+        try
+        {
+            using var browser = Process.Start(new ProcessStartInfo(address) { UseShellExecute = true });
+        }
+        catch (Exception problem) when (problem is Win32Exception or PlatformNotSupportedException or InvalidOperationException or FileNotFoundException)
+        {
+        }
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  view\n"
+        + "  view firefly --variant expressive --port 8080\n"
+        + "  view --three node_modules/three\n\n"
+        + "The page has all species and variants, sliders, the columns of 'compare', and overlays: skeleton, loads, angle of attack, stretch, lift and\n"
+        + "drag. A wing of your own (OBJ or PNG) flies when it is dropped on the page; its beat can be saved as GLB.\n\n"
+        + "Listens on the loopback only; nothing of it is seen from another machine.\n\n"
+        + "Exit code: 2 for bad usage or a port that is taken, 130 when stopped by Ctrl-C.\n";
+}

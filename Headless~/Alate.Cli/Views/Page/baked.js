@@ -1,0 +1,85 @@
+import { blend, decode } from './format.js';
+
+// Beats that were flown when this site was made: files beside the page, played in a loop.
+export class Baked {
+  constructor(listener) {
+    this.listener = listener;
+    this.set_ = { species: null, variant: 'standard', compare: false, paused: false, values: { slow: 0.1 } };
+    this.received = 0;
+    this.time = 0;
+    this.start();
+  }
+
+  async start() {
+    const index = await this.json('insects/index.json');
+    this.listener.status('baked');
+    this.listener.hello(index);
+    await this.set({ species: index.species[0].name });
+    let before = performance.now();
+    const next = (now) => {
+      this.play(Math.min((now - before) / 1000, 0.1));
+      before = now;
+      requestAnimationFrame(next);
+    };
+    requestAnimationFrame(next);
+  }
+
+  async json(path) {
+    const answer = await fetch(path);
+    if (!answer.ok)
+      throw new Error(`${path}: ${answer.status}`);
+    return answer.json();
+  }
+
+  async set(change) {
+    const wanted = { ...this.set_, ...change, values: { ...this.set_.values, ...change.values } };
+    if (change.species && !change.variant)
+      wanted.variant = 'standard';
+    const name = `${wanted.species}-${wanted.variant}${wanted.compare ? '-parts' : ''}`;
+    if (name !== this.name) {
+      this.name = name;
+      try {
+        const [scene, frames] = await Promise.all([this.json(`insects/${name}.json`), this.frames(`insects/${name}.bin`)]);
+        if (!change.values)
+          wanted.values.slow = scene.settings.values.slow;
+        this.frames_ = frames;
+        this.hertz = frames[0].columns[0].hertz;
+        this.set_ = wanted;
+        this.listener.scene({ ...scene, settings: { ...scene.settings, ...wanted } });
+      } catch (problem) {
+        this.listener.error({ message: `This site has no such flight (${problem.message}).` });
+      }
+      return;
+    }
+    this.set_ = wanted;
+    this.listener.settings(wanted);
+  }
+
+  async frames(path) {
+    const answer = await fetch(path);
+    if (!answer.ok)
+      throw new Error(`${path}: ${answer.status}`);
+    const all = await answer.arrayBuffer(), view = new DataView(all), frames = [];
+    for (let at = 0; at < all.byteLength;) {
+      const length = view.getUint32(at, true);
+      frames.push(decode(all.slice(at + 4, at + 4 + length)));
+      at += 4 + length;
+    }
+    return frames;
+  }
+
+  play(seconds) {
+    if (!this.frames_)
+      return;
+    this.time += this.set_.paused ? 0 : seconds * this.set_.values.slow;
+    const at = this.time * this.hertz, share = (at - Math.floor(at)) * this.frames_.length, k = Math.floor(share) % this.frames_.length;
+    const state = blend(this.frames_[k], this.frames_[(k + 1) % this.frames_.length], share - Math.floor(share));
+    state.time = this.time;
+    state.number = this.received++;
+    state.columns.forEach((column) => {
+      column.beats = Math.floor(at);
+      column.phase = 2 * Math.PI * (at - Math.floor(at));
+    });
+    this.listener.state(state);
+  }
+}

@@ -1,0 +1,79 @@
+// Reads the states that the simulation sends: little-endian, metres, glTF's axes (X to the left of the insect, Y up, Z ahead).
+//   u32 magic, u32 columns, f64 simulated seconds, u32 number, u32 0
+//   each column: f32 phase, u32 beats, f32 hertz, f32 lift, f32 drag (weights), f32 flap (radians), u32 substeps of a beat, u32 wings
+//   each wing: u32 vertices, u32 joints, f32 reach, f32 force x 3 (weights), f32 x 3 joints, f32 x 3 loads (weights),
+//              i16 x 4 a vertex: place / reach, and attack in degrees * 256 + stretch in tenths of a per cent; i8 x 4 a vertex: normal
+export const MAGIC = 0x54414c41, GLB = 0x46546c67;
+
+export function magicOf(buffer) {
+  return buffer.byteLength < 4 ? 0 : new DataView(buffer).getUint32(0, true);
+}
+
+export function decode(buffer) {
+  const view = new DataView(buffer);
+  const state = { time: view.getFloat64(8, true), number: view.getUint32(16, true), columns: [] };
+  let at = 24;
+  const number = () => view.getFloat32((at += 4) - 4, true);
+  const whole = () => view.getUint32((at += 4) - 4, true);
+  const take = (Type, count) => {
+    const values = new Type(buffer, at, count);
+    at += values.byteLength;
+    return values;
+  };
+  for (let left = view.getUint32(4, true); left > 0; left--) {
+    const column = { phase: number(), beats: whole(), hertz: number(), lift: number(), drag: number(), flap: number(), substeps: whole(), wings: [] };
+    for (let wings = whole(); wings > 0; wings--) {
+      const vertices = whole(), joints = whole(), reach = number(), force = [number(), number(), number()];
+      column.wings.push({
+        vertices, reach, force, joints: take(Float32Array, 3 * joints), loads: take(Float32Array, 3 * joints),
+        places: take(Int16Array, 4 * vertices), normals: take(Int8Array, 4 * vertices),
+      });
+    }
+    state.columns.push(column);
+  }
+  return state;
+}
+
+// A state between two, of which the numbers that are no places are the earlier one's.
+export function blend(a, b, share) {
+  const mix = (Type, one, other, skip) => {
+    const mixed = new Type(one.length);
+    for (let k = 0; k < mixed.length; k++)
+      mixed[k] = skip && k % 4 === 3 ? one[k] : one[k] + share * (other[k] - one[k]);
+    return mixed;
+  };
+  return {
+    ...a, columns: a.columns.map((column, c) => {
+      const next = b.columns[c], between = (x, y) => x + share * (y - x);
+      return {
+        ...column, lift: between(column.lift, next.lift), drag: between(column.drag, next.drag), flap: between(column.flap, next.flap),
+        wings: column.wings.map((wing, w) => ({
+          ...wing, force: wing.force.map((value, k) => between(value, next.wings[w].force[k])),
+          joints: mix(Float32Array, wing.joints, next.wings[w].joints), loads: mix(Float32Array, wing.loads, next.wings[w].loads),
+          places: mix(Int16Array, wing.places, next.wings[w].places, true), normals: mix(Int8Array, wing.normals, next.wings[w].normals),
+        })),
+      };
+    }),
+  };
+}
+
+function bytes(text) {
+  const raw = atob(text), values = new Uint8Array(raw.length);
+  for (let k = 0; k < raw.length; k++)
+    values[k] = raw.charCodeAt(k);
+  return values;
+}
+
+export const floats = (text) => new Float32Array(bytes(text).buffer);
+export const wholes = (text) => new Uint32Array(bytes(text).buffer);
+export const blob = (text, type) => new Blob([bytes(text)], { type });
+
+const light = Float32Array.from({ length: 256 }, (_, k) => k / 255 <= 0.04045 ? k / 255 / 12.92 : ((k / 255 + 0.055) / 1.055) ** 2.4);
+
+// sRGB bytes as linear light.
+export function colours(text) {
+  const encoded = bytes(text), linear = new Float32Array(encoded.length);
+  for (let k = 0; k < encoded.length; k++)
+    linear[k] = k % 4 === 3 ? encoded[k] / 255 : light[encoded[k]];
+  return linear;
+}

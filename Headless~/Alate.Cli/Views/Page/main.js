@@ -1,0 +1,172 @@
+import { Baked } from './baked.js';
+import { Chart } from './chart.js';
+import { Live } from './live.js';
+import { ramps } from './overlays.js';
+import { Panel } from './panel.js';
+
+const get = (id) => document.getElementById(id), isLive = document.documentElement.dataset.mode === 'live';
+const LARGEST = 16 * 1024 * 1024;
+
+function say(text, kind = '') {
+  get('line').hidden = !text;
+  get('line').textContent = text ?? '';
+  get('line').className = kind;
+  clearTimeout(say.timer);
+  if (kind.includes('note'))
+    say.timer = setTimeout(() => { get('line').hidden = true; }, 9000);
+}
+
+async function load() {
+  try {
+    const [THREE, { OrbitControls }] = await Promise.all([import('three'), import('three/orbit')]);
+    const { Stage } = await import('./stage.js');
+    return new Stage(THREE, OrbitControls, get('canvas'));
+  } catch (problem) {
+    const isMissing = problem instanceof TypeError || problem instanceof SyntaxError;
+    say(isMissing ? 'three.js could not be loaded: there is no network here. Name a folder that has it: --three node_modules/three' : `WebGL 2 is not available in this browser (${problem.message}).`, 'bad');
+    return null;
+  }
+}
+
+function labels(scene) {
+  get('labels').replaceChildren(...(scene.columns.length > 1 ? scene.columns : []).map(({ title, description }) => {
+    const label = document.createElement('span'), small = document.createElement('small');
+    small.textContent = description;
+    label.append(title, small);
+    return label;
+  }));
+}
+
+function place(stage) {
+  const { across, down } = stage.grid(get('canvas').clientWidth, get('canvas').clientHeight);
+  [...get('labels').children].forEach((label, k) => {
+    label.style.left = `${100 * (k % across + 0.5) / across}%`;
+    label.style.top = `calc(${100 * Math.floor(k / across) / down}% + ${k < across ? (innerWidth > 760 ? 92 : 62) : 12}px)`;
+    label.style.width = `${92 / across}%`;
+  });
+}
+
+function legend(field) {
+  get('legend').hidden = !field;
+  if (!field)
+    return;
+  const ramp = ramps[field], pen = get('ramp').getContext('2d'), shade = pen.createLinearGradient(0, 0, 200, 0);
+  ramp.stops.forEach((stop, k) => shade.addColorStop(k / (ramp.stops.length - 1), stop));
+  pen.fillStyle = shade;
+  pen.fillRect(0, 0, 200, 10);
+  get('legend-title').textContent = ramp.title;
+  get('ramp-low').textContent = `${ramp.low}${ramp.unit}`;
+  get('ramp-high').textContent = `${ramp.high}${ramp.unit}${ramp.isOpen ? ' and more' : ''}`;
+}
+
+const stage = await load();
+if (stage) {
+  const chart = new Chart(get('curves')), shown = new Set();
+  let latest = null, rate = 0, counted = 0, full = 0;
+
+  const actions = {
+    set: (change) => source.set(change),
+    save: () => source.save(),
+    home: () => stage.home(),
+    show: (name, on) => {
+      if (name === 'compare') {
+        source.set({ compare: on });
+        return;
+      }
+      if (on && ramps[name]) {
+        Object.keys(ramps).forEach((other) => {
+          shown.delete(other);
+          panel.press(other, false);
+        });
+      }
+      shown[on ? 'add' : 'delete'](name);
+      panel.press(name, on);
+      stage.shown = { field: Object.keys(ramps).find((field) => shown.has(field)), skeleton: shown.has('skeleton'), loads: shown.has('loads'), forces: shown.has('forces') };
+      legend(stage.shown.field);
+      get('chart').hidden = !shown.has('chart');
+      if (latest)
+        stage.setState(latest);
+    },
+    file: async (file) => {
+      if (!file)
+        return;
+      if (file.size > LARGEST) {
+        say(`${file.name}: it is larger than 16 MB.`, 'note bad');
+        return;
+      }
+      say(`${file.name}: laying a skeleton into it …`);
+      source.drop(file.name, await file.arrayBuffer());
+    },
+  };
+  const panel = new Panel(actions);
+
+  const listener = {
+    hello: (hello) => panel.hello(hello),
+    scene: async (scene) => {
+      document.title = `${scene.title} – Alate`;
+      get('title').textContent = scene.title;
+      get('catalogue').hidden = !scene.remark;
+      say(scene.remark, 'note');
+      panel.show(scene.settings);
+      chart.clear();
+      full = Math.max(scene.columns.findIndex((column) => column.title === 'Full model'), 0);
+      labels(scene);
+      await stage.setScene(scene);
+      alate.scene = scene;
+      place(stage);
+      if (latest)
+        stage.setState(latest);
+    },
+    settings: (settings) => panel.show(settings),
+    state: (state) => {
+      latest = state;
+      counted++;
+      stage.setState(state);
+      chart.add(state.columns[full]);
+    },
+    error: ({ message }) => say(message, 'note bad'),
+    file: (content) => {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(new Blob([content], { type: 'model/gltf-binary' }));
+      link.download = `${get('title').textContent.toLowerCase().replaceAll(' ', '-')}.glb`;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+      alate.saved = content.byteLength;
+    },
+    status: (status, reason) => {
+      alate.status = status;
+      get('status').textContent = { live: 'live', baked: 'baked', away: 'not connected' }[status];
+      if (status === 'away')
+        say(reason || 'The simulation has stopped. This page goes on when it is started again.', 'bad');
+      else
+        say(null);
+    },
+  };
+  const alate = window.alate = { stage, panel, get state() { return latest; }, get rate() { return rate; }, status: 'connecting' };
+  const source = isLive ? new Live(listener) : new Baked(listener);
+  alate.source = source;
+
+  setInterval(() => {
+    rate = counted;
+    counted = 0;
+    if (alate.status === 'live')
+      get('status').textContent = `live, ${rate} states/s`;
+    const column = latest?.columns[full];
+    if (column)
+      get('readout').replaceChildren(...readout(column));
+  }, 1000);
+  addEventListener('resize', () => place(stage));
+  const draw = () => {
+    stage.render();
+    if (shown.has('chart'))
+      chart.draw();
+    requestAnimationFrame(draw);
+  };
+  requestAnimationFrame(draw);
+}
+
+function readout(column) {
+  const bold = document.createElement('b');
+  bold.textContent = `${Number(column.hertz.toPrecision(3))} Hz`;
+  return [bold, `\n${column.substeps} substeps a beat`];
+}

@@ -1,0 +1,226 @@
+import { blob, colours, floats, wholes } from './format.js';
+import { Arrows, heat, ramps } from './overlays.js';
+
+const HOME = { aside: 0.68, above: 0.5, distance: 4.1 }, HALF = Math.tan(Math.PI / 180 * 14);
+
+// The insect in three dimensions: one for each column, seen by one camera.
+export class Stage {
+  constructor(THREE, OrbitControls, canvas) {
+    this.three = THREE;
+    this.canvas = canvas;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: false });
+    this.renderer.setScissorTest(true);
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(28, 1, 0.05, 50);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enablePan = false;
+    this.controls.enableDamping = true;
+    this.controls.minDistance = 1.2;
+    this.controls.maxDistance = 12;
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0xb9ad98, 1.7));
+    const key = new THREE.DirectionalLight(0xfff4e4, 2.0);
+    key.position.set(-1.2, 2.2, 1.6);
+    this.camera.add(key);
+    this.scene.add(this.camera);
+    this.columns = [];
+    this.shown = { field: null, skeleton: false, loads: false, forces: false };
+    this.home();
+  }
+
+  home() {
+    const { aside, above, distance } = HOME;
+    this.camera.position.set(distance * Math.cos(above) * Math.sin(aside), distance * Math.sin(above), distance * Math.cos(above) * Math.cos(aside));
+    this.controls.target.set(0, 0, 0);
+    this.controls.update();
+  }
+
+  async setScene(scene) {
+    const { three: THREE } = this;
+    const ticket = this.ticket = {};
+    const textures = await Promise.all(scene.textures.map((text) => text && this.texture(text)));
+    if (ticket !== this.ticket)
+      return;
+    this.clear();
+    this.textures = textures.filter(Boolean);
+    for (const column of scene.columns) {
+      const group = new THREE.Group();
+      group.scale.setScalar(1 / scene.reach);
+      group.add(this.body(scene.body));
+      const wings = scene.wings.map((wing) => this.wing(wing, textures[wing.texture]));
+      const skeleton = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xe4572e, depthTest: false, transparent: true }));
+      skeleton.renderOrder = 5;
+      skeleton.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(scene.wings.reduce((sum, wing) => sum + 6 * bones(wing), 0)), 3));
+      const loads = new Arrows(THREE, scene.wings.reduce((sum, wing) => sum + wing.chains * wing.joints, 0), 0x7a3fd0, 0.014 * scene.reach);
+      const forces = [new Arrows(THREE, 1, 0x0b7fc2, 0.03 * scene.reach), new Arrows(THREE, 1, 0xd9480f, 0.03 * scene.reach)];
+      group.add(...wings.map((wing) => wing.mesh), skeleton, loads.object, ...forces.map((arrow) => arrow.object));
+      group.traverse((part) => { part.frustumCulled = false; });
+      this.scene.add(group);
+      this.columns.push({ group, wings, skeleton, loads, forces, title: column.title });
+    }
+    this.reach = scene.reach;
+  }
+
+  async texture(text) {
+    const { three: THREE } = this;
+    const image = await createImageBitmap(blob(text, 'image/png'), { imageOrientation: 'none', premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+    const texture = new THREE.Texture(image);
+    texture.flipY = false;
+    texture.colorSpace = THREE.SRGBColorSpace;
+    texture.anisotropy = this.renderer.capabilities.getMaxAnisotropy();
+    texture.needsUpdate = true;
+    return texture;
+  }
+
+  body(body) {
+    const { three: THREE } = this, geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(floats(body.positions), 3));
+    geometry.setAttribute('normal', new THREE.BufferAttribute(floats(body.normals), 3));
+    geometry.setAttribute('color', new THREE.BufferAttribute(colours(body.colours), 4));
+    geometry.setIndex(new THREE.BufferAttribute(wholes(body.triangles), 1));
+    return new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.62, transparent: true }));
+  }
+
+  wing(wing, texture) {
+    const { three: THREE } = this, geometry = new THREE.BufferGeometry();
+    geometry.setIndex(new THREE.BufferAttribute(wholes(wing.triangles), 1));
+    if (wing.uvs)
+      geometry.setAttribute('uv', new THREE.BufferAttribute(floats(wing.uvs), 2));
+    const painted = wing.colours ? colours(wing.colours) : null;
+    const material = new THREE.MeshStandardMaterial({ side: THREE.DoubleSide, roughness: 0.7, transparent: wing.glass, depthWrite: !wing.glass });
+    // Light from behind shines through a wing.
+    if (texture)
+      Object.assign(material, { map: texture, emissiveMap: texture, emissive: new THREE.Color(0.22, 0.2, 0.17) });
+    else if (painted)
+      material.vertexColors = true;
+    else
+      Object.assign(material, { color: new THREE.Color(0.84, 0.79, 0.66), emissive: new THREE.Color(0.12, 0.11, 0.09) });
+    const plain = new THREE.MeshStandardMaterial({ side: THREE.DoubleSide, roughness: 0.8, vertexColors: true });
+    return { ...wing, geometry, mesh: new THREE.Mesh(geometry, material), material, plain, painted, count: 0 };
+  }
+
+  setState(state) {
+    this.state = state;
+    this.columns.forEach((column, c) => {
+      const from = state.columns[c];
+      if (from && from.wings.length === column.wings.length)
+        this.pose(column, from);
+    });
+  }
+
+  pose(column, from) {
+    const { three: THREE, shown } = this, lines = column.skeleton.geometry.getAttribute('position');
+    let at = 0, arrow = 0;
+    column.loads.object.visible = shown.loads;
+    column.skeleton.visible = shown.skeleton;
+    column.wings.forEach((wing, w) => {
+      const state = from.wings[w], { geometry } = wing;
+      if (wing.count !== state.vertices) {
+        wing.count = state.vertices;
+        geometry.setAttribute('position', new THREE.BufferAttribute(new Int16Array(4 * state.vertices), 4, true));
+        geometry.setAttribute('normal', new THREE.BufferAttribute(new Int8Array(4 * state.vertices), 4, true));
+        geometry.setAttribute('color', new THREE.BufferAttribute(wing.painted ?? new Float32Array(4 * state.vertices).fill(1), 4));
+      }
+      wing.mesh.scale.setScalar(state.reach);
+      geometry.getAttribute('position').array.set(state.places);
+      geometry.getAttribute('position').needsUpdate = true;
+      geometry.getAttribute('normal').array.set(state.normals);
+      geometry.getAttribute('normal').needsUpdate = true;
+      this.colour(wing, state);
+      if (shown.skeleton) {
+        for (let chain = 0; chain < wing.chains; chain++) {
+          for (let joint = 0; joint + 1 < wing.joints; joint++) {
+            const first = 3 * (chain * wing.joints + joint);
+            lines.array.set(state.joints.subarray(first, first + 6), at);
+            at += 6;
+          }
+        }
+      }
+      if (shown.loads) {
+        for (let k = 0; k < state.joints.length; k += 3)
+          column.loads.set(arrow++, state.joints[k], state.joints[k + 1], state.joints[k + 2], state.loads[k], state.loads[k + 1], state.loads[k + 2], 3 * this.reach);
+      }
+    });
+    lines.needsUpdate = true;
+    column.loads.update();
+    const length = 0.35 * this.reach;
+    column.forces[0].set(0, 0, 0, 0, 0, from.lift, 0, length);
+    column.forces[1].set(0, 0, 0, 0, 0, 0, -from.drag, length);
+    column.forces.forEach((force) => {
+      force.object.visible = shown.forces;
+      force.update();
+    });
+  }
+
+  // The painting, or a field of numbers.
+  colour(wing, state) {
+    const field = this.shown.field && ramps[this.shown.field];
+    if (!field) {
+      wing.mesh.material = wing.material;
+      if (wing.painted && wing.dirty)
+        wing.geometry.setAttribute('color', new this.three.BufferAttribute(wing.painted, 4));
+      wing.dirty = false;
+      return;
+    }
+    if (!wing.dirty)
+      wing.geometry.setAttribute('color', new this.three.BufferAttribute(new Float32Array(4 * state.vertices).fill(1), 4));
+    wing.dirty = true;
+    wing.mesh.material = wing.plain;
+    const attribute = wing.geometry.getAttribute('color');
+    for (let k = 0; k < state.vertices; k++)
+      heat(field, field.of(state.places[4 * k + 3]), attribute.array, 4 * k);
+    attribute.needsUpdate = true;
+  }
+
+  // Rows and columns of the panels.
+  grid(width, height) {
+    const count = Math.max(this.columns.length, 1), across = width < 2.2 * height ? Math.ceil(Math.sqrt(count)) : count;
+    return { across, down: Math.ceil(count / across) };
+  }
+
+  render() {
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    if (width === 0 || height === 0)
+      return;
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    if (this.width !== width || this.height !== height || this.ratio !== ratio) {
+      Object.assign(this, { width, height, ratio });
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(width, height, false);
+    }
+    this.controls.update();
+    const { across, down } = this.grid(width, height), w = width / across, h = height / down;
+    this.camera.aspect = w / h;
+    this.camera.fov = 360 / Math.PI * Math.atan(HALF * Math.max(1, 1.15 / this.camera.aspect));
+    this.camera.updateProjectionMatrix();
+    this.columns.forEach((column, k) => {
+      this.columns.forEach((other) => { other.group.visible = other === column; });
+      const left = k % across * w, bottom = height - (Math.floor(k / across) + 1) * h;
+      this.renderer.setViewport(left, bottom, w, h);
+      this.renderer.setScissor(left, bottom, w, h);
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+
+  clear() {
+    for (const column of this.columns) {
+      this.scene.remove(column.group);
+      column.group.traverse((part) => {
+        part.geometry?.dispose();
+        part.material?.dispose();
+      });
+      column.wings.forEach((wing) => {
+        wing.material.dispose();
+        wing.plain.dispose();
+      });
+    }
+    this.textures?.forEach((texture) => {
+      texture.image.close?.();
+      texture.dispose();
+    });
+    this.columns = [];
+  }
+}
+
+function bones(wing) {
+  return wing.chains * (wing.joints - 1);
+}

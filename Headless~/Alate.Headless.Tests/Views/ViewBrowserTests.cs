@@ -1,0 +1,87 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Security.Cryptography;
+using System.Threading.Tasks;
+using Alate.Catalogue;
+using Alate.Cli.Output;
+using Alate.Cli.Projects;
+using Alate.Cli.Views;
+using Alate.Tests.Cli;
+using NUnit.Framework;
+
+namespace Alate.Tests.Views
+{
+    /// <summary>The page of the live view in Chromium, against the real server. Skipped where Chromium, Node or its packages are missing.</summary>
+    public sealed class ViewBrowserTests
+    {
+        private TemporaryFolder m_Folder;
+
+        [SetUp]
+        public void Prepare()
+        {
+            WebTools.NeedChromium();
+            WebTools.NeedNode();
+            m_Folder = new TemporaryFolder();
+            File.Copy(Path.Combine(PackageRoot.Find(), "Documentation~", "images", "wing-drawing.png"), m_Folder.PathOf("wing.png"));
+            using FileStream mesh = File.Create(m_Folder.PathOf("mesh.obj"));
+            ObjWriter.Write(InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right), mesh);
+        }
+
+        [TearDown]
+        public void Remove() => m_Folder?.Dispose();
+
+        [Test]
+        public void HashesOfThePage_AreThoseOfThePackage()
+        {
+            foreach ((string name, string hash) in ThreeSource.Hashes)
+                Assert.That("sha384-" + Convert.ToBase64String(SHA384.HashData(File.ReadAllBytes(Path.Combine(WebTools.Three, name)))), Is.EqualTo(hash), name);
+        }
+
+        [Test]
+        public void Insect_BeatsInTheBrowser() => Try("beats");
+
+        [Test, Explicit, Category("Long")]
+        public void Page_DoesWhatItSays() => Try(
+            "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause", "comparison", "overlays", "species", "files",
+            "badFiles", "phone", "reconnect");
+
+        [Test, Explicit, Category("Long")]
+        public void AMinute_TakesNoMoreMemory() => Try("memory");
+
+        // Serves until the script has ended; where it asks for it, stops and starts anew at the same port.
+        private void Try(params string[] cases)
+        {
+            ViewServer server = Start(0);
+            Uri address = server.Address;
+            Task<(int Code, string Output)> run = Task.Run(() => WebTools.Run("view.mjs", [address.ToString(), WebTools.Chromium, m_Folder.Root, .. cases]));
+            server.Simulation.RunUntil(Task.WhenAny(run, Appears("stop")));
+            if (!run.IsCompleted)
+            {
+                server.Simulation.RunUntil(server.Stop());
+                server = RunAndStart(run, address.Port);
+            }
+
+            server.Simulation.RunUntil(run);
+            server.Simulation.RunUntil(server.Stop());
+            TestContext.Out.Write(run.Result.Output);
+            Assert.That(run.Result.Code, Is.Zero, string.Join('\n', run.Result.Output.Split('\n').Where(line => !line.StartsWith("ok"))));
+        }
+
+        private ViewServer RunAndStart(Task run, int port)
+        {
+            Task.WhenAny(run, Appears("start")).Wait();
+            return Start(port);
+        }
+
+        private async Task Appears(string name)
+        {
+            string path = m_Folder.PathOf(name);
+            while (!File.Exists(path) && Directory.Exists(m_Folder.Root))
+                await Task.Delay(50);
+        }
+
+        private static ViewServer Start(int port) =>
+            ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, port, ThreeSource.Of(WebTools.Three)).GetAwaiter().GetResult();
+    }
+}

@@ -1,0 +1,333 @@
+// Loads the live view in Chromium and tries what a person would. Prints one line a case: "ok NAME" or "not ok NAME: reason".
+//   node view.mjs ADDRESS CHROMIUM FOLDER CASE...
+import { chromium } from 'playwright-core';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+const [address, executablePath, folder, ...wanted] = process.argv.slice(2);
+const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--enable-precise-memory-info', '--js-flags=--expose-gc'] });
+const problems = [];
+const page = await open({ width: 640, height: 420 });
+
+async function open(viewport) {
+  const made = await browser.newPage({ viewport });
+  made.on('console', (message) => message.type() === 'error' && !isRefused(message.text()) && problems.push(message.text()));
+  made.on('pageerror', (problem) => problems.push(problem.message));
+  await made.goto(address);
+  await made.waitForFunction(() => window.alate?.stage.columns.length > 0 && window.alate.state, null, { timeout: 30000 });
+  return made;
+}
+
+// What the browser itself says while the server is away.
+function isRefused(text) {
+  return text.includes('WebSocket connection') || text.includes('ERR_CONNECTION');
+}
+
+function check(holds, what) {
+  if (!holds)
+    throw new Error(what);
+}
+
+const state = () => page.evaluate(() => {
+  const { number, time, columns } = alate.state;
+  return { number, time, count: columns.length, columns: columns.map((column) => ({ ...column, turn: column.beats + column.phase / (2 * Math.PI), wings: column.wings.length })) };
+});
+const wait = (test, what, timeout = 15000) => page.waitForFunction(test, what, { timeout });
+const values = () => page.evaluate(() => alate.panel.settings.values);
+
+async function slide(name, share) {
+  await page.evaluate(([id, value]) => {
+    const input = document.getElementById(id);
+    input.value = value;
+    input.dispatchEvent(new Event('input'));
+  }, [`slider-${name}`, share]);
+  await page.waitForTimeout(250);
+}
+
+// Largest and least of a number of the first column over some beats.
+async function range(name, beats = 2.2) {
+  return page.evaluate(([key, long]) => new Promise((done) => {
+    const first = alate.state.columns[0], start = first.beats + first.phase / (2 * Math.PI);
+    let low = Infinity, high = -Infinity, last = -1;
+    const look = () => {
+      const column = alate.state.columns[0];
+      if (alate.state.number !== last) {
+        last = alate.state.number;
+        low = Math.min(low, column[key]);
+        high = Math.max(high, column[key]);
+      }
+      if (column.beats + column.phase / (2 * Math.PI) - start > long)
+        done({ low, high, range: high - low });
+      else
+        setTimeout(look, 5);
+    };
+    look();
+  }), [name, beats]);
+}
+
+// How much of the picture is not paper.
+async function painted() {
+  return page.evaluate(() => {
+    alate.stage.render();
+    const { canvas, renderer } = alate.stage, gl = renderer.getContext(), pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    let count = 0, red = 0;
+    for (let k = 0; k < pixels.length; k += 4) {
+      count += pixels[k + 3] > 0;
+      red += pixels[k];
+    }
+    return { share: 4 * count / pixels.length, red, width: canvas.width };
+  });
+}
+
+async function drop(name, bytes) {
+  await page.evaluate(([title, content]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([new Uint8Array(content)], title));
+    dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, [name, [...bytes]]);
+}
+
+const line = () => page.evaluate(() => document.getElementById('line').hidden ? '' : document.getElementById('line').textContent);
+
+const cases = {
+  async beats() {
+    const one = await state();
+    await page.waitForTimeout(900);
+    const other = await state(), hertz = (other.columns[0].turn - one.columns[0].turn) / (other.time - one.time);
+    check(Math.abs(hertz / other.columns[0].hertz - 1) < 0.03, `${hertz} beats a second, ${other.columns[0].hertz} said`);
+    const { share } = await painted();
+    check(share > 0.01 && share < 0.6, `the insect covers ${share} of the picture`);
+  },
+  async rate() {
+    await page.waitForTimeout(2500);
+    const rate = await page.evaluate(() => alate.rate);
+    check(rate >= 25, `${rate} states a second`);
+    console.log(`# ${rate} states a second`);
+  },
+  async slow() {
+    await slide('slow', 0.9);
+    const one = await state(), before = Date.now();
+    await page.waitForTimeout(1000);
+    const speed = ((await state()).time - one.time) / ((Date.now() - before) / 1000), said = (await values()).slow;
+    check(speed > 0.6 * said && speed < 1.4 * said, `time passes at ${speed}, ${said} said`);
+    await slide('slow', 0.75);
+  },
+  async speed() {
+    await slide('speed', 0);
+    await page.waitForTimeout(400);
+    const rest = (await state()).columns[0].hertz;
+    await slide('speed', 0.8);
+    await page.waitForTimeout(900);
+    const fast = (await state()).columns[0].hertz;
+    check(fast > rest, `${rest} Hz at rest, ${fast} Hz in fast flight`);
+    await page.click('#reset');
+  },
+  async wind() {
+    const calm = await range('drag');
+    await slide('wind', 1);
+    await range('drag', 1);
+    const windy = await range('drag');
+    check(windy.high > calm.high + 0.05, `drag up to ${calm.high} in calm air, ${windy.high} in a head wind`);
+    await page.click('#reset');
+  },
+  async amplitude() {
+    await slide('amplitude', 0.2);
+    await range('flap', 1.5);
+    const small = await range('flap');
+    await slide('amplitude', 0.67);
+    await range('flap', 1.5);
+    const large = await range('flap');
+    check(large.range > 1.8 * small.range, `flaps by ${small.range} and ${large.range}`);
+    await page.click('#reset');
+  },
+  async frequency() {
+    const before = (await state()).columns[0].hertz;
+    await slide('frequency', 1);
+    await range('flap', 1.2);
+    const after = (await state()).columns[0].hertz;
+    check(Math.abs(after / before - 2) < 0.02, `${before} and ${after} Hz`);
+    await page.click('#reset');
+  },
+  async elasticity() {
+    await range('flap', 1);
+    const bend = () => page.evaluate(() => Math.max(...alate.state.columns[0].wings[0].places.filter((_, k) => k % 4 === 3).map((packed) => packed & 255)));
+    const most = async () => {
+      let found = 0;
+      for (let k = 0; k < 25; k++) {
+        found = Math.max(found, await bend());
+        await page.waitForTimeout(60);
+      }
+      return found;
+    };
+    await slide('elasticity', 1);
+    await range('flap', 1);
+    const stiff = await most();
+    await slide('elasticity', 0);
+    await range('flap', 1);
+    const soft = await most();
+    check(soft > stiff, `stretches by ${stiff / 10} % stiff, ${soft / 10} % soft`);
+    await page.click('#reset');
+  },
+  async delay() {
+    // The trailing joints of the outer chain against the leading ones, over a beat.
+    const lag = () => page.evaluate(() => new Promise((done) => {
+      const seen = [], start = alate.state.columns[0].beats;
+      const look = () => {
+        const column = alate.state.columns[0], wing = column.wings[0], n = wing.joints.length / 3;
+        seen.push(Math.abs(wing.joints[3 * (n - 1) + 1] - wing.joints[1 + 12]));
+        if (column.beats > start + 1)
+          done(Math.max(...seen));
+        else
+          setTimeout(look, 10);
+      };
+      look();
+    }));
+    await slide('delay', 0);
+    await range('flap', 1.2);
+    const none = await lag();
+    await slide('delay', 0.8);
+    await range('flap', 1.2);
+    const late = await lag();
+    check(Math.abs(late - none) > 0.02 * none, `trailing edge off by ${none} and ${late}`);
+    await page.click('#reset');
+  },
+  async substeps() {
+    await slide('substeps', 0.5);
+    const said = (await values()).substeps;
+    await page.waitForTimeout(200);
+    check((await state()).columns[0].substeps === said && said > 40, `${said} substeps said`);
+    await page.click('#reset');
+  },
+  async pause() {
+    await page.click('#pause');
+    await page.waitForTimeout(300);
+    const one = await state();
+    await page.waitForTimeout(400);
+    check((await state()).time === one.time, 'time passes in a pause');
+    await page.click('#pause');
+    await wait((time) => alate.state.time > time, one.time);
+  },
+  async comparison() {
+    await page.click('[data-show=compare]');
+    await wait(() => alate.state.columns.length === 4 && alate.stage.columns.length === 4);
+    check((await page.$$eval('#labels span', (labels) => labels.length)) === 4, 'four labels');
+    check((await painted()).share > 0.01, 'four insects');
+    await page.click('[data-show=compare]');
+    await wait(() => alate.state.columns.length === 1 && alate.stage.columns.length === 1);
+  },
+  async overlays() {
+    await page.click('#pause');
+    await page.waitForTimeout(300);
+    const plain = (await painted()).red;
+    for (const name of ['skeleton', 'loads', 'attack', 'strain', 'forces']) {
+      await page.click(`[data-show=${name}]`);
+      await page.waitForTimeout(120);
+      const shown = (await painted()).red;
+      check(shown !== plain, `${name} changes nothing`);
+      if (name !== 'attack')
+        await page.click(`[data-show=${name}]`);
+    }
+    check((await page.getAttribute('[data-show=attack]', 'aria-pressed')) === 'false', 'two fields at once');
+    await page.click('[data-show=chart]');
+    await page.click('#pause');
+    await page.waitForTimeout(800);
+    const inked = await page.evaluate(() => {
+      const canvas = document.getElementById('curves'), pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+      return pixels.filter((_, k) => k % 4 === 3 && pixels[k] > 0).length;
+    });
+    check(inked > 300, 'the chart is empty');
+    await page.click('[data-show=chart]');
+  },
+  async species() {
+    const names = await page.$$eval('#species option', (options) => options.map((option) => option.value));
+    check(names.length >= 6, `${names.length} species`);
+    for (const name of names) {
+      await page.selectOption('#species', name);
+      await wait((title) => alate.scene?.name === title && alate.stage.columns[0]?.wings.length === alate.state.columns[0].wings.length, name, 30000);
+      const variants = await page.$$eval('#variant option', (options) => options.map((option) => option.value));
+      await page.selectOption('#variant', variants.at(-1));
+      await wait((variant) => alate.panel.settings.variant === variant, variants.at(-1));
+      await page.waitForTimeout(400);
+      check((await painted()).share > 0.005, `${name} is not seen`);
+      check(!await line(), `${name}: ${await line()}`);
+    }
+    await page.selectOption('#species', names[0]);
+    await wait((title) => alate.scene?.name === title, names[0]);
+  },
+  async files() {
+    await drop('wing.png', readFileSync(join(folder, 'wing.png')));
+    await wait(() => alate.scene?.name === 'wing', null, 30000);
+    check((await state()).columns[0].wings === 2, 'a wing of each side');
+    check((await line()).includes('confidence'), await line());
+    await drop('mesh.obj', readFileSync(join(folder, 'mesh.obj')));
+    await wait(() => alate.scene?.name === 'mesh', null, 30000);
+    await page.click('#save');
+    await wait(() => alate.saved > 10000, null, 30000);
+    await page.click('#catalogue');
+    await wait(() => alate.scene?.name !== 'mesh');
+  },
+  async badFiles() {
+    const before = await page.evaluate(() => alate.scene.name);
+    await drop('bad.obj', Buffer.from('v 0 0 0\nf 1 2 9\n'));
+    await wait(() => document.getElementById('line').textContent.includes('bad.obj: line 2'));
+    await drop('bad.png', Buffer.from([0x89, 0x50, 0x4e, 0x47, 1, 2, 3]));
+    await wait(() => document.getElementById('line').textContent.includes('bad.png: it'));
+    await page.evaluate(() => {
+      const data = new DataTransfer();
+      data.items.add(new File([new Uint8Array(17 << 20)], 'huge.obj'));
+      dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+    });
+    await wait(() => document.getElementById('line').textContent.includes('larger than 16 MB'));
+    check((await page.evaluate(() => alate.scene.name)) === before, 'the insect is another one');
+  },
+  async phone() {
+    const phone = await open({ width: 390, height: 780 });
+    const sizes = await phone.evaluate(() => ({ page: document.documentElement.scrollWidth, stage: document.getElementById('stage').clientHeight }));
+    check(sizes.page <= 390 && sizes.stage > 250, JSON.stringify(sizes));
+    await phone.close();
+  },
+  // The server ends when the file 'stop' appears, and another one starts at the same port when 'start' does.
+  async reconnect() {
+    await slide('amplitude', 0.3);
+    const said = (await values()).amplitude;
+    writeFileSync(join(folder, 'stop'), '');
+    await wait(() => alate.status === 'away');
+    check((await line()).includes('has stopped'), await line());
+    writeFileSync(join(folder, 'start'), '');
+    await wait(() => alate.status === 'live' && !document.getElementById('line').textContent.includes('stopped'), null, 30000);
+    await page.waitForTimeout(1500);
+    check((await values()).amplitude === said, `amplitude ${(await values()).amplitude} instead of ${said}`);
+    await page.click('#reset');
+  },
+  async memory() {
+    await page.waitForTimeout(5000);
+    const used = () => page.evaluate(() => {
+      gc();
+      return performance.memory.usedJSHeapSize / 1e6;
+    });
+    const before = await used();
+    await page.waitForTimeout(60000);
+    const after = await used();
+    console.log(`# ${before.toFixed(1)} MB before a minute, ${after.toFixed(1)} MB after`);
+    check(after < before + 3, `${before} MB before a minute, ${after} MB after`);
+  },
+};
+
+let bad = 0;
+for (const name of wanted) {
+  try {
+    await cases[name]();
+    console.log(`ok ${name}`);
+  } catch (problem) {
+    bad++;
+    console.log(`not ok ${name}: ${problem.message.split('\n')[0]}`);
+    await page.screenshot({ path: join(folder, `${name}.png`) }).catch(() => { });
+  }
+}
+for (const problem of problems) {
+  bad++;
+  console.log(`not ok console: ${problem}`);
+}
+await browser.close();
+process.exit(bad > 0 ? 1 : 0);
