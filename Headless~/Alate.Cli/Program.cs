@@ -22,6 +22,7 @@ public static class Program
         var root = new RootCommand("Flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
         root.Subcommands.Add(ViewCommand.Create(output));
         root.Subcommands.Add(FlyCommand.Create(output));
+        root.Subcommands.Add(FilmCommand.Create(output));
         root.Subcommands.Add(TrimCommand.Create(output));
         root.Subcommands.Add(BakeCommand.Create(output));
         root.Subcommands.Add(GalleryCommand.Create(output));

@@ -14,7 +14,7 @@ async function open(viewport) {
   made.on('console', (message) => message.type() === 'error' && !isRefused(message.text()) && problems.push(message.text()));
   made.on('pageerror', (problem) => problems.push(problem.message));
   await made.goto(address);
-  await made.waitForFunction(() => window.alate?.stage.columns.length > 0 && window.alate.state, null, { timeout: 30000 });
+  await made.waitForFunction(() => window.alate?.stage.columns.length > 0 && window.alate.state, null, { timeout: 90000 });
   return made;
 }
 

@@ -2,7 +2,7 @@ using System;
 using System.Buffers.Binary;
 using System.IO;
 using System.IO.Compression;
-using System.Text;
+using Alate.Cli.Pictures.Png;
 
 namespace Alate.Cli.Bakes;
 
@@ -11,9 +11,6 @@ internal sealed class PngPicture(int width, int height)
 {
     private const int k_Channels = 3, k_BytesPerPixel = 2 * k_Channels;
     private const byte k_Sixteen = 16, k_TrueColour = 2, k_FilterUp = 2;
-
-    private static readonly byte[] s_Signature = [0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A];
-    private static readonly uint[] s_Remainders = Remainders();
 
     private readonly byte[] m_Pixels = new byte[(long)width * height * k_BytesPerPixel];
 
@@ -34,15 +31,10 @@ internal sealed class PngPicture(int width, int height)
 
     public void Write(Stream stream)
     {
-        stream.Write(s_Signature);
-        byte[] header = new byte[13];
-        BinaryPrimitives.WriteInt32BigEndian(header, width);
-        BinaryPrimitives.WriteInt32BigEndian(header.AsSpan(4), height);
-        header[8] = k_Sixteen;
-        header[9] = k_TrueColour;
-        WriteChunk(stream, "IHDR", header);
-        WriteChunk(stream, "IDAT", Compressed());
-        WriteChunk(stream, "IEND", []);
+        stream.Write(PngChunks.Signature);
+        PngChunks.Write(stream, "IHDR", PngChunks.Header(width, height, k_Sixteen, k_TrueColour));
+        PngChunks.Write(stream, "IDAT", Compressed());
+        PngChunks.Write(stream, "IEND", []);
     }
 
     // Rows are frames, which differ little from one to the next.
@@ -63,38 +55,5 @@ internal sealed class PngPicture(int width, int height)
         }
 
         return packed.ToArray();
-    }
-
-    private static void WriteChunk(Stream stream, string name, byte[] content)
-    {
-        byte[] chunk = new byte[12 + content.Length];
-        BinaryPrimitives.WriteInt32BigEndian(chunk, content.Length);
-        Encoding.ASCII.GetBytes(name).CopyTo(chunk, 4);
-        content.CopyTo(chunk, 8);
-        BinaryPrimitives.WriteUInt32BigEndian(chunk.AsSpan(8 + content.Length), Check(chunk.AsSpan(4, 4 + content.Length)));
-        stream.Write(chunk);
-    }
-
-    private static uint Check(ReadOnlySpan<byte> bytes)
-    {
-        uint check = uint.MaxValue;
-        foreach (byte value in bytes)
-            check = s_Remainders[(check ^ value) & 0xFF] ^ (check >> 8);
-        return ~check;
-    }
-
-    // Of the polynomial that PNG's check sum divides by.
-    private static uint[] Remainders()
-    {
-        uint[] remainders = new uint[256];
-        for (uint k = 0; k < remainders.Length; k++)
-        {
-            uint remainder = k;
-            for (int bit = 0; bit < 8; bit++)
-                remainder = (remainder & 1) != 0 ? 0xEDB88320u ^ (remainder >> 1) : remainder >> 1;
-            remainders[k] = remainder;
-        }
-
-        return remainders;
     }
 }

@@ -64,7 +64,7 @@ internal static class CompareCommand
 
     private static void Run(ComparisonPlan plan, string path, TextWriter output)
     {
-        string[] pictures = plan.Flights.Select(flight => flight.Species + ".svg").ToArray();
+        string[] pictures = plan.Flights.Select(flight => flight.Species + ".png").ToArray();
         string[] files = [.. pictures, k_Table, FreeComparisonTable.File];
         using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
@@ -75,8 +75,8 @@ internal static class CompareCommand
             stage("drawing");
             for (int k = 0; k < comparisons.Count; k++)
             {
-                string picture = ComparisonPicture.Draw(comparisons[k]);
-                folder.Write(pictures[k], stream => stream.Write(Encoding.UTF8.GetBytes(picture)));
+                byte[] picture = ComparisonPicture.Draw(comparisons[k]);
+                folder.Write(pictures[k], stream => stream.Write(picture));
             }
 
             folder.Write(k_Table, stream => ComparisonTable.Write(comparisons, stream));
@@ -113,7 +113,7 @@ internal static class CompareCommand
         + "  compare fishfly firefly --variant expressive --phases 6 --elasticity 4 --out stiffer\n\n"
         + "Columns: rigid wings as in earlier flight models, no deformation wave, the full model, and the full model with another elasticity.\n\n"
         + "Writes into the output folder:\n"
-        + "  SPECIES.svg  for each species: the columns over rows of phases, and numbers below\n"
+        + "  SPECIES.png  for each species: the columns over rows of phases, and numbers below\n"
         + "  compare.csv  every measure of every column, and how far each column lies from the full model\n"
         + "  free-flight.csv  the flight on the spot beside one by the insect's own wings: bob, pitch, lift, power\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";

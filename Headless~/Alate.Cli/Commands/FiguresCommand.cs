@@ -16,7 +16,7 @@ namespace Alate.Cli.Commands;
 /// <summary><c>figures</c>: draws and measures again what the documentation's pages of species and accuracy show.</summary>
 internal static class FiguresCommand
 {
-    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.svg";
+    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg";
     private const int k_Phases = 3;
 
     /// <summary>Substeps of the flights behind the page's numbers: within 5 % of their limit, the lift too.</summary>
@@ -47,7 +47,7 @@ internal static class FiguresCommand
         string page = TextFile(Path.Combine(path, k_Page));
         string accuracy = TextFile(Path.Combine(path, AccuracyFigures.Page));
         string flight = TextFile(Path.Combine(path, FlightFigures.Page));
-        var files = new List<string> { k_Page, k_Sweep, FlightFigures.Page };
+        var files = new List<string> { k_Page, k_Sweep, k_SweepCharts, FlightFigures.Page };
         files.AddRange(AccuracyFigures.Files);
         foreach (string name in InsectCatalogue.Names)
             files.AddRange([Portrait(name), Compared(name)]);
@@ -63,11 +63,13 @@ internal static class FiguresCommand
             stage("comparing");
             var comparisons = new ComparisonPlan(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
             foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))
-                Write(folder, Compared(comparison.Plan.Species), ComparisonPicture.Draw(comparison));
+                folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Draw(comparison)));
             stage("sweeping");
             FlightPlan fishfly = Plan(InsectCatalogue.Find("fishfly")) with { Substeps = k_SweptSubsteps };
             var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
-            Write(folder, k_Sweep, SweepPicture.Draw(Sweep.Fly(sweep, _ => { })));
+            var swept = Sweep.Fly(sweep, _ => { });
+            folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
+            Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
             stage("flying freely");
             Write(folder, FlightFigures.Page, FlightFigures.Make(flight));
             stage("measuring errors and winds");
@@ -87,7 +89,7 @@ internal static class FiguresCommand
             {
                 FlightRecord flight = TetheredFlight.Fly(Plan(species) with { Variant = variant, Substeps = MeasuredSubsteps });
                 if (variant == InsectVariant.Standard)
-                    Write(folder, Portrait(species.Name), SpeciesPortrait.Draw(flight));
+                    folder.Write(Portrait(species.Name), stream => stream.Write(SpeciesPortrait.Draw(flight)));
                 summaries.Add(FlightSummary.Of(flight));
                 done(summaries.Count);
             }
@@ -98,9 +100,9 @@ internal static class FiguresCommand
 
     private static FlightPlan Plan(InsectDefinition species) => new() { Species = species.Name, Speed = FlightPlan.CruiseOf(species) };
 
-    private static string Portrait(string species) => $"images/species-{species}.svg";
+    private static string Portrait(string species) => $"images/species-{species}.png";
 
-    private static string Compared(string species) => $"images/compare-{species}.svg";
+    private static string Compared(string species) => $"images/compare-{species}.png";
 
     private static void Write(OutputFolder folder, string name, string text) =>
         folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));

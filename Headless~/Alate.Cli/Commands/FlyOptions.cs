@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
@@ -58,17 +59,11 @@ internal sealed class FlyOptions
 
     private readonly Option<bool> m_Rigid = new("--rigid") { Description = "A stiff wing for comparison: no wave and no bending." };
 
-    private readonly Option<string> m_Mesh = new("--mesh")
-    {
-        HelpName = "FILE.obj",
-        Description = "A wing of your own, at rest. Needs --skeleton and --species.",
-    };
+    private readonly Option<string[]> m_Mesh = Files("--mesh", "FILE.obj", "A wing of your own, at rest; two for a fore and a hind wing. Needs --skeleton and --species.");
 
-    private readonly Option<string> m_Skeleton = new("--skeleton")
-    {
-        HelpName = "FILE.json",
-        Description = "The skeleton of that wing, in the mesh's space.",
-    };
+    private readonly Option<string[]> m_Skeleton = Files("--skeleton", "FILE.json", "The skeleton of each of these wings, in its mesh's space.");
+
+    private readonly Option<string[]> m_Texture = Files("--texture", "FILE.png", "The picture on each of these wings. [default: that of the mesh's material]");
 
     private readonly Option<string> m_Species = new("--species")
     {
@@ -85,7 +80,7 @@ internal sealed class FlyOptions
         Option[] all =
         [
             m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
-            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Species, m_View, m_Out,
+            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_View, m_Out,
         ];
         foreach (Option option in all)
             command.Options.Add(option);
@@ -105,8 +100,12 @@ internal sealed class FlyOptions
         var plan = new FlightPlan
         {
             Species = name,
-            MeshFile = parsed.GetValue(m_Mesh),
-            SkeletonFile = parsed.GetValue(m_Skeleton),
+            MeshFile = File(parsed, m_Mesh, 0),
+            SkeletonFile = File(parsed, m_Skeleton, 0),
+            TextureFile = File(parsed, m_Texture, 0),
+            HindMeshFile = File(parsed, m_Mesh, 1),
+            HindSkeletonFile = File(parsed, m_Skeleton, 1),
+            HindTextureFile = File(parsed, m_Texture, 1),
             Speed = parsed.GetValue(m_Speed) ?? (InsectCatalogue.TryFind(name, out InsectDefinition found) ? FlightPlan.CruiseOf(found) : 0),
             Variant = parsed.GetValue(m_Variant) ?? InsectVariant.Standard,
             Climb = parsed.GetValue(m_Climb),
@@ -128,11 +127,22 @@ internal sealed class FlyOptions
         return plan;
     }
 
+    private static Option<string[]> Files(string name, string unit, string description) =>
+        new(name) { HelpName = unit, Description = description, AllowMultipleArgumentsPerToken = true, Arity = new ArgumentArity(1, 2) };
+
+    private static string File(ParseResult parsed, Option<string[]> option, int index) => parsed.GetValue(option)?.ElementAtOrDefault(index);
+
     private static void Check(FlightPlan plan, string species, string preset)
     {
         string known = string.Join(", ", InsectCatalogue.Names);
         if ((plan.MeshFile == null) != (plan.SkeletonFile == null))
             throw new UserException("A wing of your own needs both --mesh and --skeleton.");
+        if ((plan.HindMeshFile == null) != (plan.HindSkeletonFile == null))
+            throw new UserException("Each --mesh needs a --skeleton.");
+        if (plan.TextureFile != null && plan.MeshFile == null || plan.HindTextureFile != null && plan.HindMeshFile == null)
+            throw new UserException("--texture goes with --mesh, one picture for each.");
+        if (plan.HindMeshFile != null && InsectCatalogue.TryFind(plan.Species, out InsectDefinition kinds) && kinds.Wings.Count < 2)
+            throw new UserException($"The {kinds.DisplayName} has one kind of wing, so that --mesh takes one file.");
         if (plan.MeshFile == null && preset != null)
             throw new UserException("--species goes with --mesh and --skeleton; name a species of the catalogue as 'fly SPECIES'.");
         if (plan.MeshFile != null && species != null)

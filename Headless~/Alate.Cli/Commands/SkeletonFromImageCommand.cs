@@ -15,7 +15,7 @@ namespace Alate.Cli.Commands;
 /// <summary><c>skeleton from-image IMAGE</c>: makes a mesh and a skeleton from a picture of a wing.</summary>
 internal static class SkeletonFromImageCommand
 {
-    private const string k_Skeleton = "skeleton.json", k_Mesh = "wing.obj", k_Overlay = "overlay.svg";
+    private const string k_Skeleton = "skeleton.json", k_Mesh = "wing.obj", k_Library = "wing.mtl", k_Picture = "wing.png", k_Overlay = "overlay.svg";
 
     public static Command Create(TextWriter output)
     {
@@ -71,13 +71,15 @@ internal static class SkeletonFromImageCommand
     {
         var picture = PictureFile.Read(file);
         WingTrace trace = Trace(picture, settings);
-        using var folder = OutputFolder.Prepare(path, k_Skeleton, k_Mesh, k_Overlay);
+        using var folder = OutputFolder.Prepare(path, k_Skeleton, k_Mesh, k_Library, k_Picture, k_Overlay);
         folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(trace.Skeleton))));
-        folder.Write(k_Mesh, stream => ObjWriter.Write(trace.Surface, stream));
+        folder.Write(k_Mesh, stream => ObjWriter.Write(trace.Surface, stream, k_Library, "wing"));
+        folder.Write(k_Library, stream => stream.Write(Encoding.UTF8.GetBytes(ObjMaterial.Write("wing", k_Picture))));
+        folder.Write(k_Picture, stream => stream.Write(picture.Bytes));
         folder.Write(k_Overlay, stream => stream.Write(Encoding.UTF8.GetBytes(TracePicture.Draw(picture, trace))));
         folder.Commit();
         output.WriteLine(Summary(trace));
-        output.WriteLine($"Wrote {k_Skeleton}, {k_Mesh} and {k_Overlay} into {path}.");
+        output.WriteLine($"Wrote {k_Skeleton}, {k_Mesh} with {k_Library} and {k_Picture}, and {k_Overlay} into {path}.");
     }
 
     private static WingTrace Trace(PictureFile picture, in WingTracingSettings settings)
@@ -111,6 +113,7 @@ internal static class SkeletonFromImageCommand
         + "Writes into the output folder:\n"
         + "  skeleton.json  the skeleton, for 'fly --mesh wing.obj --skeleton skeleton.json --species NAME'\n"
         + "  wing.obj       the wing's mesh with the picture's texture coordinates; hinge at the origin, leading edge towards +Z\n"
+        + "  wing.mtl, wing.png  its material: the picture, which 'fly --mesh' puts on the wing\n"
         + "  overlay.svg    the picture with what was found in it: outline, mesh, veins, chains\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

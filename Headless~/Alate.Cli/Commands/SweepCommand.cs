@@ -16,7 +16,7 @@ namespace Alate.Cli.Commands;
 /// <summary><c>sweep PARAMETER FROM TO</c>: flies a species at several values of one number.</summary>
 internal static class SweepCommand
 {
-    private const string k_Picture = "sweep.svg", k_Table = "sweep.csv";
+    private const string k_Picture = "sweep.png", k_Charts = "sweep.svg", k_Table = "sweep.csv";
 
     public static Command Create(TextWriter output)
     {
@@ -71,19 +71,20 @@ internal static class SweepCommand
 
     private static void Run(SweepPlan plan, string path, TextWriter output)
     {
-        using var folder = OutputFolder.Prepare(path, k_Picture, k_Table);
+        using var folder = OutputFolder.Prepare(path, k_Picture, k_Charts, k_Table);
         var terminal = new Terminal(output);
         Sweep sweep = null;
         terminal.ShowProgress(Sweep.Flights(plan), (done, stage) =>
         {
             sweep = Sweep.Fly(plan, done);
             stage("drawing");
-            folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(SweepPicture.Draw(sweep))));
+            folder.Write(k_Picture, stream => stream.Write(SweepPicture.DrawPoses(sweep)));
+            folder.Write(k_Charts, stream => stream.Write(Encoding.UTF8.GetBytes(SweepPicture.DrawCharts(sweep))));
             folder.Write(k_Table, stream => SweepTable.Write(sweep, stream));
         });
         folder.Commit();
         terminal.ShowTable($"{sweep.Points[0].Summary.Flight.Insect.DisplayName}: {plan.Parameter.Title}", Rows(sweep));
-        terminal.ShowFiles(path, k_Picture, k_Table);
+        terminal.ShowFiles(path, k_Picture, k_Charts, k_Table);
     }
 
     private static IEnumerable<IReadOnlyList<string>> Rows(Sweep sweep)
@@ -114,7 +115,8 @@ internal static class SweepCommand
         + "On an insect with two kinds of wings the first takes the value; the other is changed by the same factor, or the same\n"
         + "difference where the number may be negative.\n\n"
         + "Writes into the output folder:\n"
-        + "  sweep.svg  the insect at four phases for each value, and curves of the measures\n"
+        + "  sweep.png  the insect at four phases for each value\n"
+        + "  sweep.svg  curves of the measures\n"
         + "  sweep.csv  every measure for each value and kind of wing\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

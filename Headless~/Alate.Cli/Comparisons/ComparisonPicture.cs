@@ -5,10 +5,11 @@ using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
+using Alate.Cli.Pictures.Photos;
 
 namespace Alate.Cli.Comparisons;
 
-/// <summary>SPECIES.svg: a column for each part of the model, a row for each phase, and the numbers below each column.</summary>
+/// <summary>SPECIES.png: a column for each part of the model, a row for each phase, and the numbers below each column.</summary>
 internal static class ComparisonPicture
 {
     private const float k_Edge = 26f, k_Left = 62f, k_Header = 100f, k_Panel = 236f, k_Line = 19f, k_LetterWidth = 5.9f;
@@ -20,10 +21,10 @@ internal static class ComparisonPicture
     ];
 
     /// <summary>The whole picture.</summary>
-    public static string Draw(Comparison comparison)
+    public static byte[] Draw(Comparison comparison)
     {
-        var page = new SvgPage(PictureDetail.Small);
-        var scenes = comparison.Flights.Select(flight => new InsectScene(flight.Summary.Flight, PictureDetail.Small)).ToList();
+        var page = new PixelPage();
+        var scenes = comparison.Flights.Select(flight => new PhotoScene(flight.Summary.Flight, flight.Summary.Flight.Plan.View)).ToList();
         var grid = new PoseGrid(scenes, comparison.Phases, k_Left, k_Header, k_Panel);
         float width = grid.Right + k_Edge;
         page.Text(k_Edge, 38f, 22f, comparison.Name, look: "b");
@@ -33,7 +34,7 @@ internal static class ComparisonPicture
         grid.Draw(page);
         grid.LabelRows(page, comparison.Phases, k_Left - 10f);
         float bottom = grid.Bottom + 12f;
-        page.Line(k_Edge, bottom, width - k_Edge, bottom, "#ded8c8");
+        page.Line(k_Edge, bottom, width - k_Edge, bottom, 0xded8c8);
         float top = bottom;
         for (int k = 0; k < scenes.Count; k++)
             bottom = Numbers(page, comparison.Flights[k], k_Left + (k + 0.5f) * k_Panel, top + 24f);
@@ -45,7 +46,7 @@ internal static class ComparisonPicture
         return page.Finish(width, bottom + 42f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
     }
 
-    private static void Heading(SvgPage page, ComparisonColumn column, float middle)
+    private static void Heading(PixelPage page, ComparisonColumn column, float middle)
     {
         page.Text(middle, 68f, 15f, column.Title, "middle", "b");
         (string first, string second) = Broken(column.Description);
@@ -63,7 +64,7 @@ internal static class ComparisonPicture
         return (text[..space], text[(space + 1)..]);
     }
 
-    private static float Numbers(SvgPage page, ComparedFlight flight, float middle, float top)
+    private static float Numbers(PixelPage page, ComparedFlight flight, float middle, float top)
     {
         IReadOnlyList<WingSummary> wings = flight.Summary.Wings;
         float y = top;
@@ -82,7 +83,7 @@ internal static class ComparisonPicture
         return y + k_Line;
     }
 
-    private static float Line(SvgPage page, string title, List<double> values, float middle, float y)
+    private static float Line(PixelPage page, string title, List<double> values, float middle, float y)
     {
         page.Text(middle - 84f, y, 13f, title, look: "t");
         for (int k = 0; k < values.Count; k++)

@@ -1,6 +1,7 @@
 using System.Linq;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
+using Alate.Cli.Pictures.Photos;
 
 namespace Alate.Cli.Figures;
 
@@ -11,14 +12,14 @@ internal static class SpeciesPortrait
 
     private static readonly double[] s_Phases = [0.0, 0.3, 0.6];
 
-    public static string Draw(FlightRecord flight)
+    public static byte[] Draw(FlightRecord flight)
     {
-        var page = new SvgPage(PictureDetail.Medium);
-        var scene = new InsectScene(flight, PictureDetail.Medium);
+        var page = new PixelPage();
+        var scene = new PhotoScene(flight, flight.Plan.View);
         var layout = new StripLayout(s_Phases.Select(scene.PoseAt).ToList(), s_Phases.Length, 0f, k_Top, k_Panel, 0f);
         for (int k = 0; k < s_Phases.Length; k++)
         {
-            page.Add(scene.Draw(scene.PoseAt(s_Phases[k]), layout[k]));
+            page.Add(scene, scene.PoseAt(s_Phases[k]), layout[k]);
             page.Text((k + 0.5f) * k_Panel, layout.Height + 12f, 15f, $"{360.0 * s_Phases[k]:0}°", "middle", "t");
         }
 

@@ -11,8 +11,21 @@ namespace Alate.Cli.Flights;
 internal sealed record FlightPlan
 {
     public string Species { get; init; }
+
+    /// <summary>Wing of the user's own, and its skeleton; null for the species'.</summary>
     public string MeshFile { get; init; }
     public string SkeletonFile { get; init; }
+
+    /// <summary>Picture for its texture coordinates; null is that of its material, if it has one.</summary>
+    public string TextureFile { get; init; }
+
+    /// <summary>The same of a hind wing; null for none.</summary>
+    public string HindMeshFile { get; init; }
+    public string HindSkeletonFile { get; init; }
+    public string HindTextureFile { get; init; }
+
+    /// <summary>Kinds of wings that are the user's own.</summary>
+    public int OwnWings => HindMeshFile != null ? 2 : MeshFile != null ? 1 : 0;
 
     /// <summary>Speed of the body ahead and up, m/s.</summary>
     public double Speed { get; init; } = 1.3;

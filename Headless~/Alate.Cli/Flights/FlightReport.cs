@@ -1,5 +1,4 @@
 using System.IO;
-using System.Text;
 using Alate.Cli.Gltf;
 using Alate.Cli.Output;
 using Alate.Cli.Pictures;
@@ -9,7 +8,7 @@ namespace Alate.Cli.Flights;
 /// <summary>Flies a plan, shows how it gets on, and writes what came of it: all of the files or none.</summary>
 internal static class FlightReport
 {
-    private const string k_Strip = "strip.svg", k_Glb = "wings.glb", k_Joints = "joints.csv", k_Forces = "forces.csv", k_Summary = "summary.json";
+    private const string k_Strip = "strip.png", k_Glb = "wings.glb", k_Joints = "joints.csv", k_Forces = "forces.csv", k_Summary = "summary.json";
 
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(FlightPlan plan, TextWriter output)
@@ -27,7 +26,7 @@ internal static class FlightReport
             stage("measuring");
             summary = FlightSummary.Of(record);
             stage("drawing");
-            folder.Write(k_Strip, stream => stream.Write(Encoding.UTF8.GetBytes(BeatStrip.Draw(record))));
+            folder.Write(k_Strip, stream => stream.Write(BeatStrip.Draw(record)));
             stage("writing");
             folder.Write(k_Glb, stream => WingsGlb.Write(record, stream));
             folder.Write(k_Joints, stream => JointTable.Write(record, stream));

@@ -68,12 +68,23 @@ internal sealed class Insect
     private static Insect FromFiles(InsectDefinition definition, FlightPlan plan)
     {
         string name = Path.GetFileNameWithoutExtension(plan.MeshFile);
-        ObjMesh mesh = TextFile.Read(plan.MeshFile, ObjReader.Read);
-        WingSkeleton skeleton = TextFile.Read(plan.SkeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), mesh.Origin));
+        var wings = new List<InsectWing> { FromFiles(definition.Wings[0], plan, plan.MeshFile, plan.SkeletonFile, plan.TextureFile) };
+        if (plan.HindMeshFile != null)
+            wings.Add(FromFiles(definition.Wings[1], plan, plan.HindMeshFile, plan.HindSkeletonFile, plan.HindTextureFile));
+        return new Insect(name, name, wings, definition.Body.CreateSurface(1f));
+    }
+
+    private static InsectWing FromFiles(WingDefinition model, FlightPlan plan, string meshFile, string skeletonFile, string textureFile)
+    {
+        ObjMesh mesh = TextFile.Read(meshFile, ObjReader.Read);
+        WingSkeleton skeleton = TextFile.Read(skeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), mesh.Origin));
         List<SkeletonProblem> problems = skeleton.Validate();
         if (problems.Count > 0)
-            throw new UserException($"{plan.SkeletonFile}: {problems[0].Message}");
-        return OfWing(definition, plan, name, mesh.ToSurface(plan.MeshFile), mesh.Colours, skeleton);
+            throw new UserException($"{skeletonFile}: {problems[0].Message}");
+        if (textureFile != null && mesh.Uvs == null)
+            throw new UserException($"{meshFile} has no texture coordinates ('vt') at every corner, so that '{textureFile}' has no place on it.");
+        string picture = textureFile ?? (mesh.Uvs == null ? null : ObjMaterial.FindPicture(meshFile, mesh.Library));
+        return Own(model, plan, mesh.ToSurface(meshFile), mesh.Colours, skeleton, picture == null ? null : WingTexture.Of(PictureFile.Read(picture).Bytes));
     }
 
     /// <summary>An insect with the body and the numbers of a species, and a wing of another kind.</summary>
@@ -85,19 +96,17 @@ internal sealed class Insect
     /// <param name="skeleton">Valid for the surface.</param>
     /// <param name="picture">For the surface's texture coordinates; null for none.</param>
     public static Insect OfWing(
-        InsectDefinition definition, FlightPlan plan, string name, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture = null)
+        InsectDefinition definition, FlightPlan plan, string name, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture = null) =>
+        new(name, name, [Own(definition.Wings[0], plan, surface, colours, skeleton, picture)], definition.Body.CreateSurface(1f));
+
+    private static InsectWing Own(WingDefinition model, FlightPlan plan, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture) => new()
     {
-        WingDefinition model = definition.Wings[0];
-        var wing = new InsectWing
-        {
-            Name = model.Name,
-            Preset = model.CreatePreset(plan.Preset, plan.Variant),
-            Skeleton = skeleton,
-            Surface = surface,
-            Colours = colours,
-            Picture = picture,
-            Hinge = model.Hinge,
-        };
-        return new Insect(name, name, [wing], definition.Body.CreateSurface(1f));
-    }
+        Name = model.Name,
+        Preset = model.CreatePreset(plan.Preset, plan.Variant),
+        Skeleton = skeleton,
+        Surface = surface,
+        Colours = colours,
+        Picture = picture,
+        Hinge = model.Hinge,
+    };
 }

@@ -65,9 +65,9 @@ internal static class PlanRange
             && s_Density.Contains(wing.Size.RelativeDensity) && s_Reference.Contains(wing.ReferenceFrequency);
     }
 
-    // A wing of the user's own is of the first kind.
+    // Wings of the user's own are of the first kinds.
     private static List<WingPreset> Wings(FlightPlan plan) =>
-        FlightOptions.Find(plan.Species, plan.Variant).Wings.Take(plan.MeshFile == null ? int.MaxValue : 1)
+        FlightOptions.Find(plan.Species, plan.Variant).Wings.Take(plan.MeshFile == null ? int.MaxValue : plan.OwnWings)
             .Select(wing => wing.CreatePreset(plan.Preset, plan.Variant)).ToList();
 
     private static WingParameterRange Range(string name) => WingParameterRange.All.First(range => range.Name == name);

@@ -16,7 +16,7 @@ internal static class TrimPicture
     {
         const float k_Width = 500f, k_Height = 280f;
         double[] speeds = rows.Select(row => row.Speed).Distinct().OrderBy(speed => speed).ToArray(), climbs = rows.Select(row => row.Climb).Distinct().OrderBy(climb => climb).ToArray();
-        var page = new SvgPage(PictureDetail.Small);
+        var page = new SvgPage();
         page.Text(26f, 38f, 22f, $"{insect.DisplayName}: trim over speed", look: "b");
         page.Text(26f, 60f, 13f, "Speed ahead, m/s. Lines: climb " + string.Join(", ", climbs.Select(LineChart.Label)) + " m/s, from blue to red.", look: "t");
         (string Title, Func<TrimRow, double> Of)[] charts =

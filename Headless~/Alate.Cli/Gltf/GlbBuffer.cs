@@ -152,6 +152,16 @@ internal sealed class GlbBuffer
         return Add(accessor);
     }
 
+    /// <summary>A file within the file, such as a picture.</summary>
+    /// <returns>Its view.</returns>
+    public int AddFile(byte[] content)
+    {
+        int view = BeginView(null);
+        m_Writer.Write(content);
+        EndView(view, 0, "", 0);
+        return view;
+    }
+
     private int BeginView(int? target)
     {
         var view = new JsonObject { ["buffer"] = 0, ["byteOffset"] = m_Bytes.Position };

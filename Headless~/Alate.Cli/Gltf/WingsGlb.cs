@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text.Json.Nodes;
 using Alate.Cli.Flights;
 using Alate.Cli.FreeFlights;
+using Alate.Cli.Pictures;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Gltf;
@@ -19,11 +20,15 @@ internal sealed class WingsGlb
     private const int k_KeyFrames = 24;
 
     private readonly GlbBuffer m_Buffer = new();
+    private readonly GlbLooks m_Looks;
     private readonly JsonArray m_Nodes = [];
     private readonly JsonArray m_Meshes = [];
-    private readonly JsonArray m_Materials = [];
-    private readonly Dictionary<(bool IsPainted, bool IsGlass), int> m_MaterialOfLook = [];
     private readonly List<int> m_WingNodes = [];
+
+    private WingsGlb()
+    {
+        m_Looks = new GlbLooks(m_Buffer);
+    }
 
     /// <summary>Writes the file.</summary>
     /// <param name="flight">The beat.</param>
@@ -50,7 +55,7 @@ internal sealed class WingsGlb
         foreach (IGrouping<bool, int[]> part in Indices(body.triangles, flip: true).Chunk(3).GroupBy(triangle => IsGlass(triangle, body.colours)))
         {
             int[] indices = part.SelectMany(triangle => triangle).ToArray();
-            primitives.Add(Primitive(attributes.DeepClone(), indices, positions.Length, MaterialOf(body.colours != null, part.Key)));
+            primitives.Add(Primitive(attributes.DeepClone(), indices, positions.Length, m_Looks.Plain(body.colours != null, part.Key)));
         }
 
         AddNode("body", new JsonObject { ["name"] = "body", ["primitives"] = primitives });
@@ -61,9 +66,13 @@ internal sealed class WingsGlb
         string name = $"{wing.Wing.Name} {(wing.Placement.IsLeft ? "left" : "right")}";
         (float3[] rest, float3[] restNormals) = Shape(wing, 0);
         int[] indices = Indices(wing.Triangles, flip: wing.IsMeshMirrored == wing.Placement.IsLeft);
-        JsonObject primitive = Primitive(
-            Attributes(rest, restNormals, wing.Wing.Colours), indices, rest.Length,
-            MaterialOf(wing.Wing.Colours != null, IsGlass(indices, wing.Wing.Colours)));
+        SurfaceMesh surface = wing.Wing.Surface;
+        WingTexture texture = surface.uvs == null ? null : wing.Wing.Texture;
+        JsonObject attributes = Attributes(rest, restNormals, texture == null ? wing.Wing.Colours : null);
+        if (texture != null)
+            attributes["TEXCOORD_0"] = m_Buffer.AddPairs(Array.ConvertAll(surface.uvs, uv => new float2(uv.x, 1f - uv.y)));
+        int material = texture == null ? m_Looks.Plain(wing.Wing.Colours != null, IsGlass(indices, wing.Wing.Colours)) : m_Looks.Of(texture, wing.Wing.Name);
+        JsonObject primitive = Primitive(attributes, indices, rest.Length, material);
         var targets = new JsonArray();
         for (int key = 1; key < k_KeyFrames; key++)
         {
@@ -111,19 +120,20 @@ internal sealed class WingsGlb
         m_Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = children });
         double period = 1.0 / flight.Wings[0].Frequency;
         JsonArray animations = [path == null ? Animation(period) : Animation(path, parts)];
-        return new JsonObject
+        var gltf = new JsonObject
         {
             ["asset"] = new JsonObject { ["version"] = "2.0", ["generator"] = "Alate Insect Wings" },
             ["scene"] = 0,
             ["scenes"] = new JsonArray(new JsonObject { ["name"] = flight.Insect.DisplayName, ["nodes"] = new JsonArray(parts) }),
             ["nodes"] = m_Nodes,
             ["meshes"] = m_Meshes,
-            ["materials"] = m_Materials,
             ["animations"] = animations,
             ["accessors"] = m_Buffer.Accessors,
             ["bufferViews"] = m_Buffer.Views,
             ["buffers"] = new JsonArray(new JsonObject { ["byteLength"] = m_Buffer.ToArray().Length }),
         };
+        m_Looks.WriteTo(gltf);
+        return gltf;
     }
 
     // Between two key frames the weight passes from one target to the next; the last key repeats the first, which is no target at all.
@@ -184,15 +194,6 @@ internal sealed class WingsGlb
 
     private static JsonObject Channel(int sampler, int node, string path) =>
         new() { ["sampler"] = sampler, ["target"] = new JsonObject { ["node"] = node, ["path"] = path } };
-
-    private int MaterialOf(bool isPainted, bool isGlass)
-    {
-        if (m_MaterialOfLook.TryGetValue((isPainted, isGlass), out int material))
-            return material;
-        m_Materials.Add(GltfMaterial.Of(isPainted, isGlass, isGlass ? "glass" : isPainted ? "painted" : "membrane"));
-        m_MaterialOfLook.Add((isPainted, isGlass), m_Materials.Count - 1);
-        return m_Materials.Count - 1;
-    }
 
     private static bool IsGlass(int[] vertices, UnityEngine.Color32[] colours) =>
         colours != null && vertices.Any(vertex => colours[vertex].a < byte.MaxValue);

@@ -20,7 +20,13 @@ internal sealed class ObjMesh
     /// <summary>[vertex] Null unless every vertex of the file has one.</summary>
     public Color32[] Colours { get; init; }
 
+    /// <summary>[vertex] Null unless every corner of the file has one.</summary>
+    public Vector2[] Uvs { get; init; }
+
     public int[] Triangles { get; init; }
 
-    public SurfaceMesh ToSurface(string name) => new() { name = name, positions = Positions, normals = Normals, triangles = Triangles };
+    /// <summary>File of the materials as the mesh names it; null where it names none.</summary>
+    public string Library { get; init; }
+
+    public SurfaceMesh ToSurface(string name) => new() { name = name, positions = Positions, normals = Normals, uvs = Uvs, triangles = Triangles };
 }

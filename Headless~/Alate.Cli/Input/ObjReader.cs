@@ -7,9 +7,8 @@ using UnityEngine;
 namespace Alate.Cli.Input;
 
 /// <summary>
-/// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vn and f with triangles, quads and larger polygons as fans, also
-/// with
-/// negative indices. Positions are read in double precision. Texture coordinates, groups, materials, lines and points are passed over.
+/// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vt, vn and f with triangles, quads and larger polygons as fans, also with negative
+/// indices, and the name of its materials. Positions are read in double precision. Groups, lines and points are passed over.
 /// </summary>
 internal sealed class ObjReader
 {
@@ -21,11 +20,12 @@ internal sealed class ObjReader
     private readonly List<(double X, double Y, double Z)> m_Positions = [];
     private readonly List<Vector3> m_Normals = [];
     private readonly List<Color32> m_Colours = [];
-    private readonly List<(int Position, int Normal)> m_Corners = [];
-    private readonly Dictionary<(int Position, int Normal), int> m_Vertices = [];
+    private readonly List<Vector2> m_TexturePoints = [];
+    private readonly List<(int Position, int Texture, int Normal)> m_Corners = [];
+    private readonly Dictionary<(int Position, int Texture, int Normal), int> m_Vertices = [];
     private readonly List<int> m_Triangles = [];
-    private bool m_EveryCornerHasNormal = true;
-    private int m_TexturePoints;
+    private bool m_EveryCornerHasNormal = true, m_EveryCornerHasTexture = true;
+    private string m_Library;
     private int m_Line;
     private bool m_HasLines;
 
@@ -73,7 +73,12 @@ internal sealed class ObjReader
                 m_Normals.Add(From(Numbers(words), default));
                 break;
             case "vt":
-                m_TexturePoints++;
+                if (words.Length < 3)
+                    throw Wrong($"'vt' has {words.Length - 1} numbers, not two");
+                m_TexturePoints.Add(new Vector2((float)Number(words[1]), (float)Number(words[2])));
+                break;
+            case "mtllib":
+                m_Library = line[(line.IndexOf("mtllib", StringComparison.Ordinal) + "mtllib".Length)..].Trim();
                 break;
             case "f":
                 TakeFace(words);
@@ -111,15 +116,15 @@ internal sealed class ObjReader
         if (parts.Length > 3)
             throw Wrong($"'{word}' is no corner of a face");
         int position = Index(parts[0], m_Positions.Count, "vertex");
-        if (parts.Length > 1 && parts[1].Length > 0)
-            Index(parts[1], m_TexturePoints, "texture point");
+        int texture = parts.Length > 1 && parts[1].Length > 0 ? Index(parts[1], m_TexturePoints.Count, "texture point") : -1;
         int normal = parts.Length > 2 && parts[2].Length > 0 ? Index(parts[2], m_Normals.Count, "normal") : -1;
         m_EveryCornerHasNormal &= normal >= 0;
-        if (m_Vertices.TryGetValue((position, normal), out int vertex))
+        m_EveryCornerHasTexture &= texture >= 0;
+        if (m_Vertices.TryGetValue((position, texture, normal), out int vertex))
             return vertex;
         vertex = m_Corners.Count;
-        m_Corners.Add((position, normal));
-        m_Vertices.Add((position, normal), vertex);
+        m_Corners.Add((position, texture, normal));
+        m_Vertices.Add((position, texture, normal), vertex);
         return vertex;
     }
 
@@ -166,7 +171,7 @@ internal sealed class ObjReader
     private (double Middle, double Size) Middle(Func<(double X, double Y, double Z), double> along)
     {
         double low = double.MaxValue, high = double.MinValue;
-        foreach ((int position, _) in m_Corners)
+        foreach ((int position, _, _) in m_Corners)
         {
             low = Math.Min(low, along(m_Positions[position]));
             high = Math.Max(high, along(m_Positions[position]));
@@ -192,6 +197,8 @@ internal sealed class ObjReader
             Positions = m_Corners.ConvertAll(corner => From(m_Positions[corner.Position], origin)).ToArray(),
             Origin = origin,
             Normals = m_EveryCornerHasNormal ? m_Corners.ConvertAll(corner => m_Normals[corner.Normal]).ToArray() : null,
+            Uvs = m_EveryCornerHasTexture ? m_Corners.ConvertAll(corner => m_TexturePoints[corner.Texture]).ToArray() : null,
+            Library = m_Library,
             Colours = coloured ? m_Corners.ConvertAll(corner => m_Colours[corner.Position]).ToArray() : null,
             Triangles = m_Triangles.ToArray(),
         };

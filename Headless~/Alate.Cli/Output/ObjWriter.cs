@@ -8,9 +8,15 @@ namespace Alate.Cli.Output;
 /// <summary>Writes a mesh as a Wavefront OBJ file, coordinates as they are: with v, vt, vn and f.</summary>
 internal static class ObjWriter
 {
-    public static void Write(SurfaceMesh mesh, Stream stream)
+    /// <param name="mesh">With texture coordinates.</param>
+    /// <param name="stream">Where to.</param>
+    /// <param name="library">File of the mesh's material; null for none.</param>
+    /// <param name="material">Name of that material.</param>
+    public static void Write(SurfaceMesh mesh, Stream stream, string library = null, string material = null)
     {
         using var text = new StreamWriter(stream, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
+        if (library != null)
+            text.WriteLine($"mtllib {library}\nusemtl {material}");
         foreach (Vector3 p in mesh.positions)
             text.WriteLine(string.Create(CultureInfo.InvariantCulture, $"v {p.x:R} {p.y:R} {p.z:R}"));
         foreach (Vector2 uv in mesh.uvs)

@@ -81,6 +81,12 @@ internal static class SummaryJson
         {
             json.WriteString("mesh", plan.MeshFile);
             json.WriteString("skeleton", plan.SkeletonFile);
+            if (plan.HindMeshFile != null)
+            {
+                json.WriteString("hind_mesh", plan.HindMeshFile);
+                json.WriteString("hind_skeleton", plan.HindSkeletonFile);
+            }
+
             json.WriteString("parameters_of", plan.Species);
         }
 

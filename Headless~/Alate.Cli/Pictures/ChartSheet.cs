@@ -30,7 +30,7 @@ internal sealed class ChartSheet
     /// <summary>Colours of kinds of wings.</summary>
     public static IReadOnlyList<string> Colours { get; } = ["#0b5fa5", "#c2410c"];
 
-    public SvgPage Page { get; } = new(PictureDetail.Small);
+    public SvgPage Page { get; } = new();
 
     /// <summary>Middle of the legend's first line.</summary>
     public float LegendTop => 86f;

@@ -11,4 +11,20 @@ internal sealed class Pose
 
     /// <summary>[surface][vertex] On the body.</summary>
     public List<float3[]> Normals { get; } = [];
+
+    /// <summary>Corners of what is seen.</summary>
+    public (float2 Min, float2 Max) Bounds()
+    {
+        float2 min = float.PositiveInfinity, max = float.NegativeInfinity;
+        foreach (float3[] surface in Places)
+        {
+            foreach (float3 place in surface)
+            {
+                min = math.min(min, place.xy);
+                max = math.max(max, place.xy);
+            }
+        }
+
+        return (min, max);
+    }
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Cli.Pictures.Photos;
 
 namespace Alate.Cli.Pictures;
 
@@ -7,7 +8,7 @@ internal sealed class PoseGrid
 {
     private const float k_Gap = 4f;
 
-    private readonly IReadOnlyList<InsectScene> m_Scenes;
+    private readonly IReadOnlyList<PhotoScene> m_Scenes;
     private readonly List<Pose> m_Poses = [];
     private readonly StripLayout m_Layout;
 
@@ -16,12 +17,12 @@ internal sealed class PoseGrid
     /// <param name="left">Where the first panel begins.</param>
     /// <param name="top">Where the first panel begins.</param>
     /// <param name="panelWidth">Units of the picture.</param>
-    public PoseGrid(IReadOnlyList<InsectScene> scenes, IReadOnlyList<double> phases, float left, float top, float panelWidth)
+    public PoseGrid(IReadOnlyList<PhotoScene> scenes, IReadOnlyList<double> phases, float left, float top, float panelWidth)
     {
         m_Scenes = scenes;
         foreach (double phase in phases)
         {
-            foreach (InsectScene scene in scenes)
+            foreach (PhotoScene scene in scenes)
                 m_Poses.Add(scene.PoseAt(phase));
         }
 
@@ -36,14 +37,14 @@ internal sealed class PoseGrid
     public StripPanel this[int row, int column] => m_Layout[row * m_Scenes.Count + column];
 
     /// <summary>Paints every pose.</summary>
-    public void Draw(SvgPage page)
+    public void Draw(PixelPage page)
     {
         for (int k = 0; k < m_Poses.Count; k++)
-            page.Add(m_Scenes[k % m_Scenes.Count].Draw(m_Poses[k], m_Layout[k]));
+            page.Add(m_Scenes[k % m_Scenes.Count], m_Poses[k], m_Layout[k]);
     }
 
     /// <summary>Writes each row's phase at its left end.</summary>
-    public void LabelRows(SvgPage page, IReadOnlyList<double> phases, float right)
+    public void LabelRows(PixelPage page, IReadOnlyList<double> phases, float right)
     {
         for (int row = 0; row < phases.Count; row++)
         {

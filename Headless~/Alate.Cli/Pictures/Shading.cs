@@ -14,42 +14,28 @@ internal sealed class Shading
 
     private static readonly float3 s_ThroughTint = new(1.1f, 0.98f, 0.82f);
     private readonly float3 m_Towards, m_Key, m_Half;
-    private readonly PictureDetail m_Detail;
 
     /// <param name="camera">Who looks.</param>
-    /// <param name="detail">
-    /// For <see cref="Shade"/>: its steps of light and colour, small enough to look smooth, large enough that neighbouring triangles merge.
-    /// </param>
-    public Shading(PictureCamera camera, PictureDetail detail = null)
+    public Shading(PictureCamera camera)
     {
-        m_Detail = detail;
         m_Towards = camera.Towards;
         m_Key = camera.Direction(-0.45f, 0.8f, 0.55f);
         m_Half = math.normalize(m_Key + m_Towards);
     }
 
-    /// <summary>The shade of a surface, sRGB in six hexadecimal digits, in steps, so that neighbours can be painted in one go.</summary>
+    /// <summary>Light of a surface, linear.</summary>
     /// <param name="colour">Linear light, 0 to 1.</param>
     /// <param name="normal">Unit vector on the body; which side it points to does not matter.</param>
     /// <param name="isThin">A wing, which light passes; else a body.</param>
-    public int Shade(float3 colour, float3 normal, bool isThin)
-    {
-        float step = m_Detail.LightStep * (isThin || m_Detail.BodyColours == 0 ? 1f : 1.6f);
-        return Quantised(ToEncoded(Light(colour, normal, isThin, step, m_Detail.LightStep, m_Detail.RimStep)));
-    }
-
-    /// <summary>Light without steps, linear.</summary>
-    public float3 Light(float3 colour, float3 normal, bool isThin) => Light(colour, normal, isThin, 0f, 0f, 0f);
-
-    private float3 Light(float3 colour, float3 normal, bool isThin, float step, float throughStep, float rimStep)
+    public float3 Light(float3 colour, float3 normal, bool isThin)
     {
         float facing = math.dot(normal, m_Towards);
         normal = facing < 0f ? -normal : normal;
         float key = math.dot(normal, m_Key);
-        float through = isThin ? Stepped(k_Through * math.max(-key, 0f), throughStep) : 0f;
-        float rim = Stepped(k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower), rimStep);
-        float gloss = isThin ? 0f : Stepped(k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower), rimStep);
-        float light = Stepped(k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f), step);
+        float through = isThin ? k_Through * math.max(-key, 0f) : 0f;
+        float rim = k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower);
+        float gloss = isThin ? 0f : k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower);
+        float light = k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f);
         return colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
     }
 
@@ -58,13 +44,4 @@ internal sealed class Shading
 
     /// <summary>The sRGB value of a light.</summary>
     public static float3 ToEncoded(float3 linear) => math.pow(math.saturate(linear), 1f / 2.2f);
-
-    private static float Stepped(float value, float step) => step > 0f ? step * math.round(value / step) : value;
-
-    private int Quantised(float3 colour)
-    {
-        int3 steps = (int3)math.round(255f * colour / m_Detail.ColourStep) * m_Detail.ColourStep;
-        steps = math.min(steps, 255);
-        return (steps.x << 16) | (steps.y << 8) | steps.z;
-    }
 }

@@ -52,14 +52,8 @@ internal sealed class StripLayout
         float2 min = float.PositiveInfinity, max = float.NegativeInfinity;
         for (int k = first; k < first + count; k++)
         {
-            foreach (float3[] surface in poses[k].Places)
-            {
-                foreach (float3 place in surface)
-                {
-                    min = math.min(min, place.xy);
-                    max = math.max(max, place.xy);
-                }
-            }
+            (float2 low, float2 high) = poses[k].Bounds();
+            (min, max) = (math.min(min, low), math.max(max, high));
         }
 
         return (min, max);

@@ -5,9 +5,8 @@ using System.Text;
 
 namespace Alate.Cli.Pictures;
 
-/// <summary>An SVG picture on pale ground: texts, lines and what scenes of one detail draw.</summary>
-/// <param name="detail">That of the scenes.</param>
-internal sealed class SvgPage(PictureDetail detail)
+/// <summary>A diagram or a chart as SVG on pale ground.</summary>
+internal sealed class SvgPage
 {
     private const string k_Style = "text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}.t{fill:#8a8272}.b{font-weight:bold}";
 
@@ -22,7 +21,7 @@ internal sealed class SvgPage(PictureDetail detail)
         var page = new StringBuilder();
         page.Append(CultureInfo.InvariantCulture, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" ");
         page.Append(CultureInfo.InvariantCulture, $"width=\"{width}\" height=\"{height}\">\n<title>{SecurityElement.Escape(title)}</title>\n");
-        page.Append($"<style>{k_Style}{detail.Style}</style>\n");
+        page.Append($"<style>{k_Style}</style>\n");
         page.Append(CultureInfo.InvariantCulture, $"<rect width=\"{width}\" height=\"{height}\" rx=\"14\" fill=\"#f7f4ec\"/>\n");
         return page.Append(m_Content).Append("</svg>\n").ToString();
     }

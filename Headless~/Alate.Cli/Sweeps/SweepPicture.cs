@@ -3,30 +3,35 @@ using System.Collections.Generic;
 using System.Linq;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
+using Alate.Cli.Pictures.Photos;
 
 namespace Alate.Cli.Sweeps;
 
-/// <summary>sweep.svg: the insect at some phases for each value, and below it what was measured over all values.</summary>
+/// <summary>sweep.png, the insect at some phases for each value, and sweep.svg, charts of what was measured over all values.</summary>
 internal sealed class SweepPicture
 {
-    private const float k_Edge = 26f, k_Left = 56f, k_Header = 98f, k_MostWidth = 210f, k_GridWidth = 1000f, k_ChartHeight = 170f, k_Section = 10f;
+    private const float k_Edge = 26f, k_Left = 56f, k_Header = 98f, k_MostWidth = 210f, k_GridWidth = 1000f, k_ChartHeight = 170f, k_Section = 10f, k_Narrowest = 760f;
     private const int k_MostColumns = 8, k_Charts = 3;
 
     private static readonly double[] s_Phases = [0.0, 0.25, 0.5, 0.75];
     private static readonly string[] s_Colours = ["#0b5fa5", "#c2410c"];
 
     private readonly Sweep m_Sweep;
-    private readonly SvgPage m_Page = new(PictureDetail.Small);
+    private readonly PixelPage m_Poses = new();
+    private readonly SvgPage m_Charts = new();
 
     private SweepPicture(Sweep sweep)
     {
         m_Sweep = sweep;
     }
 
-    /// <summary>The whole picture.</summary>
-    public static string Draw(Sweep sweep) => new SweepPicture(sweep).Draw();
+    /// <summary>The insect, as a PNG file.</summary>
+    public static byte[] DrawPoses(Sweep sweep) => new SweepPicture(sweep).DrawPoses();
 
-    private string Draw()
+    /// <summary>The charts, as SVG.</summary>
+    public static string DrawCharts(Sweep sweep) => new SweepPicture(sweep).DrawCharts();
+
+    private byte[] DrawPoses()
     {
         List<int> columns = Columns(m_Sweep.Plan.Values.Count);
         float panel = Math.Min(k_MostWidth, (k_GridWidth - k_Left) / columns.Count), bottom = k_Header;
@@ -37,34 +42,40 @@ internal sealed class SweepPicture
                 bottom = DrawPoses(columns.ConvertAll(k => points[k]), wave, bottom, panel);
         }
 
-        float width = Math.Max(k_Left + columns.Count * panel + k_Edge, 760f);
+        float width = Math.Max(k_Left + columns.Count * panel + k_Edge, k_Narrowest);
         Heading(columns, panel, width);
-        bottom = DrawCharts(bottom + 16f, width);
-        return m_Page.Finish(width, MathF.Ceiling(bottom + 14f), $"{Name}: {m_Sweep.Plan.Parameter.Title}");
+        return m_Poses.Finish(width, MathF.Ceiling(bottom + 6f), $"{Name}: {m_Sweep.Plan.Parameter.Title}");
+    }
+
+    private string DrawCharts()
+    {
+        m_Charts.Text(k_Edge, 38f, 22f, Name, look: "b");
+        float bottom = DrawCharts(62f, k_GridWidth);
+        return m_Charts.Finish(k_GridWidth, MathF.Ceiling(bottom + 14f), $"{Name}: {m_Sweep.Plan.Parameter.Title}");
     }
 
     private string Name => m_Sweep.Points[0].Summary.Flight.Insect.DisplayName;
 
     private void Heading(List<int> columns, float panel, float width)
     {
-        m_Page.Text(k_Edge, 38f, 22f, Name, look: "b");
-        m_Page.Text(width - k_Edge, 37f, 15f, m_Sweep.Plan.Parameter.Title, "end");
+        m_Poses.Text(k_Edge, 38f, 22f, Name, look: "b");
+        m_Poses.Text(width - k_Edge, 37f, 15f, m_Sweep.Plan.Parameter.Title, "end");
         for (int k = 0; k < columns.Count; k++)
-            m_Page.Text(k_Left + (k + 0.5f) * panel, 72f, 15f, LineChart.Label(m_Sweep.Plan.Values[columns[k]]), "middle", "b");
+            m_Poses.Text(k_Left + (k + 0.5f) * panel, 72f, 15f, LineChart.Label(m_Sweep.Plan.Values[columns[k]]), "middle", "b");
     }
 
     private float DrawPoses(List<SweepPoint> points, bool wave, float top, float panel)
     {
         if (m_Sweep.Plan.Waves != SweepWaves.On)
         {
-            m_Page.Text(k_Edge, top + 4f, 14f, wave ? "with the deformation wave" : "without the deformation wave", look: "t");
+            m_Poses.Text(k_Edge, top + 4f, 14f, wave ? "with the deformation wave" : "without the deformation wave", look: "t");
             top += 12f;
         }
 
-        List<InsectScene> scenes = points.ConvertAll(point => new InsectScene(point.Summary.Flight, PictureDetail.Small));
+        List<PhotoScene> scenes = points.ConvertAll(point => new PhotoScene(point.Summary.Flight, point.Summary.Flight.Plan.View));
         var grid = new PoseGrid(scenes, s_Phases, k_Left, top, panel);
-        grid.Draw(m_Page);
-        grid.LabelRows(m_Page, s_Phases, k_Left - 8f);
+        grid.Draw(m_Poses);
+        grid.LabelRows(m_Poses, s_Phases, k_Left - 8f);
         return grid.Bottom + k_Section;
     }
 
@@ -84,7 +95,7 @@ internal sealed class SweepPicture
         void Chart(string title, Func<SweepPoint, int, double> value)
         {
             float x = 12f + drawn % k_Charts * chart, y = top + drawn / k_Charts * k_ChartHeight;
-            new LineChart(m_Sweep.Plan.Values, m_Sweep.Plan.IsLogarithmic, x, y, chart, k_ChartHeight).Draw(m_Page, title, Curves(value));
+            new LineChart(m_Sweep.Plan.Values, m_Sweep.Plan.IsLogarithmic, x, y, chart, k_ChartHeight).Draw(m_Charts, title, Curves(value));
             drawn++;
         }
     }
@@ -115,14 +126,14 @@ internal sealed class SweepPicture
             x = Entry(x, top, Kinds[kind].Name, s_Colours[kind % s_Colours.Length], "");
         if (m_Sweep.Plan.Waves == SweepWaves.Both)
             x = Entry(Entry(x, top, "with the wave", "#3d3a34", ""), top, "without", "#3d3a34", " stroke-dasharray=\"5 4\"");
-        m_Page.Text(x, top + 4f, 13f, $"over {m_Sweep.Plan.Parameter.Title}", look: "t");
+        m_Charts.Text(x, top + 4f, 13f, $"over {m_Sweep.Plan.Parameter.Title}", look: "t");
         return top + 12f;
     }
 
     private float Entry(float x, float y, string text, string colour, string dash)
     {
-        m_Page.Append($"<path d=\"M{x:0.#} {y:0.#}h26\" stroke=\"{colour}\" stroke-width=\"2\" fill=\"none\"{dash}/>\n");
-        m_Page.Text(x + 32f, y + 4f, 13f, text);
+        m_Charts.Append($"<path d=\"M{x:0.#} {y:0.#}h26\" stroke=\"{colour}\" stroke-width=\"2\" fill=\"none\"{dash}/>\n");
+        m_Charts.Text(x + 32f, y + 4f, 13f, text);
         return x + 54f + 7.2f * text.Length;
     }
 

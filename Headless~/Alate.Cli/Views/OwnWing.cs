@@ -56,7 +56,7 @@ internal sealed record OwnWing(string Name, SurfaceMesh Surface, Color32[] Colou
             throw new FormatException($"it has {pixels / 1_000_000} million pixels; at most {MostPixels / 1_000_000} million are taken.");
         var png = PngFile.Read(content);
         WingTrace trace = WingTracer.Trace(new WingPicture(png.Width, png.Height, png.Pixels), WingTracingSettings.Default);
-        return new OwnWing(name, trace.Surface, null, trace.Skeleton, WingTexture.Of(content, png.Pixels), Remarks(trace.Confidence, string.Join(' ', trace.Warnings)));
+        return new OwnWing(name, trace.Surface, null, trace.Skeleton, WingTexture.Of(content), Remarks(trace.Confidence, string.Join(' ', trace.Warnings)));
     }
 
     private static OwnWing FromMesh(string name, byte[] content)

@@ -7,6 +7,7 @@ using Alate.Cli.Flights;
 using Alate.Cli.Gltf;
 using NUnit.Framework;
 using Unity.Mathematics;
+using Unity.StandIns;
 
 namespace Alate.Tests.Cli
 {
@@ -220,11 +221,13 @@ namespace Alate.Tests.Cli
         public void ThePaint_IsTheMonarchsOrange_OnAWhiteMaterialSeenFromBothSides()
         {
             JsonElement primitive = m_File.Primitive(k_Right);
-            double[] colours = m_File.Read(primitive.GetProperty("attributes").GetProperty("COLOR_0").GetInt32());
-            int vertices = Positions(primitive.GetProperty("attributes")).Length, width = colours.Length / vertices;
-            int orange = Enumerable.Range(0, vertices).Count(k => colours[width * k] > 0.5 && colours[width * k + 2] < 0.1);
+            double[] places = m_File.Read(primitive.GetProperty("attributes").GetProperty("TEXCOORD_0").GetInt32());
+            int vertices = Positions(primitive.GetProperty("attributes")).Length;
             JsonElement material = m_File.Root.GetProperty("materials")[primitive.GetProperty("material").GetInt32()];
             JsonElement light = material.GetProperty("pbrMetallicRoughness");
+            PngFile picture = Picture(light.GetProperty("baseColorTexture").GetProperty("index").GetInt32());
+            int orange = Enumerable.Range(0, vertices).Select(k => picture.Pixels[(int)(places[2 * k + 1] * (picture.Height - 1)) * picture.Width + (int)(places[2 * k] * (picture.Width - 1))])
+                .Count(colour => colour.r > 190 && colour.b < 90);
 
             Assert.That(orange, Is.GreaterThan(vertices / 5));
             Assert.That(material.GetProperty("doubleSided").GetBoolean(), Is.True);
@@ -232,6 +235,15 @@ namespace Alate.Tests.Cli
             Assert.That(
                 light.GetProperty("baseColorFactor").EnumerateArray().Select(part => part.GetDouble()),
                 Is.All.EqualTo(1.0));
+        }
+
+        private PngFile Picture(int texture)
+        {
+            JsonElement image = m_File.Root.GetProperty("images")[m_File.Root.GetProperty("textures")[texture].GetProperty("source").GetInt32()];
+            JsonElement view = m_File.Root.GetProperty("bufferViews")[image.GetProperty("bufferView").GetInt32()];
+            Assert.That(image.GetProperty("mimeType").GetString(), Is.EqualTo("image/png"));
+            int json = BitConverter.ToInt32(m_Bytes, 12), binary = 12 + 8 + json + 8;
+            return PngFile.Read(m_Bytes.AsMemory(binary + view.GetProperty("byteOffset").GetInt32(), view.GetProperty("byteLength").GetInt32()));
         }
 
         private double[] Times => m_File.Read(Sampler.GetProperty("input").GetInt32());

@@ -1,6 +1,8 @@
+using System;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
+using Alate.Cli.Pictures.Png;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -11,9 +13,6 @@ internal static class Gallery
 {
     private const int k_Columns = 3;
     private const float k_HeightOverWidth = 0.8f, k_InsetOverWidth = 0.045f;
-
-    /// <summary>The paper of all pictures, sRGB.</summary>
-    private static readonly float3 s_Paper = new float3(0xf7, 0xf4, 0xec) / 255f;
 
     /// <summary>Phases and views that are chosen by eye, because they show how the wings flex. Other species of the catalogue follow in <see cref="Other"/>.</summary>
     private static readonly Exhibit[] s_Chosen =
@@ -33,18 +32,16 @@ internal static class Gallery
     public static byte[] Draw(int width)
     {
         int column = width / k_Columns, row = (int)(k_HeightOverWidth * column);
-        var picture = new Texture2D(k_Columns * column, (s_Exhibits.Length + k_Columns - 1) / k_Columns * row);
+        int rows = (s_Exhibits.Length + k_Columns - 1) / k_Columns;
+        var picture = new Color32[k_Columns * column * rows * row];
         for (int k = 0; k < s_Exhibits.Length; k++)
         {
             Color32[] pixels = Photo(s_Exhibits[k], new int2(column, row));
-            int left = k % k_Columns * column, top = k / k_Columns * row;
-            for (int pixel = 0; pixel < pixels.Length; pixel++)
-                picture.SetPixel(left + pixel % column, picture.height - 1 - top - pixel / column, pixels[pixel]);
+            for (int y = 0; y < row; y++)
+                Array.Copy(pixels, y * column, picture, (k / k_Columns * row + y) * k_Columns * column + k % k_Columns * column, column);
         }
 
-        byte[] png = picture.EncodeToPNG();
-        UnityEngine.Object.DestroyImmediate(picture);
-        return png;
+        return IndexedPng.Write(k_Columns * column, rows * row, picture, s_Exhibits.Select(one => InsectCatalogue.Find(one.Species).DisplayName));
     }
 
     private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);
@@ -54,9 +51,9 @@ internal static class Gallery
         InsectDefinition species = InsectCatalogue.Find(exhibit.Species);
         var plan = new FlightPlan { Species = species.Name, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
         using var flight = new TetheredFlight(plan, Insect.Of(plan));
-        return InsectPhoto.Take(
-            flight.Run(_ => { }), exhibit.Turns, new PictureView("", exhibit.Aside, exhibit.Above), size, k_InsetOverWidth * size.x,
-            Shading.ToLinear(s_Paper));
+        var scene = new PhotoScene(flight.Run(_ => { }), new PictureView("", exhibit.Aside, exhibit.Above));
+        Pose pose = scene.PoseAt(exhibit.Turns);
+        return scene.Draw(pose, StripPanel.Around(pose, size, k_InsetOverWidth * size.x), 1f);
     }
 
     /// <summary>One species.</summary>

@@ -16,6 +16,9 @@ internal sealed class PhotoSurface
     /// <summary>Light of that line over the wing's own.</summary>
     private const float k_LineLight = 0.3f;
 
+    /// <summary>A wing without colours of its own: pale membrane, linear light.</summary>
+    private static readonly float4 s_Membrane = new(Shading.ToLinear(new float3(0.84f, 0.79f, 0.66f)), 1f);
+
     private readonly int m_Index;
     private readonly int[] m_Triangles;
     private readonly float4[] m_Values;
@@ -38,17 +41,31 @@ internal sealed class PhotoSurface
     public static PhotoSurface Of(SurfaceMesh body) => new(
         0, body.triangles, Array.ConvertAll(body.colours, Linear), (colour, _) => colour, false, []);
 
-    /// <summary>A wing of the catalogue, in its pattern, with a line around it.</summary>
+    /// <summary>A wing with a line around it: in its pattern, its picture or the colours of its vertices, or pale where it has none.</summary>
     /// <param name="index">Its number among the surfaces of the picture.</param>
     /// <param name="wing">The wing.</param>
     public static PhotoSurface Of(int index, RecordedWing wing)
     {
-        WingPattern pattern = wing.Wing.Pattern;
-        float4[] places = Array.ConvertAll(wing.Wing.Surface.positions, place => new float4(place, 0f) / wing.Wing.PatternScale);
-        return new PhotoSurface(
-            index, wing.Triangles, places, (place, softness) => Linear(pattern.ColourAt(place.x, place.z, softness)), true,
-            MeshMargin.Of(wing.Rest, wing.Triangles));
+        InsectWing own = wing.Wing;
+        if (own.Pattern is WingPattern pattern)
+            return Thin(index, wing, Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale), (place, softness) => Linear(pattern.ColourAt(place.x, place.z, softness)));
+        if (own.Surface.uvs != null && own.Texture is WingTexture picture)
+            return Thin(index, wing, Array.ConvertAll(own.Surface.uvs, uv => new float4(uv, 0f, 0f)), (place, _) => picture.ColourAt(place.xy));
+        if (own.Colours != null)
+            return Thin(index, wing, Array.ConvertAll(own.Colours, Linear), (colour, _) => colour);
+        return Thin(index, wing, new float4[wing.Rest.Length], (_, _) => s_Membrane);
     }
+
+    /// <summary>A wing in the colours of numbers.</summary>
+    /// <param name="index">Its number among the surfaces of the picture.</param>
+    /// <param name="wing">The wing.</param>
+    /// <param name="values">[vertex] The numbers.</param>
+    /// <param name="colourOf">Linear light of a number.</param>
+    public static PhotoSurface Of(int index, RecordedWing wing, float[] values, Func<float, float3> colourOf) =>
+        Thin(index, wing, Array.ConvertAll(values, value => new float4(value, 0f, 0f, 0f)), (value, _) => new float4(colourOf(value.x), 1f));
+
+    private static PhotoSurface Thin(int index, RecordedWing wing, float4[] values, Func<float4, float, float4> colourOf) =>
+        new(index, wing.Triangles, values, colourOf, true, MeshMargin.Of(wing.Rest, wing.Triangles));
 
     /// <summary>Draws the surface.</summary>
     /// <param name="grid">Where to.</param>

@@ -1,0 +1,97 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli.Films;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+using Alate.Cli.Pictures;
+using Alate.Cli.Pictures.Png;
+using UnityEngine;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>film SPECIES</c>: slow beats as an animated picture, and its frames.</summary>
+internal static class FilmCommand
+{
+    private const string k_Film = "film.png";
+
+    public static Command Create(TextWriter output)
+    {
+        var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
+        Option<InsectVariant?> variant = FlightOptions.Variant();
+        Option<double?> speed = FlightOptions.Speed();
+        var free = new Option<bool>("--free") { Description = "The insect hovers by its own wings, body and all." };
+        var compare = new Option<bool>("--compare") { Description = "The four columns of 'compare' beside one another." };
+        Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats, $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}]");
+        Option<int?> frames = Numbers.OptionalCount(
+            "--frames", "N", FilmPlan.LeastFrames, FilmPlan.MostFrames, $"Frames of a beat, {FilmPlan.LeastFrames} to {FilmPlan.MostFrames}. [default: {FilmPlan.DefaultFrames}]");
+        Option<int?> rate = Numbers.OptionalCount("--rate", "N", 1, FilmPlan.MostRate, $"Frames a second, 1 to {FilmPlan.MostRate}. [default: {FilmPlan.DefaultRate}]");
+        Option<double> turn = Numbers.Option("--turn", "DEG", 0, -360, 360, "Degrees by which the camera goes around the insect, -360 to 360.");
+        Option<int?> width = Numbers.OptionalCount(
+            "--width", "N", FilmPlan.LeastWidth, FilmPlan.MostWidth, $"Pixels from side to side, {FilmPlan.LeastWidth} to {FilmPlan.MostWidth}. [default: {FilmPlan.DefaultWidth}]");
+        Option<PictureView?> view = FlightOptions.View();
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES-film]" };
+        var command = new Command("film", "Films an insect in slow motion: an animated picture, and its frames.")
+        {
+            species, variant, speed, free, compare, beats, frames, rate, turn, width, view, folder,
+        };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            bool isFree = parsed.GetValue(free);
+            if (isFree && (parsed.GetValue(compare) || parsed.GetValue(variant) != null || parsed.GetValue(speed) != null))
+                throw new UserException("--free hovers with the variant flight; it takes neither --compare, --variant nor --speed.");
+            InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
+            InsectDefinition insect = FlightOptions.Find(parsed.GetValue(species), shown);
+            FlightPlan flight = FlightPlan.Cruise(insect, shown);
+            var plan = new FilmPlan
+            {
+                Flight = flight with { Speed = parsed.GetValue(speed) ?? flight.Speed, View = parsed.GetValue(view) ?? PictureView.FrontLeft },
+                Columns = parsed.GetValue(compare) ? ComparisonColumn.All : [ComparisonColumn.FullModel],
+                IsFree = isFree,
+                Beats = parsed.GetValue(beats) ?? FilmPlan.DefaultBeats,
+                Frames = parsed.GetValue(frames) ?? FilmPlan.DefaultFrames,
+                Rate = parsed.GetValue(rate) ?? FilmPlan.DefaultRate,
+                Turn = parsed.GetValue(turn),
+                Width = parsed.GetValue(width) ?? FilmPlan.DefaultWidth,
+            };
+            Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", insect.Name + "-film"), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(FilmPlan plan, string path, TextWriter output)
+    {
+        using var folder = OutputFolder.Prepare(path, k_Film);
+        var terminal = new Terminal(output);
+        int count = plan.Beats * plan.Frames;
+        terminal.ShowProgress(count, (done, stage) =>
+        {
+            var film = Film.Fly(plan);
+            stage("painting");
+            List<Color32[]> frames = film.Draw(done);
+            stage("writing");
+            folder.Write(k_Film, stream => stream.Write(film.Animation(frames)));
+            for (int k = 0; k < count; k++)
+            {
+                Color32[] frame = frames[k];
+                folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"), stream => stream.Write(IndexedPng.Write(film.Size.x, film.Size.y, frame, [])));
+            }
+        });
+        folder.Commit();
+        terminal.ShowFiles(path, k_Film, Path.Combine("frames", $"0001.png … {count:0000}.png"));
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  film monarch --variant expressive --turn 360 --beats 4\n"
+        + "  film fishfly --compare --width 1200\n"
+        + "  film monarch --free\n\n"
+        + "Writes into the output folder:\n"
+        + "  film.png         the film, an animated PNG that browsers and README pages play in a loop\n"
+        + "  frames/0001.png  its frames, for 'ffmpeg -framerate 24 -i frames/%04d.png film.mp4'\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

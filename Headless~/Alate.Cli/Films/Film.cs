@@ -1,0 +1,119 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli.Flights;
+using Alate.Cli.FreeFlights;
+using Alate.Cli.Pictures;
+using Alate.Cli.Pictures.Photos;
+using Alate.Cli.Pictures.Png;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Cli.Films;
+
+/// <summary>Frames of a film, all of one scale, the last of which goes on into the first.</summary>
+internal sealed class Film
+{
+    private const float k_Inset = 14f, k_Label = 34f, k_FlattestOverWidth = 0.45f;
+
+    /// <summary>Beats after which a hovering insect is on its way of itself.</summary>
+    private const int k_Settling = 12;
+
+    private readonly FilmPlan m_Plan;
+    private readonly List<FlightRecord> m_Flights;
+    private readonly Func<int, (double Turns, quaternion Turn, float3 Way)> m_Place;
+
+    private Film(FilmPlan plan, List<FlightRecord> flights, Func<int, (double, quaternion, float3)> place)
+    {
+        m_Plan = plan;
+        m_Flights = flights;
+        m_Place = place;
+    }
+
+    public int Count => m_Plan.Beats * m_Plan.Frames;
+
+    /// <summary>Pixels of a frame.</summary>
+    public int2 Size { get; private set; }
+
+    /// <summary>Flies what the film shows.</summary>
+    /// <exception cref="UserException">The insect does not fly.</exception>
+    public static Film Fly(FilmPlan plan)
+    {
+        if (plan.IsFree)
+            return FlyFreely(plan);
+        List<FlightRecord> flights = plan.Columns.Select(column => TetheredFlight.Fly(plan.Flight with { Column = column })).ToList();
+        return new Film(plan, flights, frame => ((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero));
+    }
+
+    /// <summary>Paints every frame.</summary>
+    /// <param name="done">Told the frames done.</param>
+    public List<Color32[]> Draw(Action<int> done)
+    {
+        List<PhotoScene> scenes = m_Flights.ConvertAll(flight => new PhotoScene(flight, m_Plan.Flight.View));
+        var frames = new List<List<(PhotoScene Scene, Pose Pose)>>();
+        for (int frame = 0; frame < Count; frame++)
+        {
+            (double turns, quaternion turn, float3 way) = m_Place(frame);
+            PictureView view = m_Plan.Flight.View with { Aside = (float)(m_Plan.Flight.View.Aside + m_Plan.Turn * frame / Count) };
+            frames.Add(scenes.ConvertAll(scene =>
+            {
+                PhotoScene seen = scene.From(view);
+                return (seen, seen.PoseAt(turns, turn, way));
+            }));
+        }
+
+        List<StripPanel> panels = Panels(frames.SelectMany(frame => frame).Select(seen => seen.Pose.Bounds()).ToList());
+        var pictures = new List<Color32[]>();
+        foreach (List<(PhotoScene Scene, Pose Pose)> frame in frames)
+        {
+            var page = new PixelPage();
+            for (int k = 0; k < frame.Count; k++)
+            {
+                page.Add(frame[k].Scene, frame[k].Pose, panels[k]);
+                if (frame.Count > 1)
+                    page.Text(panels[k].Left + 0.5f * panels[k].Width, 24f, 15f, m_Plan.Columns[k].Title, "middle", "b");
+            }
+
+            pictures.Add(page.Draw(Size));
+            done(pictures.Count);
+        }
+
+        return pictures;
+    }
+
+    /// <summary>The film as an animated PNG file.</summary>
+    public byte[] Animation(IReadOnlyList<Color32[]> frames)
+    {
+        FlightRecord flight = m_Flights[0];
+        double slow = flight.Wings[0].Frequency * m_Plan.Frames / m_Plan.Rate;
+        string title = FormattableString.Invariant($"{flight.Insect.DisplayName}, {slow:0.#} times slower than it beats: {flight.Wings[0].Frequency:0.#} Hz");
+        return IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []]);
+    }
+
+    // One for each column, all of one scale.
+    private List<StripPanel> Panels(List<(float2 Min, float2 Max)> bounds)
+    {
+        float2 min = bounds.Aggregate(bounds[0].Min, (least, one) => math.min(least, one.Min)), max = bounds.Aggregate(bounds[0].Max, (most, one) => math.max(most, one.Max));
+        float top = m_Flights.Count > 1 ? k_Label : 0f, width = m_Plan.Width / PixelPage.Fineness / m_Flights.Count, scale = (width - 2f * k_Inset) / (max.x - min.x);
+        float height = math.max((max.y - min.y) * scale + 2f * k_Inset, m_Flights.Count > 1 ? 0f : k_FlattestOverWidth * width);
+        Size = new int2(m_Plan.Width, (int)math.ceil((top + height) * PixelPage.Fineness));
+        return Enumerable.Range(0, m_Flights.Count).Select(k => new StripPanel(k * width, top, width, height, scale, 0.5f * (min + max))).ToList();
+    }
+
+    // Some beats of a hovering flight, seen from where the insect is in the mean.
+    private static Film FlyFreely(FilmPlan plan)
+    {
+        InsectDefinition insect = InsectCatalogue.Find(plan.Flight.Species);
+        double frequency = FlightPlan.Cruise(insect, InsectVariant.Flight) is var cruise ? TetheredFlight.Fly(cruise).Wings[0].Frequency : 0;
+        double step = math.clamp(1.0 / (frequency * plan.Frames), 0.001, 0.05);
+        FreeRecord record = FreeRun.Fly(new FreePlan { Insect = insect, Points = [default], Step = step, Seconds = (k_Settling + plan.Beats + 1) / frequency }, _ => { });
+        List<FreeMoment> shown = record.Moments.Skip(Math.Max(record.Moments.Count - plan.Beats * plan.Frames, 0)).ToList();
+        float3 middle = shown.Aggregate(float3.zero, (sum, at) => sum + record.Thorax(at)) / shown.Count;
+        return new Film(plan, [record.Beat], frame =>
+        {
+            FreeMoment at = shown[Math.Min(frame * shown.Count / (plan.Beats * plan.Frames), shown.Count - 1)];
+            return (at.Phase / (2.0 * Math.PI), at.Rotation, record.Thorax(at) - middle);
+        });
+    }
+}

@@ -1,0 +1,34 @@
+using System.Collections.Generic;
+using Alate.Catalogue;
+using Alate.Cli.Flights;
+
+namespace Alate.Cli.Films;
+
+/// <summary>A film of an insect's beat.</summary>
+internal sealed record FilmPlan
+{
+    public const int DefaultBeats = 2, MostBeats = 12, DefaultFrames = 24, LeastFrames = 4, MostFrames = 120, DefaultWidth = 720, LeastWidth = 120, MostWidth = 1920, DefaultRate = 24, MostRate = 60;
+
+    /// <summary>The flight; its view is where the film begins.</summary>
+    public FlightPlan Flight { get; init; }
+
+    /// <summary>The columns beside one another.</summary>
+    public IReadOnlyList<ComparisonColumn> Columns { get; init; } = [ComparisonColumn.FullModel];
+
+    /// <summary>True where the insect flies by its own wings, hovering.</summary>
+    public bool IsFree { get; init; }
+
+    public int Beats { get; init; } = DefaultBeats;
+
+    /// <summary>Frames of a beat.</summary>
+    public int Frames { get; init; } = DefaultFrames;
+
+    /// <summary>Frames a second.</summary>
+    public int Rate { get; init; } = DefaultRate;
+
+    /// <summary>Degrees by which the camera goes around the insect in the film.</summary>
+    public double Turn { get; init; }
+
+    /// <summary>Pixels.</summary>
+    public int Width { get; init; } = DefaultWidth;
+}

@@ -1,0 +1,96 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Alate.Catalogue;
+using Alate.Cli.Flights;
+using Alate.Cli.Gltf;
+using Alate.Cli.Projects;
+using Alate.Tests.Views;
+using NUnit.Framework;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>Looks of GLB files: pictures on wings, judged by the file itself and by the format's own validator where it is installed.</summary>
+    public sealed class GlbLooksTests
+    {
+        private static readonly string s_Photo = Path.Combine(PackageRoot.Find(), "Documentation~", "images", "wing-drawing.png");
+
+        [Test]
+        public void PhotographOfAWing_ComesBackOnIt_AndTheFileIsValid()
+        {
+            using var run = new CommandRun();
+            string traced = Path.Combine(run.Folder, "traced");
+            Assert.That(run.Run("skeleton", "from-image", s_Photo, "--out", traced, "--triangles", "200"), Is.Zero, run.Errors);
+            Assert.That(
+                run.Run("fly", "--mesh", Path.Combine(traced, "wing.obj"), "--skeleton", Path.Combine(traced, "skeleton.json"), "--species", "monarch", "--out", run.Out),
+                Is.Zero, run.Errors);
+
+            byte[] glb = File.ReadAllBytes(Path.Combine(run.Out, "wings.glb"));
+            Assert.That(Picture(glb), Is.EqualTo(File.ReadAllBytes(s_Photo)));
+            Validate(Path.Combine(run.Out, "wings.glb"));
+        }
+
+        [Test]
+        public void Texture_NeedsCoordinates_AndAMesh()
+        {
+            using var run = new CommandRun();
+            string mesh = run.Write("wing.obj", OwnWing.Obj()), skeleton = run.Write("wing.json", OwnWing.Skeleton());
+
+            Assert.That(run.Run("fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--texture", s_Photo, "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("has no texture coordinates"));
+            Assert.That(run.Run("fly", "monarch", "--texture", s_Photo, "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("--texture goes with --mesh"));
+        }
+
+        [Test]
+        public void ForeAndHindWing_FlyTogether()
+        {
+            using var run = new CommandRun();
+            string mesh = run.Write("wing.obj", OwnWing.Obj()), skeleton = run.Write("wing.json", OwnWing.Skeleton());
+            string[] both = { "--mesh", mesh, mesh, "--skeleton", skeleton, skeleton, "--out", run.Out };
+
+            Assert.That(run.Run(["fly", "--species", "fishfly", "--seconds", "0.1", .. both]), Is.Zero, run.Errors);
+            var file = new GlbFile(File.ReadAllBytes(Path.Combine(run.Out, "wings.glb")));
+            Assert.That(file.Root.GetProperty("meshes").GetArrayLength(), Is.EqualTo(5), "body and four wings");
+            Assert.That(run.Run(["fly", "--species", "monarch", .. both]), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("one kind of wing"));
+            Assert.That(run.Run("fly", "--species", "fishfly", "--mesh", mesh, mesh, "--skeleton", skeleton), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("Each --mesh needs a --skeleton"));
+        }
+
+        [Test, Explicit, Category("Long")]
+        public void EverySpecies_IsValid_AndShown()
+        {
+            using var folder = new TemporaryFolder();
+            string[] files = InsectCatalogue.All.Select(species =>
+            {
+                string path = folder.PathOf(Path.Combine(species.Name, "wings.glb"));
+                Directory.CreateDirectory(Path.GetDirectoryName(path));
+                using FileStream stream = File.Create(path);
+                WingsGlb.Write(TetheredFlight.Fly(FlightPlan.Cruise(species, InsectVariant.Standard)), stream);
+                return path;
+            }).ToArray();
+            Validate(files);
+            WebTools.NeedChromium();
+            (int code, string output) = WebTools.Run("glb.mjs", [WebTools.Chromium, folder.Root, .. files.SelectMany(file => new[] { file, "0.25", "40", "30" })]).Result;
+            Assert.That(code, Is.Zero, output);
+        }
+
+        // Errors and warnings count; hints do not.
+        private static void Validate(params string[] files)
+        {
+            WebTools.NeedNode();
+            (int code, string output) = WebTools.Run("validate.mjs", files).Result;
+            Assert.That(code, Is.Zero, output);
+        }
+
+        private static byte[] Picture(byte[] glb)
+        {
+            JsonElement root = new GlbFile(glb).Root;
+            JsonElement view = root.GetProperty("bufferViews")[root.GetProperty("images")[0].GetProperty("bufferView").GetInt32()];
+            int binary = 12 + 8 + BitConverter.ToInt32(glb, 12) + 8;
+            return glb.AsSpan(binary + view.GetProperty("byteOffset").GetInt32(), view.GetProperty("byteLength").GetInt32()).ToArray();
+        }
+    }
+}
