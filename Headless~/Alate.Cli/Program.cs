@@ -20,8 +20,9 @@ public static class Program
     internal static int Run(string[] args, TextWriter output, TextWriter errors)
     {
         var root = new RootCommand("Flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
-        root.Subcommands.Add(ViewCommand.Create(output));
         root.Subcommands.Add(FlyCommand.Create(output));
+        root.Subcommands.Add(ViewCommand.Create(output));
+        root.Subcommands.Add(SiteCommand.Create(output));
         root.Subcommands.Add(FilmCommand.Create(output));
         root.Subcommands.Add(TrimCommand.Create(output));
         root.Subcommands.Add(BakeCommand.Create(output));

@@ -68,7 +68,7 @@ async function range(name, beats = 2.2) {
 // How much of the picture is not paper.
 async function painted() {
   return page.evaluate(() => {
-    alate.stage.render();
+    alate.stage.render(true);
     const { canvas, renderer } = alate.stage, gl = renderer.getContext(), pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
     gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     let count = 0, red = 0;

@@ -3,7 +3,6 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Text;
 using Alate.Catalogue;
 using Alate.Cli.Comparisons;
 using Alate.Cli.Flights;

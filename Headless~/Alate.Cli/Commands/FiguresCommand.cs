@@ -6,9 +6,12 @@ using System.Text;
 using Alate.Catalogue;
 using Alate.Cli.Comparisons;
 using Alate.Cli.Figures;
+using Alate.Cli.Films;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;
 using Alate.Cli.Parameters;
+using Alate.Cli.Pictures;
+using Alate.Cli.Pictures.Photos;
 using Alate.Cli.Sweeps;
 
 namespace Alate.Cli.Commands;
@@ -16,7 +19,11 @@ namespace Alate.Cli.Commands;
 /// <summary><c>figures</c>: draws and measures again what the documentation's pages of species and accuracy show.</summary>
 internal static class FiguresCommand
 {
-    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg";
+    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg", k_Gallery = "images/six-insects.png",
+        k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png";
+
+    private const int k_GalleryWidth = 1230;
+    private const string k_Hero = "monarch";
     private const int k_Phases = 3;
 
     /// <summary>Substeps of the flights behind the page's numbers: within 5 % of their limit, the lift too.</summary>
@@ -32,44 +39,39 @@ internal static class FiguresCommand
             Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page} and {FlightFigures.Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
-        var command = new Command("figures", "Makes the pictures and tables of the documentation's pages again.") { folder };
+        var pictures = new Option<bool>("--pictures") { Description = "Pictures and films of insects alone: neither tables nor charts of accuracy." };
+        var command = new Command("figures", "Makes the pictures and tables of the documentation's pages again.") { folder, pictures };
         HelpExamples.Set(command, "Example:\n  figures Documentation~");
         command.SetAction(parsed =>
         {
-            Run(parsed.GetValue(folder), output);
+            if (parsed.GetValue(pictures))
+                Draw(parsed.GetValue(folder), output);
+            else
+                Run(parsed.GetValue(folder), output);
             return 0;
         });
         return command;
     }
+
+    private static List<string> Pictures =>
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
     private static void Run(string path, TextWriter output)
     {
         string page = TextFile(Path.Combine(path, k_Page));
         string accuracy = TextFile(Path.Combine(path, AccuracyFigures.Page));
         string flight = TextFile(Path.Combine(path, FlightFigures.Page));
-        var files = new List<string> { k_Page, k_Sweep, k_SweepCharts, FlightFigures.Page };
-        files.AddRange(AccuracyFigures.Files);
-        foreach (string name in InsectCatalogue.Names)
-            files.AddRange([Portrait(name), Compared(name)]);
-        using var folder = OutputFolder.Prepare(path, files.ToArray());
+        string[] files = [k_Page, FlightFigures.Page, .. AccuracyFigures.Files, .. Pictures];
+        using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
         terminal.ShowProgress(InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (done, stage) =>
         {
-            List<FlightSummary> summaries = Measure(folder, done);
+            List<FlightSummary> summaries = Measure(done);
             page = PageBlock.Replace(page, "numbers", MarkdownTable.Write(SpeciesTable.Measured(summaries)));
             foreach (InsectDefinition species in InsectCatalogue.All)
                 page = PageBlock.Replace(page, "sources of " + species.Name, MarkdownTable.Write(SpeciesTable.Sources(species)));
             Write(folder, k_Page, page);
-            stage("comparing");
-            var comparisons = new ComparisonPlan(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
-            foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))
-                folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Draw(comparison)));
-            stage("sweeping");
-            FlightPlan fishfly = Plan(InsectCatalogue.Find("fishfly")) with { Substeps = k_SweptSubsteps };
-            var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
-            var swept = Sweep.Fly(sweep, _ => { });
-            folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
-            Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
+            WritePictures(folder, stage);
             stage("flying freely");
             Write(folder, FlightFigures.Page, FlightFigures.Make(flight));
             stage("measuring errors and winds");
@@ -77,10 +79,46 @@ internal static class FiguresCommand
                 Write(folder, name, text);
         });
         folder.Commit();
-        terminal.ShowFiles(path, files.ToArray());
+        terminal.ShowFiles(path, files);
     }
 
-    private static List<FlightSummary> Measure(OutputFolder folder, System.Action<int> done)
+    private static void Draw(string path, TextWriter output)
+    {
+        using var folder = OutputFolder.Prepare(path, Pictures.ToArray());
+        var terminal = new Terminal(output);
+        terminal.ShowProgress(1, (_, stage) => WritePictures(folder, stage));
+        folder.Commit();
+        terminal.ShowFiles(path, Pictures.ToArray());
+    }
+
+    private static void WritePictures(OutputFolder folder, System.Action<string> stage)
+    {
+        stage("painting");
+        foreach (InsectDefinition species in InsectCatalogue.All)
+        {
+            FlightRecord flight = TetheredFlight.Fly(Plan(species) with { Substeps = MeasuredSubsteps });
+            folder.Write(Portrait(species.Name), stream => stream.Write(SpeciesPortrait.Draw(flight)));
+            if (species.Name == k_Hero)
+                folder.Write(k_Stretch, stream => stream.Write(StretchMap.Draw(flight)));
+        }
+
+        folder.Write(k_Gallery, stream => stream.Write(Gallery.Draw(k_GalleryWidth)));
+        stage("comparing");
+        var comparisons = new ComparisonPlan(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
+        foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))
+            folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Draw(comparison)));
+        stage("sweeping");
+        FlightPlan fishfly = Plan(InsectCatalogue.Find("fishfly")) with { Substeps = k_SweptSubsteps };
+        var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
+        var swept = Sweep.Fly(sweep, _ => { });
+        folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
+        Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
+        stage("filming");
+        var film = Film.Fly(new FilmPlan { Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive), Beats = 3, Turn = 360 });
+        folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
+    }
+
+    private static List<FlightSummary> Measure(System.Action<int> done)
     {
         var summaries = new List<FlightSummary>();
         foreach (InsectDefinition species in InsectCatalogue.All)
@@ -88,8 +126,6 @@ internal static class FiguresCommand
             foreach (InsectVariant variant in species.Variants)
             {
                 FlightRecord flight = TetheredFlight.Fly(Plan(species) with { Variant = variant, Substeps = MeasuredSubsteps });
-                if (variant == InsectVariant.Standard)
-                    folder.Write(Portrait(species.Name), stream => stream.Write(SpeciesPortrait.Draw(flight)));
                 summaries.Add(FlightSummary.Of(flight));
                 done(summaries.Count);
             }

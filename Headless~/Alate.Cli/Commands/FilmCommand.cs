@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
-using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Films;
 using Alate.Cli.Flights;
@@ -45,7 +44,7 @@ internal static class FilmCommand
                 throw new UserException("--free hovers with the variant flight; it takes neither --compare, --variant nor --speed.");
             InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
             InsectDefinition insect = FlightOptions.Find(parsed.GetValue(species), shown);
-            FlightPlan flight = FlightPlan.Cruise(insect, shown);
+            var flight = FlightPlan.Cruise(insect, shown);
             var plan = new FilmPlan
             {
                 Flight = flight with { Speed = parsed.GetValue(speed) ?? flight.Speed, View = parsed.GetValue(view) ?? PictureView.FrontLeft },

@@ -60,6 +60,7 @@ internal static class FlyCommand
         + "  fly --mesh fore.obj hind.obj --skeleton fore.json hind.json --species firefly\n\n"
         + "Writes into the output folder:\n"
         + "  strip.png     twelve phases of the last beat, seen from the side of --view\n"
+        + "  stretch.png   the wings from above, in colours of the largest stretch of their membrane\n"
         + "  wings.glb     that beat as a looped 3D animation (glTF 2.0), metres\n"
         + "  forces.csv    force and moment of the air over that beat, N and N m\n"
         + "  joints.csv    every joint of the skeleton over that beat, metres\n"

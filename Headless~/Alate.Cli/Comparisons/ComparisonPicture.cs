@@ -14,10 +14,11 @@ internal static class ComparisonPicture
 {
     private const float k_Edge = 26f, k_Left = 62f, k_Header = 100f, k_Panel = 236f, k_Line = 19f, k_LetterWidth = 5.9f;
 
-    private static readonly (string Title, Func<WingSummary, double> Of)[] s_Numbers =
+    private static readonly (string Title, Func<WingSummary, double> Of, MeasureBound Bound)[] s_Numbers =
     [
-        ("twist", wing => wing.TwistPpDeg), ("camber", wing => wing.CamberMaxPct - wing.CamberMinPct), ("tip bend", wing => wing.TipBendPpDeg),
-        ("lag", wing => wing.LagDeg), ("stretch", wing => wing.EdgeStretchMaxPct),
+        ("twist", wing => wing.TwistPpDeg, MeasureBound.Find("twist_pp_deg")), ("camber", wing => wing.CamberMaxPct - wing.CamberMinPct, null),
+        ("tip bend", wing => wing.TipBendPpDeg, null), ("lag", wing => wing.LagDeg, MeasureBound.Find("lag_deg")),
+        ("stretch", wing => wing.EdgeStretchMaxPct, MeasureBound.Find("edge_stretch_max_pct")),
     ];
 
     /// <summary>The whole picture.</summary>
@@ -42,9 +43,11 @@ internal static class ComparisonPicture
             k_Edge, bottom + 12f, 11f,
             "Peak to peak over the beat: twist and tip bend in degrees, camber in % of the chord; lag of the trailing edge in degrees; largest stretch of an edge in %;",
             look: "t");
-        page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's length.", look: "t");
+        page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's length. † outside what is usual: " + Usual, look: "t");
         return page.Finish(width, bottom + 42f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
     }
+
+    private static string Usual => string.Join(", ", s_Numbers.Where(number => number.Bound != null).Select(number => $"{number.Title} {number.Bound.Range} {number.Bound.Unit}")) + ".";
 
     private static void Heading(PixelPage page, ComparisonColumn column, float middle)
     {
@@ -75,19 +78,25 @@ internal static class ComparisonPicture
             y += k_Line;
         }
 
-        foreach ((string title, Func<WingSummary, double> of) in s_Numbers)
-            y = Line(page, title, wings.Select(of).ToList(), middle, y);
+        InsectVariant variant = flight.Summary.Flight.Plan.Variant;
+        foreach ((string title, Func<WingSummary, double> of, MeasureBound bound) in s_Numbers)
+            y = Line(page, title, wings.Select(of).ToList(), middle, y, wings.Select(wing => bound?.Holds(wing, variant) == false).ToList());
         y = Line(page, "off full", flight.Distances.Select(distance => distance.MeanPct).ToList(), middle, y);
         page.Text(middle - 84f, y, 13f, "lift / weight", look: "t");
         page.Text(middle + 38f, y, 13f, Text(flight.Summary.LiftOverWeight, 2), "end");
         return y + k_Line;
     }
 
-    private static float Line(PixelPage page, string title, List<double> values, float middle, float y)
+    private static float Line(PixelPage page, string title, List<double> values, float middle, float y, List<bool> areOutside = null)
     {
         page.Text(middle - 84f, y, 13f, title, look: "t");
         for (int k = 0; k < values.Count; k++)
+        {
             page.Text(middle + 38f + 66f * k, y, 13f, Text(values[k], 1), "end");
+            if (areOutside?[k] == true)
+                page.Text(middle + 42f + 66f * k, y, 13f, "†", look: "t");
+        }
+
         return y + k_Line;
     }
 

@@ -42,7 +42,7 @@ internal sealed class Film
     {
         if (plan.IsFree)
             return FlyFreely(plan);
-        List<FlightRecord> flights = plan.Columns.Select(column => TetheredFlight.Fly(plan.Flight with { Column = column })).ToList();
+        var flights = plan.Columns.Select(column => TetheredFlight.Fly(plan.Flight with { Column = column })).ToList();
         return new Film(plan, flights, frame => ((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero));
     }
 
@@ -108,7 +108,7 @@ internal sealed class Film
         double frequency = FlightPlan.Cruise(insect, InsectVariant.Flight) is var cruise ? TetheredFlight.Fly(cruise).Wings[0].Frequency : 0;
         double step = math.clamp(1.0 / (frequency * plan.Frames), 0.001, 0.05);
         FreeRecord record = FreeRun.Fly(new FreePlan { Insect = insect, Points = [default], Step = step, Seconds = (k_Settling + plan.Beats + 1) / frequency }, _ => { });
-        List<FreeMoment> shown = record.Moments.Skip(Math.Max(record.Moments.Count - plan.Beats * plan.Frames, 0)).ToList();
+        var shown = record.Moments.Skip(Math.Max(record.Moments.Count - plan.Beats * plan.Frames, 0)).ToList();
         float3 middle = shown.Aggregate(float3.zero, (sum, at) => sum + record.Thorax(at)) / shown.Count;
         return new Film(plan, [record.Beat], frame =>
         {

@@ -84,6 +84,8 @@ internal sealed class Insect
         if (textureFile != null && mesh.Uvs == null)
             throw new UserException($"{meshFile} has no texture coordinates ('vt') at every corner, so that '{textureFile}' has no place on it.");
         string picture = textureFile ?? (mesh.Uvs == null ? null : ObjMaterial.FindPicture(meshFile, mesh.Library));
+        if (picture != null)
+            mesh = TextFile.Read(meshFile, ObjReader.ReadTextured);
         return Own(model, plan, mesh.ToSurface(meshFile), mesh.Colours, skeleton, picture == null ? null : WingTexture.Of(PictureFile.Read(picture).Bytes));
     }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
 using Spectre.Console;
 
 namespace Alate.Cli.Flights;
@@ -60,6 +61,8 @@ internal sealed class Terminal
             $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles."));
         m_Console.WriteLine("The last beat:");
         m_Console.Write(SummaryTable(summary));
+        foreach (MeasureBound bound in MeasureBound.All.Where(bound => summary.Wings.Any(wing => !bound.Holds(wing, flight.Plan.Variant))))
+            m_Console.Profile.Out.Writer.WriteLine($"† {bound.Title} is outside the usual {bound.Range} ({bound.Source})."); // not wrapped
         if (summary.IsOverstretched)
             m_Console.Profile.Out.Writer.WriteLine(Overstretched(summary)); // not wrapped
         ShowFiles(folder, files);
@@ -99,20 +102,21 @@ internal sealed class Terminal
             m_Console.WriteLine("  " + Path.Combine(folder, file));
     }
 
+    // The last column is the range on real insects.
     private static Table SummaryTable(FlightSummary summary)
     {
         Table table = new Table().Border(TableBorder.Rounded).AddColumn("");
         foreach (WingSummary wing in summary.Wings)
             table.AddColumn(new TableColumn(summary.Wings.Count == 1 ? "" : wing.Name).RightAligned());
-        table.ShowHeaders = summary.Wings.Count > 1;
+        table.AddColumn(new TableColumn("usual").RightAligned());
         Row(table, summary, "frequency, Hz", wing => Number(wing.FrequencyHz, 2));
-        Row(table, summary, "twist, peak to peak, °", wing => Number(wing.TwistPpDeg, 1));
-        Row(table, summary, "camber, % of the chord", wing => $"{Number(wing.CamberMinPct, 1)} … {Number(wing.CamberMaxPct, 1)}");
+        Row(table, summary, "twist, peak to peak, °", wing => Number(wing.TwistPpDeg, 1), MeasureBound.Find("twist_pp_deg"));
+        Row(table, summary, "camber, % of the chord", wing => $"{Number(wing.CamberMinPct, 1)} … {Number(wing.CamberMaxPct, 1)}", MeasureBound.Find("camber_pct"));
         Row(table, summary, "tip bend, peak to peak, °", wing => Number(wing.TipBendPpDeg, 1));
-        Row(table, summary, "tip bend, largest, °", wing => Number(wing.TipBendMaxDeg, 1));
-        Row(table, summary, "lag of the trailing edge, °", wing => Number(wing.LagDeg, 1));
+        Row(table, summary, "tip bend, largest, °", wing => Number(wing.TipBendMaxDeg, 1), MeasureBound.Find("tip_bend_max_deg"));
+        Row(table, summary, "lag of the trailing edge, °", wing => Number(wing.LagDeg, 1), MeasureBound.Find("lag_deg"));
         Row(table, summary, "lag of the tip, °", wing => Number(wing.TipLagDeg, 1));
-        Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2));
+        Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2), MeasureBound.Find("edge_stretch_max_pct"));
         Row(table, summary, "edge stretch, 99th percentile, %", wing => Number(wing.EdgeStretchP99Pct, 2));
         Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));
         Row(table, summary, "mean force right, up, ahead, mN", Milli(summary.MeanForce));
@@ -123,10 +127,16 @@ internal sealed class Terminal
         return table;
     }
 
-    private static void Row(Table table, FlightSummary summary, string name, Func<WingSummary, string> value)
+    private static void Row(Table table, FlightSummary summary, string name, Func<WingSummary, string> value, MeasureBound bound)
     {
-        string[] cells = new string[1 + summary.Wings.Count];
-        cells[0] = name;
+        InsectVariant variant = summary.Flight.Plan.Variant;
+        Row(table, summary, name, wing => value(wing) + (bound.Holds(wing, variant) ? "" : MeasureBound.Mark), bound.Most(variant) == bound.High ? bound.Range : $"< {Number(bound.Most(variant), 0)}");
+    }
+
+    private static void Row(Table table, FlightSummary summary, string name, Func<WingSummary, string> value, string usual = "")
+    {
+        string[] cells = new string[2 + summary.Wings.Count];
+        (cells[0], cells[^1]) = (name, usual);
         for (int k = 0; k < summary.Wings.Count; k++)
             cells[k + 1] = value(summary.Wings[k]);
         table.AddRow(cells);

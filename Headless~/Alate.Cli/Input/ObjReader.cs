@@ -29,16 +29,25 @@ internal sealed class ObjReader
     private int m_Line;
     private bool m_HasLines;
 
-    private ObjReader()
+    private readonly bool m_KeepsSeams;
+
+    private ObjReader(bool keepsSeams)
     {
+        m_KeepsSeams = keepsSeams;
     }
 
     /// <summary>Reads a whole file.</summary>
     /// <exception cref="FormatException">The text is not such a file or has no triangle; the message is one line with the line's
     /// number.</exception>
-    public static ObjMesh Read(TextReader text)
+    public static ObjMesh Read(TextReader text) => Read(text, false);
+
+    /// <summary>Reads a whole file for a picture on it: where a picture has a seam, each of its sides has vertices of its own.</summary>
+    /// <exception cref="FormatException">As of <see cref="Read(TextReader)"/>.</exception>
+    public static ObjMesh ReadTextured(TextReader text) => Read(text, true);
+
+    private static ObjMesh Read(TextReader text, bool keepsSeams)
     {
-        var reader = new ObjReader();
+        var reader = new ObjReader(keepsSeams);
         while (reader.NextLine(text) is string line)
             reader.Take(line);
         return reader.Finish();
@@ -120,11 +129,12 @@ internal sealed class ObjReader
         int normal = parts.Length > 2 && parts[2].Length > 0 ? Index(parts[2], m_Normals.Count, "normal") : -1;
         m_EveryCornerHasNormal &= normal >= 0;
         m_EveryCornerHasTexture &= texture >= 0;
-        if (m_Vertices.TryGetValue((position, texture, normal), out int vertex))
+        (int Position, int Texture, int Normal) key = (position, m_KeepsSeams ? texture : -1, normal);
+        if (m_Vertices.TryGetValue(key, out int vertex))
             return vertex;
         vertex = m_Corners.Count;
         m_Corners.Add((position, texture, normal));
-        m_Vertices.Add((position, texture, normal), vertex);
+        m_Vertices.Add(key, vertex);
         return vertex;
     }
 

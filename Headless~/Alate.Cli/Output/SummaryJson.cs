@@ -14,7 +14,7 @@ internal static class SummaryJson
         using var json = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true });
         json.WriteStartObject();
         json.WriteString("species", summary.Flight.Insect.Name);
-        WriteWing(json, summary.Main);
+        WriteWing(json, summary.Main, summary.Flight.Plan.Variant);
         Number(json, "lift_over_weight", summary.LiftOverWeight);
         Vector(json, "mean_force_n", summary.MeanForce);
         Vector(json, "mean_moment_n_m", summary.MeanMoment);
@@ -31,11 +31,19 @@ internal static class SummaryJson
         stream.WriteByte((byte)'\n');
     }
 
-    private static void WriteWing(Utf8JsonWriter json, WingSummary wing)
+    private static void WriteWing(Utf8JsonWriter json, WingSummary wing, InsectVariant variant)
     {
         json.WriteString("wing", wing.Name);
         foreach (WingMeasure measure in WingMeasure.All)
             Number(json, measure.Key, measure.Of(wing));
+        json.WriteStartArray("outside_usual");
+        foreach (MeasureBound bound in MeasureBound.All)
+        {
+            if (!bound.Holds(wing, variant))
+                json.WriteStringValue(bound.Key);
+        }
+
+        json.WriteEndArray();
     }
 
     private static void WriteOtherWings(Utf8JsonWriter json, FlightSummary summary)
@@ -46,7 +54,7 @@ internal static class SummaryJson
         for (int k = 1; k < summary.Wings.Count; k++)
         {
             json.WriteStartObject();
-            WriteWing(json, summary.Wings[k]);
+            WriteWing(json, summary.Wings[k], summary.Flight.Plan.Variant);
             json.WriteEndObject();
         }
 

@@ -15,17 +15,17 @@ namespace Alate.Cli.Views;
 /// <summary>What the page must know once: which insects there are, and the meshes and colours of the one that flies. Axes and winding are glTF's.</summary>
 internal static class SceneMessage
 {
-    /// <summary>Every species with its variants, and every slider.</summary>
-    public static JsonObject Hello() => new()
+    /// <summary>Species with their variants, and sliders.</summary>
+    public static JsonObject Hello(IEnumerable<InsectDefinition> insects, IEnumerable<ViewSlider> sliders) => new()
     {
         ["type"] = "hello",
-        ["species"] = new JsonArray(InsectCatalogue.All.Select(species => (JsonNode)new JsonObject
+        ["species"] = new JsonArray(insects.Select(species => (JsonNode)new JsonObject
         {
             ["name"] = species.Name,
             ["title"] = species.DisplayName,
             ["variants"] = new JsonArray(species.Variants.Select(variant => (JsonNode)FlightOptions.Word(variant)).ToArray()),
         }).ToArray()),
-        ["sliders"] = new JsonArray(ViewSlider.All.Select(slider => (JsonNode)new JsonObject
+        ["sliders"] = new JsonArray(sliders.Select(slider => (JsonNode)new JsonObject
         {
             ["name"] = slider.Name,
             ["title"] = slider.Title,
@@ -60,7 +60,7 @@ internal static class SceneMessage
         ["name"] = insect.Name,
         ["title"] = insect.DisplayName,
         ["remark"] = remark,
-        ["reach"] = wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length),
+        ["reach"] = Math.Max(wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length), insect.Body.positions.Max(place => math.length(place))),
         ["settings"] = Settings(settings),
         ["columns"] = new JsonArray(columns.Select(column => (JsonNode)new JsonObject { ["title"] = column.Title, ["description"] = column.Description }).ToArray()),
         ["body"] = Body(insect.Body),

@@ -17,6 +17,9 @@ internal sealed record ViewSlider(
     string Name, string Title, string Unit, double Min, double Max, bool IsLogarithmic, bool IsWhole, Func<ViewSettings, double> Of,
     Func<ViewSettings, double, ViewSettings> With)
 {
+    /// <summary>The only one that needs no simulation.</summary>
+    public static ViewSlider SlowMotion => All[0];
+
     /// <summary>All sliders in the order of the page.</summary>
     public static IReadOnlyList<ViewSlider> All { get; } =
     [

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Alate.Cli.Flights;
 using Unity.Mathematics;
 
@@ -8,45 +7,20 @@ namespace Alate.Cli.Views;
 /// <summary>What is shown on the mesh of one wing: how far it is stretched, and at which angle it meets the air.</summary>
 internal sealed class WingFields
 {
-    private readonly (int A, int B, float Length)[] m_Edges;
-    private readonly float[] m_Strain;
+    private readonly StretchField m_Stretch;
     private readonly int[] m_PatchOf;
 
     /// <param name="wing">A wing without frames.</param>
     public WingFields(RecordedWing wing)
     {
-        var edges = new Dictionary<(int, int), float>();
-        for (int corner = 0; corner < wing.Triangles.Length; corner++)
-        {
-            int a = wing.Triangles[corner], b = wing.Triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-            float length = math.distance(wing.Rest[a], wing.Rest[b]);
-            if (length > 0f)
-                edges[(Math.Min(a, b), Math.Max(a, b))] = length;
-        }
-
-        m_Edges = new (int, int, float)[edges.Count];
-        int count = 0;
-        foreach (((int a, int b), float length) in edges)
-            m_Edges[count++] = (a, b, length);
-        m_Strain = new float[wing.Rest.Length];
+        m_Stretch = new StretchField(wing);
         m_PatchOf = new int[wing.Rest.Length];
         Array.Fill(m_PatchOf, -1);
     }
 
     /// <summary>Largest |l/l₀ − 1| of the edges that meet at each vertex.</summary>
     /// <param name="positions">[vertex] Wing lengths.</param>
-    public float[] Strain(float3[] positions)
-    {
-        Array.Clear(m_Strain);
-        foreach ((int a, int b, float length) in m_Edges)
-        {
-            float strain = math.abs(math.distance(positions[a], positions[b]) / length - 1f);
-            m_Strain[a] = math.max(m_Strain[a], strain);
-            m_Strain[b] = math.max(m_Strain[b], strain);
-        }
-
-        return m_Strain;
-    }
+    public float[] Strain(float3[] positions) => m_Stretch.Of(positions);
 
     /// <summary>Angle of attack of the patch that is nearest to a vertex, radians; 0 before the first step.</summary>
     /// <param name="reading">The wing.</param>

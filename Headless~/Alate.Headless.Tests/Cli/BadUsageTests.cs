@@ -204,7 +204,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void OutputThatIsAFolder_IsRefusedBeforeTheFlight()
         {
-            Directory.CreateDirectory(Path.Combine(m_Run.Out, "strip.svg"));
+            Directory.CreateDirectory(Path.Combine(m_Run.Out, "strip.png"));
 
             int code = m_Run.Run("fly", "monarch", "--out", m_Run.Out);
 

@@ -3,101 +3,88 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text.RegularExpressions;
-using System.Xml.Linq;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
 using NUnit.Framework;
+using Unity.Mathematics;
+using Unity.StandIns;
+using UnityEngine;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>Content of the strip of a flight, read back from its paths.</summary>
+    /// <summary>Content of the strip of a flight, read back from its pixels and its labels.</summary>
     public sealed class BeatStripTests
     {
         private const int k_Phases = 12;
 
-        private static readonly XNamespace s_Svg = "http://www.w3.org/2000/svg";
-
-        private string m_Text;
-        private XElement m_Picture;
-        private List<XElement> m_Panels;
+        private byte[] m_File;
+        private PngFile m_Picture;
+        private PixelPage m_Page;
+        private StripLayout m_Layout;
+        private List<List<int2>> m_Panels;
 
         [OneTimeSetUp]
         public void Draw()
         {
-            m_Text = BeatStrip.Draw(MonarchFlight.Level);
-            m_Picture = XElement.Parse(m_Text);
-            m_Panels = m_Picture.Elements(s_Svg + "g").ToList();
+            m_File = BeatStrip.Draw(MonarchFlight.Level);
+            m_Picture = PngFile.Read(m_File);
+            m_Page = BeatStrip.Compose(MonarchFlight.Level, out m_Layout);
+            m_Panels = Enumerable.Range(0, k_Phases).Select(k => Painted(m_Picture, m_Layout[k])).ToList();
         }
 
         [Test]
-        public void EveryPoint_LiesInTheFrame()
+        public void Edges_ArePaper()
         {
-            double[] frame = Numbers(m_Picture.Attribute("viewBox").Value);
-            foreach (XElement panel in m_Panels)
+            Color32 paper = m_Picture.Pixels[0];
+            for (int k = 0; k < m_Picture.Pixels.Length; k++)
             {
-                double[] place = Numbers(panel.Attribute("transform").Value);
-                List<(int X, int Y)> points = Points(panel);
-                Assert.That(points.Select(point => place[0] + place[2] * point.X), Is.All.InRange(0.0, frame[2]));
-                Assert.That(points.Select(point => place[1] + place[2] * point.Y), Is.All.InRange(0.0, frame[3]));
+                int x = k % m_Picture.Width, y = k / m_Picture.Width;
+                if (x < 8 || y < 8 || x >= m_Picture.Width - 8 || y >= m_Picture.Height - 8)
+                    Assert.That(m_Picture.Pixels[k], Is.EqualTo(paper), $"{x}, {y}");
             }
         }
 
         [Test]
-        public void AllPhases_HaveOneScale()
-        {
-            Assert.That(m_Panels, Has.Count.EqualTo(k_Phases));
-            Assert.That(m_Panels.Select(panel => Numbers(panel.Attribute("transform").Value)[2]).Distinct().Count(), Is.EqualTo(1));
-        }
+        public void AllPhases_HaveOneScale() =>
+            Assert.That(Enumerable.Range(0, k_Phases).Select(k => m_Layout[k].Scale).Distinct().Count(), Is.EqualTo(1));
 
         [Test]
         public void TheWings_AreHighAtTheStart_AndLowHalfABeatLater()
         {
-            // Heights over the body's, which lies at the same place within a row; y points down.
-            (int Top, int Bottom) start = Extent(m_Panels[0]), later = Extent(m_Panels[3]);
-            (int Top, int Bottom) rowStart = Extent(m_Panels[4]), half = Extent(m_Panels[6]);
-
-            Assert.That(start.Top, Is.LessThan(later.Top - 100));
-            Assert.That(half.Bottom, Is.GreaterThan(rowStart.Bottom + 100));
+            // Within a row, where the body lies at the same place; y points down.
+            Assert.That(Top(0), Is.LessThan(Top(3) - 30));
+            Assert.That(Bottom(6), Is.GreaterThan(Bottom(4) + 30));
         }
 
         [Test]
         public void EveryPhase_IsAPoseOfItsOwn()
         {
-            Assert.That(m_Panels.Select(panel => panel.ToString()).Distinct().Count(), Is.EqualTo(k_Phases));
-            Assert.That(m_Panels.Select(Extent).Distinct().Count(), Is.EqualTo(k_Phases));
+            Assert.That(m_Panels.Select(panel => (panel.Count, panel.Min(pixel => pixel.y), panel.Max(pixel => pixel.x))).Distinct().Count(), Is.EqualTo(k_Phases));
+            Assert.That(m_Panels.Select(panel => panel.Count), Is.All.GreaterThan(500));
         }
 
         [Test]
-        public void UnderEachPhase_StandsItsTime()
+        public void UnderEachPhase_StandItsAngleAndItsTime()
         {
             double period = 1000.0 / MonarchFlight.Level.Wings[0].Frequency;
-            double[] told = m_Picture.Elements(s_Svg + "text").Select(text => text.Value).Where(text => Regex.IsMatch(text, "^[0-9.]+ ms$"))
-                .Select(text => Numbers(text)[0]).ToArray();
+            double[] told = m_Page.Texts.Where(text => Regex.IsMatch(text, "^[0-9.]+ ms$")).Select(text => double.Parse(text[..^3], CultureInfo.InvariantCulture)).ToArray();
 
             Assert.That(told, Is.EqualTo(Enumerable.Range(0, k_Phases).Select(k => k * period / k_Phases)).Within(0.051));
+            Assert.That(m_Page.Texts.Where(text => text.EndsWith("°")), Is.EqualTo(Enumerable.Range(0, k_Phases).Select(k => $"{30 * k}°")));
         }
 
         [Test]
         public void TheMonarch_IsOrange()
         {
-            var areas = new Dictionary<string, double>();
-            foreach (XElement path in m_Panels[4].Elements(s_Svg + "path").Where(path => path.Attribute("class").Value == "f"))
-            {
-                string colour = path.Attribute("color").Value;
-                areas[colour] = areas.GetValueOrDefault(colour) + Area(path);
-            }
-
-            string most = areas.OrderByDescending(pair => pair.Value).First().Key;
-            int rgb = Convert.ToInt32(most.Substring(1), 16), red = rgb >> 16, green = (rgb >> 8) & 255, blue = rgb & 255;
-            Assert.That(red, Is.GreaterThan(green + 50), most);
-            Assert.That(green, Is.GreaterThan(blue + 50), most);
+            Color32[] painted = m_Panels[4].Select(pixel => m_Picture.Pixels[pixel.y * m_Picture.Width + pixel.x]).ToArray();
+            Assert.That(painted.Count(colour => colour.r > colour.g + 50 && colour.g > colour.b + 50), Is.GreaterThan(painted.Length / 3));
         }
 
         [Test]
-        public void TheTextIsTheSame_EachTimeAndWhateverTheCulture()
+        public void TheFileIsTheSame_EachTimeAndWhateverTheCulture()
         {
             using (new CommaCulture())
-                Assert.That(BeatStrip.Draw(MonarchFlight.Level) == m_Text);
+                Assert.That(BeatStrip.Draw(MonarchFlight.Level), Is.EqualTo(m_File));
         }
 
         [Test]
@@ -111,55 +98,35 @@ namespace Alate.Tests.Cli
                 SkeletonFile = run.Write("wing.json", OwnWing.Skeleton()),
                 Seconds = 0.2,
             };
+            FlightRecord flight = MonarchFlight.Fly(plan);
+            var picture = PngFile.Read(BeatStrip.Draw(flight));
+            PixelPage page = BeatStrip.Compose(flight, out StripLayout layout);
 
-            var picture = XElement.Parse(BeatStrip.Draw(MonarchFlight.Fly(plan)));
-
-            Assert.That(picture.Elements(s_Svg + "g").Select(panel => Points(panel).Count), Is.All.GreaterThan(100));
-            Assert.That(picture.Element(s_Svg + "title").Value, Does.StartWith("R&D"), "a name is text, whatever its letters");
+            for (int k = 0; k < k_Phases; k++)
+                Assert.That(Painted(picture, layout[k]), Has.Count.GreaterThan(100));
+            Assert.That(page.Texts[0], Is.EqualTo("R&D"));
         }
 
-        private static (int Top, int Bottom) Extent(XElement panel)
-        {
-            List<(int X, int Y)> points = Points(panel);
-            return (points.Min(point => point.Y), points.Max(point => point.Y));
-        }
+        private int Top(int panel) => m_Panels[panel].Min(pixel => pixel.y);
 
-        private static List<(int X, int Y)> Points(XElement panel) =>
-            panel.Elements(s_Svg + "path").SelectMany(Loops).SelectMany(loop => loop).ToList();
+        private int Bottom(int panel) => m_Panels[panel].Max(pixel => pixel.y);
 
-        private static double Area(XElement path)
+        // Pixels of a panel that are not paper.
+        private static List<int2> Painted(PngFile picture, StripPanel panel)
         {
-            double doubled = 0.0;
-            foreach (List<(int X, int Y)> loop in Loops(path))
+            var painted = new List<int2>();
+            Color32 paper = picture.Pixels[0];
+            for (int y = (int)(PixelPage.Fineness * panel.Top); y < PixelPage.Fineness * (panel.Top + panel.Height) - 14; y++)
             {
-                for (int k = 0; k < loop.Count; k++)
+                for (int x = (int)(PixelPage.Fineness * panel.Left); x < Math.Min(PixelPage.Fineness * (panel.Left + panel.Width), picture.Width); x++)
                 {
-                    (int X, int Y) next = loop[(k + 1) % loop.Count];
-                    doubled += (double)loop[k].X * next.Y - (double)next.X * loop[k].Y;
+                    Color32 pixel = picture.Pixels[y * picture.Width + x];
+                    if (Math.Abs(pixel.r - paper.r) + Math.Abs(pixel.g - paper.g) + Math.Abs(pixel.b - paper.b) > 12)
+                        painted.Add(new int2(x, y));
                 }
             }
 
-            return Math.Abs(0.5 * doubled);
+            return painted;
         }
-
-        // Relative steps: "m" moves and goes on with lines, "z" goes back to where the loop began.
-        private static IEnumerable<List<(int X, int Y)>> Loops(XElement path)
-        {
-            (int X, int Y) at = (0, 0);
-            foreach (Match part in Regex.Matches(path.Attribute("d").Value, "m([^mz]*)(z?)"))
-            {
-                int[] steps = Array.ConvertAll(Numbers(part.Groups[1].Value), number => (int)number);
-                Assert.That(steps.Length % 2, Is.Zero, "pairs");
-                var loop = new List<(int X, int Y)>();
-                for (int k = 0; k < steps.Length; k += 2)
-                    loop.Add(at = (at.X + steps[k], at.Y + steps[k + 1]));
-                if (part.Groups[2].Length > 0)
-                    at = loop[0];
-                yield return loop;
-            }
-        }
-
-        private static double[] Numbers(string text) =>
-            Regex.Matches(text, "-?[0-9]+(\\.[0-9]+)?").Select(match => double.Parse(match.Value, CultureInfo.InvariantCulture)).ToArray();
     }
 }

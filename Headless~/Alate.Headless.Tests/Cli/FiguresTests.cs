@@ -25,9 +25,9 @@ namespace Alate.Tests.Cli
         {
             string[] pictures = Regex.Matches(s_Page.Value, @"\]\((images/[^)]+)\)").Select(match => match.Groups[1].Value).ToArray();
 
-            Assert.That(pictures, Has.Length.EqualTo(1 + 2 * InsectCatalogue.All.Count));
+            Assert.That(pictures, Has.Length.EqualTo(2 + 2 * InsectCatalogue.All.Count));
             foreach (string picture in pictures)
-                Assert.That(new FileInfo(Path.Combine(s_Folder, picture)).Length, Is.InRange(1_000, 500_000), picture);
+                Assert.That(new FileInfo(Path.Combine(s_Folder, picture)).Length, Is.InRange(1_000, 300_000), picture);
         }
 
         [TestCaseSource(nameof(All))]

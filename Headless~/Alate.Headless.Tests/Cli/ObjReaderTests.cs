@@ -58,6 +58,17 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void SeamOfAPicture_HasVerticesOnBothSides_WhereThePictureIsWanted()
+        {
+            const string k_Square = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n";
+
+            ObjMesh plain = ObjReader.Read(new StringReader(k_Square)), textured = ObjReader.ReadTextured(new StringReader(k_Square));
+            Assert.That(plain.Positions, Has.Length.EqualTo(4));
+            Assert.That(textured.Positions, Has.Length.EqualTo(5));
+            Assert.That(textured.Uvs, Has.Length.EqualTo(5).And.Contains(new UnityEngine.Vector2(0.5f, 0.5f)));
+        }
+
+        [Test]
         public void CornersOfOnePositionAndNormal_AreOneVertex()
         {
             ObjMesh mesh = Read(k_Square + "vn 0 1 0\nvt 0 0\nvt 1 1\nf 1/1/1 2/1/1 3/2/1\nf 1/2/1 3/1/1 4/1/1\n");

@@ -60,6 +60,20 @@ internal sealed class PhotoScene
         float3 Seen(float3 place) => m_Camera.Project(way + math.rotate(turn, place));
     }
 
+    /// <summary>The insect with its wings as they are made, flat.</summary>
+    public Pose Rest()
+    {
+        Pose pose = PoseAt(0.0);
+        for (int k = 0; k < m_Flight.Wings.Count; k++)
+        {
+            RecordedWing wing = m_Flight.Wings[k];
+            pose.Places[k + 1] = Array.ConvertAll(wing.Rest, place => m_Camera.Project(wing.Placement.ToBody(place)));
+            pose.Normals[k + 1] = Array.ConvertAll(wing.Rest, _ => new float3(0f, 1f, 0f));
+        }
+
+        return pose;
+    }
+
     /// <summary>Pixels of a panel.</summary>
     public static int2 SizeOf(StripPanel panel, float fineness) => (int2)math.ceil(fineness * new float2(panel.Width, panel.Height));
 

@@ -99,7 +99,7 @@ internal sealed class PhotoSurface
     // Two triangles, a little nearer than the wing, and beyond both ends so that lines in a row join.
     private void DrawLine(SampleGrid grid, float3 from, float3 to, float4 light)
     {
-        const float k_Nearer = 0.9995f;
+        const float k_Nearer = 0.9985f;
         float2 along = k_HalfLine * SampleGrid.k_Fineness * math.normalizesafe(to.xy - from.xy), aside = new(-along.y, along.x);
         float2 start = from.xy - 0.5f * along, end = to.xy + 0.5f * along;
         TriangleSamples.Visitor draw = (x, y, _) =>

@@ -1,5 +1,7 @@
 import { blend, decode } from './format.js';
 
+const RATE = 30;
+
 // Beats that were flown when this site was made: files beside the page, played in a loop.
 export class Baked {
   constructor(listener) {
@@ -17,8 +19,10 @@ export class Baked {
     await this.set({ species: index.species[0].name });
     let before = performance.now();
     const next = (now) => {
-      this.play(Math.min((now - before) / 1000, 0.1));
-      before = now;
+      if (now - before > 900 / RATE) {
+        this.play(Math.min((now - before) / 1000, 0.1));
+        before = now;
+      }
       requestAnimationFrame(next);
     };
     requestAnimationFrame(next);
@@ -33,7 +37,7 @@ export class Baked {
 
   async set(change) {
     const wanted = { ...this.set_, ...change, values: { ...this.set_.values, ...change.values } };
-    if (change.species && !change.variant)
+    if ((change.species && !change.variant) || wanted.compare)
       wanted.variant = 'standard';
     const name = `${wanted.species}-${wanted.variant}${wanted.compare ? '-parts' : ''}`;
     if (name !== this.name) {

@@ -24,6 +24,7 @@ export class Stage {
     this.scene.add(this.camera);
     this.columns = [];
     this.shown = { field: null, skeleton: false, loads: false, forces: false };
+    this.controls.addEventListener('change', () => { this.isOld = true; });
     this.home();
   }
 
@@ -100,6 +101,7 @@ export class Stage {
 
   setState(state) {
     this.state = state;
+    this.isOld = true;
     this.columns.forEach((column, c) => {
       const from = state.columns[c];
       if (from && from.wings.length === column.wings.length)
@@ -177,7 +179,8 @@ export class Stage {
     return { across, down: Math.ceil(count / across) };
   }
 
-  render() {
+  // Draws what has changed, or all of it again.
+  render(again = false) {
     const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
     if (width === 0 || height === 0)
       return;
@@ -186,8 +189,12 @@ export class Stage {
       Object.assign(this, { width, height, ratio });
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(width, height, false);
+      this.isOld = true;
     }
     this.controls.update();
+    if (!this.isOld && !again)
+      return;
+    this.isOld = false;
     const { across, down } = this.grid(width, height), w = width / across, h = height / down;
     this.camera.aspect = w / h;
     this.camera.fov = 360 / Math.PI * Math.atan(HALF * Math.max(1, 1.15 / this.camera.aspect));

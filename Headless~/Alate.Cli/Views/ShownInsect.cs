@@ -11,7 +11,7 @@ using Alate.Cli.Gltf;
 namespace Alate.Cli.Views;
 
 /// <summary>The insect of one page, once for each column of the model, with what the page has set.</summary>
-internal sealed class LiveInsect : IDisposable
+internal sealed class ShownInsect : IDisposable
 {
     /// <summary>States in a second, at most.</summary>
     public const int Rate = 30;
@@ -23,9 +23,9 @@ internal sealed class LiveInsect : IDisposable
     private uint m_Sequence;
 
     /// <exception cref="UserException">The species does not fly with its own numbers.</exception>
-    public LiveInsect(InsectDefinition species, InsectVariant variant)
+    public ShownInsect(ViewSettings settings)
     {
-        Scene = Make(ViewSettings.Of(species, variant), null);
+        Scene = Make(settings, null);
     }
 
     public ViewSettings Settings { get; private set; }
@@ -62,8 +62,28 @@ internal sealed class LiveInsect : IDisposable
         Scene = Make(Settings, OwnWing.Read(name, content));
     }
 
-    /// <summary>Lets a moment pass and adds the state of all columns.</summary>
-    public void Advance(StateBuffer state)
+    /// <summary>Lets a moment pass and writes the state of all columns.</summary>
+    public void Advance(StateBuffer state) => Advance(state, Settings.IsPaused ? 0.0 : Settings.Slow / Rate);
+
+    /// <summary>Writes the states of a settled beat, each behind its length.</summary>
+    /// <param name="frames">States, evenly in time.</param>
+    /// <param name="stream">Where to.</param>
+    public void Bake(int frames, Stream stream)
+    {
+        const int k_SettledBeats = 8;
+        double period = 1.0 / m_Flights[0].Frequency;
+        var state = new StateBuffer();
+        for (int k = 0; k < k_SettledBeats * frames; k++)
+            Advance(state, period / frames);
+        for (int k = 0; k < frames; k++)
+        {
+            stream.Write(BitConverter.GetBytes(state.Length));
+            stream.Write(state.Content.Span);
+            Advance(state, period / frames);
+        }
+    }
+
+    private void Advance(StateBuffer state, double seconds)
     {
         state.Clear();
         state.Add(k_Magic);
@@ -73,7 +93,7 @@ internal sealed class LiveInsect : IDisposable
         state.Add(0u);
         foreach (LiveFlight flight in m_Flights)
         {
-            flight.Advance(Settings.IsPaused ? 0.0 : Settings.Slow / Rate);
+            flight.Advance(seconds);
             flight.Write(state);
         }
     }

@@ -1,0 +1,83 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Json.Nodes;
+using Alate.Catalogue;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+using Alate.Cli.Views;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>site DIR</c>: the page of the live view with beats that are flown now, for any web server.</summary>
+internal static class SiteCommand
+{
+    private const string k_Index = "insects/index.json";
+
+    /// <summary>States of a beat; the page goes from one to the next in a straight line.</summary>
+    private const int k_Frames = 24;
+
+    public static Command Create(TextWriter output)
+    {
+        var folder = new Argument<string>("DIR") { Description = "Where the site goes." };
+        Argument<string[]> species = FlightOptions.AnySpecies();
+        Option<string> three = ViewCommand.Three();
+        var command = new Command("site", "Writes the page of 'view' as a gallery of insects in flight, for any web server.") { folder, species, three };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            List<InsectDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), InsectVariant.Standard);
+            ThreeSource source = parsed.GetValue(three) is string own ? ThreeSource.Of(own) : ThreeSource.Public;
+            Run(parsed.GetValue(folder), insects, source, output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(string path, List<InsectDefinition> insects, ThreeSource three, TextWriter output)
+    {
+        var page = new PageFiles(three, isLive: false);
+        using var folder = OutputFolder.Prepare(path, page.Names.Append(k_Index).ToArray());
+        var terminal = new Terminal(output);
+        terminal.ShowProgress(insects.Sum(insect => insect.Variants.Count + 1), (done, _) =>
+        {
+            foreach (string name in page.Names)
+                folder.Write(name, stream => stream.Write(page.Find(name)));
+            folder.Write(k_Index, stream => stream.Write(Encoding.UTF8.GetBytes(SceneMessage.Hello(insects, [ViewSlider.SlowMotion]).ToJsonString())));
+            int count = 0;
+            foreach (InsectDefinition insect in insects)
+            {
+                foreach (InsectVariant variant in insect.Variants)
+                {
+                    Write(folder, $"{insect.Name}-{FlightOptions.Word(variant)}", ViewSettings.Of(insect, variant));
+                    done(++count);
+                }
+
+                Write(folder, $"{insect.Name}-standard-parts", ViewSettings.Of(insect, InsectVariant.Standard) with { IsCompared = true });
+                done(++count);
+            }
+        });
+        folder.Commit();
+        output.WriteLine($"Written into {path}. Any web server shows it: python3 -m http.server -d {path}");
+    }
+
+    private static void Write(OutputFolder folder, string name, ViewSettings settings)
+    {
+        using var insect = new ShownInsect(settings);
+        JsonObject scene = insect.Scene;
+        folder.Write($"insects/{name}.json", stream => stream.Write(Encoding.UTF8.GetBytes(scene.ToJsonString())));
+        folder.Write($"insects/{name}.bin", stream => insect.Bake(k_Frames, stream));
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  site gallery\n"
+        + "  site gallery monarch fishfly --three node_modules/three\n\n"
+        + "Writes into the folder:\n"
+        + "  index.html     the page, with its scripts and styles\n"
+        + "  insects/       a settled beat of every variant, and of the columns of 'compare'\n"
+        + "  three/         three.js, with --three; else the page loads it from a public server\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

@@ -1,0 +1,71 @@
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Alate.Catalogue;
+using Alate.Cli.Flights;
+using Alate.Cli.Pictures;
+using NUnit.Framework;
+using Unity.Mathematics;
+using Unity.StandIns;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>Numbers beside what is usual on real insects, and the map of the stretch.</summary>
+    public sealed class MeasureBoundTests
+    {
+        private static readonly WingSummary s_Usual = new WingSummary("wing", 10, 20, -3, 4, 10, 8, 20, 10, 2, 1);
+
+        [Test]
+        public void UsualNumbers_AreNotMarked() =>
+            Assert.That(MeasureBound.All.Select(bound => bound.Cell(s_Usual, InsectVariant.Standard)), Is.All.Not.Contains("†"));
+
+        [Test]
+        public void NumbersOutside_AreMarked_EachByItsOwnRange()
+        {
+            var odd = new WingSummary("wing", 10, 60, -20, 4, 90, 47, 5, 10, 7, 1);
+
+            Assert.That(MeasureBound.All.Select(bound => bound.Cell(odd, InsectVariant.Standard)), Is.All.Contains("†"));
+            Assert.That(MeasureBound.Find("edge_stretch_max_pct").Holds(odd, InsectVariant.Expressive), Is.True, "soft wings may stretch by 8 %");
+        }
+
+        [Test]
+        public void EveryRange_NamesItsSource() => Assert.That(MeasureBound.All.Select(bound => bound.Source), Is.All.Not.Empty);
+
+        [Test]
+        public void TerminalAndSummary_SayWhatIsOutside()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("fly", "monarch", "--elasticity", "0.02", "--seconds", "0.1", "--out", run.Out), Is.Zero, run.Errors);
+            JsonElement summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(run.Out, "summary.json"))).RootElement;
+            string[] outside = summary.GetProperty("outside_usual").EnumerateArray().Select(key => key.GetString()).ToArray();
+
+            Assert.That(outside, Is.Not.Empty.And.SubsetOf(MeasureBound.All.Select(bound => bound.Key)));
+            foreach (string key in outside)
+                Assert.That(run.Output, Does.Contain($"† {MeasureBound.Find(key).Title} is outside the usual"));
+            Assert.That(run.Output, Does.Contain("usual").And.Contain("10–50"));
+        }
+
+        [Test]
+        public void StretchMap_IsPaleWhereNothingStretches_AndDarkWhereItDoes()
+        {
+            FlightRecord flight = MonarchFlight.Level;
+            float[] largest = StretchField.Largest(flight.Wings[0]);
+            var summary = WingSummary.Of(flight.Wings[0]);
+            var picture = PngFile.Read(StretchMap.Draw(flight));
+
+            Assert.That(100f * largest.Max(), Is.EqualTo(summary.EdgeStretchMaxPct).Within(1e-3));
+            Assert.That(picture.Pixels.Count(pixel => pixel.r > 200 && pixel.g > 150 && pixel.b is > 30 and < 190), Is.GreaterThan(300), "yellow where it stretches a little");
+        }
+
+        [Test]
+        public void StretchField_IsTheStretchOfTheEdges()
+        {
+            var wing = new RecordedWing { Rest = new[] { new float3(0f, 0f, 0f), new float3(1f, 0f, 0f), new float3(0f, 0f, 1f), new float3(1f, 0f, 1f) }, Triangles = new[] { 0, 1, 2, 1, 3, 2 } };
+            float[] values = new StretchField(wing).Of(new[] { new float3(0f, 0f, 0f), new float3(1.1f, 0f, 0f), new float3(0f, 0f, 1f), new float3(1f, 0f, 1f) });
+
+            Assert.That(values[0], Is.EqualTo(0.1f).Within(1e-6f));
+            Assert.That(values[1], Is.EqualTo(0.1f).Within(1e-6f));
+            Assert.That(values[2], Is.EqualTo(math.sqrt(1.1f * 1.1f + 1f) / math.sqrt(2f) - 1f).Within(1e-6f), "the diagonal");
+        }
+    }
+}
