@@ -97,7 +97,7 @@ const cases = {
     const other = await state(), hertz = (other.columns[0].turn - one.columns[0].turn) / (other.time - one.time);
     check(Math.abs(hertz / other.columns[0].hertz - 1) < 0.03, `${hertz} beats a second, ${other.columns[0].hertz} said`);
     const { share } = await painted();
-    check(share > 0.01 && share < 0.6, `the insect covers ${share} of the picture`);
+    check(share > 0.003 && share < 0.6, `the insect covers ${share} of the picture`);
   },
   async rate() {
     await page.waitForTimeout(2500);

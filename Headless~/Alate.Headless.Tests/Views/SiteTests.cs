@@ -46,5 +46,18 @@ namespace Alate.Tests.Views
                 Assert.That(step, Is.LessThan(0.5f * first.Wings[0][0].Reach), "the last state leads into the first");
             }
         }
+
+        [Test, Explicit, Category("Long")]
+        public void Site_FliesInTheBrowser_FromFilesAnywhere()
+        {
+            WebTools.NeedChromium();
+            WebTools.NeedNode();
+            using var run = new CommandRun();
+            Assert.That(run.Run("site", run.Out, "fishfly", "--three", WebTools.Three), Is.Zero, run.Errors);
+
+            (int code, string output) = WebTools.Run("site.mjs", WebTools.Chromium, run.Out).Result;
+            TestContext.Out.Write(output);
+            Assert.That(code, Is.Zero, output);
+        }
     }
 }

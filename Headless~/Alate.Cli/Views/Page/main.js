@@ -41,7 +41,7 @@ function place(stage) {
   const { across, down } = stage.grid(get('canvas').clientWidth, get('canvas').clientHeight);
   [...get('labels').children].forEach((label, k) => {
     label.style.left = `${100 * (k % across + 0.5) / across}%`;
-    label.style.top = `calc(${100 * Math.floor(k / across) / down}% + ${k < across ? (innerWidth > 760 ? 92 : 62) : 12}px)`;
+    label.style.top = `calc(${100 * Math.floor(k / across) / down}% + ${k < across ? (innerWidth > 760 ? 84 : 58) : 12}px)`;
     label.style.width = `${92 / across}%`;
   });
 }

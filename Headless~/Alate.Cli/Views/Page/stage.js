@@ -195,13 +195,15 @@ export class Stage {
     if (!this.isOld && !again)
       return;
     this.isOld = false;
-    const { across, down } = this.grid(width, height), w = width / across, h = height / down;
+    const { across, down } = this.grid(width, height), w = width / across, cell = height / down;
+    // Room for the names of the columns.
+    const h = this.columns.length > 1 ? cell - (innerWidth > 760 ? 96 : 40) : cell;
     this.camera.aspect = w / h;
     this.camera.fov = 360 / Math.PI * Math.atan(HALF * Math.max(1, 1.15 / this.camera.aspect));
     this.camera.updateProjectionMatrix();
     this.columns.forEach((column, k) => {
       this.columns.forEach((other) => { other.group.visible = other === column; });
-      const left = k % across * w, bottom = height - (Math.floor(k / across) + 1) * h;
+      const left = k % across * w, bottom = height - (Math.floor(k / across) + 1) * cell;
       this.renderer.setViewport(left, bottom, w, h);
       this.renderer.setScissor(left, bottom, w, h);
       this.renderer.render(this.scene, this.camera);
