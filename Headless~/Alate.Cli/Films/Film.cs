@@ -109,11 +109,13 @@ internal sealed class Film
         double step = math.clamp(1.0 / (frequency * plan.Frames), 0.001, 0.05);
         FreeRecord record = FreeRun.Fly(new FreePlan { Insect = insect, Points = [default], Step = step, Seconds = (k_Settling + plan.Beats + 1) / frequency }, _ => { });
         var shown = record.Moments.Skip(Math.Max(record.Moments.Count - plan.Beats * plan.Frames, 0)).ToList();
-        float3 middle = shown.Aggregate(float3.zero, (sum, at) => sum + record.Thorax(at)) / shown.Count;
+        // The camera goes along, so that what is left of the way is the bob of the beat.
+        float3 start = record.Thorax(shown[0]), along = (record.Thorax(shown[^1]) - start) / math.max(shown.Count - 1, 1);
         return new Film(plan, [record.Beat], frame =>
         {
-            FreeMoment at = shown[Math.Min(frame * shown.Count / (plan.Beats * plan.Frames), shown.Count - 1)];
-            return (at.Phase / (2.0 * Math.PI), at.Rotation, record.Thorax(at) - middle);
+            int moment = Math.Min(frame * shown.Count / (plan.Beats * plan.Frames), shown.Count - 1);
+            FreeMoment at = shown[moment];
+            return (at.Phase / (2.0 * Math.PI), at.Rotation, record.Thorax(at) - start - moment * along);
         });
     }
 }

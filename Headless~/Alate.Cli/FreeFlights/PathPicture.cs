@@ -14,8 +14,6 @@ internal static class PathPicture
     private const int k_Width = 1400, k_Height = 700, k_Insects = 9;
     private const float k_Inset = 0.1f, k_Size = 0.16f, k_Softness = 0.02f;
 
-    private static readonly float3 s_Paper = new float3(0xf7, 0xf4, 0xec) / 255f;
-
     /// <summary>The picture as a PNG file.</summary>
     /// <param name="flight">The flight.</param>
     /// <param name="factor">How many times larger than the way the insects are drawn.</param>
@@ -54,7 +52,7 @@ internal static class PathPicture
             Dot(grid, SampleGrid.k_Fineness * (scale * place.xy + shift), place.z + extent);
         for (int k = 0; k < k_Insects; k++)
             Insect(grid, shading, camera, flight, flight.Moments[(flight.Moments.Count - 1) * k / (k_Insects - 1)], factor, scale, shift);
-        Color32[] pixels = grid.Pixels(s_Paper);
+        Color32[] pixels = grid.Pixels(Shading.ToLinear(PixelPage.Paper));
         var labels = new PathLabels(pixels, k_Width);
         labels.Title(FormattableString.Invariant($"from {view.Words}, {flight.Moments[^1].Time:0.#} s, the insect drawn {factor:0.#} times as large as the way"));
         labels.Scale(scale);

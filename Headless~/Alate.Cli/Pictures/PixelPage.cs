@@ -69,7 +69,11 @@ internal sealed class PixelPage
         foreach ((PhotoScene scene, Pose pose, StripPanel panel) in m_Photos)
             Blend(pixels, size, scene.Draw(pose, panel, Fineness), (int2)math.round(Fineness * new float2(panel.Left, panel.Top)), PhotoScene.SizeOf(panel, Fineness));
         foreach ((float2[] points, float pen, float3 colour) in m_Strokes)
-            Stroke(pixels, size, points, pen * Fineness, colour);
+        {
+            foreach ((int pixel, float covered) in Pen.Cover(size, Array.ConvertAll(points, point => Fineness * point), pen * Fineness))
+                pixels[pixel] = math.lerp(pixels[pixel], colour, covered);
+        }
+
         return Array.ConvertAll(pixels, pixel =>
         {
             var bytes = (int3)math.round(255f * math.saturate(pixel));
@@ -87,30 +91,5 @@ internal sealed class PixelPage
             if (math.all(place >= 0) && math.all(place < size) && math.any(math.abs(colour / 255f - Paper) > 0.004f))
                 pixels[place.y * size.x + place.x] = colour / 255f;
         }
-    }
-
-    // A pen with a round tip: what it covers of a pixel goes by the distance of the pixel's middle.
-    private static void Stroke(float3[] pixels, int2 size, float2[] points, float pen, float3 colour)
-    {
-        var cover = new Dictionary<int, float>();
-        for (int k = 0; k + 1 < points.Length; k++)
-        {
-            float2 from = Fineness * points[k], to = Fineness * points[k + 1], along = to - from;
-            int2 low = math.max((int2)math.floor(math.min(from, to) - pen - 1f), 0), high = math.min((int2)math.ceil(math.max(from, to) + pen + 1f), size - 1);
-            for (int y = low.y; y <= high.y; y++)
-            {
-                for (int x = low.x; x <= high.x; x++)
-                {
-                    float2 middle = new float2(x, y) + 0.5f;
-                    float share = math.saturate(math.dot(middle - from, along) / math.max(math.lengthsq(along), 1e-12f));
-                    float covered = math.saturate(pen + 0.5f - math.distance(middle, from + share * along));
-                    if (covered > 0f)
-                        cover[y * size.x + x] = math.max(cover.GetValueOrDefault(y * size.x + x), covered);
-                }
-            }
-        }
-
-        foreach ((int pixel, float covered) in cover)
-            pixels[pixel] = math.lerp(pixels[pixel], colour, covered);
     }
 }

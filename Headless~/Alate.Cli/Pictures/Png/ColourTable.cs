@@ -19,20 +19,23 @@ internal sealed class ColourTable
 
     private readonly Dictionary<int, byte> m_Nearest = [];
 
+    /// <param name="ground">A colour that is kept as it is.</param>
     /// <param name="pixels">All colours; opacity does not count.</param>
     /// <param name="most">Entries, at most 256.</param>
-    public ColourTable(IEnumerable<Color32> pixels, int most)
+    public ColourTable(Color32 ground, IEnumerable<Color32> pixels, int most)
     {
         var cells = new Dictionary<int, Cell>();
         foreach (Color32 pixel in pixels)
         {
+            if (pixel.Equals(ground))
+                continue;
             int key = (pixel.r >> (8 - k_Bits) << (2 * k_Bits)) | (pixel.g >> (8 - k_Bits) << k_Bits) | (pixel.b >> (8 - k_Bits));
             cells.TryGetValue(key, out Cell cell);
             cells[key] = new Cell(cell.R + pixel.r, cell.G + pixel.g, cell.B + pixel.b, cell.Count + 1);
         }
 
         var boxes = new List<List<Cell>> { cells.Values.ToList() };
-        while (boxes.Count < most)
+        while (boxes.Count < most - 1)
         {
             List<Cell> widest = boxes.Where(box => box.Count > 1).MaxBy(Spread);
             if (widest == null)
@@ -41,7 +44,7 @@ internal sealed class ColourTable
             boxes.AddRange(Halves(widest));
         }
 
-        Colours = boxes.Select(Mean).ToArray();
+        Colours = boxes.Where(box => box.Count > 0).Select(Mean).Prepend(ground).ToArray();
     }
 
     /// <summary>The entries.</summary>

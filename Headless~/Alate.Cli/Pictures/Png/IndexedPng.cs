@@ -30,7 +30,7 @@ internal static class IndexedPng
     /// <param name="texts">What is written in it, for those who do not see it.</param>
     public static byte[] Write(int width, int height, IReadOnlyList<Color32[]> frames, int rate, IEnumerable<string> texts)
     {
-        var table = new ColourTable(frames.SelectMany(frame => frame), k_Colours);
+        var table = new ColourTable(frames[0][0], frames.SelectMany(frame => frame), k_Colours);
         using var file = new MemoryStream();
         file.Write(PngChunks.Signature);
         PngChunks.Write(file, "IHDR", PngChunks.Header(width, height, 8, k_Indexed));
