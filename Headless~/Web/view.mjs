@@ -7,7 +7,7 @@ import { join } from 'node:path';
 const [address, executablePath, folder, ...wanted] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--enable-precise-memory-info', '--js-flags=--expose-gc'] });
 const problems = [];
-const page = await open({ width: 640, height: 420 });
+const page = await open({ width: 480, height: 360 });
 
 async function open(viewport) {
   const made = await browser.newPage({ viewport });

@@ -70,11 +70,16 @@ internal sealed class ShownInsect : IDisposable
     /// <param name="stream">Where to.</param>
     public void Bake(int frames, Stream stream)
     {
-        const int k_SettledBeats = 8;
+        const int k_SettledBeats = 8, k_StepsPerBeat = 4;
         double period = 1.0 / m_Flights[0].Frequency;
         var state = new StateBuffer();
-        for (int k = 0; k < k_SettledBeats * frames; k++)
-            Advance(state, period / frames);
+        foreach (LiveFlight flight in m_Flights)
+        {
+            for (int k = 0; k < k_SettledBeats * k_StepsPerBeat; k++)
+                flight.Advance(period / k_StepsPerBeat);
+        }
+
+        Advance(state, 0.0);
         for (int k = 0; k < frames; k++)
         {
             stream.Write(BitConverter.GetBytes(state.Length));

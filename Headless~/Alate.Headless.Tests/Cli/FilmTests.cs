@@ -8,9 +8,10 @@ namespace Alate.Tests.Cli
     /// <summary>The command <c>film</c>.</summary>
     public sealed class FilmTests
     {
+        [Test, Explicit, Category("Long")]
+        public void FilmsOfEveryKind_HaveNumberedFrames([Values("--compare", "--free")] string kind) => Film_HasNumberedFrames_OfOneSize_ThatAllDiffer(kind);
+
         [TestCase("--variant", "expressive", "--turn", "90")]
-        [TestCase("--compare")]
-        [TestCase("--free")]
         public void Film_HasNumberedFrames_OfOneSize_ThatAllDiffer(params string[] options)
         {
             using var run = new CommandRun();

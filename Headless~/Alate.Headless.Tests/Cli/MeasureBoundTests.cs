@@ -3,6 +3,7 @@ using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
+using Alate.Cli.Output;
 using Alate.Cli.Pictures;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -34,15 +35,17 @@ namespace Alate.Tests.Cli
         [Test]
         public void TerminalAndSummary_SayWhatIsOutside()
         {
-            using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--elasticity", "0.02", "--seconds", "0.1", "--out", run.Out), Is.Zero, run.Errors);
-            JsonElement summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(run.Out, "summary.json"))).RootElement;
-            string[] outside = summary.GetProperty("outside_usual").EnumerateArray().Select(key => key.GetString()).ToArray();
+            var summary = FlightSummary.Of(MonarchFlight.Fly(new FlightPlan { Species = "monarch", Elasticity = 0.02 }));
+            using var stream = new MemoryStream();
+            SummaryJson.Write(summary, stream);
+            using var terminal = new StringWriter();
+            new Terminal(terminal).ShowSummary(summary, "out");
+            string[] outside = JsonDocument.Parse(stream.ToArray()).RootElement.GetProperty("outside_usual").EnumerateArray().Select(key => key.GetString()).ToArray();
 
             Assert.That(outside, Is.Not.Empty.And.SubsetOf(MeasureBound.All.Select(bound => bound.Key)));
             foreach (string key in outside)
-                Assert.That(run.Output, Does.Contain($"† {MeasureBound.Find(key).Title} is outside the usual"));
-            Assert.That(run.Output, Does.Contain("usual").And.Contain("10–50"));
+                Assert.That(terminal.ToString(), Does.Contain($"† {MeasureBound.Find(key).Title} is outside the usual"));
+            Assert.That(terminal.ToString(), Does.Contain("usual").And.Contain("10–50"));
         }
 
         [Test]
