@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
+using Alate.Cli.FreeFlights;
 using Alate.Flight;
 using NUnit.Framework;
 
@@ -88,18 +89,18 @@ namespace Alate.Tests.Cli
         [Test]
         public void OneSeed_GivesOneTrack_AndAnotherAnother()
         {
-            string first = Wander("a", "7"), again = Wander("b", "7"), other = Wander("c", "8");
+            using var run = new CommandRun();
+            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", "7", "--seconds", "0.3", "--out", run.Out), Is.Zero, run.Errors);
+            string[] flown = File.ReadAllLines(Path.Combine(run.Out, "trajectory.csv"));
 
-            Assert.That(again, Is.EqualTo(first));
-            Assert.That(other, Is.Not.EqualTo(first));
+            Assert.That(Track(7), Is.EqualTo(flown));
+            Assert.That(Track(8), Is.Not.EqualTo(flown));
         }
 
-        private string Wander(string folder, string seed)
+        private static string[] Track(int seed)
         {
-            using var run = new CommandRun();
-            string path = Path.Combine(run.Folder, folder);
-            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", seed, "--seconds", "0.3", "--out", path), Is.Zero, run.Errors);
-            return File.ReadAllText(Path.Combine(path, "trajectory.csv"));
+            var plan = new FreePlan { Insect = InsectCatalogue.Find("monarch"), WanderSeed = seed, Seconds = 0.3 };
+            return [.. TrajectoryTable.Of(FreeRun.Fly(plan, _ => { })).Select(row => string.Join(",", row))];
         }
 
         private string[][] Table(string name) => File.ReadAllLines(Path.Combine(m_Run.Out, name)).Select(line => line.Split(',')).ToArray();
