@@ -80,8 +80,15 @@ internal sealed class SampleGrid
     {
         var pixels = new Color32[Width * Height];
         var sheets = new List<GlassSample>();
+        Color32 ground = Encoded(paper);
         for (int k = 0; k < pixels.Length; k++)
         {
+            if (IsEmpty(k))
+            {
+                pixels[k] = ground;
+                continue;
+            }
+
             float3 sum = 0f;
             for (int sample = 0; sample < k_Fineness * k_Fineness; sample++)
             {
@@ -89,16 +96,38 @@ internal sealed class SampleGrid
                     Index(k_Fineness * (k % Width) + sample % k_Fineness, k_Fineness * (k / Width) + sample / k_Fineness), paper, sheets);
             }
 
-            var shown = (int3)math.round(255f * Shading.ToEncoded(sum / (k_Fineness * k_Fineness)));
-            pixels[k] = new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
+            pixels[k] = Encoded(sum / (k_Fineness * k_Fineness));
         }
 
         return pixels;
     }
 
+    private bool IsEmpty(int pixel)
+    {
+        int corner = Index(k_Fineness * (pixel % Width), k_Fineness * (pixel / Width));
+        for (int row = 0; row < k_Fineness; row++)
+        {
+            for (int index = corner + row * k_Fineness * Width; index < corner + row * k_Fineness * Width + k_Fineness; index++)
+            {
+                if (m_Newest[index] != k_None || !float.IsPositiveInfinity(m_Depths[index]))
+                    return false;
+            }
+        }
+
+        return true;
+    }
+
+    private static Color32 Encoded(float3 light)
+    {
+        var shown = (int3)math.round(255f * Shading.ToEncoded(light));
+        return new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
+    }
+
     private float3 Seen(int index, float3 paper, List<GlassSample> sheets)
     {
         float3 light = math.select(m_Lights[index], paper, float.IsPositiveInfinity(m_Depths[index]));
+        if (m_Newest[index] == k_None)
+            return light;
         sheets.Clear();
         for (int k = m_Newest[index]; k != k_None; k = m_Glass[k].Next)
         {
