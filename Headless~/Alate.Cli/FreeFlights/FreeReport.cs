@@ -12,6 +12,9 @@ internal static class FreeReport
 {
     private const string k_Trajectory = "trajectory.csv", k_Forces = "forces.csv", k_Path = "path.png", k_Glb = "flight.glb";
 
+    /// <summary>Factor from which on it is told that the picture shows the insect larger than its way.</summary>
+    private const float k_Larger = 1.5f;
+
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(FreePlan plan, TextWriter output)
     {
@@ -37,7 +40,8 @@ internal static class FreeReport
             $"{plan.Insect.DisplayName}: {last.Time:0.##} s by its own wings, from the origin to {last.Position.x:0.00}, {last.Position.y:0.00}, {last.Position.z:0.00} m; velocity off by {error:0.000} m/s (bob and all)"));
         output.WriteLine(System.FormattableString.Invariant(
             $"mean lift {record.Moments.Average(at => at.Force.y) / record.Weight:0.000} of the weight, {100 * record.UpstrokeShare:0} % of it on the upstroke; power {1e3 * record.Moments.Average(at => at.Power):0.###} mW; aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW"));
-        output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0} times larger than its way."));
+        if (factor >= k_Larger)
+            output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
         terminal.ShowFiles(path, k_Trajectory, k_Forces, k_Path, k_Glb);
     }
 }
