@@ -71,6 +71,12 @@ internal sealed class FlyOptions
         Description = "The species whose size, beat and stiffness that wing takes.",
     };
 
+    private readonly Option<string> m_Kinematics = new("--kinematics")
+    {
+        HelpName = "FILE.json",
+        Description = "A motion that is prescribed, as measured, for one wing or all, in place of the species' beat.",
+    };
+
     private readonly Option<PictureView?> m_View = FlightOptions.View();
 
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
@@ -80,7 +86,7 @@ internal sealed class FlyOptions
         Option[] all =
         [
             m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
-            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_View, m_Out,
+            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_Kinematics, m_View, m_Out,
         ];
         foreach (Option option in all)
             command.Options.Add(option);
@@ -106,6 +112,7 @@ internal sealed class FlyOptions
             HindMeshFile = File(parsed, m_Mesh, 1),
             HindSkeletonFile = File(parsed, m_Skeleton, 1),
             HindTextureFile = File(parsed, m_Texture, 1),
+            KinematicsFile = parsed.GetValue(m_Kinematics),
             Speed = parsed.GetValue(m_Speed) ?? (InsectCatalogue.TryFind(name, out InsectDefinition found) ? FlightPlan.CruiseOf(found) : 0),
             Variant = parsed.GetValue(m_Variant) ?? InsectVariant.Standard,
             Climb = parsed.GetValue(m_Climb),

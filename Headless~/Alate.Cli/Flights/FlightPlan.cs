@@ -27,6 +27,9 @@ internal sealed record FlightPlan
     /// <summary>Kinds of wings that are the user's own.</summary>
     public int OwnWings => HindMeshFile != null ? 2 : MeshFile != null ? 1 : 0;
 
+    /// <summary>File with a motion to prescribe; null for none.</summary>
+    public string KinematicsFile { get; init; }
+
     /// <summary>Speed of the body ahead and up, m/s.</summary>
     public double Speed { get; init; } = 1.3;
     public double Climb { get; init; }

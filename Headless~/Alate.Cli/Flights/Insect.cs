@@ -38,6 +38,8 @@ internal sealed class Insect
     {
         InsectDefinition definition = FlightOptions.Find(plan.Species, plan.Variant);
         Insect insect = plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
+        if (plan.KinematicsFile != null)
+            TextFile.Read(plan.KinematicsFile, KinematicsJson.Read).ApplyTo(plan.KinematicsFile, insect.Wings);
         plan.Change?.ApplyTo(insect.Wings.Select(wing => wing.Preset).ToList());
         return insect;
     }

@@ -98,6 +98,7 @@ namespace Alate.Catalogue
             copy.Beat = full.Beat;
             copy.Wave = full.Wave;
             copy.Stiffness = full.Stiffness;
+            copy.Kinematics = full.Kinematics;
             copy.SubstepsPerBeat = full.SubstepsPerBeat;
             copy.Options = full.Options;
             m_Change(copy);

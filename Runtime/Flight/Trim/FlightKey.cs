@@ -43,9 +43,21 @@ namespace Alate.Flight
             ModelOptions o = parameters.options;
             Add((uint)o.coefficients * 1024 + (uint)o.tangent * 256 + (o.clampLift ? 128u : 0u) + (uint)o.cycleChange * 64
                 + (uint)o.torqueArm * 16 + (uint)o.springUnits * 8 + (uint)o.coupling * 4 + (uint)o.timeScheme);
+            Add(parameters.kinematics);
             Add(wing.Length);
             Add(wing.Mass);
             Add(wing.GravityShare);
+        }
+
+        // Nothing where no motion is prescribed.
+        private void Add(in WingKinematics kinematics)
+        {
+            if (!kinematics.IsSet)
+                return;
+            Add(kinematics.frequency);
+            Add(kinematics.waves ? 1u : 0u);
+            for (int k = 0; k < WingKinematics.Count; k++)
+                Add(kinematics.At(k));
         }
     }
 }

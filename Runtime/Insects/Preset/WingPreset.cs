@@ -29,6 +29,9 @@ namespace Alate
         private PresetStiffness m_Stiffness = PresetStiffness.Default;
 
         [SerializeField]
+        private PresetKinematics m_Kinematics;
+
+        [SerializeField]
         [Range(WingParameters.MinSubsteps, WingParameters.MaxSubsteps)]
         [Tooltip("Substeps of one beat; 16. 12 is the cheapest, 480 for measurements; in fast air there are more by themselves.")]
         private int m_SubstepsPerBeat = WingParameters.DefaultSubsteps;
@@ -50,6 +53,9 @@ namespace Alate
 
         /// <summary>The resistance to bending.</summary>
         public ref PresetStiffness Stiffness => ref m_Stiffness;
+
+        /// <summary>A motion that is prescribed in place of the drive; by default none.</summary>
+        public ref PresetKinematics Kinematics => ref m_Kinematics;
 
         /// <summary>How the insect sits, with its wings folded.</summary>
         public ref PresetRest Rest => ref m_Rest;
@@ -84,6 +90,7 @@ namespace Alate
                 substepsPerBeat = m_SubstepsPerBeat,
                 amplitudeScale = 1f,
                 options = m_Options,
+                kinematics = m_Kinematics.ToKinematics(),
             };
             m_Beat.WriteTo(ref parameters);
             m_Wave.WriteTo(ref parameters);
@@ -108,6 +115,7 @@ namespace Alate
         {
             m_Size = m_Size.Clamped();
             m_Stiffness = m_Stiffness.Clamped();
+            m_Kinematics = m_Kinematics.Clamped();
         }
     }
 }

@@ -21,6 +21,7 @@ namespace Alate
             Accumulate(pack, scratch);
             if (pack.options.coupling == MembraneCoupling.TwoWay)
                 SweepTogether(pack, scratch);
+            PrescribedMotion.Evaluate(pack, scratch);
         }
 
         // Eq. 2 as a phase δ_ij = δ_i + μπσ_j, the chain's delay by ChainDelays, and the Heaviside of Eq. 3: the local phase goes back into earlier cycles, and stands

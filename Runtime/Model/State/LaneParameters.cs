@@ -70,6 +70,12 @@ namespace Alate
         public float4 anchorRate;
 
 
+        /// <summary>Frequency of a prescribed motion, hertz; 0 where none is prescribed.</summary>
+        public float4 prescribedFrequency;
+
+        /// <summary>1 where delays act on the prescribed angles, else 0.</summary>
+        public float4 prescribedWaves;
+
         /// <summary>What a flight controller commands; no parameter changes it.</summary>
         public LaneDrive drive;
 
@@ -77,6 +83,8 @@ namespace Alate
         public void Set(int lane, in WingParameters p)
         {
             numbers.Set(lane, p);
+            prescribedFrequency[lane] = p.kinematics.frequency;
+            prescribedWaves[lane] = p.kinematics.waves ? 1f : 0f;
             amplitude[lane] = p.amplitude * p.amplitudeScale;
             wholeFlap[lane] = p.amplitude.x;
             phaseSin[lane] = math.sin(p.phase);

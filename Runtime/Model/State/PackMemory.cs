@@ -47,7 +47,7 @@ namespace Alate
             wings[lane] = wing;
             for (int l = lane; l < (lane == 0 ? WingPack.Lanes : lane + 1); l++)
             {
-                view.parameters->Set(l, parameters);
+                view.Set(l, parameters);
                 view.surroundings->Set(l, surroundings);
                 view.parameters->drive.Set(l, default, false);
             }
@@ -142,6 +142,7 @@ namespace Alate
             view.slotStride = 1;
             view.parameters = (LaneParameters*)carver.Take<LaneParameters>(1);
             view.surroundings = (LaneSurroundings*)carver.Take<LaneSurroundings>(1);
+            view.series = (float4*)carver.Take<float4>(WingKinematics.Count);
             view.air = (LaneAir*)carver.Take<LaneAir>(1);
             view.readings = (PackReadings*)carver.Take<PackReadings>(1);
             view.beat = (BeatState*)carver.Take<BeatState>(1);

@@ -24,6 +24,9 @@ namespace Alate
 
         public LaneParameters* parameters;
         public LaneSurroundings* surroundings;
+
+        /// <summary>[angle · stride + term] Series of the prescribed motion; see <see cref="WingKinematics"/>.</summary>
+        public float4* series;
         public PackReadings* readings;
 
         /// <summary>Air of the last substep.</summary>
@@ -97,6 +100,14 @@ namespace Alate
 
         /// <summary>Number of substeps from slot to slot; the last slot may follow sooner.</summary>
         public int slotStride;
+
+        /// <summary>Writes the parameters of one wing, which are in range.</summary>
+        public readonly void Set(int lane, in WingParameters p)
+        {
+            parameters->Set(lane, p);
+            for (int k = 0; k < WingKinematics.Count; k++)
+                series[k][lane] = p.kinematics.At(k);
+        }
     }
 
     /// <summary>One joint's frame: S and the joint's position r; lane = wing.</summary>

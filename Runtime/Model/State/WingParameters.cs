@@ -129,6 +129,9 @@ namespace Alate
         /// <summary>Choices that the paper leaves open.</summary>
         public ModelOptions options;
 
+        /// <summary>Motion that is prescribed in place of the waves of Eq. 1; default none. A wing that is given one should be reset.</summary>
+        public WingKinematics kinematics;
+
         /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
         public static WingParameters Default
         {
@@ -156,6 +159,8 @@ namespace Alate
             }
 
             clamped.substepsPerBeat = math.clamp(substepsPerBeat, MinSubsteps, MaxSubsteps);
+            if (kinematics.FindProblem() != null)
+                clamped.kinematics = default;
             return clamped;
         }
 
@@ -169,7 +174,7 @@ namespace Alate
                     return false;
             }
 
-            return substepsPerBeat == other.substepsPerBeat && options.Equals(other.options);
+            return substepsPerBeat == other.substepsPerBeat && options.Equals(other.options) && kinematics.Equals(other.kinematics);
         }
 
         /// <summary>
@@ -192,7 +197,7 @@ namespace Alate
                     $"substepsPerBeat is {substepsPerBeat}; it must be between {MinSubsteps} and {MaxSubsteps}.");
             }
 
-            return null;
+            return kinematics.FindProblem();
         }
 
         /// <summary>Every number, in the order of the fields.</summary>

@@ -293,7 +293,7 @@ namespace Alate
             for (int lane = 0; lane < WingPack.Lanes; lane++)
             {
                 if (entry.pack.Writes(entry.lane, lane))
-                    entry.pack.view.parameters->Set(lane, entry.parameters);
+                    entry.pack.view.Set(lane, entry.parameters);
             }
             DeriveAndRestart(entry, restart: false);
         }
