@@ -17,6 +17,7 @@ namespace Alate.Catalogue
             FishflyDefinition.Define(),
             PaintedLichenMothDefinition.Define(),
             SnailfishDefinition.Define(),
+            DragonflyDefinition.Define(),
         };
 
         /// <summary>Every species.</summary>

@@ -31,6 +31,9 @@ namespace Alate.Editor
         [MenuItem(k_Place + "Snailfish", false, k_PlacePriority)]
         private static void PlaceSnailfish(MenuCommand command) => Place("snailfish", command);
 
+        [MenuItem(k_Place + "Dragonfly", false, k_PlacePriority)]
+        private static void PlaceDragonfly(MenuCommand command) => Place("dragonfly", command);
+
         [MenuItem(k_Flying + "Monarch", false, k_PlacePriority)]
         private static void PlaceFlyingMonarch(MenuCommand command) => Place("monarch", command, true);
 
@@ -63,6 +66,9 @@ namespace Alate.Editor
 
         [MenuItem(k_Save + "Snailfish", false, k_SavePriority)]
         private static void SaveSnailfish() => Save("snailfish");
+
+        [MenuItem(k_Save + "Dragonfly", false, k_SavePriority)]
+        private static void SaveDragonfly() => Save("dragonfly");
 
         private static void Place(string species, MenuCommand command, bool flies = false)
         {
