@@ -52,12 +52,8 @@ internal static class FlightFigures
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
         using FlightModel model = CatalogueFlight.CreateModel(monarch);
         using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
-        using var solver = new TrimSolver(model);
         var level = SteadyFlight.Fly(model, table, new FlightCondition(1.3f, 0f));
-        using var climbs = new TrimTable([k_MeasuredSpeed], [0f, k_MeasuredClimb / 3, k_MeasuredClimb * 2 / 3, k_MeasuredClimb]);
-        var bake = new TrimBake(model);
-        TrimState climbing = bake.Trims(solver, climbs)[0, 3];
-        string missing = bake.Problems[0, 3];
+        TrimState climbing = MeasuredClimb(model, out string missing);
         string Climbing(Func<TrimState, double> radians) => climbing != null ? Text($"{180 / Math.PI * radians(climbing):0}°") : missing;
         yield return ["", "model, level at 1.3 m/s", "model, climbing by 0.75 m/s at 1.28 m/s", "measured", "source"];
         yield return ["mean pitch of the thorax", Text($"{level.Pitch:0}°"), Climbing(trim => trim.Pitch), "18.6°", k_Climbing];
@@ -67,6 +63,17 @@ internal static class FlightFigures
         yield return ["upstroke's share of the weight support", Percent(level.UpSupport), "", "8 %", k_Halves];
         yield return ["lift of the downstroke over the weight", $"{Percent(level.DownLift)} in the downstroke, {Percent(1 - level.UpSupport)} averaged over the beat", "", "118 %", "Dudley 1991, butterflies"];
         yield return ["power to the air", Text($"{level.PowerPerMass:0} W/kg"), "", "", "no measurement found"];
+    }
+
+    /// <summary>Trim of the monarch in the climb that Kang and Sridhar measured; null where it does not close.</summary>
+    internal static TrimState MeasuredClimb(FlightModel model, out string missing)
+    {
+        using var solver = new TrimSolver(model);
+        using var climbs = new TrimTable([k_MeasuredSpeed], [0f, k_MeasuredClimb / 3, k_MeasuredClimb * 2 / 3, k_MeasuredClimb]);
+        var bake = new TrimBake(model);
+        TrimState climbing = bake.Trims(solver, climbs)[0, 3];
+        missing = bake.Problems[0, 3];
+        return climbing;
     }
 
     private static string Percent(double share) => Text($"{100 * share + 0.0:0} %");

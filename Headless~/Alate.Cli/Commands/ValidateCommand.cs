@@ -1,0 +1,72 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Alate.Cli.Flights;
+using Alate.Cli.Output;
+using Alate.Cli.Validation;
+
+namespace Alate.Cli.Commands;
+
+/// <summary><c>validate</c>: the model beside measured and published flights.</summary>
+internal static class ValidateCommand
+{
+    private const string k_Page = "validation.md", k_Json = "validation.json", k_Charts = "images/validation.svg";
+    private const int k_Stages = 13;
+
+    public static Command Create(TextWriter output)
+    {
+        var data = new Option<string>("--data") { HelpName = "DIR", Description = "Measured curves of your own: CSV files of t/T and value, such as vertical-force.csv." };
+        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/validation]" };
+        var command = new Command("validate", "Compares the model with measured and published flights.") { data, folder };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            Run(parsed.GetValue(data), parsed.GetValue(folder) ?? Path.Combine("out", "validation"), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Run(string data, string path, TextWriter output)
+    {
+        if (data != null && !Directory.Exists(data))
+            throw new UserException($"Cannot read '{data}': there is no such folder.");
+        using var folder = OutputFolder.Prepare(path, k_Page, k_Json, k_Charts);
+        var rows = new List<ValidationRow>();
+        var terminal = new Terminal(output);
+        List<ValidationCurve> curves = DragonflyRows.Curves();
+        if (data != null)
+            curves = UserCurves.Read(data, curves);
+        terminal.ShowProgress(k_Stages, (done, _) =>
+        {
+            int stage = 0;
+            rows.AddRange(DragonflyRows.Flights(() => done(++stage)));
+            rows.AddRange(DragonflyRows.Tethered(() => done(++stage)));
+            rows.AddRange(ButterflyRows.Free(() => done(++stage)));
+            rows.AddRange(ButterflyRows.Held(() => done(++stage)));
+            if (data != null)
+                rows.AddRange(UserCurves.Rows(curves));
+            Write(folder, k_Page, ValidationPage.Markdown(rows, k_Charts));
+            Write(folder, k_Json, ValidationPage.Json(rows, curves));
+            Write(folder, k_Charts, ValidationPage.Charts(curves));
+            done(k_Stages);
+        });
+        folder.Commit();
+        output.WriteLine($"{rows.Count(row => row.IsInside)} of {rows.Count} rows agree.");
+        terminal.ShowFiles(path, k_Page, k_Json, k_Charts);
+    }
+
+    private static void Write(OutputFolder folder, string name, string text) => folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  validate\n"
+        + "  validate --data curves --out mine\n\n"
+        + "Writes into the output folder:\n"
+        + "  validation.md          a row for each comparison: measured, source, ours, verdict, ours at 480 substeps\n"
+        + "  validation.json        the same with the curves\n"
+        + "  images/validation.svg  curves over the beat beside the measured ones\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

@@ -1,0 +1,47 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Alate.Cli.Validation;
+
+/// <summary>A published flight of a dragonfly: its conditions, the sizes of the insect, and the file with its kinematics.</summary>
+/// <param name="Name">Name of its kinematics in the manual's folder.</param>
+/// <param name="Speed">m/s ahead.</param>
+/// <param name="Climb">m/s up.</param>
+/// <param name="Mass">Of the insect, kg.</param>
+/// <param name="Lengths">Of fore and hind wing, m.</param>
+/// <param name="Areas">Of one fore and one hind wing, m².</param>
+/// <param name="Source">Where it was published.</param>
+internal sealed record MeasuredDragonfly(string Name, double Speed, double Climb, double Mass, double[] Lengths, double[] Areas, string Source)
+{
+    private const string k_Azuma = "Azuma and Watanabe 1988, J. exp. Biol. 137", k_Wang = "Wang and Russell 2007, Phys. Rev. Lett. 99:148101";
+    private static readonly double[] s_AzumaLengths = [0.0500, 0.0485], s_AzumaAreas = [500e-6, 600e-6];
+
+    /// <summary>The three flights in a tunnel.</summary>
+    public static IReadOnlyList<MeasuredDragonfly> Flights { get; } = [Flight(1, 0.7, -12), Flight(2, 1.5, -1.1), Flight(3, 2.3, 4.8)];
+
+    /// <summary>The tethered insect.</summary>
+    public static MeasuredDragonfly Tethered { get; } = new("dragonfly-tethered", 0, 0, 620e-6, [0.046, 0.043], [380e-6, 440e-6], k_Wang);
+
+    /// <summary>Vertical force of all wings over the weight at t/T = 0, 0.02, …: two-dimensional Navier–Stokes and blade elements, mean of five beats.</summary>
+    public static IReadOnlyList<double> TetheredForce { get; } =
+    [
+        -0.11, 0.00, 0.15, 0.24, 0.29, 0.37, 0.46, 0.65, 0.85, 0.92, 0.95, 1.25, 2.19, 2.86, 2.95, 2.85, 2.81, 2.94, 2.99, 2.84, 2.56, 2.45, 2.34, 2.06, 1.67,
+        1.31, 1.00, 0.78, 0.62, 0.54, 0.44, 0.33, 0.20, 0.02, -0.22, -0.36, -0.37, -0.30, -0.17, -0.04, 0.06, 0.00, -0.23, -0.55, -0.60, -0.45, -0.35, -0.29, -0.23, -0.13,
+    ];
+
+    /// <summary>Weight, newtons.</summary>
+    public double Weight => Mass * 9.81;
+
+    /// <summary>Speed of the air that momentum theory draws through the sectors that a pair of wings sweeps, m/s: √(W / 2ρA), A = R² times the stroke, means of both pairs.</summary>
+    /// <param name="strokes">Radians from end to end, fore and hind.</param>
+    /// <param name="density">Of the air, kg/m³.</param>
+    public double InducedSpeed(IReadOnlyList<double> strokes, double density)
+    {
+        double area = Enumerable.Range(0, 2).Average(k => Lengths[k] * Lengths[k] * strokes[k]);
+        return Math.Sqrt(Weight / (2 * density * area));
+    }
+
+    private static MeasuredDragonfly Flight(int number, double speed, double angle) => new(
+        $"dragonfly-flight-{number}", speed * Math.Cos(angle * Math.PI / 180), speed * Math.Sin(angle * Math.PI / 180), 790e-6, s_AzumaLengths, s_AzumaAreas, k_Azuma);
+}
