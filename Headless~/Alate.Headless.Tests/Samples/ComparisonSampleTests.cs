@@ -89,7 +89,7 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
         yield return Frames(5);
         Assert.That(Insects.Count(), Is.EqualTo(4));
         Assert.That(Insects.Select(insect => insect.State), Is.All.EqualTo(InsectState.Ready));
-        Assert.That(Insects.First().Preset.WingLength, Is.EqualTo(0.03f).Within(1e-6f), "the snailfish comes before the monarch");
+        Assert.That(Insects.First().Preset.WingLength, Is.EqualTo((float)InsectCatalogue.All[^1].Wings[0].Outline.Length).Within(1e-6f), "the last species comes before the first");
     }
 
     [UnityTest]
