@@ -60,7 +60,7 @@ internal static class ValidationPage
     /// <summary>The charts, SVG.</summary>
     public static string Charts(IReadOnlyList<ValidationCurve> curves)
     {
-        var page = new SvgPage(PictureDetail.Small);
+        var page = new SvgPage();
         page.Text(26f, 38f, 22f, "Tethered dragonfly over the beat", look: "b");
         page.Text(26f, 60f, 13f, "Across t/T. Lines: the model, in the order of each title. Dashed: published, or the user's.", look: "t");
         for (int k = 0; k < curves.Count; k++)
