@@ -19,7 +19,7 @@ namespace Alate.Cli.Commands;
 /// <summary><c>figures</c>: draws and measures again what the documentation's pages of species and accuracy show.</summary>
 internal static class FiguresCommand
 {
-    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg", k_Gallery = "images/six-insects.png",
+    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg", k_Gallery = "images/insects.png",
         k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png";
 
     private const int k_GalleryWidth = 1230;

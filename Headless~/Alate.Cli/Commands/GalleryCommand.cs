@@ -8,7 +8,7 @@ namespace Alate.Cli.Commands;
 /// <summary><c>gallery</c>: all species in flight in one picture.</summary>
 internal static class GalleryCommand
 {
-    private const string k_File = "six-insects.png";
+    private const string k_File = "insects.png";
     private const int k_Width = 1230, k_Narrowest = 90, k_Widest = 3000;
 
     public static Command Create(TextWriter output)

@@ -23,7 +23,7 @@ namespace Alate.Tests.Cli
         {
             m_Run = new CommandRun();
             Assert.That(m_Run.Run("gallery", "--width", k_Width.ToString(), "--out", m_Run.Out), Is.Zero, m_Run.Errors);
-            m_Picture = PngFile.Read(File.ReadAllBytes(Path.Combine(m_Run.Out, "six-insects.png")));
+            m_Picture = PngFile.Read(File.ReadAllBytes(Path.Combine(m_Run.Out, "insects.png")));
         }
 
         [OneTimeTearDown]

@@ -39,7 +39,7 @@ namespace Alate.Tests.Cli
         public void StoppedRun_KeepsTheFilesOfBefore()
         {
             NeedsFile("/bin/kill", "/usr/bin/kill");
-            string file = m_Folder.File("six-insects.png", "before");
+            string file = m_Folder.File("insects.png", "before");
             using Process process = Start("/bin/sh", "-c", $"exec {CommandProcess.Program} gallery --width 3000 --out '{m_Folder.Root}'");
             WaitFor(() => m_Folder.Content.Length > 1);
 
@@ -47,7 +47,7 @@ namespace Alate.Tests.Cli
                 kill.WaitForExit();
 
             Assert.That(process.WaitForExit(k_Patience), "it ends");
-            Assert.That(m_Folder.Content, Is.EqualTo(new[] { "six-insects.png" }));
+            Assert.That(m_Folder.Content, Is.EqualTo(new[] { "insects.png" }));
             Assert.That(File.ReadAllText(file), Is.EqualTo("before"));
         }
 

@@ -34,14 +34,24 @@ internal static class Gallery
         int column = width / k_Columns, row = (int)(k_HeightOverWidth * column);
         int rows = (s_Exhibits.Length + k_Columns - 1) / k_Columns;
         var picture = new Color32[k_Columns * column * rows * row];
+        Array.Fill(picture, Paper());
+        // The last row stands in the middle.
+        int aside = (rows * k_Columns - s_Exhibits.Length) * column / 2;
         for (int k = 0; k < s_Exhibits.Length; k++)
         {
             Color32[] pixels = Photo(s_Exhibits[k], new int2(column, row));
+            int left = k % k_Columns * column + (k / k_Columns == rows - 1 ? aside : 0);
             for (int y = 0; y < row; y++)
-                Array.Copy(pixels, y * column, picture, (k / k_Columns * row + y) * k_Columns * column + k % k_Columns * column, column);
+                Array.Copy(pixels, y * column, picture, (k / k_Columns * row + y) * k_Columns * column + left, column);
         }
 
         return IndexedPng.Write(k_Columns * column, rows * row, picture, s_Exhibits.Select(one => InsectCatalogue.Find(one.Species).DisplayName));
+    }
+
+    private static Color32 Paper()
+    {
+        var bytes = (int3)math.round(255f * PixelPage.Paper);
+        return new Color32((byte)bytes.x, (byte)bytes.y, (byte)bytes.z, byte.MaxValue);
     }
 
     private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);
