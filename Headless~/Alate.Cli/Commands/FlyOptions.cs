@@ -79,6 +79,8 @@ internal sealed class FlyOptions
 
     private readonly Option<PictureView?> m_View = FlightOptions.View();
 
+    private readonly Option<bool> m_NoPictures = new("--no-pictures") { Description = "Neither strip.png nor stretch.png: for many runs one after the other." };
+
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
     public void AddTo(Command command)
@@ -86,7 +88,7 @@ internal sealed class FlyOptions
         Option[] all =
         [
             m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
-            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_Kinematics, m_View, m_Out,
+            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_Kinematics, m_View, m_NoPictures, m_Out,
         ];
         foreach (Option option in all)
             command.Options.Add(option);
@@ -128,6 +130,7 @@ internal sealed class FlyOptions
             Column = parsed.GetValue(m_Rigid) ? ComparisonColumn.RigidWing
                 : parsed.GetValue(m_NoWave) ? ComparisonColumn.NoWave : ComparisonColumn.FullModel,
             View = parsed.GetValue(m_View) ?? PictureView.FrontLeft,
+            IsDrawn = !parsed.GetValue(m_NoPictures),
             Folder = parsed.GetValue(m_Out),
         };
         Check(plan, species, parsed.GetValue(m_Species));

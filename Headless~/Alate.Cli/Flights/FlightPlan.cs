@@ -83,6 +83,9 @@ internal sealed record FlightPlan
     /// <summary>The side from which the pictures show the insect.</summary>
     public PictureView View { get; init; } = PictureView.FrontLeft;
 
+    /// <summary>Whether pictures are written.</summary>
+    public bool IsDrawn { get; init; } = true;
+
     /// <summary>Null is out/SPECIES.</summary>
     public string Folder { get; init; }
 

@@ -17,7 +17,8 @@ internal static class FlightReport
         PlanRange.CheckElasticity(plan, plan.Elasticity);
         using var flight = new TetheredFlight(plan, insect);
         string path = plan.Folder ?? Path.Combine("out", insect.Name);
-        using var folder = OutputFolder.Prepare(path, k_Strip, k_Map, k_Glb, k_Joints, k_Forces, k_Summary);
+        string[] pictures = plan.IsDrawn ? [k_Strip, k_Map] : [], files = [.. pictures, k_Glb, k_Joints, k_Forces, k_Summary];
+        using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
         FlightSummary summary = null;
         terminal.ShowProgress(flight.Steps, (steps, stage) =>
@@ -25,9 +26,13 @@ internal static class FlightReport
             FlightRecord record = flight.Run(steps);
             stage("measuring");
             summary = FlightSummary.Of(record);
-            stage("drawing");
-            folder.Write(k_Strip, stream => stream.Write(BeatStrip.Draw(record)));
-            folder.Write(k_Map, stream => stream.Write(StretchMap.Draw(record)));
+            if (plan.IsDrawn)
+            {
+                stage("drawing");
+                folder.Write(k_Strip, stream => stream.Write(BeatStrip.Draw(record)));
+                folder.Write(k_Map, stream => stream.Write(StretchMap.Draw(record)));
+            }
+
             stage("writing");
             folder.Write(k_Glb, stream => WingsGlb.Write(record, stream));
             folder.Write(k_Joints, stream => JointTable.Write(record, stream));
@@ -35,6 +40,6 @@ internal static class FlightReport
             folder.Write(k_Summary, stream => SummaryJson.Write(summary, stream));
         });
         folder.Commit();
-        terminal.ShowSummary(summary, path, k_Strip, k_Map, k_Glb, k_Joints, k_Forces, k_Summary);
+        terminal.ShowSummary(summary, path, files);
     }
 }

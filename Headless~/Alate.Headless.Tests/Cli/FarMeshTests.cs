@@ -91,7 +91,7 @@ namespace Alate.Tests.Cli
             string flight = Path.Combine(m_Run.Folder, "flight");
             int code = m_Run.Run(
                 "fly", "--mesh", Path.Combine(m_Run.Folder, "wing.obj"), "--skeleton", Path.Combine(m_Run.Out, "skeleton.json"), "--species", "monarch",
-                "--seconds", "0.3", "--out", flight);
+                "--no-pictures", "--seconds", "0.3", "--out", flight);
             Assert.That(code, Is.Zero, m_Run.Errors);
             return File.ReadAllLines(Path.Combine(flight, "joints.csv")).Skip(1)
                 .SelectMany(line => line.Split(',').Skip(6).Take(3)).Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();

@@ -96,7 +96,7 @@ namespace Alate.Tests.Cli
         public void RigidWing_DoesNotDeform()
         {
             using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--rigid", "--seconds", "0.2", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "monarch", "--rigid", "--no-pictures", "--no-pictures", "--seconds", "0.2", "--out", run.Out), Is.Zero, run.Errors);
 
             JsonElement summary = Summary(run.Out);
 
@@ -126,7 +126,7 @@ namespace Alate.Tests.Cli
         public void WindFromTheSide_IsFeltByTheTwoWingsDifferently()
         {
             using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--wind", "-3,0,0", "--seconds", "0.3", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "monarch", "--wind", "-3,0,0", "--no-pictures", "--seconds", "0.3", "--out", run.Out), Is.Zero, run.Errors);
 
             string[][] rows = File.ReadAllLines(Path.Combine(run.Out, "joints.csv")).Skip(1).Select(line => line.Split(',')).ToArray();
             string[] right = rows.First(row => row[3] == "right" && row[4] == "4" && row[5] == "4");
@@ -139,11 +139,11 @@ namespace Alate.Tests.Cli
         public void SecondFlight_ReplacesTheFilesOfTheFirst()
         {
             using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--seconds", "0.2", "--out", run.Out), Is.Zero);
-            Assert.That(run.Run("fly", "monarch", "--seconds", "0.2", "--speed", "0", "--out", run.Out), Is.Zero);
+            Assert.That(run.Run("fly", "monarch", "--no-pictures", "--seconds", "0.2", "--out", run.Out), Is.Zero);
+            Assert.That(run.Run("fly", "monarch", "--no-pictures", "--seconds", "0.2", "--speed", "0", "--out", run.Out), Is.Zero);
 
             Assert.That(Summary(run.Out).GetProperty("frequency_hz").GetDouble(), Is.EqualTo(8.8).Within(1e-3));
-            Assert.That(Directory.GetFileSystemEntries(run.Out), Has.Length.EqualTo(6));
+            Assert.That(Directory.GetFileSystemEntries(run.Out), Has.Length.EqualTo(4));
         }
 
         private static double Fly(string key, params string[] options)

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -39,7 +40,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void EveryCell_ShowsAnInsect_WithPaperAroundIt([ValueSource(nameof(Cells))] int cell)
         {
-            int left = cell % 3 * k_Column, top = cell / 3 * k_Row;
+            int count = InsectCatalogue.All.Count, inRow = Math.Min(3, count - cell / 3 * 3);
+            int left = cell % 3 * k_Column + (3 - inRow) * k_Column / 2, top = cell / 3 * k_Row;
             Color32 paper = At(0, 0);
             int drawn = 0;
             for (int y = 0; y < k_Row; y++)

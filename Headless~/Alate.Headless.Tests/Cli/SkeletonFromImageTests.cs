@@ -49,7 +49,7 @@ namespace Alate.Tests.Cli
 
             int code = m_Run.Run(
                 "fly", "--mesh", Path.Combine(m_Run.Out, "wing.obj"), "--skeleton", Path.Combine(m_Run.Out, "skeleton.json"), "--species", "monarch",
-                "--seconds", "0.3", "--out", flight);
+                "--no-pictures", "--seconds", "0.3", "--out", flight);
 
             Assert.That(code, Is.Zero, m_Run.Errors);
             Assert.That(File.Exists(Path.Combine(flight, "wings.glb")));

@@ -53,7 +53,7 @@ namespace Alate.Tests.Cli
                     Assert.That(told.Success, m_Run.Errors);
                     value = told.Groups[typed == "0.001" ? 1 : 2].Value;
                     using var again = new CommandRun();
-                    int code = again.Run("fly", species, "--variant", variant, "--elasticity", value, "--seconds", "0.1", "--out", again.Out);
+                    int code = again.Run("fly", species, "--variant", variant, "--elasticity", value, "--no-pictures", "--seconds", "0.1", "--out", again.Out);
                     Assert.That(code, Is.Zero, again.Errors);
                 }
             }
@@ -63,7 +63,7 @@ namespace Alate.Tests.Cli
         {
             m_Run.Dispose();
             m_Run = new CommandRun();
-            return m_Run.Run("fly", species, "--variant", variant, "--elasticity", elasticity, "--seconds", "0.1", "--out", m_Run.Out);
+            return m_Run.Run("fly", species, "--variant", variant, "--elasticity", elasticity, "--no-pictures", "--seconds", "0.1", "--out", m_Run.Out);
         }
 
         private void AssertRefused(string said, params string[] arguments)
