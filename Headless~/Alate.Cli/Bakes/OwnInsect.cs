@@ -48,7 +48,7 @@ internal static class OwnInsect
             half.transform.localScale = new Vector3(mirror, 1f, 1f);
             var wing = new GameObject(side * mirror > 0f ? "wing right" : "wing left", typeof(MeshFilter), typeof(MeshRenderer));
             wing.transform.SetParent(half.transform, false);
-            var turn = math.conjugate(new quaternion(new float3x3(side * frame.axes.c0, frame.axes.c1, frame.axes.c2)));
+            quaternion turn = math.conjugate(new quaternion(new float3x3(side * frame.axes.c0, frame.axes.c1, frame.axes.c2)));
             float3 hinge = (float3)kind.Hinge * new float3(side, 1f, 1f) * (frame.length / preset.WingLength);
             wing.transform.localRotation = turn;
             wing.transform.localPosition = hinge - math.rotate(turn, frame.origin);

@@ -11,7 +11,7 @@ namespace Alate.Tests.Flight
         public void SpotsThatAreHardToReach_AreReached([Values(100, 138, 686, 984)] int seed) =>
             Assert.That(PerchFlights.Of("monarch").Fly(seed).Landed);
 
-        [TestCase("monarch", 20)]
+        [TestCase("monarch", 8)]
         [TestCase("firefly", 2)]
         [TestCase("fishfly", 3)]
         [TestCase("painted-lichen-moth", 3)]
