@@ -104,7 +104,14 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
-        public IEnumerator TheNearest_AreLive_AndNothingJumpsAsTheySwap([Values("monarch", "firefly")] string species, [Values("hover", "cruise")] string loop)
+        public IEnumerator TheNearest_AreLive_AndNothingJumpsAsTheySwap([Values("hover", "cruise")] string loop) => SwapIn("monarch", loop);
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator TheNearestFireflies_AreLive_AndNothingJumpsAsTheySwap([Values("hover", "cruise")] string loop) => SwapIn("firefly", loop);
+
+        private IEnumerator SwapIn(string species, string loop)
         {
             m_Scene = new CrowdScene(species, 4, loop);
             return Swap();
