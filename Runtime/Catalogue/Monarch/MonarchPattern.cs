@@ -72,13 +72,12 @@ namespace Alate.Catalogue
             var colour = Color.Lerp(s_Ground, s_Base, Ink.Within(Math.Sqrt(span * span + forward * forward), 0.1, 0.16));
             colour = Color.Lerp(colour, s_Dark, Apex(span, forward, softness));
             double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
-            colour = Color.Lerp(colour, s_Dark, Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness));
+            colour = Color.Lerp(colour, s_Dark, m_Veins.Line(span, forward, vein, softness));
             colour = Color.Lerp(colour, s_Window, Windows(span, forward, 0.5 * softness));
 
-            double edge = m_Margin.Distance(span, forward, out double along);
-            double rim = m_ThinRim.Distance(span, forward, out _);
+            double edge = m_Margin.Distance(span, forward, out double along, k_MarginWidth + softness);
             colour = Color.Lerp(
-                colour, s_Dark, Math.Max(Ink.Within(edge, k_MarginWidth, softness), Ink.Within(rim, k_ThinRimWidth, softness)));
+                colour, s_Dark, Math.Max(Ink.Within(edge, k_MarginWidth, softness), m_ThinRim.Line(span, forward, k_ThinRimWidth, softness)));
 
             return Color.Lerp(colour, s_Spot, Ink.Row(along, edge, k_SpotSpacing, k_SpotDepth, k_SpotRadius, k_SpotRadius, 0.5 * softness));
         }

@@ -57,8 +57,8 @@ namespace Alate.Catalogue
         {
             var colour = Color.Lerp(s_Pink, s_PinkBase, Ink.Within(Math.Sqrt(span * span + forward * forward), 0.25, 0.3));
             double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
-            colour = Color.Lerp(colour, s_Grey, 0.35f * Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness));
-            double edge = m_HindMargin.Distance(span, forward, out double along);
+            colour = Color.Lerp(colour, s_Grey, 0.35f * m_Veins.Veins(span, forward, vein, softness));
+            double edge = m_HindMargin.Distance(span, forward, out double along, k_BorderWidth + softness + 0.02);
             double width = k_BorderWidth * Math.Clamp(0.35 + 1.3 * along, 0.35, 1);
             return Color.Lerp(colour, s_Grey, Ink.Within(edge, width, softness + 0.02));
         }

@@ -50,7 +50,8 @@ namespace Alate.Catalogue
         {
             double fromBase = Math.Sqrt(span * span + forward * forward);
             var colour = Color.Lerp(Membrane, Base, Ink.Within(fromBase, k_Stem, 2 * k_Stem));
-            double vein = m_Veins.Distance(span, forward, out double along);
+            double reach = Dapple > 0f ? double.MaxValue : Math.Max(VeinHalfWidth, k_LeastFeature * softness) + softness;
+            double vein = m_Veins.Distance(span, forward, out double along, reach);
             if (Dapple > 0f)
             {
                 double wave = Math.Sin(2 * Math.PI * fromBase / DappleLength) + Math.Sin(2 * Math.PI * (span - 1.3 * forward) / (1.7 * DappleLength));
@@ -61,9 +62,9 @@ namespace Alate.Catalogue
             double taper = Math.Min(k_ThinnestShare + 2.5 * along, Math.Max(k_ThinnestShare, 1 - 0.6 * along));
             double width = Math.Max(VeinHalfWidth * taper, k_LeastFeature * softness);
             double cross = Math.Max(k_CrossShare * VeinHalfWidth, k_LeastFeature * softness);
-            float drawn = Math.Max(Ink.Within(vein, width, softness), Ink.Within(m_Veins.CrossDistance(span, forward), cross, softness));
-            drawn = Math.Max(drawn, Ink.Within(m_Rim.Distance(span, forward, out _), k_RimWidth, softness));
-            drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out double ahead), CostaHalfWidth * (1 - 0.7 * ahead), softness));
+            float drawn = Math.Max(Ink.Within(vein, width, softness), m_Veins.CrossVeins(span, forward, cross, softness));
+            drawn = Math.Max(drawn, m_Rim.Line(span, forward, k_RimWidth, softness));
+            drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out double ahead, CostaHalfWidth + softness), CostaHalfWidth * (1 - 0.7 * ahead), softness));
             return Color.Lerp(colour, Vein, drawn);
         }
     }

@@ -14,6 +14,10 @@ namespace Alate.Catalogue
 
         private readonly Stroke[] m_Strokes;
         private readonly Stroke[][] m_Found;
+
+        /// <summary>[cell] Less than the distance of the nearest stroke from any place in the cell.</summary>
+        private readonly double[] m_Clearances;
+
         private readonly double m_Left, m_Low, m_Size;
         private readonly int m_Columns, m_Rows;
 
@@ -36,21 +40,25 @@ namespace Alate.Catalogue
             m_Columns = (int)Math.Ceiling((right + margin - m_Left) / m_Size);
             m_Rows = (int)Math.Ceiling((high + margin - m_Low) / m_Size);
             m_Found = new Stroke[m_Columns * m_Rows][];
+            m_Clearances = new double[m_Found.Length];
         }
 
-        /// <summary>Strokes that may be nearest to a place; all of them for a place outside of the cells.</summary>
-        public Stroke[] Around(double x, double z)
+        /// <summary>
+        /// Strokes that may be nearest to a place; none where all are known to be beyond the reach; all of them for a place outside of the cells.
+        /// </summary>
+        public Stroke[] Around(double x, double z, double reach)
         {
             double column = Math.Floor((x - m_Left) / m_Size), row = Math.Floor((z - m_Low) / m_Size);
             if (!(column >= 0 && column < m_Columns && row >= 0 && row < m_Rows))
                 return m_Strokes;
 
-            ref Stroke[] found = ref m_Found[(int)row * m_Columns + (int)column];
-            return found ??= Find(m_Left + (column + 0.5) * m_Size, m_Low + (row + 0.5) * m_Size);
+            int cell = (int)row * m_Columns + (int)column;
+            Stroke[] found = m_Found[cell] ??= Find(m_Left + (column + 0.5) * m_Size, m_Low + (row + 0.5) * m_Size, out m_Clearances[cell]);
+            return m_Clearances[cell] < reach ? found : Array.Empty<Stroke>();
         }
 
         // From any place of a cell the nearest stroke is at most a cell's diagonal farther from the middle than the one nearest to that.
-        private Stroke[] Find(double middleX, double middleZ)
+        private Stroke[] Find(double middleX, double middleZ, out double clearance)
         {
             double[] distances = new double[m_Strokes.Length];
             double nearest = double.MaxValue;
@@ -60,6 +68,7 @@ namespace Alate.Catalogue
                 nearest = Math.Min(nearest, distances[k]);
             }
 
+            clearance = nearest - 0.75 * m_Size;
             var found = new List<Stroke>();
             for (int k = 0; k < distances.Length; k++)
             {

@@ -23,10 +23,16 @@ namespace Alate.Catalogue
             return this;
         }
 
-        /// <summary>
-        /// Distance to the nearest stroke, with the distance along its polyline of the nearest point; the largest number without strokes.
-        /// </summary>
-        public double Distance(double x, double z, out double along)
+        /// <summary>Soft line along the strokes: 1 within the limit of them, 0 beyond it, over the given width.</summary>
+        public float Line(double x, double z, double limit, double softness) =>
+            Ink.Within(Distance(x, z, out _, limit + softness), limit, softness);
+
+        /// <summary>Distance to the nearest stroke, with the distance along its polyline of the nearest point; a huge number without strokes.</summary>
+        /// <param name="x">Along the span.</param>
+        /// <param name="z">Forward.</param>
+        /// <param name="along">Along the polyline.</param>
+        /// <param name="reach">A stroke beyond it need not be found: the distance may then be a huge number too.</param>
+        public double Distance(double x, double z, out double along, double reach = double.MaxValue)
         {
             along = 0;
             if (m_Strokes.Count == 0)
@@ -34,7 +40,7 @@ namespace Alate.Catalogue
 
             m_Grid ??= new StrokeGrid(m_Strokes.ToArray());
             double nearest = double.MaxValue;
-            Stroke[] around = m_Grid.Around(x, z);
+            Stroke[] around = m_Grid.Around(x, z, reach);
             for (int k = 0; k < around.Length; k++)
             {
                 double distance = around[k].DistanceSquared(x, z, out double here);

@@ -68,11 +68,15 @@ namespace Alate.Catalogue
             return this;
         }
 
-        /// <summary>Distance to the nearest vein, with the share along it.</summary>
-        public double Distance(double span, double forward, out double along) => m_Strokes.Distance(span, forward, out along);
+        /// <summary>Distance to the nearest vein, with the share along it; a huge number where none is within reach.</summary>
+        public double Distance(double span, double forward, out double along, double reach = double.MaxValue) =>
+            m_Strokes.Distance(span, forward, out along, reach);
 
-        /// <summary>Distance to the nearest cross vein.</summary>
-        public double CrossDistance(double span, double forward) => m_Crosses.Distance(span, forward, out _);
+        /// <summary>Veins as soft lines of a half width.</summary>
+        public float Veins(double span, double forward, double halfWidth, double softness) => m_Strokes.Line(span, forward, halfWidth, softness);
+
+        /// <summary>Cross veins as soft lines of a half width.</summary>
+        public float CrossVeins(double span, double forward, double halfWidth, double softness) => m_Crosses.Line(span, forward, halfWidth, softness);
 
         private PlanPoint On(int vein, double t)
         {

@@ -31,12 +31,12 @@ namespace Alate.Catalogue
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
-            double ray = m_Rays.Distance(span, forward, out double along);
+            double ray = m_Rays.Distance(span, forward, out double along, Math.Max(k_RayHalfWidth, k_LeastFeature * softness) + Math.Max(softness, 0.008));
             double fromBase = Math.Sqrt(span * span + (forward + 0.09) * (forward + 0.09));
             var colour = Color.Lerp(s_Skin, s_Root, Ink.Within(fromBase, 0.15, 0.5));
             double waves = Math.Sin(2 * Math.PI * fromBase / k_BlotchLength) + k_BlotchBend * Math.Sin(9 * forward + 5 * span) - 0.45;
             colour = Color.Lerp(colour, s_Blotch, (float)Math.Clamp(waves, 0, 0.7));
-            colour = Color.Lerp(colour, s_Hem, 0.8f * Ink.Within(m_Hem.Distance(span, forward, out _), k_HemWidth, k_HemWidth));
+            colour = Color.Lerp(colour, s_Hem, 0.8f * m_Hem.Line(span, forward, k_HemWidth, k_HemWidth));
             double width = Math.Max(k_RayHalfWidth * (1 - 0.55 * along), k_LeastFeature * softness);
             return Color.Lerp(colour, s_Ray, Ink.Within(ray, width, Math.Max(softness, 0.008)));
         }

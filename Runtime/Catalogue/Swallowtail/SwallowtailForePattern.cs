@@ -41,11 +41,11 @@ namespace Alate.Catalogue
             var colour = Color.Lerp(SwallowtailColours.Yellow, SwallowtailColours.Pale, Ink.Within(-span, -0.55, 0.4));
             colour = Color.Lerp(colour, SwallowtailColours.Dusk, Ink.Within(fromBase, 0.2, 0.12));
             double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
-            float dark = Ink.Within(m_Veins.Distance(span, forward, out _), vein, softness);
-            dark = Math.Max(dark, Ink.Within(m_Veins.CrossDistance(span, forward), vein, softness));
-            dark = Math.Max(dark, Ink.Within(m_Costa.Distance(span, forward, out _), k_CostaWidth, softness));
-            dark = Math.Max(dark, Ink.Within(m_Bars.Distance(span, forward, out _), 0.016, softness));
-            double edge = m_Border.Distance(span, forward, out double along);
+            float dark = m_Veins.Veins(span, forward, vein, softness);
+            dark = Math.Max(dark, m_Veins.CrossVeins(span, forward, vein, softness));
+            dark = Math.Max(dark, m_Costa.Line(span, forward, k_CostaWidth, softness));
+            dark = Math.Max(dark, m_Bars.Line(span, forward, 0.016, softness));
+            double edge = m_Border.Distance(span, forward, out double along, k_BorderWidth + k_Scallop + softness);
             double border = k_BorderWidth + k_Scallop * Math.Cos(2 * Math.PI * along / k_SpotSpacing);
             colour = Color.Lerp(colour, SwallowtailColours.Black, Math.Max(dark, Ink.Within(edge, border, softness)));
             float spots = Ink.Row(along, edge, k_SpotSpacing, 0.052, 0.027, 0.017, softness) * Ink.Between(along, 0, k_LastSpot, softness);
