@@ -46,18 +46,19 @@ namespace Alate.Geometry
         /// <summary>The arc length closest to p.</summary>
         public double Nearest(PlanPoint p)
         {
-            double least = double.MaxValue, found = 0.0;
+            double least = double.MaxValue, reach = double.MaxValue, found = 0.0;
             for (int k = 0; k < m_Samples.Length; k++)
             {
-                PlanPoint from = m_Samples[k], to = m_Samples[(k + 1) % m_Samples.Length];
-                double reach = (from - p).LengthSquared;
-                if (reach >= (Math.Sqrt(least) + Step) * (Math.Sqrt(least) + Step))
+                PlanPoint from = m_Samples[k];
+                if ((from - p).LengthSquared >= reach)
                     continue;
+                PlanPoint to = m_Samples[(k + 1) % m_Samples.Length];
                 double share = PlanPoint.ClosestOnSegment(p, from, to);
                 double distance = (from + (to - from) * share - p).LengthSquared;
                 if (distance >= least)
                     continue;
                 least = distance;
+                reach = (Math.Sqrt(least) + Step) * (Math.Sqrt(least) + Step);
                 found = (k + share) * Step;
             }
 
