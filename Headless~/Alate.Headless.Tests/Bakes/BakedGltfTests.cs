@@ -1,24 +1,14 @@
-using System.Collections.Generic;
 using System.IO;
-using System.Linq;
-using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
     /// <summary>glTF files that <c>bake</c> writes, played as the specification says, beside the live wings.</summary>
-    public sealed class BakedGltfTests
+    public sealed class BakedGltfTests : BakedFilesFixture
     {
         // Linear blends of joints differ from the live wings' dual quaternions by up to 0.06 %, see crowds.md.
         private const double k_AtFrames = 1.5e-3;
-
-        private readonly BakedFiles m_Files = new BakedFiles();
-
-        private static IEnumerable<string> Others => InsectCatalogue.Names.Except(["monarch", "snailfish"]);
-
-        [OneTimeTearDown]
-        public void RemoveFiles() => m_Files.Dispose();
 
         [TestCase("monarch")]
         [TestCase("snailfish")]
@@ -38,7 +28,7 @@ namespace Alate.Tests.Bakes
         {
             foreach (string form in new[] { "skin", "morph" })
             {
-                string folder = m_Files.Folder($"monarch --clips cruise,rest --frames 16 --format gltf-{form}");
+                string folder = Files.Folder($"monarch --clips cruise,rest --frames 16 --format gltf-{form}");
                 var file = new GltfPlayer(File.ReadAllBytes(Path.Combine(folder, $"monarch-{form}.glb")));
                 float3[] early = file.Play("rest", 0.0).Positions, late = file.Play("rest", 0.5 * file.Length("rest")).Positions;
                 float3[] top = file.Play("cruise", 0.0).Positions, bottom = file.Play("cruise", 0.5 * file.Length("cruise")).Positions;
@@ -50,7 +40,7 @@ namespace Alate.Tests.Bakes
 
         private void AssertLive(string species, string format, string ending, double atFrames)
         {
-            string folder = m_Files.Folder($"{species} --clips cruise --format {format}");
+            string folder = Files.Folder($"{species} --clips cruise --format {format}");
             var file = new GltfPlayer(File.ReadAllBytes(Path.Combine(folder, $"{species}-{ending}.glb")));
             var live = LiveWings.Of(species);
             double length = file.Length("cruise");

@@ -1,22 +1,13 @@
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
     /// <summary>Textures that <c>bake</c> writes, read as the open importers read them, beside the live wings.</summary>
-    public sealed class OpenVatTests
+    public sealed class OpenVatTests : BakedFilesFixture
     {
-        private readonly BakedFiles m_Files = new BakedFiles();
-
-        private static IEnumerable<string> Others => InsectCatalogue.Names.Except(["monarch", "snailfish"]);
-
-        [OneTimeTearDown]
-        public void RemoveFiles() => m_Files.Dispose();
-
         [TestCase("monarch")]
         [TestCase("snailfish")]
         public void Played_TheWingsAreTheLiveOnes(string species) => AssertLive(species);
@@ -56,7 +47,7 @@ namespace Alate.Tests.Bakes
         [Test]
         public void TheFolder_HoldsWhatTheConventionNames()
         {
-            string folder = m_Files.Folder("monarch --clips cruise,hover,rest --frames 16");
+            string folder = Files.Folder("monarch --clips cruise,hover,rest --frames 16");
 
             Assert.That(
                 Directory.GetFiles(folder, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(folder, file).Replace('\\', '/')),
@@ -106,6 +97,6 @@ namespace Alate.Tests.Bakes
             }
         }
 
-        private VatReader Read(string species, string arguments) => new VatReader(Path.Combine(m_Files.Folder(arguments), species + "_vat"), species);
+        private VatReader Read(string species, string arguments) => new VatReader(Path.Combine(Files.Folder(arguments), species + "_vat"), species);
     }
 }

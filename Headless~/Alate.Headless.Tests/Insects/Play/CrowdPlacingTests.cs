@@ -1,5 +1,4 @@
 using System.Collections;
-using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Crowds;
@@ -8,55 +7,32 @@ using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
-using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Play.Headless
 {
     /// <summary>Crowds that a spawner fills, and those that show the far insects of a flock.</summary>
-    public sealed class CrowdPlacingTests
+    public sealed class CrowdPlacingTests : CrowdFixture
     {
-        private readonly List<Object> m_Made = new List<Object>();
-        private CrowdScene m_Scene;
-
-        [SetUp]
-        public void UseFixedFrames()
-        {
-            Time.captureDeltaTime = 1f / 60f;
-            WingSystem.Patience = 0f;
-        }
-
-        [UnityTearDown]
-        public IEnumerator TakeAway()
-        {
-            foreach (Object made in m_Made)
-                Object.DestroyImmediate(made);
-            m_Made.Clear();
-            m_Scene?.Clear();
-            m_Scene = null;
-            Time.captureDeltaTime = 0f;
-            yield return CrowdScene.Frames(3);
-        }
-
         [UnityTest]
         public IEnumerator ASpawner_LetsInsectsCircleInItsBox_AtTheirSpeeds()
         {
-            m_Scene = new CrowdScene("monarch", 200, "cruise");
-            m_Scene.Crowd.transform.SetPositionAndRotation(new Vector3(3f, 2f, 1f), Quaternion.Euler(0f, 30f, 0f));
-            CrowdSpawner spawner = m_Scene.Crowd.gameObject.AddComponent<CrowdSpawner>();
+            Scene = new CrowdScene("monarch", 200, "cruise");
+            Scene.Crowd.transform.SetPositionAndRotation(new Vector3(3f, 2f, 1f), Quaternion.Euler(0f, 30f, 0f));
+            CrowdSpawner spawner = Scene.Crowd.gameObject.AddComponent<CrowdSpawner>();
             spawner.Area = new Vector3(20f, 4f, 10f);
             spawner.Speeds = new Vector2(0.5f, 2f);
             Assert.That(spawner.Problem, Is.Null);
-            yield return CrowdScene.Frames(3);
+            yield return Frames(3);
 
-            CrowdPose[] before = [.. m_Scene.Crowd.Poses];
+            CrowdPose[] before = [.. Scene.Crowd.Poses];
             const float moment = 1e-3f;
             spawner.Advance(moment);
-            CrowdPose[] after = [.. m_Scene.Crowd.Poses];
-            float speed = ((Vector3)m_Scene.Baked.Loops[0].velocity).magnitude;
+            CrowdPose[] after = [.. Scene.Crowd.Poses];
+            float speed = ((Vector3)Scene.Baked.Loops[0].velocity).magnitude;
             var loose = new float3(1e-3f, 1e-3f, 1e-3f);
             for (int k = 0; k < 200; k++)
             {
-                float3 place = m_Scene.Crowd.transform.InverseTransformPoint(after[k].position), moved = after[k].position - before[k].position;
+                float3 place = Scene.Crowd.transform.InverseTransformPoint(after[k].position), moved = after[k].position - before[k].position;
                 Assert.That(math.all(math.abs(place) <= new float3(10f, 2f, 5f) + loose), $"{place} is in the box");
                 Assert.That(after[k].scale, Is.InRange(0.85f, 1.15f));
                 Assert.That(math.length(moved) / moment / (speed * after[k].scale), Is.InRange(0.48f, 2.05f));
@@ -66,10 +42,10 @@ namespace Alate.Tests.Play.Headless
             Assert.That(after.Select(pose => pose.phase).Distinct().Count(), Is.GreaterThan(150));
             spawner.Seed = 2;
             spawner.Advance(0f);
-            Assert.That(m_Scene.Crowd.Poses.Select(pose => pose.position), Is.Not.EqualTo(after.Select(pose => pose.position)));
+            Assert.That(Scene.Crowd.Poses.Select(pose => pose.position), Is.Not.EqualTo(after.Select(pose => pose.position)));
             spawner.Seed = 1;
             spawner.Advance(0f);
-            Assert.That(m_Scene.Crowd.Poses.Select(pose => pose.position), Is.EqualTo(after.Select(pose => pose.position)), "one seed places all insects alike");
+            Assert.That(Scene.Crowd.Poses.Select(pose => pose.position), Is.EqualTo(after.Select(pose => pose.position)), "one seed places all insects alike");
             spawner.Loop = "dive";
             Assert.That(spawner.Problem, Does.EndWith("has no loop 'dive'."));
         }
@@ -77,17 +53,17 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator FarInsectsOfAFlock_AreDrawnBaked_WhereTheyFly_AndNearOnesLive()
         {
-            m_Scene = new CrowdScene("monarch", InsectVariant.Flight, 1, "cruise", "hover");
-            FlockCrowd flock = m_Scene.Crowd.gameObject.AddComponent<FlockCrowd>();
+            Scene = new CrowdScene("monarch", InsectVariant.Flight, 1, "cruise", "hover");
+            FlockCrowd flock = Scene.Crowd.gameObject.AddComponent<FlockCrowd>();
             flock.Distance = 30f;
             InsectWings near = Hatch(Vector3.zero), far = Hatch(new Vector3(0f, 0f, 60f));
-            yield return CrowdScene.Frames(40);
+            yield return Frames(40);
 
             Assert.That(flock.BakedCount, Is.EqualTo(1));
-            Assert.That(m_Scene.Crowd.DrawnCount, Is.EqualTo(1));
+            Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(1));
             Assert.That(near.GetComponentsInChildren<Renderer>().All(renderer => !renderer.forceRenderingOff), Is.True);
             Assert.That(far.GetComponentsInChildren<Renderer>().All(renderer => renderer.forceRenderingOff), Is.True);
-            CrowdPose pose = m_Scene.Crowd.Poses[0];
+            CrowdPose pose = Scene.Crowd.Poses[0];
             Assert.That(math.distance(pose.position, far.transform.position), Is.LessThan(0.5f), "it is a frame behind");
             Assert.That(pose.blend, Is.InRange(0f, 0.5f));
             Assert.That(far.GetComponent<InsectFlight>().State, Is.EqualTo(FlightState.Flying));
@@ -105,7 +81,7 @@ namespace Alate.Tests.Play.Headless
             made.transform.position = place;
             CatalogueFlight.AddTo(made, monarch);
             made.gameObject.AddComponent<FlockPilot>();
-            m_Made.Add(made.gameObject);
+            Keep(made.gameObject);
             return made;
         }
     }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections;
 using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Crowds;
@@ -84,12 +83,6 @@ namespace Alate.Tests.Play.Headless
                 Color pixel = pixels[y * texture.width + x];
                 return new float3((float)(Half)pixel.r, (float)(Half)pixel.g, (float)(Half)pixel.b);
             }
-        }
-
-        public static IEnumerator Frames(int count)
-        {
-            for (int frame = 0; frame < count; frame++)
-                yield return null;
         }
 
         public void Clear()

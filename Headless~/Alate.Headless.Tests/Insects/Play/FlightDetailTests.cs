@@ -38,19 +38,9 @@ namespace Alate.Tests.Play.Headless
             wings.UpdateMode = mode;
             wings.Quality.culling = WingCulling.CullCompletely;
             flight.Velocity = hovers ? Vector3.zero : new Vector3(0.6f, 0f, 0f);
-            for (int frame = 0; frame < 120; frame++)
-            {
-                Follow(flight);
-                yield return null;
-            }
-
-            m_Camera.transform.rotation = Quaternion.Euler(0f, 180f, 0f);
-            yield return Frames(3);
+            yield return GoesOutOfSight(flight);
             Assert.That(wings.Detail, Is.EqualTo(WingDetail.Frozen));
-            Vector3 before = flight.Position;
-            yield return Frames(120);
-            Vector3 way = (flight.Position - before) / InsectDefinition.UnitsPerMetre;
-            Assert.That((way - 120f * Time.deltaTime * flight.Velocity).magnitude, Is.LessThan(0.15f));
+            yield return KeepsItsWay(flight);
 
             yield return ComesBack(flight);
         }
@@ -62,14 +52,7 @@ namespace Alate.Tests.Play.Headless
             InsectWings wings = flight.GetComponent<InsectWings>();
             wings.Quality.culling = WingCulling.CullCompletely;
             flight.Velocity = new Vector3(1f - speed, 0f, 0f);
-            for (int frame = 0; frame < 120; frame++)
-            {
-                Follow(flight);
-                yield return null;
-            }
-
-            m_Camera.transform.rotation = Quaternion.Euler(0f, 180f, 0f);
-            yield return Frames(3);
+            yield return GoesOutOfSight(flight);
             flight.Velocity = new Vector3(speed, 0f, 0f);
             yield return Frames(120);
             yield return ComesBack(flight);
@@ -85,10 +68,7 @@ namespace Alate.Tests.Play.Headless
             m_Camera.transform.position = new Vector3(0f, 0f, -150f * wings.Live.wings[0].placed.length);
             yield return Frames(30);
             Assert.That(wings.Detail, Is.GreaterThanOrEqualTo(WingDetail.WavesOnly));
-            Vector3 before = flight.Position;
-            yield return Frames(120);
-            Vector3 way = (flight.Position - before) / InsectDefinition.UnitsPerMetre;
-            Assert.That((way - 120f * Time.deltaTime * flight.Velocity).magnitude, Is.LessThan(0.15f));
+            yield return KeepsItsWay(flight);
             yield return ComesBack(flight);
         }
 
@@ -109,6 +89,26 @@ namespace Alate.Tests.Play.Headless
                 float3 error = flight.BodyVelocity - flight.Velocity;
                 Assert.That(math.length(error), Is.LessThan(0.7f), $"frame {frame}, {flight.GetComponent<InsectWings>().Detail}");
             }
+        }
+
+        private IEnumerator GoesOutOfSight(InsectFlight flight)
+        {
+            for (int frame = 0; frame < 120; frame++)
+            {
+                Follow(flight);
+                yield return null;
+            }
+
+            m_Camera.transform.rotation = Quaternion.Euler(0f, 180f, 0f);
+            yield return Frames(3);
+        }
+
+        private static IEnumerator KeepsItsWay(InsectFlight flight)
+        {
+            Vector3 before = flight.Position;
+            yield return Frames(120);
+            Vector3 way = (flight.Position - before) / InsectDefinition.UnitsPerMetre;
+            Assert.That((way - 120f * Time.deltaTime * flight.Velocity).magnitude, Is.LessThan(0.15f));
         }
 
         private IEnumerator ComesBack(InsectFlight flight)

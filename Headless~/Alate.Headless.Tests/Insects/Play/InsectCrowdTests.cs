@@ -16,52 +16,36 @@ using Object = UnityEngine.Object;
 namespace Alate.Tests.Play.Headless
 {
     /// <summary>What crowds draw, for whom, and what it costs.</summary>
-    public sealed class InsectCrowdTests
+    public sealed class InsectCrowdTests : CrowdFixture
     {
-        private CrowdScene m_Scene;
-
-        [SetUp]
-        public void UseFixedFrames()
-        {
-            Time.captureDeltaTime = 1f / 60f;
-            WingSystem.Patience = 0f;
-        }
-
-        [UnityTearDown]
-        public IEnumerator TakeAway()
-        {
-            m_Scene?.Clear();
-            m_Scene = null;
-            PlainDevice.IsInUse = false;
-            Time.captureDeltaTime = 0f;
-            yield return CrowdScene.Frames(3);
-        }
+        [TearDown]
+        public void UseThePlatformsDevice() => PlainDevice.IsInUse = false;
 
         [UnityTest]
         public IEnumerator EachInsect_IsDrawnWhereItIs_InThePhaseThatItHas()
         {
-            m_Scene = new CrowdScene("monarch", 3, "cruise", "rest");
-            m_Scene.Place(0, Held(CrowdPose.At(new float3(0f, 0f, 0f), quaternion.identity, 0.25f)));
-            m_Scene.Place(1, Held(CrowdPose.At(new float3(2f, 1f, 0f), quaternion.RotateY(1f), 0.9f)));
+            Scene = new CrowdScene("monarch", 3, "cruise", "rest");
+            Scene.Place(0, Held(CrowdPose.At(new float3(0f, 0f, 0f), quaternion.identity, 0.25f)));
+            Scene.Place(1, Held(CrowdPose.At(new float3(2f, 1f, 0f), quaternion.RotateY(1f), 0.9f)));
             yield return null;
             DrawnInstances.Calls = new List<DrawnBatch>();
             yield return null;
 
-            NativeArray<CrowdPose> poses = m_Scene.Crowd.Poses;
+            NativeArray<CrowdPose> poses = Scene.Crowd.Poses;
             DrawnBatch[] finest = DrawnInstances.Calls.Where(call => call.Matrices.Length == 2).ToArray();
-            Assert.That(m_Scene.Crowd.DrawnCount, Is.EqualTo(2), "nobody has placed the third");
-            Assert.That(finest, Has.Length.EqualTo(m_Scene.Baked.Materials.Count));
-            int size = Array.FindIndex(m_Scene.Baked.Sizes.ToArray(), known => known.mesh == finest[0].Mesh);
-            ReducedSurface reduced = ReducedSurface.Of(m_Scene.Bake, BakedInsect.DefaultTriangles)[size];
-            var positions = new float3[m_Scene.Bake.Surface.VertexCount];
+            Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(2), "nobody has placed the third");
+            Assert.That(finest, Has.Length.EqualTo(Scene.Baked.Materials.Count));
+            int size = Array.FindIndex(Scene.Baked.Sizes.ToArray(), known => known.mesh == finest[0].Mesh);
+            ReducedSurface reduced = ReducedSurface.Of(Scene.Bake, BakedInsect.DefaultTriangles)[size];
+            var positions = new float3[Scene.Bake.Surface.VertexCount];
             for (int insect = 0; insect < 2; insect++)
             {
                 CrowdPose pose = poses[insect];
-                m_Scene.Bake.Clips[0].Evaluate(pose.phase, positions, new float3[positions.Length]);
+                Scene.Bake.Clips[0].Evaluate(pose.phase, positions, new float3[positions.Length]);
                 for (int k = 0; k < reduced.Vertices.Length; k += 7)
                 {
                     float3 wanted = pose.position + math.rotate(pose.rotation, positions[reduced.Vertices[k]]);
-                    Assert.That(math.distance(CrowdScene.Played(finest[0], insect, k), wanted), Is.LessThan(1e-3f * m_Scene.Bake.WingLength));
+                    Assert.That(math.distance(CrowdScene.Played(finest[0], insect, k), wanted), Is.LessThan(1e-3f * Scene.Bake.WingLength));
                 }
             }
         }
@@ -69,38 +53,38 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         public IEnumerator Phases_GoOnByTheLoopsFrequency()
         {
-            m_Scene = new CrowdScene("monarch", 2, "cruise");
-            m_Scene.Place(0, CrowdPose.At(default, quaternion.identity, 0.1f));
+            Scene = new CrowdScene("monarch", 2, "cruise");
+            Scene.Place(0, CrowdPose.At(default, quaternion.identity, 0.1f));
             var quick = CrowdPose.At(default, quaternion.identity, 0.1f);
             quick.rate = 2f;
-            m_Scene.Place(1, quick);
-            yield return CrowdScene.Frames(7);
+            Scene.Place(1, quick);
+            yield return Frames(7);
 
-            float beats = 6f / 60f * m_Scene.Baked.Loops[0].frequency;
-            Assert.That(Turn(m_Scene.Crowd.Poses[0].phase - 0.1f - beats), Is.LessThan(0.2f));
-            Assert.That(Turn(m_Scene.Crowd.Poses[1].phase - m_Scene.Crowd.Poses[0].phase - beats), Is.LessThan(0.2f));
+            float beats = 6f / 60f * Scene.Baked.Loops[0].frequency;
+            Assert.That(Turn(Scene.Crowd.Poses[0].phase - 0.1f - beats), Is.LessThan(0.2f));
+            Assert.That(Turn(Scene.Crowd.Poses[1].phase - Scene.Crowd.Poses[0].phase - beats), Is.LessThan(0.2f));
         }
 
         [UnityTest]
         public IEnumerator InsectsOutOfSight_AreNotDrawn_AndFarOnesTakeSmallerMeshes()
         {
-            m_Scene = new CrowdScene("monarch", 400, "cruise");
+            Scene = new CrowdScene("monarch", 400, "cruise");
             for (int k = 0; k < 400; k++)
-                m_Scene.Place(k, CrowdPose.At(new float3(k % 20 - 10f, 0f, k / 20 * 10f - 50f), quaternion.identity, k / 400f));
+                Scene.Place(k, CrowdPose.At(new float3(k % 20 - 10f, 0f, k / 20 * 10f - 50f), quaternion.identity, k / 400f));
             yield return null;
             DrawnInstances.Calls = new List<DrawnBatch>();
             yield return null;
 
-            Plane[] planes = GeometryUtility.CalculateFrustumPlanes(m_Scene.Camera);
-            float radius = m_Scene.Baked.Bounds.extents.magnitude;
+            Plane[] planes = GeometryUtility.CalculateFrustumPlanes(Scene.Camera);
+            float radius = Scene.Baked.Bounds.extents.magnitude;
             int seen = Enumerable.Range(0, 400).Count(k =>
-                Array.TrueForAll(planes, plane => plane.GetDistanceToPoint((Vector3)m_Scene.Crowd.Poses[k].position + m_Scene.Baked.Bounds.center) >= -radius));
-            Assert.That(m_Scene.Crowd.DrawnCount, Is.EqualTo(seen).And.InRange(50, 350));
+                Array.TrueForAll(planes, plane => plane.GetDistanceToPoint((Vector3)Scene.Crowd.Poses[k].position + Scene.Baked.Bounds.center) >= -radius));
+            Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(seen).And.InRange(50, 350));
             Assert.That(DrawnInstances.Calls.Select(call => call.Mesh).Distinct().Count(), Is.EqualTo(3));
-            float[] farthest = m_Scene.Baked.Sizes.Select(size =>
-                DrawnInstances.Calls.First(call => call.Mesh == size.mesh).Matrices.Max(matrix => Vector3.Distance(matrix.GetColumn(3), m_Scene.Camera.transform.position))).ToArray();
+            float[] farthest = Scene.Baked.Sizes.Select(size =>
+                DrawnInstances.Calls.First(call => call.Mesh == size.mesh).Matrices.Max(matrix => Vector3.Distance(matrix.GetColumn(3), Scene.Camera.transform.position))).ToArray();
             Assert.That(farthest, Is.Ordered.Ascending);
-            Assert.That(m_Scene.Crowd.DrawCalls, Is.EqualTo(DrawnInstances.Calls.Count));
+            Assert.That(Scene.Crowd.DrawCalls, Is.EqualTo(DrawnInstances.Calls.Count));
         }
 
         [UnityTest]
@@ -113,7 +97,7 @@ namespace Alate.Tests.Play.Headless
 
         private IEnumerator SwapIn(string species, string loop)
         {
-            m_Scene = new CrowdScene(species, 4, loop);
+            Scene = new CrowdScene(species, 4, loop);
             return Swap();
         }
 
@@ -125,26 +109,26 @@ namespace Alate.Tests.Play.Headless
 
         private IEnumerator SwapFlown(string loop)
         {
-            m_Scene = new CrowdScene("monarch", InsectVariant.Flight, 4, loop);
-            Assert.That(m_Scene.Baked.Loops[0].isFlown, Is.True);
+            Scene = new CrowdScene("monarch", InsectVariant.Flight, 4, loop);
+            Assert.That(Scene.Baked.Loops[0].isFlown, Is.True);
             return Swap();
         }
 
         [UnityTest]
         public IEnumerator FramesWithThousands_MakeNoGarbage_AndTakeLittleMemory()
         {
-            m_Scene = new CrowdScene("firefly", 10000, "cruise");
+            Scene = new CrowdScene("firefly", 10000, "cruise");
             for (int k = 0; k < 10000; k++)
-                m_Scene.Place(k, CrowdPose.At(new float3(k % 100 - 50f, 0f, k / 100), quaternion.identity, k / 10000f));
-            yield return CrowdScene.Frames(5);
+                Scene.Place(k, CrowdPose.At(new float3(k % 100 - 50f, 0f, k / 100), quaternion.identity, k / 10000f));
+            yield return Frames(5);
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int frame = 0; frame < 3; frame++)
-                m_Scene.Crowd.RunFrame(1f / 60f);
+                Scene.Crowd.RunFrame(1f / 60f);
             long garbage = GC.GetAllocatedBytesForCurrentThread() - before;
 
             Assert.That(garbage, Is.Zero);
             Assert.That(CrowdBuffers.BytesPerInsect, Is.LessThan(200));
-            Assert.That(m_Scene.Crowd.DrawCalls, Is.LessThan(60));
+            Assert.That(Scene.Crowd.DrawCalls, Is.LessThan(60));
         }
 
         [UnityTest]
@@ -152,10 +136,10 @@ namespace Alate.Tests.Play.Headless
         {
             PlainDevice.IsInUse = true;
             LogAssert.Expect(LogType.Warning, new Regex("'crowd': This device draws no instances"));
-            m_Scene = new CrowdScene("monarch", 4, "rest");
-            yield return CrowdScene.Frames(3);
+            Scene = new CrowdScene("monarch", 4, "rest");
+            yield return Frames(3);
 
-            Assert.That(m_Scene.Crowd.Poses.IsCreated, Is.False);
+            Assert.That(Scene.Crowd.Poses.IsCreated, Is.False);
             LogAssert.NoUnexpectedReceived();
         }
 
@@ -177,44 +161,44 @@ namespace Alate.Tests.Play.Headless
 
         private IEnumerator Swap()
         {
-            CrowdLoop loop = m_Scene.Baked.Loops[0];
+            CrowdLoop loop = Scene.Baked.Loops[0];
             for (int k = 0; k < 4; k++)
-                m_Scene.Place(k, CrowdPose.At(new float3(0f, 0f, 4f * k), loop.attitude, 0.2f * k));
-            m_Scene.Crowd.LivePrefab = m_Scene.Prefab;
-            m_Scene.Crowd.LiveCount = 1;
+                Scene.Place(k, CrowdPose.At(new float3(0f, 0f, 4f * k), loop.attitude, 0.2f * k));
+            Scene.Crowd.LivePrefab = Scene.Prefab;
+            Scene.Crowd.LiveCount = 1;
             float largest = 0f;
             int swapped = -1;
-            LateDeeds late = m_Scene.Crowd.gameObject.AddComponent<LateDeeds>();
+            LateDeeds late = Scene.Crowd.gameObject.AddComponent<LateDeeds>();
             for (int frame = 0; frame < 150; frame++)
             {
                 int now = frame;
                 late.inLateUpdate = () =>
                 {
-                    InsectWings live = m_Scene.Crowd.LiveTwinOf(0);
+                    InsectWings live = Scene.Crowd.LiveTwinOf(0);
                     if (live == null)
                         return;
                     swapped = swapped < 0 ? now : swapped;
-                    largest = math.max(largest, Apart(live, m_Scene.Crowd.Poses[0].phase));
+                    largest = math.max(largest, Apart(live, Scene.Crowd.Poses[0].phase));
                 };
                 yield return null;
             }
 
-            TestContext.Progress.WriteLine($"live against baked, {m_Scene.Prefab.name}, {loop.name}: {100f * largest:0.00} % of the wing length, first after {swapped} frames");
+            TestContext.Progress.WriteLine($"live against baked, {Scene.Prefab.name}, {loop.name}: {100f * largest:0.00} % of the wing length, first after {swapped} frames");
             Assert.That(swapped, Is.InRange(30, 120), "after the wings have settled");
             Assert.That(largest, Is.LessThan(5e-3f));
-            Assert.That(m_Scene.Crowd.LiveNow, Is.EqualTo(1));
-            Assert.That(m_Scene.Crowd.DrawnCount, Is.EqualTo(3));
+            Assert.That(Scene.Crowd.LiveNow, Is.EqualTo(1));
+            Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(3));
         }
 
         // Largest distance of the live wings from the texture's, wing lengths.
         private float Apart(InsectWings live, float phase)
         {
-            var positions = new float3[m_Scene.Bake.Surface.VertexCount];
-            m_Scene.Bake.Clips[0].Evaluate(phase, positions, new float3[positions.Length]);
+            var positions = new float3[Scene.Bake.Surface.VertexCount];
+            Scene.Bake.Clips[0].Evaluate(phase, positions, new float3[positions.Length]);
             float apart = 0f;
             for (int w = 0; w < live.Wings.Count; w++)
             {
-                BakedWing wing = m_Scene.Bake.Wings[w];
+                BakedWing wing = Scene.Bake.Wings[w];
                 LiveWing flown = live.Live.wings[w];
                 NativeArray<PackedVertex> vertices = WingSystem.Crowd.World.PackedVertices(flown.handle);
                 Matrix4x4 toInsect = live.transform.worldToLocalMatrix * flown.transform.localToWorldMatrix;

@@ -1,0 +1,17 @@
+using NUnit.Framework;
+
+namespace Alate.Tests.Play.Headless
+{
+    /// <summary>Tests of a crowd.</summary>
+    public abstract class CrowdFixture : PlayFixture
+    {
+        internal CrowdScene Scene { get; set; }
+
+        [TearDown]
+        public void ClearScene()
+        {
+            Scene?.Clear();
+            Scene = null;
+        }
+    }
+}
