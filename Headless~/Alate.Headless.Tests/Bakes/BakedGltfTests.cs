@@ -11,7 +11,6 @@ namespace Alate.Tests.Bakes
         private const double k_AtFrames = 1.5e-3;
 
         [TestCase("monarch")]
-        [TestCase("snailfish")]
         public void Joints_MoveTheWingsAsTheLiveOnes(string species) => AssertLive(species, "gltf-skin", "skin", k_AtFrames);
 
         [TestCaseSource(nameof(Others))]

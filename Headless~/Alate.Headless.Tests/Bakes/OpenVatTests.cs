@@ -9,7 +9,6 @@ namespace Alate.Tests.Bakes
     public sealed class OpenVatTests : BakedFilesFixture
     {
         [TestCase("monarch")]
-        [TestCase("snailfish")]
         public void Played_TheWingsAreTheLiveOnes(string species) => AssertLive(species);
 
         [TestCaseSource(nameof(Others))]
