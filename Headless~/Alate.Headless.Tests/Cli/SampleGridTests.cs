@@ -71,6 +71,26 @@ namespace Alate.Tests.Cli
             Assert.That(grid.IsSeen(2 * SampleGrid.k_Fineness - 1, SampleGrid.k_Fineness - 1, 1f), Is.True);
         }
 
+        [Test]
+        public void ALineAcrossRows_IsAsDarkEverywhere_AsALineOnARow([Values(0, 1, 2, 3)] int shift)
+        {
+            // A black line of a pixel's height, on a row or between two: what it takes from the white around it is one pixel's value in every column.
+            var grid = new SampleGrid(1, 6);
+            for (int y = 0; y < SampleGrid.k_Fineness; y++)
+            {
+                for (int x = 0; x < SampleGrid.k_Fineness; x++)
+                    grid.Add(x, 2 * SampleGrid.k_Fineness + y + shift, 1f, new float4(0f, 0f, 0f, 1f), 0);
+            }
+
+            double taken = 0.0;
+            Color32[] pixels = grid.Pixels(s_Paper);
+            foreach (Color32 pixel in pixels)
+                taken += 255 - pixel.r;
+
+            Assert.That(taken, Is.EqualTo(255.0).Within(2.0));
+            Assert.That(pixels[0].r == 255 && pixels[5].r == 255, Is.True);
+        }
+
         private static void Fill(SampleGrid grid, float depth, float4 light, int surface)
         {
             for (int k = 0; k < SampleGrid.k_Fineness * SampleGrid.k_Fineness; k++)

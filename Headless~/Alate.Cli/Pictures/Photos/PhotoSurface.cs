@@ -16,6 +16,9 @@ internal sealed class PhotoSurface
     /// <summary>Light of that line over the wing's own.</summary>
     private const float k_LineLight = 0.3f;
 
+    /// <summary>Most places of a pattern that are averaged at a sample.</summary>
+    private const int k_MostTaps = 12;
+
     /// <summary>A wing without colours of its own: pale membrane, linear light.</summary>
     private static readonly float4 s_Membrane = new(Shading.ToLinear(new float3(0.84f, 0.79f, 0.66f)), 1f);
 
@@ -24,22 +27,23 @@ internal sealed class PhotoSurface
     private readonly float4[] m_Values;
     private readonly Func<float4, float, float4> m_ColourOf;
     private readonly List<MarginEdge> m_Margin;
-    private readonly bool m_IsThin;
+    private readonly bool m_IsThin, m_HasPattern;
 
     private PhotoSurface(
-        int index, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool isThin, List<MarginEdge> margin)
+        int index, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool isThin, bool hasPattern, List<MarginEdge> margin)
     {
         m_Index = index;
         m_Triangles = triangles;
         m_Values = values;
         m_ColourOf = colourOf;
         m_IsThin = isThin;
+        m_HasPattern = hasPattern;
         m_Margin = margin;
     }
 
     /// <summary>A body, in the colours of its vertices.</summary>
     public static PhotoSurface Of(SurfaceMesh body) => new(
-        0, body.triangles, Array.ConvertAll(body.colours, Linear), (colour, _) => colour, false, []);
+        0, body.triangles, Array.ConvertAll(body.colours, Linear), (colour, _) => colour, false, false, []);
 
     /// <summary>A wing with a line around it: in its pattern, its picture or the colours of its vertices, or pale where it has none.</summary>
     /// <param name="index">Its number among the surfaces of the picture.</param>
@@ -48,9 +52,9 @@ internal sealed class PhotoSurface
     {
         InsectWing own = wing.Wing;
         if (own.Pattern is WingPattern pattern)
-            return Thin(index, wing, Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale), (place, softness) => Linear(pattern.ColourAt(place.x, place.z, softness)));
+            return Thin(index, wing, Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale), (place, softness) => Linear(pattern.ColourAt(place.x, place.z, softness)), true);
         if (own.Surface.uvs != null && own.Texture is WingTexture picture)
-            return Thin(index, wing, Array.ConvertAll(own.Surface.uvs, uv => new float4(uv, 0f, 0f)), (place, _) => picture.ColourAt(place.xy));
+            return Thin(index, wing, Array.ConvertAll(own.Surface.uvs, uv => new float4(uv, 0f, 0f)), (place, _) => picture.ColourAt(place.xy), true);
         if (own.Colours != null)
             return Thin(index, wing, Array.ConvertAll(own.Colours, Linear), (colour, _) => colour);
         return Thin(index, wing, new float4[wing.Rest.Length], (_, _) => s_Membrane);
@@ -64,8 +68,8 @@ internal sealed class PhotoSurface
     public static PhotoSurface Of(int index, RecordedWing wing, float[] values, Func<float, float3> colourOf) =>
         Thin(index, wing, Array.ConvertAll(values, value => new float4(value, 0f, 0f, 0f)), (value, _) => new float4(colourOf(value.x), 1f));
 
-    private static PhotoSurface Thin(int index, RecordedWing wing, float4[] values, Func<float4, float, float4> colourOf) =>
-        new(index, wing.Triangles, values, colourOf, true, MeshMargin.Of(wing.Rest, wing.Triangles));
+    private static PhotoSurface Thin(int index, RecordedWing wing, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false) =>
+        new(index, wing.Triangles, values, colourOf, true, hasPattern, MeshMargin.Of(wing.Rest, wing.Triangles));
 
     /// <summary>Draws the surface.</summary>
     /// <param name="grid">Where to.</param>
@@ -78,12 +82,13 @@ internal sealed class PhotoSurface
         for (int k = 0; k < m_Triangles.Length; k += 3)
         {
             int3 t = new(m_Triangles[k], m_Triangles[k + 1], m_Triangles[k + 2]);
+            (float4 Step, int Count) along = m_HasPattern ? Squeezed(t, places) : (default, 1);
             TriangleSamples.Visit(places[t.x].xy, places[t.y].xy, places[t.z].xy, (x, y, share) =>
             {
                 float depth = math.dot(share, new float3(places[t.x].z, places[t.y].z, places[t.z].z));
                 if (!grid.IsSeen(x, y, depth))
                     return;
-                float4 colour = m_ColourOf(share.x * m_Values[t.x] + share.y * m_Values[t.y] + share.z * m_Values[t.z], softness);
+                float4 colour = Mean(share.x * m_Values[t.x] + share.y * m_Values[t.y] + share.z * m_Values[t.z], along, softness);
                 float3 normal = math.normalizesafe(share.x * normals[t.x] + share.y * normals[t.y] + share.z * normals[t.z]);
                 grid.Add(x, y, depth, new float4(shading.Light(colour.xyz, normal, m_IsThin), colour.w), m_Index);
             });
@@ -94,6 +99,37 @@ internal sealed class PhotoSurface
             float3 colour = k_LineLight * m_ColourOf(0.5f * (m_Values[edge.A] + m_Values[edge.B]), softness).xyz;
             DrawLine(grid, places[edge.A], places[edge.B], new float4(colour, 1f));
         }
+    }
+
+    // The colour over a stretch of the pattern.
+    private float4 Mean(float4 value, (float4 Step, int Count) along, float softness)
+    {
+        if (along.Count == 1)
+            return m_ColourOf(value, softness);
+        float4 sum = 0f;
+        for (int k = 0; k < along.Count; k++)
+        {
+            float4 colour = m_ColourOf(value + (k - 0.5f * (along.Count - 1)) * along.Step, softness);
+            sum += new float4(colour.w * colour.xyz, colour.w);
+        }
+
+        return new float4(sum.xyz / math.max(sum.w, 1e-6f), sum.w / along.Count);
+    }
+
+    // Of a triangle seen at a slant a pixel holds a long and narrow piece of the pattern: steps along it, each about as long as the piece is wide.
+    private (float4 Step, int Count) Squeezed(int3 t, float3[] places)
+    {
+        float2 p = places[t.y].xy - places[t.x].xy, q = places[t.z].xy - places[t.x].xy;
+        float4 u = m_Values[t.y] - m_Values[t.x], v = m_Values[t.z] - m_Values[t.x];
+        float area = p.x * q.y - p.y * q.x;
+        if (area == 0f)
+            return (default, 1);
+        float4 x = (q.y * u - p.y * v) / area, y = (p.x * v - q.x * u) / area;
+        float xx = math.dot(x, x), yy = math.dot(y, y), xy = math.dot(x, y), spread = math.sqrt(0.25f * (xx - yy) * (xx - yy) + xy * xy);
+        float longest = math.sqrt(0.5f * (xx + yy) + spread), narrowest = math.sqrt(math.max(0.5f * (xx + yy) - spread, 0f));
+        int count = (int)math.ceil(math.min(longest / math.max(narrowest, 1e-9f), k_MostTaps));
+        float turn = 0.5f * math.atan2(2f * xy, xx - yy);
+        return count < 2 ? (default, 1) : (SampleGrid.k_Fineness / (float)count * (math.cos(turn) * x + math.sin(turn) * y), count);
     }
 
     // Two triangles, a little nearer than the wing, and beyond both ends so that lines in a row join.

@@ -74,42 +74,61 @@ internal sealed class SampleGrid
         m_Newest[index] = m_Glass.Count - 1;
     }
 
-    /// <summary>The pixels, row by row from above.</summary>
+    /// <summary>
+    /// The pixels, row by row from above: samples weigh the less the farther they lie from the middle of a pixel, up to its neighbours' middles, so that thin lines at any slope look equally wide.
+    /// Encoded values are averaged, not light: a dark line between two rows of pixels is then as dark as one on a row.
+    /// </summary>
     /// <param name="paper">What is behind all, linear light.</param>
     public Color32[] Pixels(float3 paper)
     {
+        float3 ground = Shading.ToEncoded(paper);
+        float3[] seen = Encoded(paper, ground);
         var pixels = new Color32[Width * Height];
-        var sheets = new List<GlassSample>();
-        Color32 ground = Encoded(paper);
-        for (int k = 0; k < pixels.Length; k++)
+        for (int y = 0; y < Height; y++)
         {
-            if (IsEmpty(k))
-            {
-                pixels[k] = ground;
-                continue;
-            }
-
-            float3 sum = 0f;
-            for (int sample = 0; sample < k_Fineness * k_Fineness; sample++)
-            {
-                sum += Seen(
-                    Index(k_Fineness * (k % Width) + sample % k_Fineness, k_Fineness * (k / Width) + sample / k_Fineness), paper, sheets);
-            }
-
-            pixels[k] = Encoded(sum / (k_Fineness * k_Fineness));
+            for (int x = 0; x < Width; x++)
+                pixels[y * Width + x] = Bytes(IsPaperAround(x, y) ? ground : Mean(seen, new int2(x, y) * k_Fineness + k_Fineness / 2));
         }
 
         return pixels;
     }
 
-    private bool IsEmpty(int pixel)
+    // Sample by sample, as it is shown.
+    private float3[] Encoded(float3 paper, float3 ground)
     {
-        int corner = Index(k_Fineness * (pixel % Width), k_Fineness * (pixel / Width));
-        for (int row = 0; row < k_Fineness; row++)
+        var seen = new float3[m_Depths.Length];
+        var sheets = new List<GlassSample>();
+        for (int k = 0; k < seen.Length; k++)
+            seen[k] = IsPaper(k) ? ground : Shading.ToEncoded(Seen(k, paper, sheets));
+        return seen;
+    }
+
+    private float3 Mean(float3[] seen, int2 middle)
+    {
+        float3 sum = 0f;
+        for (int y = 1 - k_Fineness; y < k_Fineness; y++)
         {
-            for (int index = corner + row * k_Fineness * Width; index < corner + row * k_Fineness * Width + k_Fineness; index++)
+            int row = math.clamp(middle.y + y, 0, k_Fineness * Height - 1);
+            float3 across = 0f;
+            for (int x = 1 - k_Fineness; x < k_Fineness; x++)
+                across += (k_Fineness - math.abs(x)) * seen[Index(math.clamp(middle.x + x, 0, k_Fineness * Width - 1), row)];
+            sum += (k_Fineness - math.abs(y)) * across;
+        }
+
+        return sum / (k_Fineness * k_Fineness * k_Fineness * k_Fineness);
+    }
+
+    private bool IsPaper(int index) => m_Newest[index] == k_None && float.IsPositiveInfinity(m_Depths[index]);
+
+    // Nothing but paper in what a pixel takes its colour from.
+    private bool IsPaperAround(int x, int y)
+    {
+        int left = math.max(k_Fineness * x - 1, 0), right = math.min(k_Fineness * (x + 1), k_Fineness * Width - 1), bottom = math.min(k_Fineness * (y + 1), k_Fineness * Height - 1);
+        for (int row = math.max(k_Fineness * y - 1, 0); row <= bottom; row++)
+        {
+            for (int index = Index(left, row); index <= Index(right, row); index++)
             {
-                if (m_Newest[index] != k_None || !float.IsPositiveInfinity(m_Depths[index]))
+                if (!IsPaper(index))
                     return false;
             }
         }
@@ -117,9 +136,9 @@ internal sealed class SampleGrid
         return true;
     }
 
-    private static Color32 Encoded(float3 light)
+    private static Color32 Bytes(float3 encoded)
     {
-        var shown = (int3)math.round(255f * Shading.ToEncoded(light));
+        var shown = (int3)math.round(255f * encoded);
         return new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
     }
 
