@@ -13,6 +13,9 @@ internal sealed class LineChart
     private const string k_Grid = "#ded8c8", k_Axis = "#8a8272";
     private const int k_MostLabels = 6;
 
+    /// <summary>Curves of more values than <c>sweep</c> takes are lines without dots.</summary>
+    private const int k_MostDots = 25;
+
     private readonly IReadOnlyList<double> m_Places;
     private readonly bool m_IsLogarithmic;
     private readonly float m_X, m_Y, m_Width, m_Height;
@@ -46,12 +49,11 @@ internal sealed class LineChart
             page.Text(m_X - 6f, y + 4f, 11f, Label(tick), "end", "t");
         }
 
-        int step = (m_Places.Count + k_MostLabels - 1) / k_MostLabels;
-        for (int k = 0; k < m_Places.Count; k += step)
+        foreach (double place in Marks())
         {
-            float x = Along(m_Places[k]);
+            float x = Along(place);
             page.Line(x, m_Y + m_Height, x, m_Y + m_Height + 4f, k_Axis);
-            page.Text(x, m_Y + m_Height + 17f, 11f, Label(m_Places[k]), "middle", "t");
+            page.Text(x, m_Y + m_Height + 17f, 11f, Label(place), "middle", "t");
         }
 
         page.Line(m_X, m_Y + m_Height, m_X + m_Width, m_Y + m_Height, k_Axis);
@@ -62,6 +64,17 @@ internal sealed class LineChart
     /// <summary>A number in a few digits.</summary>
     public static string Label(double value) => value.ToString("0.###", CultureInfo.InvariantCulture).Replace('-', '−');
 
+    // The places, some of them where they are many; of very many, round numbers.
+    private IEnumerable<double> Marks()
+    {
+        if (IsDense && !m_IsLogarithmic)
+            return Ticks(m_Places.ToList()).Where(tick => tick >= m_Places[0] && tick <= m_Places[^1]);
+        int step = (m_Places.Count + k_MostLabels - 1) / k_MostLabels;
+        return m_Places.Where((_, k) => k % step == 0);
+    }
+
+    private bool IsDense => m_Places.Count > k_MostDots;
+
     private void DrawCurve(SvgPage page, ChartCurve curve, double low, double high)
     {
         var path = new StringBuilder();
@@ -71,7 +84,8 @@ internal sealed class LineChart
                 continue;
             float x = Along(m_Places[k]), y = Down(curve.Values[k], low, high);
             path.Append(CultureInfo.InvariantCulture, $"{(path.Length == 0 ? 'M' : 'L')}{x:0.#} {y:0.#}");
-            page.Append($"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{(curve.IsDashed ? 1.8 : 2.6)}\" fill=\"{curve.Colour}\"/>\n");
+            if (!IsDense)
+                page.Append($"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{(curve.IsDashed ? 1.8 : 2.6)}\" fill=\"{curve.Colour}\"/>\n");
         }
 
         string dash = curve.IsDashed ? " stroke-dasharray=\"5 4\"" : "";

@@ -8,7 +8,7 @@ namespace Alate.Cli.Pictures;
 /// <summary>A diagram or a chart as SVG on pale ground.</summary>
 internal sealed class SvgPage
 {
-    private const string k_Style = "text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}.t{fill:#8a8272}.b{font-weight:bold}";
+    private const string k_Style = "text{font-family:Helvetica,Arial,sans-serif;fill:#3d3a34}.t{fill:#6b6458}.b{font-weight:bold}";
 
     private readonly StringBuilder m_Content = new();
 
