@@ -21,11 +21,11 @@ internal static class FilmCommand
         var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
-        var free = new Option<bool>("--free") { Description = "The insect hovers by its own wings, body and all." };
+        var free = new Option<bool>("--free") { Description = "The insect flies about by its own wings, and the camera goes along; the film plays once." };
         var compare = new Option<bool>("--compare") { Description = "The four columns of 'compare' beside one another." };
-        Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats, $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}]");
+        Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats, $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}, with --free {FilmPlan.FreeBeats}]");
         Option<int?> frames = Numbers.OptionalCount(
-            "--frames", "N", FilmPlan.LeastFrames, FilmPlan.MostFrames, $"Frames of a beat, {FilmPlan.LeastFrames} to {FilmPlan.MostFrames}. [default: {FilmPlan.DefaultFrames}]");
+            "--frames", "N", FilmPlan.LeastFrames, FilmPlan.MostFrames, $"Frames of a beat, {FilmPlan.LeastFrames} to {FilmPlan.MostFrames}. [default: {FilmPlan.DefaultFrames}, with --free {FilmPlan.FreeFrames}]");
         Option<int?> rate = Numbers.OptionalCount("--rate", "N", 1, FilmPlan.MostRate, $"Frames a second, 1 to {FilmPlan.MostRate}. [default: {FilmPlan.DefaultRate}]");
         Option<double> turn = Numbers.Option("--turn", "DEG", 0, -360, 360, "Degrees by which the camera goes around the insect, -360 to 360.");
         Option<int?> width = Numbers.OptionalCount(
@@ -41,7 +41,7 @@ internal static class FilmCommand
         {
             bool isFree = parsed.GetValue(free);
             if (isFree && (parsed.GetValue(compare) || parsed.GetValue(variant) != null || parsed.GetValue(speed) != null))
-                throw new UserException("--free hovers with the variant flight; it takes neither --compare, --variant nor --speed.");
+                throw new UserException("--free flies with the variant flight; it takes neither --compare, --variant nor --speed.");
             InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
             InsectDefinition insect = FlightOptions.Find(parsed.GetValue(species), shown);
             var flight = FlightPlan.Cruise(insect, shown);
@@ -50,8 +50,8 @@ internal static class FilmCommand
                 Flight = flight with { Speed = parsed.GetValue(speed) ?? flight.Speed, View = parsed.GetValue(view) ?? PictureView.FrontLeft },
                 Columns = parsed.GetValue(compare) ? ComparisonColumn.All : [ComparisonColumn.FullModel],
                 IsFree = isFree,
-                Beats = parsed.GetValue(beats) ?? FilmPlan.DefaultBeats,
-                Frames = parsed.GetValue(frames) ?? FilmPlan.DefaultFrames,
+                Beats = parsed.GetValue(beats) ?? (isFree ? FilmPlan.FreeBeats : FilmPlan.DefaultBeats),
+                Frames = parsed.GetValue(frames) ?? (isFree ? FilmPlan.FreeFrames : FilmPlan.DefaultFrames),
                 Rate = parsed.GetValue(rate) ?? FilmPlan.DefaultRate,
                 Turn = parsed.GetValue(turn),
                 Width = parsed.GetValue(width) ?? FilmPlan.DefaultWidth,
@@ -90,7 +90,7 @@ internal static class FilmCommand
         + "  film fishfly --compare --width 1200\n"
         + "  film monarch --free\n\n"
         + "Writes into the output folder:\n"
-        + "  film.png         the film, an animated PNG that browsers and README pages play in a loop\n"
+        + "  film.png         the film, an animated PNG that browsers and README pages play in a loop, with --free once\n"
         + "  frames/0001.png  its frames, for 'ffmpeg -framerate 24 -i frames/%04d.png film.mp4'\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

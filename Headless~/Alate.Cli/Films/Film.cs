@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli.Flights;
-using Alate.Cli.FreeFlights;
 using Alate.Cli.Pictures;
 using Alate.Cli.Pictures.Photos;
 using Alate.Cli.Pictures.Png;
@@ -12,23 +10,20 @@ using UnityEngine;
 
 namespace Alate.Cli.Films;
 
-/// <summary>Frames of a film, all of one scale, the last of which goes on into the first.</summary>
+/// <summary>Frames of a film, all of one scale; of a beat on the spot the last goes on into the first.</summary>
 internal sealed class Film
 {
     private const float k_Inset = 14f, k_Label = 34f, k_FlattestOverWidth = 0.45f;
 
-    /// <summary>Beats after which a hovering insect is on its way of itself.</summary>
-    private const int k_Settling = 12;
-
     private readonly FilmPlan m_Plan;
     private readonly List<FlightRecord> m_Flights;
-    private readonly Func<int, (double Turns, quaternion Turn, float3 Way)> m_Place;
+    private readonly Func<int, FilmMoment> m_At;
 
-    private Film(FilmPlan plan, List<FlightRecord> flights, Func<int, (double, quaternion, float3)> place)
+    private Film(FilmPlan plan, List<FlightRecord> flights, Func<int, FilmMoment> at)
     {
         m_Plan = plan;
         m_Flights = flights;
-        m_Place = place;
+        m_At = at;
     }
 
     public int Count => m_Plan.Beats * m_Plan.Frames;
@@ -41,9 +36,13 @@ internal sealed class Film
     public static Film Fly(FilmPlan plan)
     {
         if (plan.IsFree)
-            return FlyFreely(plan);
+        {
+            var stretch = FreeStretch.Fly(plan);
+            return new Film(plan, [stretch.Beat], stretch.At);
+        }
+
         var flights = plan.Columns.Select(column => TetheredFlight.Fly(plan.Flight with { Column = column })).ToList();
-        return new Film(plan, flights, frame => ((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero));
+        return new Film(plan, flights, frame => new FilmMoment((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero, []));
     }
 
     /// <summary>Paints every frame.</summary>
@@ -54,12 +53,12 @@ internal sealed class Film
         var frames = new List<List<(PhotoScene Scene, Pose Pose)>>();
         for (int frame = 0; frame < Count; frame++)
         {
-            (double turns, quaternion turn, float3 way) = m_Place(frame);
+            FilmMoment at = m_At(frame);
             PictureView view = m_Plan.Flight.View with { Aside = (float)(m_Plan.Flight.View.Aside + m_Plan.Turn * frame / Count) };
             frames.Add(scenes.ConvertAll(scene =>
             {
                 PhotoScene seen = scene.From(view);
-                return (seen, seen.PoseAt(turns, turn, way));
+                return (seen, seen.PoseAt(at.Turns, at.Turn, at.Way, at.Trail));
             }));
         }
 
@@ -88,7 +87,7 @@ internal sealed class Film
         FlightRecord flight = m_Flights[0];
         double slow = flight.Wings[0].Frequency * m_Plan.Frames / m_Plan.Rate;
         string title = FormattableString.Invariant($"{flight.Insect.DisplayName}, {slow:0.#} times slower than it beats: {flight.Wings[0].Frequency:0.#} Hz");
-        return IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []]);
+        return IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree, [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []]);
     }
 
     // One for each column, all of one scale.
@@ -99,23 +98,5 @@ internal sealed class Film
         float height = math.max((max.y - min.y) * scale + 2f * k_Inset, m_Flights.Count > 1 ? 0f : k_FlattestOverWidth * width);
         Size = new int2(m_Plan.Width, (int)math.ceil((top + height) * PixelPage.Fineness));
         return Enumerable.Range(0, m_Flights.Count).Select(k => new StripPanel(k * width, top, width, height, scale, 0.5f * (min + max))).ToList();
-    }
-
-    // Some beats of a hovering flight, seen from where the insect is in the mean.
-    private static Film FlyFreely(FilmPlan plan)
-    {
-        InsectDefinition insect = InsectCatalogue.Find(plan.Flight.Species);
-        double frequency = FlightPlan.Cruise(insect, InsectVariant.Flight) is var cruise ? TetheredFlight.Fly(cruise).Wings[0].Frequency : 0;
-        double step = math.clamp(1.0 / (frequency * plan.Frames), 0.001, 0.05);
-        FreeRecord record = FreeRun.Fly(new FreePlan { Insect = insect, Points = [default], Step = step, Seconds = (k_Settling + plan.Beats + 1) / frequency }, _ => { });
-        var shown = record.Moments.Skip(Math.Max(record.Moments.Count - plan.Beats * plan.Frames, 0)).ToList();
-        // The camera goes along, so that what is left of the way is the bob of the beat.
-        float3 start = record.Thorax(shown[0]), along = (record.Thorax(shown[^1]) - start) / math.max(shown.Count - 1, 1);
-        return new Film(plan, [record.Beat], frame =>
-        {
-            int moment = Math.Min(frame * shown.Count / (plan.Beats * plan.Frames), shown.Count - 1);
-            FreeMoment at = shown[moment];
-            return (at.Phase / (2.0 * Math.PI), at.Rotation, record.Thorax(at) - start - moment * along);
-        });
     }
 }

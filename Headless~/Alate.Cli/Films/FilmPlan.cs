@@ -7,7 +7,7 @@ namespace Alate.Cli.Films;
 /// <summary>A film of an insect's beat.</summary>
 internal sealed record FilmPlan
 {
-    public const int DefaultBeats = 2, MostBeats = 12, DefaultFrames = 24, LeastFrames = 4, MostFrames = 120, DefaultWidth = 720, LeastWidth = 120, MostWidth = 1920, DefaultRate = 24, MostRate = 60;
+    public const int DefaultBeats = 2, MostBeats = 12, DefaultFrames = 24, LeastFrames = 4, MostFrames = 120, DefaultWidth = 720, FreeBeats = 8, FreeFrames = 12, LeastWidth = 120, MostWidth = 1920, DefaultRate = 24, MostRate = 60;
 
     /// <summary>The flight; its view is where the film begins.</summary>
     public FlightPlan Flight { get; init; }
@@ -15,7 +15,7 @@ internal sealed record FilmPlan
     /// <summary>The columns beside one another.</summary>
     public IReadOnlyList<ComparisonColumn> Columns { get; init; } = [ComparisonColumn.FullModel];
 
-    /// <summary>True where the insect flies by its own wings, hovering.</summary>
+    /// <summary>True where the insect flies about by its own wings.</summary>
     public bool IsFree { get; init; }
 
     public int Beats { get; init; } = DefaultBeats;

@@ -12,7 +12,7 @@ namespace Alate.Cli.FreeFlights;
 internal static class PathPicture
 {
     private const int k_Width = 1400, k_Height = 700, k_Insects = 9;
-    private const float k_Inset = 0.1f, k_Size = 0.16f, k_Softness = 0.02f;
+    private const float k_Inset = 0.1f, k_Size = 0.16f, k_Softness = 0.02f, k_Dot = 1.2f;
 
     /// <summary>The picture as a PNG file.</summary>
     /// <param name="flight">The flight.</param>
@@ -49,7 +49,7 @@ internal static class PathPicture
         var grid = new SampleGrid(k_Width, k_Height);
         var shading = new Shading(camera);
         foreach (float3 place in trail)
-            Dot(grid, SampleGrid.k_Fineness * (scale * place.xy + shift), place.z + extent);
+            grid.AddDisc(SampleGrid.k_Fineness * (scale * place.xy + shift), k_Dot * SampleGrid.k_Fineness, place.z + extent, PhotoScene.TrailLight);
         for (int k = 0; k < k_Insects; k++)
             Insect(grid, shading, camera, flight, flight.Moments[(flight.Moments.Count - 1) * k / (k_Insects - 1)], factor, scale, shift);
         Color32[] pixels = grid.Pixels(Shading.ToLinear(PixelPage.Paper));
@@ -79,19 +79,6 @@ internal static class PathPicture
             wing.At(at.Phase / (2.0 * Math.PI), positions, normals);
             PhotoSurface.Of(index++, wing).Draw(grid, Array.ConvertAll(positions, Seen), Array.ConvertAll(normals, Turned), shading, k_Softness);
         }
-    }
-
-    private static void Dot(SampleGrid grid, float2 at, float depth)
-    {
-        const float k_Half = 1.1f * SampleGrid.k_Fineness;
-        TriangleSamples.Visitor draw = (x, y, _) =>
-        {
-            if (grid.IsSeen(x, y, depth))
-                grid.Add(x, y, depth, new float4(0.05f, 0.05f, 0.05f, 1f), 0);
-        };
-        float2 a = at + new float2(-k_Half, -k_Half), b = at + new float2(k_Half, -k_Half), c = at + new float2(k_Half, k_Half), d = at + new float2(-k_Half, k_Half);
-        TriangleSamples.Visit(a, b, c, draw);
-        TriangleSamples.Visit(a, c, d, draw);
     }
 
     private static float Extent(FreeRecord flight)

@@ -6,7 +6,6 @@ namespace Alate.Cli.Pictures;
 internal sealed class PictureCamera
 {
     private readonly float3 m_Eye, m_Right, m_Up, m_View;
-    private readonly float m_Distance;
 
     /// <param name="view">From where it looks.</param>
     /// <param name="distance">Metres from the origin.</param>
@@ -15,12 +14,15 @@ internal sealed class PictureCamera
         math.sincos(math.radians(view.Aside), out float sideSine, out float sideCosine);
         math.sincos(math.radians(view.Above), out float upSine, out float upCosine);
         var towards = new float3(-upCosine * sideSine, upSine, upCosine * sideCosine);
-        m_Distance = distance;
+        Distance = distance;
         m_Eye = distance * towards;
         m_View = -towards;
         m_Right = new float3(-sideCosine, 0f, -sideSine);
         m_Up = math.cross(m_View, m_Right);
     }
+
+    /// <summary>From the origin to the eye, metres.</summary>
+    public float Distance { get; }
 
     /// <summary>From the origin to the eye, unit length.</summary>
     public float3 Towards => -m_View;
@@ -33,7 +35,7 @@ internal sealed class PictureCamera
     {
         float3 seen = body - m_Eye;
         float depth = math.dot(seen, m_View);
-        float scale = m_Distance / math.max(depth, 0.1f * m_Distance);
+        float scale = Distance / math.max(depth, 0.1f * Distance);
         return new float3(scale * math.dot(seen, m_Right), -scale * math.dot(seen, m_Up), depth);
     }
 }

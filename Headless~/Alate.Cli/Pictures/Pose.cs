@@ -12,7 +12,10 @@ internal sealed class Pose
     /// <summary>[surface][vertex] On the body.</summary>
     public List<float3[]> Normals { get; } = [];
 
-    /// <summary>Corners of what is seen.</summary>
+    /// <summary>Places on the way behind the insect, as the camera sees them.</summary>
+    public List<float3> Trail { get; } = [];
+
+    /// <summary>Corners of what is seen of the insect.</summary>
     public (float2 Min, float2 Max) Bounds()
     {
         float2 min = float.PositiveInfinity, max = float.NegativeInfinity;

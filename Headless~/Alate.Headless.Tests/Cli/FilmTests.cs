@@ -33,7 +33,7 @@ namespace Alate.Tests.Cli
             using var run = new CommandRun();
 
             Assert.That(run.Run("film", "monarch", "--free", "--compare", "--out", run.Out), Is.EqualTo(2));
-            Assert.That(run.Errors, Does.Contain("--free hovers"));
+            Assert.That(run.Errors, Does.Contain("--free flies"));
         }
     }
 }

@@ -44,7 +44,7 @@ namespace Alate.Tests.Cli
         public void Film_HasItsFrames_EachWithWhatChanged()
         {
             var frames = Enumerable.Range(0, 3).Select(k => Picture((x, y) => x / 8 == k && y is > 4 and < 9 ? new Color32(200, 30, 0, 255) : new Color32(240, 240, 230, 255))).ToList();
-            byte[] film = IndexedPng.Write(k_Width, k_Height, frames, 24, ["a title"]);
+            byte[] film = IndexedPng.Write(k_Width, k_Height, frames, 24, true, ["a title"]);
             List<(string Name, byte[] Content)> chunks = Chunks(film);
 
             Assert.That(PngFile.Read(film).Pixels, Is.EqualTo(frames[0]), "programs that know no films show the first frame");

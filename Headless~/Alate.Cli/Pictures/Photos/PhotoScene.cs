@@ -10,7 +10,10 @@ namespace Alate.Cli.Pictures.Photos;
 /// <summary>An insect that was flown, ready to be painted at any phase of its last beat: its surfaces, the camera and the light.</summary>
 internal sealed class PhotoScene
 {
-    private const float k_DistanceOverReach = 5f, k_Softness = 0.6f;
+    private const float k_DistanceOverReach = 5f, k_Softness = 0.6f, k_TrailDot = 1.3f;
+
+    /// <summary>Nearest places of a trail that are drawn, over the camera's distance.</summary>
+    private const float k_NearestTrail = 0.4f;
 
     private readonly FlightRecord m_Flight;
     private readonly List<PhotoSurface> m_Surfaces;
@@ -33,6 +36,9 @@ internal sealed class PhotoScene
         m_Shading = new Shading(m_Camera);
     }
 
+    /// <summary>Linear light of the dots along a way.</summary>
+    public static float3 TrailLight { get; } = new(0.3f, 0.27f, 0.22f);
+
     /// <summary>This insect from another side.</summary>
     public PhotoScene From(PictureView view) => new(m_Flight, view, m_Surfaces);
 
@@ -40,7 +46,11 @@ internal sealed class PhotoScene
     public Pose PoseAt(double turns) => PoseAt(turns, quaternion.identity, float3.zero);
 
     /// <summary>The insect at a phase, 0 to 1 beats, turned about the middle of its thorax and then moved, metres.</summary>
-    public Pose PoseAt(double turns, quaternion turn, float3 way)
+    /// <param name="turns">The phase.</param>
+    /// <param name="turn">How it is turned.</param>
+    /// <param name="way">Where it is.</param>
+    /// <param name="trail">Where it was; null for nowhere.</param>
+    public Pose PoseAt(double turns, quaternion turn, float3 way, IEnumerable<float3> trail = null)
     {
         SurfaceMesh body = m_Flight.Insect.Body;
         var pose = new Pose();
@@ -55,6 +65,7 @@ internal sealed class PhotoScene
             pose.Normals.Add(Array.ConvertAll(normals, normal => math.rotate(turn, normal)));
         }
 
+        pose.Trail.AddRange((trail ?? []).Select(m_Camera.Project).Where(place => place.z > k_NearestTrail * m_Camera.Distance));
         return pose;
 
         float3 Seen(float3 place) => m_Camera.Project(way + math.rotate(turn, place));
@@ -96,6 +107,8 @@ internal sealed class PhotoScene
             m_Surfaces[k].Draw(grid, seen, pose.Normals[k], m_Shading, k_Softness / (fineness * panel.Scale * length));
         }
 
+        foreach (float3 place in pose.Trail)
+            grid.AddDisc(SampleGrid.k_Fineness * fineness * panel.Place(place).xy, SampleGrid.k_Fineness * fineness * k_TrailDot * m_Camera.Distance / place.z, place.z, TrailLight);
         return grid.Pixels(Shading.ToLinear(PixelPage.Paper));
     }
 }

@@ -74,6 +74,24 @@ internal sealed class SampleGrid
         m_Newest[index] = m_Glass.Count - 1;
     }
 
+    /// <summary>Adds a solid disc.</summary>
+    /// <param name="middle">Column and row, samples.</param>
+    /// <param name="radius">Samples.</param>
+    /// <param name="depth">Distance from the viewer.</param>
+    /// <param name="light">Linear light.</param>
+    public void AddDisc(float2 middle, float radius, float depth, float3 light)
+    {
+        int2 low = (int2)math.floor(middle - radius), high = (int2)math.ceil(middle + radius);
+        for (int y = low.y; y <= high.y; y++)
+        {
+            for (int x = low.x; x <= high.x; x++)
+            {
+                if (math.distance(new float2(x, y) + 0.5f, middle) <= radius && IsSeen(x, y, depth))
+                    Add(x, y, depth, new float4(light, 1f), k_None);
+            }
+        }
+    }
+
     /// <summary>
     /// The pixels, row by row from above: samples weigh the less the farther they lie from the middle of a pixel, up to its neighbours' middles, so that thin lines at any slope look equally wide.
     /// Encoded values are averaged, not light: a dark line between two rows of pixels is then as dark as one on a row.

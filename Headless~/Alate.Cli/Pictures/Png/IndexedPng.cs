@@ -20,15 +20,16 @@ internal static class IndexedPng
     /// <param name="height">Rows.</param>
     /// <param name="pixels">Rows from above; opaque.</param>
     /// <param name="texts">What is written in it, for those who do not see it.</param>
-    public static byte[] Write(int width, int height, Color32[] pixels, IEnumerable<string> texts) => Write(width, height, [pixels], 1, texts);
+    public static byte[] Write(int width, int height, Color32[] pixels, IEnumerable<string> texts) => Write(width, height, [pixels], 1, true, texts);
 
-    /// <summary>An animation that repeats for ever; a single frame is a still picture.</summary>
+    /// <summary>An animation; a single frame is a still picture.</summary>
     /// <param name="width">Pixels in a row.</param>
     /// <param name="height">Rows.</param>
     /// <param name="frames">[frame] Rows from above; opaque.</param>
     /// <param name="rate">Frames a second.</param>
+    /// <param name="repeats">True for ever, false once.</param>
     /// <param name="texts">What is written in it, for those who do not see it.</param>
-    public static byte[] Write(int width, int height, IReadOnlyList<Color32[]> frames, int rate, IEnumerable<string> texts)
+    public static byte[] Write(int width, int height, IReadOnlyList<Color32[]> frames, int rate, bool repeats, IEnumerable<string> texts)
     {
         var table = new ColourTable(frames[0][0], frames.SelectMany(frame => frame), k_Colours);
         using var file = new MemoryStream();
@@ -41,7 +42,7 @@ internal static class IndexedPng
         PngChunks.Write(file, "PLTE", [0, 0, 0, .. table.Colours.SelectMany(colour => new[] { colour.r, colour.g, colour.b })]);
         PngChunks.Write(file, "tRNS", [0]);
         if (frames.Count > 1)
-            PngChunks.Write(file, "acTL", Numbers(frames.Count, 0));
+            PngChunks.Write(file, "acTL", Numbers(frames.Count, repeats ? 0 : 1));
         byte[] before = null;
         int sequence = 0;
         foreach (Color32[] frame in frames)
