@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
+using System.IO.Compression;
 using System.Linq;
 using System.Text;
 using System.Text.Json.Nodes;
@@ -46,16 +47,17 @@ internal static class SiteCommand
             foreach (string name in page.Names)
                 folder.Write(name, stream => stream.Write(page.Find(name)));
             folder.Write(k_Index, stream => stream.Write(Encoding.UTF8.GetBytes(SceneMessage.Hello(insects, [ViewSlider.SlowMotion]).ToJsonString())));
+            var looks = new Dictionary<string, string>();
             int count = 0;
             foreach (InsectDefinition insect in insects)
             {
                 foreach (InsectVariant variant in insect.Variants)
                 {
-                    Write(folder, $"{insect.Name}-{FlightOptions.Word(variant)}", ViewSettings.Of(insect, variant));
+                    Write(folder, looks, $"{insect.Name}-{FlightOptions.Word(variant)}", ViewSettings.Of(insect, variant));
                     done(++count);
                 }
 
-                Write(folder, $"{insect.Name}-standard-parts", ViewSettings.Of(insect, InsectVariant.Standard) with { IsCompared = true });
+                Write(folder, looks, $"{insect.Name}-standard-parts", ViewSettings.Of(insect, InsectVariant.Standard) with { IsCompared = true });
                 done(++count);
             }
         });
@@ -63,12 +65,26 @@ internal static class SiteCommand
         output.WriteLine($"Written into {path}. Any web server shows it: python3 -m http.server -d {path}");
     }
 
-    private static void Write(OutputFolder folder, string name, ViewSettings settings)
+    // Meshes and paintings, which variants have in common, stand in files of their own; states are packed, and unpacked by the page.
+    private static void Write(OutputFolder folder, Dictionary<string, string> looks, string name, ViewSettings settings)
     {
         using var insect = new ShownInsect(settings);
-        JsonObject scene = insect.Scene;
+        JsonObject scene = insect.Scene, look = SceneMessage.TakeLook(scene);
+        string text = look.ToJsonString();
+        if (!looks.TryGetValue(text, out string file))
+        {
+            file = $"insects/{name}-look.json";
+            looks.Add(text, file);
+            folder.Write(file, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+        }
+
+        scene["look"] = file;
         folder.Write($"insects/{name}.json", stream => stream.Write(Encoding.UTF8.GetBytes(scene.ToJsonString())));
-        folder.Write($"insects/{name}.bin", stream => insect.Bake(k_Frames, stream));
+        folder.Write($"insects/{name}.bin", stream =>
+        {
+            using var packed = new GZipStream(stream, CompressionLevel.SmallestSize, leaveOpen: true);
+            insect.Bake(k_Frames, packed);
+        });
     }
 
     private const string k_Examples =

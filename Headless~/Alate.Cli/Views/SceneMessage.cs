@@ -68,6 +68,19 @@ internal static class SceneMessage
         ["wings"] = new JsonArray(wings.Select((wing, k) => (JsonNode)Wing(wing, k / 2)).ToArray()),
     };
 
+    /// <summary>Takes what an insect looks like out of a scene.</summary>
+    public static JsonObject TakeLook(JsonObject scene)
+    {
+        var look = new JsonObject();
+        foreach (string name in new[] { "body", "textures", "wings" })
+        {
+            scene.Remove(name, out JsonNode part);
+            look[name] = part;
+        }
+
+        return look;
+    }
+
     private static JsonObject Body(SurfaceMesh body) => new()
     {
         ["positions"] = Text(Array.ConvertAll(body.positions, place => BakeAxes.ToGltf(place))),

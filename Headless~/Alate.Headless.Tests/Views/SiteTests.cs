@@ -1,4 +1,5 @@
 using System.IO;
+using System.IO.Compression;
 using System.Linq;
 using System.Text.Json;
 using Alate.Cli.Views;
@@ -27,9 +28,10 @@ namespace Alate.Tests.Views
             JsonElement index = JsonDocument.Parse(File.ReadAllText(Path.Combine(run.Out, "insects", "index.json"))).RootElement;
             string[] variants = index.GetProperty("species")[0].GetProperty("variants").EnumerateArray().Select(variant => variant.GetString()).ToArray();
             Assert.That(index.GetProperty("sliders").GetArrayLength(), Is.EqualTo(1));
+            Assert.That(Directory.GetFiles(Path.Combine(run.Out, "insects"), "*-look.json"), Has.Length.EqualTo(1), "all variants look alike");
             foreach (string name in variants.Append("standard-parts"))
             {
-                using FileStream file = File.OpenRead(Path.Combine(run.Out, "insects", $"fishfly-{name}.bin"));
+                using var file = new MemoryStream(Unpacked(Path.Combine(run.Out, "insects", $"fishfly-{name}.bin")));
                 using var reader = new BinaryReader(file);
                 ViewState first = null, last = null;
                 int count = 0;
@@ -45,6 +47,15 @@ namespace Alate.Tests.Views
                 float step = math.distance(last.Wings[0][0].Places[^1], first.Wings[0][0].Places[^1]);
                 Assert.That(step, Is.LessThan(0.5f * first.Wings[0][0].Reach), "the last state leads into the first");
             }
+        }
+
+        private static byte[] Unpacked(string path)
+        {
+            using FileStream file = File.OpenRead(path);
+            using var packed = new GZipStream(file, CompressionMode.Decompress);
+            using var content = new MemoryStream();
+            packed.CopyTo(content);
+            return content.ToArray();
         }
 
         [Test, Explicit, Category("Long")]

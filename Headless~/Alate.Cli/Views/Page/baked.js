@@ -43,7 +43,7 @@ export class Baked {
     if (name !== this.name) {
       this.name = name;
       try {
-        const [scene, frames] = await Promise.all([this.json(`insects/${name}.json`), this.frames(`insects/${name}.bin`)]);
+        const [scene, frames] = await Promise.all([this.scene(`insects/${name}.json`), this.frames(`insects/${name}.bin`)]);
         if (!change.values)
           wanted.values.slow = scene.settings.values.slow;
         this.frames_ = frames;
@@ -59,11 +59,25 @@ export class Baked {
     this.listener.settings(wanted);
   }
 
-  async frames(path) {
+  // Meshes and paintings stand in a file that variants have in common.
+  async scene(path) {
+    const scene = await this.json(path);
+    if (scene.look !== this.lookPath)
+      [this.look, this.lookPath] = [await this.json(scene.look), scene.look];
+    return { ...scene, ...this.look };
+  }
+
+  // Packed by gzip, unless the server has unpacked it.
+  async bytes(path) {
     const answer = await fetch(path);
     if (!answer.ok)
       throw new Error(`${path}: ${answer.status}`);
-    const all = await answer.arrayBuffer(), view = new DataView(all), frames = [];
+    const all = await answer.arrayBuffer(), [first, second] = new Uint8Array(all, 0, 2);
+    return first === 0x1f && second === 0x8b ? new Response(new Blob([all]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer() : all;
+  }
+
+  async frames(path) {
+    const all = await this.bytes(path), view = new DataView(all), frames = [];
     for (let at = 0; at < all.byteLength;) {
       const length = view.getUint32(at, true);
       frames.push(decode(all.slice(at + 4, at + 4 + length)));

@@ -38,12 +38,15 @@ function labels(scene) {
 }
 
 function place(stage) {
-  const { across, down } = stage.grid(get('canvas').clientWidth, get('canvas').clientHeight);
+  const height = get('canvas').clientHeight, { across, down } = stage.grid(get('canvas').clientWidth, height);
+  let room = 0;
   [...get('labels').children].forEach((label, k) => {
     label.style.left = `${100 * (k % across + 0.5) / across}%`;
     label.style.top = `calc(${100 * Math.floor(k / across) / down}% + ${k < across ? (innerWidth > 760 ? 84 : 58) : 12}px)`;
     label.style.width = `${92 / across}%`;
+    room = Math.max(room, label.offsetTop - Math.floor(k / across) * height / down + label.offsetHeight);
   });
+  Object.assign(stage, { room, isOld: true });
 }
 
 function legend(field) {

@@ -196,8 +196,8 @@ export class Stage {
       return;
     this.isOld = false;
     const { across, down } = this.grid(width, height), w = width / across, cell = height / down;
-    // Room for the names of the columns.
-    const h = this.columns.length > 1 ? cell - (innerWidth > 760 ? 96 : 40) : cell;
+    // Below the names of the columns, which take at most half.
+    const h = cell - Math.min(this.room ?? 0, cell / 2);
     this.camera.aspect = w / h;
     this.camera.fov = 360 / Math.PI * Math.atan(HALF * Math.max(1, 1.15 / this.camera.aspect));
     this.camera.updateProjectionMatrix();
