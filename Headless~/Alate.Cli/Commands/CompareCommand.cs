@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
@@ -85,7 +86,7 @@ internal static class CompareCommand
         foreach (Comparison comparison in comparisons)
         {
             for (int kind = 0; kind < comparison.Flights[0].Summary.Wings.Count; kind++)
-                terminal.ShowTable($"{comparison.Name}: {comparison.Flights[0].Summary.Wings[kind].Name}", Rows(comparison, kind));
+                terminal.ShowBounded($"{comparison.Name}: {comparison.Flights[0].Summary.Wings[kind].Name}", Rows(comparison, kind));
             if (comparison.Free != null)
                 terminal.ShowTable($"{comparison.Held.Summary.Flight.Insect.DisplayName}: by its own wings", FreeComparisonTable.Lines(comparison));
         }
@@ -93,18 +94,28 @@ internal static class CompareCommand
         terminal.ShowFiles(path, files);
     }
 
+    // The last column is the usual range. The larger of both cambers has one, so that it has a row of its own.
     private static IEnumerable<IReadOnlyList<string>> Rows(Comparison comparison, int kind)
     {
-        yield return ["", .. comparison.Flights.Select(flight => flight.Column.Title)];
+        yield return ["", .. comparison.Flights.Select(flight => flight.Column.Title), "usual"];
         foreach (WingMeasure measure in WingMeasure.All)
-            yield return [measure.Title, .. comparison.Flights.Select(flight => Number(measure.Of(flight.Summary.Wings[kind])))];
-        yield return ["off the full model, mean, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MeanPct))];
-        yield return ["off the full model, most, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MaxPct))];
+            yield return Row(measure.Title, measure.Of, MeasureBound.Find(measure.Key));
+        foreach (MeasureBound bound in MeasureBound.All.Where(bound => WingMeasure.All.All(measure => measure.Key != bound.Key)))
+            yield return Row(bound.Title, bound.Of, bound);
+        yield return ["off the full model, mean, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MeanPct)), ""];
+        yield return ["off the full model, most, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MaxPct)), ""];
         if (kind == 0)
-            yield return ["lift over weight", .. comparison.Flights.Select(flight => Number(flight.Summary.LiftOverWeight))];
+            yield return ["lift over weight", .. comparison.Flights.Select(flight => Number(flight.Summary.LiftOverWeight)), ""];
+
+        string[] Row(string title, Func<WingSummary, double> of, MeasureBound bound) =>
+            [title, .. comparison.Flights.Select(flight => Cell(flight.Summary.Wings[kind], of, bound)), bound?.RangeOf(comparison.Plan.Variant) ?? ""];
+
+        string Cell(WingSummary wing, Func<WingSummary, double> of, MeasureBound bound) =>
+            bound?.Marked(Number(of(wing)), wing, comparison.Plan.Variant) ?? Number(of(wing));
     }
 
-    private static string Number(double value) => value.ToString("0.00", CultureInfo.InvariantCulture);
+    // Rounded first, so that there is no minus nought.
+    private static string Number(double value) => (Math.Round(value, 2) + 0.0).ToString("0.00", CultureInfo.InvariantCulture);
 
     private const string k_Examples =
         "Examples:\n"

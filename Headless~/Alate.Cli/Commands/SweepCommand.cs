@@ -18,6 +18,12 @@ internal static class SweepCommand
 {
     private const string k_Picture = "sweep.png", k_Charts = "sweep.svg", k_Table = "sweep.csv";
 
+    private static readonly (string Title, MeasureBound Bound)[] s_Numbers =
+    [
+        ("twist °", MeasureBound.Find("twist_pp_deg")), ("camber %", MeasureBound.Find("camber_pct")), ("tip bend °", MeasureBound.Find("tip_bend_max_deg")),
+        ("lag °", MeasureBound.Find("lag_deg")), ("stretch %", MeasureBound.Find("edge_stretch_max_pct")),
+    ];
+
     public static Command Create(TextWriter output)
     {
         var parameter = new Argument<string>("PARAMETER")
@@ -83,13 +89,16 @@ internal static class SweepCommand
             folder.Write(k_Table, stream => SweepTable.Write(sweep, stream));
         });
         folder.Commit();
-        terminal.ShowTable($"{sweep.Points[0].Summary.Flight.Insect.DisplayName}: {plan.Parameter.Title}", Rows(sweep));
+        terminal.ShowBounded($"{sweep.Points[0].Summary.Flight.Insect.DisplayName}: {plan.Parameter.Title}", Rows(sweep), names: 3);
         terminal.ShowFiles(path, k_Picture, k_Charts, k_Table);
     }
 
+    // The second row has the usual ranges. Other numbers stand in sweep.csv.
     private static IEnumerable<IReadOnlyList<string>> Rows(Sweep sweep)
     {
-        yield return ["", "wave", "wing", "twist °", "load camber %", "tip lag °", "tip bend °", "stretch %", "lift / weight"];
+        InsectVariant variant = sweep.Points[0].Summary.Flight.Plan.Variant;
+        yield return ["", "wave", "wing", .. s_Numbers.Select(number => number.Title), "load camber %", "lift / weight"];
+        yield return ["usual", "", "", .. s_Numbers.Select(number => number.Bound.RangeOf(variant)), "", ""];
         foreach (SweepPoint point in sweep.Points)
         {
             for (int kind = 0; kind < point.Summary.Wings.Count; kind++)
@@ -97,9 +106,8 @@ internal static class SweepCommand
                 WingSummary wing = point.Summary.Wings[kind];
                 yield return
                 [
-                    LineChart.Label(point.Value), point.HasWave ? "on" : "off", wing.Name, Number(wing.TwistPpDeg), Number(point.LoadCamberPct[kind]),
-                    Number(wing.TipLagDeg), Number(wing.TipBendPpDeg), Number(wing.EdgeStretchMaxPct),
-                    kind == 0 ? point.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture) : "",
+                    LineChart.Label(point.Value), point.HasWave ? "on" : "off", wing.Name, .. s_Numbers.Select(number => number.Bound.Cell(wing, variant)),
+                    Number(point.LoadCamberPct[kind]), kind == 0 ? point.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture) : "",
                 ];
             }
         }

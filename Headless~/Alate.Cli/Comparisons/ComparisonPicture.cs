@@ -43,11 +43,12 @@ internal static class ComparisonPicture
             k_Edge, bottom + 12f, 11f,
             "Peak to peak over the beat: twist and tip bend in degrees, camber in % of the chord; lag of the trailing edge in degrees; largest stretch of an edge in %;",
             look: "t");
-        page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's length. † outside what is usual: " + Usual, look: "t");
+        page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's length. † outside what is expected here: " + Expected(comparison.Plan.Variant), look: "t");
         return page.Finish(width, bottom + 42f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
     }
 
-    private static string Usual => string.Join(", ", s_Numbers.Where(number => number.Bound != null).Select(number => $"{number.Title} {number.Bound.Range} {number.Bound.Unit}")) + ".";
+    private static string Expected(InsectVariant variant) =>
+        string.Join(", ", s_Numbers.Where(number => number.Bound != null).Select(number => $"{number.Title} {number.Bound.RangeOf(variant).TrimEnd('*', ' ')}{(number.Bound.Unit == "%" ? " %" : number.Bound.Unit)}")) + ".";
 
     private static void Heading(PixelPage page, ComparisonColumn column, float middle)
     {

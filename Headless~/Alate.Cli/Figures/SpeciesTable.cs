@@ -17,7 +17,7 @@ internal static class SpeciesTable
             "species", "variant", "wing", "Hz", .. MeasureBound.All.Select(bound => bound.Title),
             "camber %", "tip bend p-p °", "tip lag °", "stretch p99 %", "lift / weight",
         ];
-        yield return ["*bound*", "", "", "", .. MeasureBound.All.Select(bound => bound.Range), "", "", "", "", ""];
+        yield return ["*usual*", "", "", "", .. MeasureBound.All.Select(bound => bound.Range.Replace("*", "\\*")), "", "", "", "", ""];
         foreach (FlightSummary summary in summaries)
         {
             foreach (WingSummary wing in summary.Wings)

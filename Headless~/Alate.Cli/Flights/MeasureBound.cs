@@ -12,12 +12,16 @@ namespace Alate.Cli.Flights;
 /// <param name="Unit">Its unit.</param>
 /// <param name="Low">Least.</param>
 /// <param name="High">Most.</param>
+/// <param name="IsPublished">True where the range is from a publication; else it is what is expected here.</param>
 /// <param name="Source">Where the range is from.</param>
 /// <param name="Of">Reads it.</param>
-internal sealed record MeasureBound(string Key, string Title, string Unit, double Low, double High, string Source, Func<WingSummary, double> Of)
+internal sealed record MeasureBound(string Key, string Title, string Unit, double Low, double High, bool IsPublished, string Source, Func<WingSummary, double> Of)
 {
     /// <summary>Mark of a number that lies outside.</summary>
     public const string Mark = " †";
+
+    /// <summary>What tables with ranges say below them.</summary>
+    public const string Note = "† outside the range. * expected here: no published range is known.";
 
     /// <summary>An edge of an expressive wing may stretch by so much, per cent.</summary>
     private const double k_ExpressiveStretch = 8;
@@ -25,15 +29,18 @@ internal sealed record MeasureBound(string Key, string Title, string Unit, doubl
     /// <summary>Every number for which there is a range.</summary>
     public static IReadOnlyList<MeasureBound> All { get; } =
     [
-        new("twist_pp_deg", "twist p-p °", "°", 10, 50, "around what was measured on locusts, Walker, Thomas and Taylor 2009", wing => wing.TwistPpDeg),
-        new("camber_pct", "largest camber %", "%", 2, 15, "around what was measured on locusts, Walker, Thomas and Taylor 2009", wing => Math.Max(wing.CamberMaxPct, -wing.CamberMinPct)),
-        new("tip_bend_max_deg", "tip bend max °", "°", 0, 46, "blowflies, Lehmann, Gorb, Nasir and Schützner 2011", wing => wing.TipBendMaxDeg),
-        new("lag_deg", "lag °", "°", 10, 40, "butterflies", wing => wing.LagDeg),
-        new("edge_stretch_max_pct", "stretch max %", "%", 0, 6, "not measured on insects: what a membrane is allowed here", wing => wing.EdgeStretchMaxPct),
+        new("twist_pp_deg", "twist p-p °", "°", 10, 50, false, "expected here; locusts' wings were measured as strongly twisted, Walker, Thomas and Taylor 2009", wing => wing.TwistPpDeg),
+        new("camber_pct", "largest camber %", "%", 2, 15, false, "expected here; locusts' wings were measured as cambered by both signs, Walker, Thomas and Taylor 2009", wing => Math.Max(wing.CamberMaxPct, -wing.CamberMinPct)),
+        new("tip_bend_max_deg", "tip bend max °", "°", 0, 46, true, "blowflies, Lehmann, Gorb, Nasir and Schützner 2011", wing => wing.TipBendMaxDeg),
+        new("lag_deg", "lag °", "°", 10, 40, false, "expected here", wing => wing.LagDeg),
+        new("edge_stretch_max_pct", "stretch max %", "%", 0, 6, false, "what a membrane is allowed here", wing => wing.EdgeStretchMaxPct),
     ];
 
-    /// <summary>Text of the range.</summary>
-    public string Range => Low > 0 ? Text($"{Low}–{High}") : Text($"< {High}");
+    /// <summary>Text of the range, with a star where no publication gives it.</summary>
+    public string Range => RangeOf(InsectVariant.Standard);
+
+    /// <summary>Text of the range for a variant.</summary>
+    public string RangeOf(InsectVariant variant) => (Low > 0 ? Text($"{Low}–{High}") : Text($"< {Most(variant)}")) + (IsPublished ? "" : " *");
 
     /// <summary>The bound of a measure; null where there is none.</summary>
     public static MeasureBound Find(string key) => All.FirstOrDefault(bound => bound.Key == key);
@@ -49,7 +56,10 @@ internal sealed record MeasureBound(string Key, string Title, string Unit, doubl
     }
 
     /// <summary>The number, marked where it lies outside.</summary>
-    public string Cell(WingSummary wing, InsectVariant variant) => Text($"{Math.Round(Of(wing), 1):0.0}") + (Holds(wing, variant) ? "" : Mark);
+    public string Cell(WingSummary wing, InsectVariant variant) => Marked(Text($"{Math.Round(Of(wing), 1):0.0}"), wing, variant);
+
+    /// <summary>A text of the number, marked where it lies outside.</summary>
+    public string Marked(string text, WingSummary wing, InsectVariant variant) => text + (Holds(wing, variant) ? "" : Mark);
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture).Replace('-', '−');
 }

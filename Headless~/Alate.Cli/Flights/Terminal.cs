@@ -61,20 +61,31 @@ internal sealed class Terminal
             $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles."));
         m_Console.WriteLine("The last beat:");
         m_Console.Write(SummaryTable(summary));
+        m_Console.WriteLine(MeasureBound.Note);
         foreach (MeasureBound bound in MeasureBound.All.Where(bound => summary.Wings.Any(wing => !bound.Holds(wing, flight.Plan.Variant))))
-            m_Console.Profile.Out.Writer.WriteLine($"† {bound.Title} is outside the usual {bound.Range} ({bound.Source})."); // not wrapped
+            m_Console.Profile.Out.Writer.WriteLine($"† {bound.Title} is outside the usual {bound.RangeOf(flight.Plan.Variant)} ({bound.Source})."); // not wrapped
         if (summary.IsOverstretched)
             m_Console.Profile.Out.Writer.WriteLine(Overstretched(summary)); // not wrapped
         ShowFiles(folder, files);
     }
 
     /// <summary>Shows a table: the first row is its head, the first column names, the others numbers.</summary>
-    public void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Right);
+    public void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Right, 0);
+
+    /// <summary>Shows a table of numbers with their ranges, and says what its marks mean.</summary>
+    /// <param name="heading">Its heading.</param>
+    /// <param name="rows">As for <see cref="ShowTable(string, IEnumerable{IReadOnlyList{string}})"/>.</param>
+    /// <param name="names">First columns that are not broken into lines.</param>
+    public void ShowBounded(string heading, IEnumerable<IReadOnlyList<string>> rows, int names = 0)
+    {
+        ShowTable(heading, rows, Justify.Right, names);
+        m_Console.WriteLine(MeasureBound.Note);
+    }
 
     /// <summary>Shows a table of texts.</summary>
-    public void ShowTexts(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Left);
+    public void ShowTexts(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Left, 1);
 
-    private void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows, Justify side)
+    private void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows, Justify side, int names)
     {
         m_Console.Write(new Rule($"[bold]{Markup.Escape(heading)}[/]").LeftJustified());
         Table table = null;
@@ -86,9 +97,9 @@ internal sealed class Terminal
                 continue;
             }
 
-            table = new Table().Border(TableBorder.Rounded).AddColumn(new TableColumn(Markup.Escape(row[0])) { NoWrap = side == Justify.Left });
-            foreach (string name in row.Skip(1))
-                table.AddColumn(new TableColumn(Markup.Escape(name)) { Alignment = side });
+            table = new Table().Border(TableBorder.Rounded).AddColumn(new TableColumn(Markup.Escape(row[0])) { NoWrap = names > 0 });
+            for (int k = 1; k < row.Count; k++)
+                table.AddColumn(new TableColumn(Markup.Escape(row[k])) { Alignment = side, NoWrap = k < names });
         }
 
         m_Console.Write(table);
@@ -130,7 +141,7 @@ internal sealed class Terminal
     private static void Row(Table table, FlightSummary summary, string name, Func<WingSummary, string> value, MeasureBound bound)
     {
         InsectVariant variant = summary.Flight.Plan.Variant;
-        Row(table, summary, name, wing => value(wing) + (bound.Holds(wing, variant) ? "" : MeasureBound.Mark), bound.Most(variant) == bound.High ? bound.Range : $"< {Number(bound.Most(variant), 0)}");
+        Row(table, summary, name, wing => bound.Marked(value(wing), wing, variant), bound.RangeOf(variant));
     }
 
     private static void Row(Table table, FlightSummary summary, string name, Func<WingSummary, string> value, string usual = "")

@@ -93,6 +93,7 @@ namespace Alate.Tests.Cli
         public void Terminal_ShowsTheDifferences()
         {
             Assert.That(m_Run.Output, Does.Contain("Full model").And.Contain("twist").And.Contain("Fishfly: hind wing").And.Contain("compare.csv"));
+            Assert.That(m_Run.Output, Does.Contain("usual").And.Contain("10–50 *").And.Contain("0.00 †").And.Not.Contain("-0.00"), "a rigid wing neither twists nor lags");
         }
 
         private double[] Of(string species, string measure)

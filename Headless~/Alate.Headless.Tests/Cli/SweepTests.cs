@@ -67,6 +67,7 @@ namespace Alate.Tests.Cli
         public void Terminal_ShowsTheMeasures()
         {
             Assert.That(m_Run.Output, Does.Contain("twist °").And.Contain("off │ hind wing").And.Contain("sweep.svg").And.Contain("sweep.png"));
+            Assert.That(m_Run.Output, Does.Contain("usual").And.Contain("10–50 *").And.Contain("1.0 †").And.Contain("no published range is known"), "a wing without a wave hardly lags");
         }
 
         [TestCase(0.25, 4, 5, new[] { 0.25, 0.5, 1.0, 2.0, 4.0 })]
