@@ -19,7 +19,7 @@ namespace Alate.Tests.Bakes
 
         private readonly BakedFiles m_Files = new BakedFiles();
 
-        private static IEnumerable<string> Species => InsectCatalogue.Names;
+        private static IEnumerable<string> Species => InsectCatalogue.Names.Where(name => InsectCatalogue.Find(name).Variants.Contains(InsectVariant.Flight));
 
         [OneTimeTearDown]
         public void RemoveFiles() => m_Files.Dispose();
