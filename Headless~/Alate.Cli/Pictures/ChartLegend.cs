@@ -16,9 +16,7 @@ internal sealed class ChartLegend(SvgPage page, float top)
     /// <summary>A curve of a look.</summary>
     public void Add(string text, string colour, CurveLook look)
     {
-        string dash = look == CurveLook.Squares ? " stroke-dasharray=\"5 4\"" : look == CurveLook.Dotted ? " stroke-dasharray=\"1.5 3\"" : "";
-        string thickness = look is CurveLook.Thin ? "1" : look is CurveLook.Dotted ? "1.5" : "2";
-        page.Append($"<path d=\"M{m_X:0.#} {m_Y:0.#}h{k_Mark - 6f:0.#}\" stroke=\"{colour}\" stroke-width=\"{thickness}\" fill=\"none\"{dash}/>\n");
+        page.Append($"<path d=\"M{m_X:0.#} {m_Y:0.#}h{k_Mark - 6f:0.#}\" stroke=\"{colour}\" fill=\"none\" {PointChart.Stroke(look)}/>\n");
         PointChart.Mark(page, new float2(m_X + 0.5f * (k_Mark - 6f), m_Y), colour, look);
         Say(text, k_Mark);
     }

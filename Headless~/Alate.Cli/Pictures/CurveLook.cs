@@ -9,6 +9,12 @@ internal enum CurveLook
     /// <summary>Dashed, a hollow square at each point.</summary>
     Squares,
 
+    /// <summary>Drawn through, without marks.</summary>
+    Plain,
+
+    /// <summary>Dashed, without marks.</summary>
+    Dashed,
+
     /// <summary>Thin, without marks.</summary>
     Thin,
 

@@ -13,9 +13,6 @@ internal sealed class LineChart
     private const string k_Grid = "#ded8c8", k_Axis = "#8a8272";
     private const int k_MostLabels = 6;
 
-    /// <summary>Curves of more values than <c>sweep</c> takes are lines without dots.</summary>
-    private const int k_MostDots = 25;
-
     private readonly IReadOnlyList<double> m_Places;
     private readonly bool m_IsLogarithmic;
     private readonly float m_X, m_Y, m_Width, m_Height;
@@ -39,7 +36,7 @@ internal sealed class LineChart
     /// <summary>Draws the chart.</summary>
     public void Draw(SvgPage page, string title, IReadOnlyList<ChartCurve> curves)
     {
-        List<double> ticks = Ticks(curves.SelectMany(curve => curve.Values).Where(double.IsFinite).DefaultIfEmpty(0.0).ToList());
+        IReadOnlyList<double> ticks = ChartAxis.Linear(curves.SelectMany(curve => curve.Values)).Ticks;
         double low = ticks[0], high = ticks[^1];
         page.Text(m_X - k_Left + 8f, m_Y - 10f, 13f, title, look: "b");
         foreach (double tick in ticks)
@@ -49,11 +46,12 @@ internal sealed class LineChart
             page.Text(m_X - 6f, y + 4f, 11f, Label(tick), "end", "t");
         }
 
-        foreach (double place in Marks())
+        int step = (m_Places.Count + k_MostLabels - 1) / k_MostLabels;
+        for (int k = 0; k < m_Places.Count; k += step)
         {
-            float x = Along(place);
+            float x = Along(m_Places[k]);
             page.Line(x, m_Y + m_Height, x, m_Y + m_Height + 4f, k_Axis);
-            page.Text(x, m_Y + m_Height + 17f, 11f, Label(place), "middle", "t");
+            page.Text(x, m_Y + m_Height + 17f, 11f, Label(m_Places[k]), "middle", "t");
         }
 
         page.Line(m_X, m_Y + m_Height, m_X + m_Width, m_Y + m_Height, k_Axis);
@@ -64,17 +62,6 @@ internal sealed class LineChart
     /// <summary>A number in a few digits.</summary>
     public static string Label(double value) => value.ToString("0.###", CultureInfo.InvariantCulture).Replace('-', '−');
 
-    // The places, some of them where they are many; of very many, round numbers.
-    private IEnumerable<double> Marks()
-    {
-        if (IsDense && !m_IsLogarithmic)
-            return Ticks(m_Places.ToList()).Where(tick => tick >= m_Places[0] && tick <= m_Places[^1]);
-        int step = (m_Places.Count + k_MostLabels - 1) / k_MostLabels;
-        return m_Places.Where((_, k) => k % step == 0);
-    }
-
-    private bool IsDense => m_Places.Count > k_MostDots;
-
     private void DrawCurve(SvgPage page, ChartCurve curve, double low, double high)
     {
         var path = new StringBuilder();
@@ -84,8 +71,7 @@ internal sealed class LineChart
                 continue;
             float x = Along(m_Places[k]), y = Down(curve.Values[k], low, high);
             path.Append(CultureInfo.InvariantCulture, $"{(path.Length == 0 ? 'M' : 'L')}{x:0.#} {y:0.#}");
-            if (!IsDense)
-                page.Append($"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{(curve.IsDashed ? 1.8 : 2.6)}\" fill=\"{curve.Colour}\"/>\n");
+            page.Append($"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"{(curve.IsDashed ? 1.8 : 2.6)}\" fill=\"{curve.Colour}\"/>\n");
         }
 
         string dash = curve.IsDashed ? " stroke-dasharray=\"5 4\"" : "";
@@ -101,18 +87,4 @@ internal sealed class LineChart
     private float Down(double value, double low, double high) => m_Y + m_Height * (float)((high - value) / (high - low));
 
     private double Scaled(double place) => m_IsLogarithmic ? Math.Log(place) : place;
-
-    // Round numbers from below the least to above the largest value, nought among them where it is near.
-    private static List<double> Ticks(List<double> values)
-    {
-        double low = Math.Min(values.Min(), 0.0), high = Math.Max(values.Max(), 0.0);
-        if (high - low < 1e-6)
-            high = low + 1.0;
-        double rough = (high - low) / 4.0, unit = Math.Pow(10.0, Math.Floor(Math.Log10(rough)));
-        double step = unit * new[] { 1.0, 2.0, 2.5, 5.0, 10.0 }.First(factor => factor * unit >= rough * 0.999);
-        var ticks = new List<double>();
-        for (int k = (int)Math.Floor(low / step + 1e-9); k <= (int)Math.Ceiling(high / step - 1e-9); k++)
-            ticks.Add(k * step);
-        return ticks;
-    }
 }

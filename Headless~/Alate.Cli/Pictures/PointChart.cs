@@ -48,14 +48,7 @@ internal sealed class PointChart
             path.Append(CultureInfo.InvariantCulture, $"{(path.Length == 0 ? 'M' : 'L')}{place.x:0.#} {place.y:0.#}");
         }
 
-        string dash = curve.Look switch
-        {
-            CurveLook.Squares => " stroke-dasharray=\"5 4\"",
-            CurveLook.Dotted => " stroke-dasharray=\"1.5 3\"",
-            _ => "",
-        };
-        float thickness = curve.Look is CurveLook.Thin ? 1f : curve.Look is CurveLook.Dotted ? 1.5f : 2f;
-        m_Page.Append($"<path clip-path=\"url(#{m_Clip})\" d=\"{path.ToString()}\" fill=\"none\" stroke=\"{curve.Colour}\" stroke-width=\"{thickness:0.#}\"{dash}/>\n");
+        m_Page.Append($"<path clip-path=\"url(#{m_Clip})\" d=\"{path.ToString()}\" fill=\"none\" stroke=\"{curve.Colour}\" {Stroke(curve.Look)}/>\n");
         foreach (ChartPoint point in curve.Points)
         {
             if (Contains(point))
@@ -75,6 +68,15 @@ internal sealed class PointChart
 
     /// <summary>Writes above the right end of the chart.</summary>
     public void Remark(string text) => m_Page.Text(m_X + m_Width, m_Y - 16f, 11f, text, "end", "t");
+
+    /// <summary>Attributes of the line of a look, also for a legend.</summary>
+    public static string Stroke(CurveLook look) => look switch
+    {
+        CurveLook.Squares or CurveLook.Dashed => "stroke-width=\"2\" stroke-dasharray=\"5 4\"",
+        CurveLook.Dotted => "stroke-width=\"1.5\" stroke-dasharray=\"1.5 3\"",
+        CurveLook.Thin => "stroke-width=\"1\"",
+        _ => "stroke-width=\"2\"",
+    };
 
     /// <summary>Draws the mark of a point, also for a legend.</summary>
     public static void Mark(SvgPage page, float2 place, string colour, CurveLook look)
