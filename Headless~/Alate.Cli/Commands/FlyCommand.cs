@@ -29,6 +29,7 @@ internal static class FlyCommand
         {
             if (free.IsFree(parsed))
             {
+                options.CheckFree(parsed);
                 FreeReport.Run(free.Plan(parsed, parsed.GetValue(species), options.Seconds(parsed), options.Folder(parsed)), output);
                 return 0;
             }
@@ -57,6 +58,7 @@ internal static class FlyCommand
         + "  fly monarch --speed 0.8 --climb 0.5 --pitch 30 --elasticity 0.5 --out climbing\n"
         + "  fly monarch --free --to 1,0.5,4 --gust 1,0,0 --seconds 12\n"
         + "  fly dragonfly --kinematics Documentation~/kinematics/dragonfly-flight-1.json --speed 0.685 --climb -0.146\n"
+        + "  fly dragonfly --kinematics Documentation~/kinematics/dragonfly-tethered.json --speed 0 --induced-flow 1.2\n"
         + "  fly --mesh wing.obj --skeleton wing.json --species monarch --texture photo.png --out mine\n"
         + "  fly --mesh fore.obj hind.obj --skeleton fore.json hind.json --species firefly\n\n"
         + "Writes into the output folder:\n"

@@ -35,6 +35,16 @@ internal static class Numbers
             CustomParser = result => Parse(result, name, Text(result), min, max),
         };
 
+    /// <summary>An option that may stand alone, which means a number; null when it is not given.</summary>
+    public static Option<double?> Switch(string name, string unit, double alone, double min, double max, string description) =>
+        new(name)
+        {
+            Description = description,
+            HelpName = unit,
+            Arity = ArgumentArity.ZeroOrOne,
+            CustomParser = result => result.Tokens.Count == 0 ? alone : Parse(result, name, Text(result), min, max),
+        };
+
     /// <summary>A whole number whose default depends on others.</summary>
     public static Option<int?> OptionalCount(string name, string unit, int min, int max, string description) =>
         new(name)

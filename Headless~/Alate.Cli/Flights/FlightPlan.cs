@@ -43,6 +43,9 @@ internal sealed record FlightPlan
     /// <summary>Velocity of the air over ground, m/s: right, up, ahead.</summary>
     public double[] Wind { get; init; } = [0, 0, 0];
 
+    /// <summary>Air that the wings draw along; null for none.</summary>
+    public InducedFlow Induced { get; init; }
+
     /// <summary>λ; null is the species'.</summary>
     public double? Lag { get; init; }
 
@@ -73,6 +76,9 @@ internal sealed record FlightPlan
 
     /// <summary>A number of the species at another value; null changes none.</summary>
     public ParameterChange Change { get; init; }
+
+    /// <summary>Whether frames have the air's loads on the joints and its angle of attack.</summary>
+    public bool RecordsAir { get; init; }
 
     /// <summary>Joints that do not bend: what is left is the drive with its wave.</summary>
     public bool HoldJoints { get; init; }
@@ -143,7 +149,7 @@ internal sealed record FlightPlan
     {
         const float k_Gravity = 9.81f;
         float pitch = math.radians((float)PitchDegrees);
-        var air = new float3((float)Wind[0], (float)(Wind[1] - Climb), (float)(Wind[2] - Speed));
+        float3 air = AirPastBody;
         air.x = side == WingSide.Right ? air.x : -air.x;
         return new WingSurroundings
         {
@@ -156,6 +162,12 @@ internal sealed record FlightPlan
 
     /// <summary>The world's up as the body sees it.</summary>
     public float3 UpOfBody => ToBody(new float3(0f, 1f, 0f), math.radians((float)PitchDegrees));
+
+    /// <summary>Velocity of the air against the body along the world's axes, m/s: right, up, ahead.</summary>
+    public float3 AirPastBody => new((float)Wind[0], (float)(Wind[1] - Climb), (float)(Wind[2] - Speed));
+
+    /// <summary>A direction of the body as the world sees it.</summary>
+    public float3 ToWorld(float3 body) => ToBody(body, -math.radians((float)PitchDegrees));
 
     private static float3 ToBody(float3 world, float pitch)
     {

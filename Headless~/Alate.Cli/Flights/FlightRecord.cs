@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
@@ -13,6 +14,9 @@ internal sealed class FlightRecord
 
     public double Seconds { get; init; }
     public double Beats { get; init; }
+
+    /// <summary>Velocity of the air that the wings draw along, m/s: right, up, ahead; 0 where the plan asks for none.</summary>
+    public float3 InducedVelocity { get; init; }
 
     /// <summary>Time of one substep of all wings of the insect, microseconds, without the first beat.</summary>
     public double MicrosecondsPerSubstep { get; init; }

@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using Alate.Catalogue;
 using Spectre.Console;
+using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
@@ -59,6 +60,12 @@ internal sealed class Terminal
         m_Console.Write(new Rule($"[bold]{Markup.Escape(flight.Insect.DisplayName)}[/]").LeftJustified());
         m_Console.WriteLine(string.Create(CultureInfo.InvariantCulture,
             $"{flight.Beats:0.##} beats in {flight.Seconds:0.###} s at {flight.Plan.BodySpeed:0.##} m/s; {summary.Triangles} triangles."));
+        if (flight.Plan.Induced != null)
+        {
+            float3 induced = flight.InducedVelocity;
+            m_Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"The wings draw air along at {math.length(induced):0.###} m/s: {-induced.y:0.###} down, {-induced.z:0.###} back."));
+        }
+
         m_Console.WriteLine("The last beat:");
         m_Console.Write(SummaryTable(summary));
         m_Console.WriteLine(MeasureBound.Note);

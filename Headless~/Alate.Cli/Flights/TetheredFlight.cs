@@ -11,9 +11,13 @@ internal sealed class TetheredFlight : IDisposable
     private const int k_SettledBeats = 8;
     private const int k_StepsPerBeat = 4;
 
+    /// <summary>Beats in which the induced flow settles besides.</summary>
+    private const int k_InducedBeats = 6;
+
     private readonly FlightPlan m_Plan;
     private readonly Insect m_Insect;
     private readonly TetheredWings m_Wings;
+    private readonly InducedStream m_Induced;
     private readonly double m_Frequency, m_Substep;
     private readonly int m_SubstepsPerBeat, m_Start;
 
@@ -31,7 +35,7 @@ internal sealed class TetheredFlight : IDisposable
             m_SubstepsPerBeat = m_Wings.All[0].Parameters.substepsPerBeat;
             m_Substep = 1.0 / (m_Frequency * m_SubstepsPerBeat);
             int wanted = CountSteps();
-            Steps = Math.Max(wanted, k_SettledBeats * m_SubstepsPerBeat);
+            Steps = Math.Max(wanted, (k_SettledBeats + (plan.Induced == null ? 0 : k_InducedBeats)) * m_SubstepsPerBeat);
             m_Start = Steps - wanted;
         }
         catch
@@ -39,6 +43,10 @@ internal sealed class TetheredFlight : IDisposable
             m_Wings.Dispose();
             throw;
         }
+
+        if (plan.RecordsAir)
+            m_Wings.RecordPatches();
+        m_Induced = plan.Induced == null ? null : new InducedStream(plan, m_Wings);
     }
 
     /// <summary>Substeps of the whole flight, with those that it takes to settle before the clock starts.</summary>
@@ -63,8 +71,12 @@ internal sealed class TetheredFlight : IDisposable
             // The last beat one substep at a time, for the record; what is before it in a few steps of many, as a game would.
             int left = Steps - m_SubstepsPerBeat - done;
             int count = left > 0 ? Math.Min(left, Math.Max(1, m_SubstepsPerBeat / k_StepsPerBeat)) : 1;
+            if (m_Induced != null)
+                count = Math.Min(count, m_SubstepsPerBeat - done % m_SubstepsPerBeat);
             cost.Add(Advance(count));
             done += count;
+            if (left > 0)
+                Draw(count, done);
             if (left <= 0)
                 Record((done - m_Start) * m_Substep);
             progress(done);
@@ -85,11 +97,20 @@ internal sealed class TetheredFlight : IDisposable
             Seconds = (Steps - m_Start) * m_Substep,
             Beats = (double)(Steps - m_Start) / m_SubstepsPerBeat,
             MicrosecondsPerSubstep = Median(cost),
+            InducedVelocity = m_Induced?.Velocity ?? default,
         };
     }
 
     /// <summary>Frees the world and the rigs.</summary>
     public void Dispose() => m_Wings.Dispose();
+
+    // The wings draw air along: what they meet follows at the end of each beat but the recorded one.
+    private void Draw(int count, int done)
+    {
+        m_Induced?.Add(count);
+        if (done % m_SubstepsPerBeat == 0)
+            m_Induced?.EndBeat();
+    }
 
     // Microseconds of each substep.
     private double Advance(int count)

@@ -146,11 +146,15 @@ internal sealed class TetheredWings : IDisposable
             AirForce = reading.AirForce,
             AirMoment = reading.AirMoment,
             NewtonIterations = reading.NewtonIterations,
+            AirLoads = reading.HasPatchLoads ? new float3[chains * joints] : null,
+            Attack = reading.HasPatchLoads ? Attack(reading) : 0f,
             Positions = new float3[vertices.Length],
             Normals = new float3[vertices.Length],
             Joints = new float3[chains * joints],
             Bends = new float3[chains * (joints - 1)],
         };
+        if (reading.HasPatchLoads)
+            reading.AddJointLoads(recorded.AirLoads);
         for (int k = 0; k < vertices.Length; k++)
         {
             recorded.Positions[k] = frame.ToWing(vertices[k].position);
@@ -162,5 +166,21 @@ internal sealed class TetheredWings : IDisposable
         for (int k = 0; k < recorded.Bends.Length; k++)
             recorded.Bends[k] = reading.BendAngles(k / (joints - 1), k % (joints - 1));
         return recorded;
+    }
+
+    // Of the patches that are 0.7 to 0.8 of a wing length away from the hinge.
+    private static float Attack(in WingReading reading)
+    {
+        float sum = 0f;
+        int count = 0;
+        for (int patch = 0; patch < reading.PatchCount; patch++)
+        {
+            if (math.abs(math.length(reading.PatchPosition(patch)) - 0.75f) > 0.05f)
+                continue;
+            sum += reading.PatchAngleOfAttack(patch);
+            count++;
+        }
+
+        return count > 0 ? sum / count : 0f;
     }
 }

@@ -18,6 +18,8 @@ internal static class SummaryJson
         Number(json, "lift_over_weight", summary.LiftOverWeight);
         Vector(json, "mean_force_n", summary.MeanForce);
         Vector(json, "mean_moment_n_m", summary.MeanMoment);
+        if (summary.Flight.Plan.Induced != null)
+            Vector(json, "induced_velocity_m_s", summary.Flight.InducedVelocity);
         Number(json, "newton_iterations_mean", summary.NewtonIterationsMean);
         json.WriteNumber("resets", summary.Resets);
         Number(json, "us_per_substep", summary.Flight.MicrosecondsPerSubstep);
@@ -73,6 +75,8 @@ internal static class SummaryJson
         foreach (double component in plan.Wind)
             json.WriteNumberValue(component);
         json.WriteEndArray();
+        if (plan.Induced != null)
+            json.WriteNumber("induced_flow", plan.Induced.Factor);
         Number(json, "lag", parameters.chordDelay);
         json.WriteNumber("elasticity_factor", plan.Elasticity);
         json.WriteNumber("substeps", parameters.substepsPerBeat);
