@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Alate.Cli.Figures;
 using Alate.Cli.Flights;
 using Alate.Cli.Output;
 using Alate.Cli.Validation;
@@ -12,27 +13,36 @@ namespace Alate.Cli.Commands;
 /// <summary><c>validate</c>: the model beside measured and published flights.</summary>
 internal static class ValidateCommand
 {
-    private const string k_Page = "validation.md", k_Json = "validation.json", k_Charts = "images/validation.svg";
-    private const int k_Stages = 13;
+    private const string k_Page = "validation.md", k_Json = "validation.json", k_Charts = "images/validation.svg", k_Name = "validate";
+
+    /// <summary>Part of the front page.</summary>
+    internal const string Part = "validation";
+
+    private const int k_Stages = 24;
 
     public static Command Create(TextWriter output)
     {
         var data = new Option<string>("--data") { HelpName = "DIR", Description = "Measured curves of your own: CSV files of t/T and value, such as vertical-force.csv." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/validation]" };
-        var command = new Command("validate", "Compares the model with measured and published flights.") { data, folder };
+        var front = new Option<string>("--readme") { HelpName = "FILE.md", Description = "A page whose part 'validation' gets the rows of the package's front page." };
+        var command = new Command(k_Name, "Compares the model with measured and published flights.") { data, folder, front };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            Run(parsed.GetValue(data), parsed.GetValue(folder) ?? Path.Combine("out", "validation"), output);
+            Run(parsed.GetValue(data), parsed.GetValue(folder) ?? Path.Combine("out", "validation"), parsed.GetValue(front), output);
             return 0;
         });
         return command;
     }
 
-    private static void Run(string data, string path, TextWriter output)
+    private static void Run(string data, string path, string front, TextWriter output)
     {
         if (data != null && !Directory.Exists(data))
             throw new UserException($"Cannot read '{data}': there is no such folder.");
+        string page = front == null ? null : Input.TextFile.Read(front, reader => reader.ReadToEnd()).ReplaceLineEndings("\n");
+        if (page != null)
+            PageBlock.Replace(page, Part, "", k_Name);
+        using OutputFolder around = front == null ? null : OutputFolder.Around(front, front);
         using var folder = OutputFolder.Prepare(path, k_Page, k_Json, k_Charts);
         var rows = new List<ValidationRow>();
         var terminal = new Terminal(output);
@@ -50,10 +60,12 @@ internal static class ValidateCommand
                 rows.AddRange(UserCurves.Rows(curves));
             Write(folder, k_Page, ValidationPage.Markdown(rows, k_Charts));
             Write(folder, k_Json, ValidationPage.Json(rows, curves));
-            Write(folder, k_Charts, ValidationPage.Charts(curves));
+            Write(folder, k_Charts, ValidationCharts.Draw(curves));
+            around?.Write(Path.GetFileName(front), stream => stream.Write(Encoding.UTF8.GetBytes(PageBlock.Replace(page, Part, ValidationPage.Selection(rows), k_Name))));
             done(k_Stages);
         });
         folder.Commit();
+        around?.Commit();
         output.WriteLine($"{rows.Count(row => row.IsInside)} of {rows.Count} rows agree.");
         terminal.ShowFiles(path, k_Page, k_Json, k_Charts);
     }
@@ -63,9 +75,10 @@ internal static class ValidateCommand
     private const string k_Examples =
         "Examples:\n"
         + "  validate\n"
-        + "  validate --data curves --out mine\n\n"
+        + "  validate --data curves --out mine\n"
+        + "  validate --out Documentation~ --readme README.md\n\n"
         + "Writes into the output folder:\n"
-        + "  validation.md          a row for each comparison: measured, source, ours, verdict, ours at 480 substeps\n"
+        + "  validation.md          a row for each comparison: measured, source, ours, verdict, ours at twice the substeps\n"
         + "  validation.json        the same with the curves\n"
         + "  images/validation.svg  curves over the beat beside the measured ones\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli.Validation;
@@ -31,10 +32,11 @@ internal static class BladeElements
     /// <param name="flight">The flight.</param>
     /// <param name="point">Where the stream is met.</param>
     /// <param name="twisted">Whether the first harmonic of the fore wing's pitch falls to 9° at the root, as in flight 1.</param>
-    public static double Lift(MeasuredDragonfly flight, Point point, bool twisted = false) => Curve(flight, point, twisted: twisted).Average(moment => moment.Lift);
+    /// <param name="induced">Velocity of the air that the wings draw along, m/s: right, up, ahead.</param>
+    public static double Lift(MeasuredDragonfly flight, Point point, bool twisted = false, float3 induced = default) => Curve(flight, point, induced, twisted).Average(moment => moment.Lift);
 
     /// <summary>The beat: vertical force over the weight, angle of attack at 0.75 of the fore wing's span in degrees, and power over mass, W/kg.</summary>
-    public static List<(double Lift, double Attack, double Power)> Curve(MeasuredDragonfly flight, Point point, double downwash = 0, bool twisted = false)
+    public static List<(double Lift, double Attack, double Power)> Curve(MeasuredDragonfly flight, Point point, float3 induced = default, bool twisted = false)
     {
         IReadOnlyList<PresetKinematics> wings = DragonflyRun.Kinematics(flight);
         var beat = new List<(double, double, double)>();
@@ -50,7 +52,7 @@ internal static class BladeElements
                     if (twisted && wing == 0)
                         motion.feather = Twisted(motion.feather, share);
                     var place = new Place(motion, share * flight.Lengths[wing], point == Point.MidChord ? 0.5 * chord : 0);
-                    double[] air = [0, -flight.Climb - downwash, -flight.Speed];
+                    double[] air = [0, -flight.Climb + induced.y, -flight.Speed + induced.z];
                     (double lift, double work, double angle) = Strip(place, (double)k / k_Moments, air, chord * flight.Lengths[wing] / k_Strips);
                     up += 2 * lift;
                     power += 2 * work;

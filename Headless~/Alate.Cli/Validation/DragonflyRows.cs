@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Cli.Flights;
+using Unity.Mathematics;
 
 namespace Alate.Cli.Validation;
 
@@ -12,7 +13,7 @@ internal static class DragonflyRows
     public const int Substeps = 240, FineSubsteps = 480;
 
     private const int k_Places = 50;
-    private const double k_Bearing = 0.12, k_WithInflow = 0.40, k_WithWake = 0.30, k_Wake = 1.2, k_Density = 1.225, k_Correlation = 0.9;
+    private const double k_Bearing = 0.12, k_WithInflow = 0.40, k_WithWake = 0.30, k_Wake = 1.2, k_Correlation = 0.9;
 
     /// <summary>Weight support and thrust of the three flights.</summary>
     public static IEnumerable<ValidationRow> Flights(Action done)
@@ -25,13 +26,13 @@ internal static class DragonflyRows
                 $"what the wing's pitching adds to the air it meets: blade elements apart from the model give {axis:0.00} with the stream met on the pitching axis and {middle:0.00} in the middle of the chord, where a stiff wing of uniform chord meets it; the coefficients were measured at steady angles");
             if (k == 0)
                 cause += FormattableString.Invariant($"; with the fore wing's published twist, which is not prescribed here, {BladeElements.Lift(flight, BladeElements.Point.Axis, true):0.00} and {BladeElements.Lift(flight, BladeElements.Point.MidChord, true):0.00}");
-            foreach (bool rigid in new[] { true, false })
+            foreach ((bool rigid, double wake) in new[] { (true, 0.0), (true, 1.0), (false, 0.0) })
             {
-                DragonflyRun ours = DragonflyRun.Fly(flight, rigid, Substeps), fine = DragonflyRun.Fly(flight, rigid, FineSubsteps);
-                string wings = rigid ? "rigid wings" : "flexible wings";
+                DragonflyRun ours = DragonflyRun.Fly(flight, rigid, Substeps, wake), fine = DragonflyRun.Fly(flight, rigid, FineSubsteps, wake);
+                string wings = (rigid ? "rigid wings" : "flexible wings") + Inflow(fine, wake);
                 yield return new ValidationRow(
                     $"dragonfly, flight {k + 1}, {wings}: lift over weight", 1 - k_Bearing, 1 + k_Bearing, "1 ± 0.12: steady flight", flight.Source,
-                    ours.Lift.Average(), fine.Lift.Average(), rigid ? cause : "as with rigid wings");
+                    ours.Lift.Average(), fine.Lift.Average(), wake > 0 ? Drawn(flight, fine) : rigid ? cause : "as with rigid wings");
                 yield return new ValidationRow(
                     $"dragonfly, flight {k + 1}, {wings}: thrust over weight", 0, double.PositiveInfinity, "0 or more: the drag of the body", flight.Source,
                     ours.Thrust.Average(), fine.Thrust.Average(),
@@ -45,20 +46,17 @@ internal static class DragonflyRows
     public static IEnumerable<ValidationRow> Tethered(Action done)
     {
         MeasuredDragonfly flight = MeasuredDragonfly.Tethered;
-        double induced = Induced();
         IReadOnlyList<double> measured = MeasuredDragonfly.TetheredForce;
         double mean = measured.Average(), peak = measured.Max();
-        foreach ((string name, double downwash, double band, string cause) in new[]
+        foreach (double wake in new[] { 0, 1, k_Wake })
         {
-            ("no induced flow", 0.0, k_WithInflow, "the wing meets air at rest; in hover it meets what it has set moving"),
-            (FormattableString.Invariant($"induced flow of {induced:0.00} m/s"), induced, k_WithInflow, "the downwash of momentum theory is even and steady"),
-            (FormattableString.Invariant($"induced flow, wake factor {k_Wake}"), k_Wake * induced, k_WithWake, "the downwash of momentum theory is even and steady"),
-        })
-        {
-            DragonflyRun run = DragonflyRun.Fly(flight, true, Substeps, downwash), finer = DragonflyRun.Fly(flight, true, FineSubsteps, downwash);
+            string cause = wake > 0 ? "the downwash of momentum theory is even and steady" : "the wing meets air at rest; in hover it meets what it has set moving";
+            double band = wake > 1 ? k_WithWake : k_WithInflow;
+            DragonflyRun run = DragonflyRun.Fly(flight, true, Substeps, wake), finer = DragonflyRun.Fly(flight, true, FineSubsteps, wake);
+            string name = "tethered dragonfly" + (wake > 0 ? Inflow(finer, wake) : ", no induced flow");
             double[] ours = run.Even(run.Lift, k_Places), fine = finer.Even(finer.Lift, k_Places);
             yield return new ValidationRow(
-                $"tethered dragonfly, {name}: correlation of the vertical force", k_Correlation, 1, "0.9 or more with the computed curve", flight.Source,
+                $"{name}: correlation of the vertical force", k_Correlation, 1, "0.9 or more with the computed curve", flight.Source,
                 Correlation(ours, measured), Correlation(fine, measured), cause);
             yield return Near("mean", name, mean, band, flight.Source, ours.Average(), fine.Average(), cause);
             yield return Near("peak", name, peak, band, flight.Source, ours.Max(), fine.Max(), cause);
@@ -66,28 +64,24 @@ internal static class DragonflyRows
         }
     }
 
-    /// <summary>Speed of the air that the tethered insect draws down, m/s.</summary>
-    public static double Induced() => MeasuredDragonfly.Tethered.InducedSpeed(DragonflyRun.Kinematics(MeasuredDragonfly.Tethered).Select(Stroke).ToList(), k_Density);
-
     /// <summary>Curves over the beat of the tethered insect, at t/T = 0, 0.02, …</summary>
     public static List<ValidationCurve> Curves()
     {
         MeasuredDragonfly flight = MeasuredDragonfly.Tethered;
-        double induced = Induced();
-        DragonflyRun still = DragonflyRun.Fly(flight, true, Substeps), rigid = DragonflyRun.Fly(flight, true, Substeps, induced), soft = DragonflyRun.Fly(flight, false, Substeps, induced);
+        DragonflyRun still = DragonflyRun.Fly(flight, true, Substeps), rigid = DragonflyRun.Fly(flight, true, Substeps, 1), soft = DragonflyRun.Fly(flight, false, Substeps, 1);
         RecordedWing wing = soft.Record.Wings[0];
         List<BeatFrame> beat = wing.Beat;
-        List<(double Lift, double Attack, double Power)> blades = BladeElements.Curve(flight, BladeElements.Point.MidChord, induced);
+        List<(double Lift, double Attack, double Power)> blades = BladeElements.Curve(flight, BladeElements.Point.MidChord, rigid.Record.InducedVelocity);
         double[] Shape(Func<BeatFrame, double> of) => soft.Even(beat.ConvertAll(frame => of(frame)), k_Places);
         double[] Blades(Func<(double Lift, double Attack, double Power), double> of) => Enumerable.Range(0, k_Places).Select(n => of(blades[n * blades.Count / k_Places])).ToArray();
         return
         [
             new("vertical-force", "vertical force / weight", [("no induced flow", still.Even(still.Lift, k_Places)), ("rigid", rigid.Even(rigid.Lift, k_Places)), ("flexible", soft.Even(soft.Lift, k_Places))], MeasuredDragonfly.TetheredForce.ToArray()),
-            new("angle-of-attack", "angle of attack at 0.75 span, °", [("blade elements", Blades(moment => moment.Attack))], null),
+            new("angle-of-attack", "angle of attack at 0.75 span, °", [("blade elements", Blades(moment => moment.Attack)), ("rigid", rigid.Even(rigid.Attack, k_Places)), ("flexible", soft.Even(soft.Attack, k_Places))], null),
             new("twist", "twist of the fore wing, °", [("flexible", Shape(frame => 180 / Math.PI * wing.Measurement.Twist(frame.Positions)))], null),
             new("camber", "camber of the fore wing, % chord", [("flexible", Shape(frame => 100 * wing.Measurement.Camber(frame.Positions)))], null),
             new("tip-bend", "bend of the fore wing's tip, °", [("flexible", Shape(frame => 180 / Math.PI * wing.Measurement.Bend(frame)))], null),
-            new("power", "power, W/kg", [("blade elements", Blades(moment => moment.Power))], null),
+            new("power", "power, W/kg", [("blade elements", Blades(moment => moment.Power)), ("rigid", rigid.Even(rigid.Power, k_Places)), ("flexible", soft.Even(soft.Power, k_Places))], null),
         ];
     }
 
@@ -100,12 +94,16 @@ internal static class DragonflyRows
     }
 
     private static ValidationRow Near(string what, string name, double measured, double band, string source, double ours, double fine, string cause) => new(
-        $"tethered dragonfly, {name}: {what} of the vertical force over the weight", (1 - band) * measured, (1 + band) * measured,
+        $"{name}: {what} of the vertical force over the weight", (1 - band) * measured, (1 + band) * measured,
         FormattableString.Invariant($"{measured:0.00} ± {100 * band:0} %"), source, ours, fine, cause);
 
-    private static double Stroke(PresetKinematics wing)
+    private static string Drawn(MeasuredDragonfly flight, DragonflyRun run)
     {
-        float[] angles = Enumerable.Range(0, 100).Select(k => wing.flap.At(k / 100f)).ToArray();
-        return (angles.Max() - angles.Min()) * Math.PI / 180;
+        float3 induced = run.Record.InducedVelocity;
+        return FormattableString.Invariant(
+            $"the downwash of momentum theory is even and steady; blade elements apart from the model in the same stream give {BladeElements.Lift(flight, BladeElements.Point.Axis, induced: induced):0.00} with the stream met on the pitching axis and {BladeElements.Lift(flight, BladeElements.Point.MidChord, induced: induced):0.00} in the middle of the chord; of the flights without an induced flow one is inside, two carry too much");
     }
+
+    private static string Inflow(DragonflyRun run, double wake) => wake == 0 ? ""
+        : wake == 1 ? FormattableString.Invariant($", induced flow of {run.Induced:0.00} m/s") : FormattableString.Invariant($", induced flow of {run.Induced:0.00} m/s, wake factor {wake}");
 }

@@ -13,12 +13,17 @@ namespace Alate.Cli.Validation;
 /// <summary>A published flight flown with the wings of the catalogue's dragonfly at the published sizes, steady and settled.</summary>
 internal sealed class DragonflyRun
 {
+    /// <summary>Of the air, kg/m³.</summary>
+    private const double k_Density = 1.225;
+
     private DragonflyRun(MeasuredDragonfly measured, FlightRecord record)
     {
         Record = record;
         int count = record.Wings[0].Frames.Count;
         Lift = new double[count];
         Thrust = new double[count];
+        Power = new double[count];
+        Attack = record.Wings[0].Frames.Select(frame => 180 / Math.PI * frame.Attack).ToArray();
         for (int k = 0; k < count; k++)
         {
             foreach (RecordedWing wing in record.Wings)
@@ -27,6 +32,7 @@ internal sealed class DragonflyRun
                 float3 force = size.wingMass * size.wingLength * wing.Placement.DirectionToBody(wing.Frames[k].AirForce);
                 Lift[k] += force.y / measured.Weight;
                 Thrust[k] += force.z / measured.Weight;
+                Power[k] += size.wingMass * size.wingLength * size.wingLength * PowerOf(wing, k) / measured.Mass;
             }
         }
     }
@@ -39,12 +45,21 @@ internal sealed class DragonflyRun
     /// <summary>[frame] Force ahead of all wings over the weight.</summary>
     public double[] Thrust { get; }
 
+    /// <summary>[frame] Power that all wings give to the air, W/kg.</summary>
+    public double[] Power { get; }
+
+    /// <summary>[frame] Angle of attack about 0.75 of the fore wing's span, degrees.</summary>
+    public double[] Attack { get; }
+
+    /// <summary>Speed of the air that the wings draw along, m/s.</summary>
+    public double Induced => math.length(Record.InducedVelocity);
+
     /// <summary>Flies.</summary>
     /// <param name="measured">The flight.</param>
     /// <param name="rigid">Whether the wings are stiff.</param>
     /// <param name="substeps">Of a beat.</param>
-    /// <param name="downwash">Speed of the air downwards, m/s.</param>
-    public static DragonflyRun Fly(MeasuredDragonfly measured, bool rigid, int substeps, double downwash = 0)
+    /// <param name="wake">Factor of the induced flow; 0 for none.</param>
+    public static DragonflyRun Fly(MeasuredDragonfly measured, bool rigid, int substeps, double wake = 0)
     {
         var plan = new FlightPlan
         {
@@ -52,7 +67,8 @@ internal sealed class DragonflyRun
             KinematicsFile = PathOf(measured),
             Speed = measured.Speed,
             Climb = measured.Climb,
-            Wind = [0, -downwash, 0],
+            Induced = wake > 0 ? new InducedFlow(wake, k_Density) : null,
+            RecordsAir = true,
             Substeps = substeps,
             Patches = 256,
             Column = rigid ? ComparisonColumn.RigidWing : ComparisonColumn.FullModel,
@@ -76,21 +92,7 @@ internal sealed class DragonflyRun
     }
 
     /// <summary>A curve of this flight at t/T = 0, 1/n, …</summary>
-    public double[] Even(IReadOnlyList<double> curve, int count)
-    {
-        List<RecordedFrame> frames = Record.Wings[0].Frames;
-        (double Turn, double Value)[] points = frames.Select((frame, k) => (frame.Phase / (2 * Math.PI), curve[k])).OrderBy(point => point.Item1).ToArray();
-        return Enumerable.Range(0, count).Select(n => At(points, (double)n / count)).ToArray();
-    }
-
-    private static double At((double Turn, double Value)[] points, double turn)
-    {
-        int after = Array.FindIndex(points, point => point.Turn >= turn);
-        (double Turn, double Value) b = after < 0 ? (points[0].Turn + 1, points[0].Value) : points[after];
-        (double Turn, double Value) a = after > 0 ? points[after - 1] : after < 0 ? points[^1] : (points[^1].Turn - 1, points[^1].Value);
-        double share = b.Turn > a.Turn ? (turn - a.Turn) / (b.Turn - a.Turn) : 0;
-        return a.Value + share * (b.Value - a.Value);
-    }
+    public double[] Even(IReadOnlyList<double> curve, int count) => new BeatCurve(Record.Wings[0].Frames, curve).Even(count);
 
     // The published length; the outline's area per squared length differs from the published one, and forces go with the area.
     private static void Resize(WingPreset preset, WingOutline outline, MeasuredDragonfly measured, int wing)
@@ -100,5 +102,14 @@ internal sealed class DragonflyRun
         preset.Size.insectMass = (float)measured.Mass;
         preset.Size.fluidDensity *= (float)(measured.Areas[wing] / ours);
         preset.Stiffness.strongestWind = WingBounds.StrongestWind.Max;
+    }
+
+    // Less force times velocity, by the joints' places before and after; the beat repeats. Wing masses · L²/s³.
+    private static double PowerOf(RecordedWing wing, int k)
+    {
+        int count = wing.Frames.Count;
+        float3[] before = wing.Frames[(k + count - 1) % count].Joints, after = wing.Frames[(k + 1) % count].Joints, loads = wing.Frames[k].AirLoads;
+        double rate = 0.5 * count * wing.Frequency;
+        return -Enumerable.Range(0, loads.Length).Sum(joint => rate * math.dot(loads[joint], after[joint] - before[joint]));
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 
 namespace Alate.Cli.Validation;
 
@@ -32,15 +31,6 @@ internal sealed record MeasuredDragonfly(string Name, double Speed, double Climb
 
     /// <summary>Weight, newtons.</summary>
     public double Weight => Mass * 9.81;
-
-    /// <summary>Speed of the air that momentum theory draws through the sectors that a pair of wings sweeps, m/s: √(W / 2ρA), A = R² times the stroke, means of both pairs.</summary>
-    /// <param name="strokes">Radians from end to end, fore and hind.</param>
-    /// <param name="density">Of the air, kg/m³.</param>
-    public double InducedSpeed(IReadOnlyList<double> strokes, double density)
-    {
-        double area = Enumerable.Range(0, 2).Average(k => Lengths[k] * Lengths[k] * strokes[k]);
-        return Math.Sqrt(Weight / (2 * density * area));
-    }
 
     private static MeasuredDragonfly Flight(int number, double speed, double angle) => new(
         $"dragonfly-flight-{number}", speed * Math.Cos(angle * Math.PI / 180), speed * Math.Sin(angle * Math.PI / 180), 790e-6, s_AzumaLengths, s_AzumaAreas, k_Azuma);

@@ -5,15 +5,20 @@ using System.Linq;
 using System.Text;
 using System.Text.Json;
 using Alate.Cli.Figures;
-using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Validation;
 
 /// <summary>The report of all comparisons, as a page, as JSON and as charts.</summary>
 internal static class ValidationPage
 {
-    private const float k_Width = 1000f, k_ChartWidth = 480f, k_ChartHeight = 230f, k_Top = 84f;
-    private static readonly string[] s_Colours = ["#0b5fa5", "#c2410c", "#6d28d9"];
+    // Words of the titles of the front page's rows.
+    private static readonly string[][] s_Selected =
+    [
+        ["flight 1, rigid wings: lift"], ["flight 2, rigid wings: lift"], ["flight 3, rigid wings: lift"], ["flight 2, rigid wings: thrust"],
+        ["tethered", "no induced flow: mean"], ["tethered", "m/s: mean"], ["tethered", "m/s: correlation"],
+        ["monarch, free flight: power"], ["monarch, free flight: upstroke's share of the weight"], ["level", "largest twist"],
+    ];
+
     private static readonly JsonSerializerOptions s_Json = new() { WriteIndented = true };
 
     /// <summary>The page, Markdown; rows that do not agree stand first.</summary>
@@ -24,8 +29,8 @@ internal static class ValidationPage
         List<ValidationRow> outside = rows.Where(row => !row.IsInside).ToList(), inside = rows.Where(row => row.IsInside).ToList();
         var refined = rows.Where(row => !double.IsNaN(row.Fine)).ToList();
         var page = new StringBuilder("# Validation\n\nWritten by `validate`; see [the command line](command-line.md#validate). The model beside measured and published flights, at ");
-        page.Append(CultureInfo.InvariantCulture, $"{DragonflyRows.Substeps} substeps of a beat and at {DragonflyRows.FineSubsteps}; the last columns say how far both are apart. A dash is a free flight, whose substeps are those of its trim table. ");
-        page.Append(CultureInfo.InvariantCulture, $"{inside.Count} of {rows.Count} rows agree; {refined.Count(row => row.Change <= ValidationRow.Converged)} of {refined.Count} are converged within 3 %.\n\n");
+        page.Append(CultureInfo.InvariantCulture, $"{DragonflyRows.Substeps} substeps of a beat and at {DragonflyRows.FineSubsteps}; the last columns say how far both are apart, and the verdict is that of the finer one. ");
+        page.Append(CultureInfo.InvariantCulture, $"{inside.Count} of {rows.Count} rows agree; {refined.Count(row => row.IsConverged)} of {refined.Count} are converged within {100 * ValidationRow.Converged:0} %.\n\n");
         page.Append("The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of the air makes up for the difference in area. Their kinematics are [examples of the manual](kinematics.md#examples), digitised from plots by J. Pecquet.\n\n");
         page.Append("## Outside\n\n").Append(MarkdownTable.Write(Table(outside, true)));
         page.Append("\n## Inside\n\n").Append(MarkdownTable.Write(Table(inside, false)));
@@ -39,6 +44,8 @@ internal static class ValidationPage
     public static string Json(IReadOnlyList<ValidationRow> rows, IReadOnlyList<ValidationCurve> curves) => JsonSerializer.Serialize(
         new
         {
+            substeps = DragonflyRows.Substeps,
+            fine_substeps = DragonflyRows.FineSubsteps,
             rows = rows.Select(row => new
             {
                 title = row.Title,
@@ -47,45 +54,34 @@ internal static class ValidationPage
                 high = Finite(row.High),
                 source = row.Source,
                 ours = Finite(row.Ours),
-                at_480_substeps = Finite(row.Fine),
+                at_twice_the_substeps = Finite(row.Fine),
                 change = Finite(row.Change),
+                converged = row.IsConverged,
+                not_refined = row.Unrefined,
+                verdict = row.Verdict,
                 inside = row.IsInside,
-                distance = row.Distance,
+                distance = Finite(row.Distance),
                 cause = row.IsInside ? null : row.Cause,
             }),
             curves = curves.Select(curve => new { key = curve.Key, title = curve.Title, measured = curve.Measured, ours = curve.Ours.ToDictionary(one => one.Name, one => one.Values) }),
         },
         s_Json) + "\n";
 
-    /// <summary>The charts, SVG.</summary>
-    public static string Charts(IReadOnlyList<ValidationCurve> curves)
-    {
-        var page = new SvgPage();
-        page.Text(26f, 38f, 22f, "Tethered dragonfly over the beat", look: "b");
-        page.Text(26f, 60f, 13f, "Across t/T. Lines: the model, in the order of each title. Dashed: published, or the user's.", look: "t");
-        for (int k = 0; k < curves.Count; k++)
-        {
-            ValidationCurve curve = curves[k];
-            int count = curve.Ours[0].Values.Length;
-            var lines = curve.Ours.Select((one, n) => new ChartCurve(one.Values, s_Colours[n], false)).ToList();
-            if (curve.Measured != null)
-                lines.Add(new ChartCurve(curve.Measured, "#3d3a34", true));
-            var chart = new LineChart(Enumerable.Range(0, count).Select(n => (double)n / count).ToList(), false, 12f + k % 2 * (k_ChartWidth + 10f), k_Top + k / 2 * k_ChartHeight, k_ChartWidth, k_ChartHeight);
-            chart.Draw(page, $"{curve.Title}: {string.Join(", ", curve.Ours.Select(one => one.Name))}", lines);
-        }
-
-        return page.Finish(k_Width, k_Top + (curves.Count + 1) / 2 * k_ChartHeight + 12f, "Curves of the tethered dragonfly over the beat");
-    }
+    /// <summary>The rows that the package's front page shows, Markdown.</summary>
+    public static string Selection(IReadOnlyList<ValidationRow> rows) =>
+        $"{rows.Count(row => row.IsInside)} of the {rows.Count} comparisons of [Validation](Documentation~/validation.md) agree. Some of both kinds:\n\n" + MarkdownTable.Write(s_Selected
+        .SelectMany(words => rows.Where(row => words.All(row.Title.Contains)))
+        .Select(row => new[] { row.Title, $"{row.Measured} ({row.Source})", Text($"{row.Value:0.00}"), row.Verdict })
+        .Prepend(["", "measured", "here", "verdict"]));
 
     private static IEnumerable<string[]> Table(IReadOnlyList<ValidationRow> rows, bool causes)
     {
-        string[] head = ["", "measured", "source", "ours", "verdict", "at 480 substeps", "change"];
+        string[] head = ["", "measured", "source", "ours", "verdict", "at twice the substeps", "change"];
         yield return causes ? [.. head, "believed cause"] : head;
         foreach (ValidationRow row in rows)
         {
-            string verdict = row.IsInside ? "inside" : Text($"outside by {row.Distance:0.00}");
             bool refined = !double.IsNaN(row.Fine);
-            string[] cells = [row.Title, row.Measured, row.Source, Text($"{row.Ours:0.00}"), verdict, refined ? Text($"{row.Fine:0.00}") : "–", refined ? Text($"{100 * row.Change:0.0} %") : "–"];
+            string[] cells = [row.Title, row.Measured, row.Source, Text($"{row.Ours:0.00}"), row.Verdict, refined ? Text($"{row.Fine:0.00}") : "–", refined ? Text($"{100 * row.Change:0.0} %") : row.Unrefined ?? "–"];
             yield return causes ? [.. cells, row.Cause] : cells;
         }
     }

@@ -9,12 +9,15 @@ namespace Alate.Cli.Validation;
 /// <param name="Measured">The measured value or band in words.</param>
 /// <param name="Source">Where it was published.</param>
 /// <param name="Ours">The model's value.</param>
-/// <param name="Fine">The model's value at 480 substeps; not a number where it has none.</param>
+/// <param name="Fine">The model's value at twice the substeps; not a number where it has none.</param>
 /// <param name="Cause">What is believed to be the cause where it does not agree.</param>
 internal sealed record ValidationRow(string Title, double Low, double High, string Measured, string Source, double Ours, double Fine, string Cause)
 {
-    /// <summary>Largest change to 480 substeps that counts as converged.</summary>
+    /// <summary>Largest change to twice the substeps that counts as converged.</summary>
     public const double Converged = 0.03;
+
+    /// <summary>Reason why there is no value at twice the substeps.</summary>
+    public string Unrefined { get; init; }
 
     /// <summary>Best value there is.</summary>
     public double Value => double.IsNaN(Fine) ? Ours : Fine;
@@ -25,6 +28,12 @@ internal sealed record ValidationRow(string Title, double Low, double High, stri
     /// <summary>Distance from the band, in the row's unit; 0 inside.</summary>
     public double Distance => IsInside ? 0 : Value < Low ? Value - Low : Value - High;
 
-    /// <summary>Change to 480 substeps over the value there; not a number where there is none.</summary>
+    /// <summary>True where the value hardly changes with the substeps.</summary>
+    public bool IsConverged => Change <= Converged;
+
+    /// <summary>Verdict in words.</summary>
+    public string Verdict => IsInside ? "inside" : FormattableString.Invariant($"outside by {Distance:0.00}").Replace('-', '−');
+
+    /// <summary>Change to twice the substeps over the value there; not a number where there is none.</summary>
     public double Change => Math.Abs(Ours - Fine) / Math.Max(Math.Abs(Fine), 1e-9);
 }

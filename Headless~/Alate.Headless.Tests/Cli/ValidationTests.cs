@@ -1,8 +1,13 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Alate.Cli;
+using Alate.Cli.Commands;
+using Alate.Cli.Figures;
+using Alate.Cli.Flights;
+using Alate.Cli.Projects;
 using Alate.Cli.Validation;
 using NUnit.Framework;
 
@@ -21,17 +26,80 @@ namespace Alate.Tests.Cli
             Assert.That(BladeElements.Lift(MeasuredDragonfly.Flights[flight], BladeElements.Point.Axis), Is.EqualTo(lift).Within(0.01));
 
         [Test]
-        public void TheInducedFlow_IsThatOfMomentumTheory() => Assert.That(DragonflyRows.Induced(), Is.EqualTo(0.93).Within(0.03));
+        public void TheInducedFlow_IsThatOfMomentumTheory() => Assert.That(DragonflyRun.Fly(MeasuredDragonfly.Tethered, true, 48, 1).Induced, Is.EqualTo(0.93).Within(0.03));
 
         [Test]
         public void ATetheredDragonfly_PullsAsItWasComputed_WithAWakeFactor()
         {
-            var run = DragonflyRun.Fly(MeasuredDragonfly.Tethered, true, 48, 1.2 * DragonflyRows.Induced());
+            var run = DragonflyRun.Fly(MeasuredDragonfly.Tethered, true, 48, 1.2);
             double[] ours = run.Even(run.Lift, 50);
 
             Assert.That(DragonflyRows.Correlation(ours, MeasuredDragonfly.TetheredForce), Is.GreaterThan(0.9));
             Assert.That(ours.Average(), Is.EqualTo(MeasuredDragonfly.TetheredForce.Average()).Within(30).Percent);
             Assert.That(ours.Max(), Is.EqualTo(MeasuredDragonfly.TetheredForce.Max()).Within(30).Percent);
+        }
+
+        // The mean of a half wave is 2/π; frames alone would miss it by half of a frame's height at both ends.
+        [Test]
+        public void AMeanOverAHalfBeat_CountsBothEndsOnce()
+        {
+            RecordedFrame[] frames = Enumerable.Range(1, 48).Select(k => new RecordedFrame { Phase = (float)(2 * Math.PI * (k % 48) / 48) }).ToArray();
+            var sine = new BeatCurve(frames, frames.Select(frame => Math.Sin(frame.Phase)).ToList());
+            var cosine = new BeatCurve(frames, frames.Select(frame => Math.Cos(frame.Phase)).ToList());
+
+            Assert.That(sine.Mean(0, 0.5), Is.EqualTo(2 / Math.PI).Within(0.2).Percent);
+            Assert.That(cosine.Mean(0, 0.5), Is.Zero.Within(1e-6));
+            Assert.That(sine.Mean(0.5, 1), Is.EqualTo(-2 / Math.PI).Within(0.2).Percent);
+        }
+
+        // Force times speed of a wing that moves as one, against blade elements of its own.
+        [Test]
+        public void ThePowerOfARun_IsNearThatOfBladeElements()
+        {
+            var run = DragonflyRun.Fly(MeasuredDragonfly.Flights[1], true, 48);
+            double blades = BladeElements.Curve(MeasuredDragonfly.Flights[1], BladeElements.Point.MidChord).Average(moment => moment.Power);
+
+            Assert.That(run.Power.Average(), Is.EqualTo(blades).Within(15).Percent);
+        }
+
+        [Test]
+        public void ThePage_IsThatOfTheReport_AndTheFrontPageHasRowsOfIt()
+        {
+            string documentation = Path.Combine(PackageRoot.Find(), "Documentation~"), page = Text(documentation, "validation.md"), front = Text(PackageRoot.Find(), "README.md");
+            JsonElement report = JsonDocument.Parse(Text(documentation, "validation.json")).RootElement;
+            var rows = report.GetProperty("rows").EnumerateArray().Select(Row).ToList();
+            string begin = PageBlock.Begin(ValidateCommand.Part, "validate");
+            string part = front[(front.IndexOf(begin, StringComparison.Ordinal) + begin.Length)..front.IndexOf(PageBlock.End(ValidateCommand.Part), StringComparison.Ordinal)];
+
+            Assert.That(ValidationPage.Markdown(rows, "images/validation.svg"), Is.EqualTo(page), "run the command validate");
+            Assert.That(part, Is.EqualTo(ValidationPage.Selection(rows)), "run the command validate");
+            Assert.That(part.Split('\n'), Has.Length.GreaterThan(8));
+        }
+
+        [Test]
+        public void TheReport_SaysOfEveryRow_WhereItIsFromAndHowFarItIsConverged()
+        {
+            JsonElement report = JsonDocument.Parse(Text(PackageRoot.Find(), "Documentation~", "validation.json")).RootElement;
+            foreach (JsonElement row in report.GetProperty("rows").EnumerateArray())
+            {
+                string title = row.GetProperty("title").GetString();
+                foreach (string name in new[] { "measured", "source", "verdict" })
+                    Assert.That(row.GetProperty(name).GetString(), Is.Not.Empty, title);
+                Assert.That(row.GetProperty("ours").ValueKind, Is.EqualTo(JsonValueKind.Number), title);
+                Assert.That(row.GetProperty("inside").GetBoolean() || row.GetProperty("cause").GetString().Length > 0, title);
+                Assert.That(row.GetProperty("at_twice_the_substeps").ValueKind == JsonValueKind.Number || row.GetProperty("not_refined").GetString().Length > 0, title);
+                Assert.That(row.GetProperty("converged").GetBoolean(), Is.EqualTo(row.GetProperty("change").ValueKind == JsonValueKind.Number && row.GetProperty("change").GetDouble() <= ValidationRow.Converged), title);
+            }
+        }
+
+        [Test]
+        public void AFrontPageWithoutTheParts_IsRefusedBeforeAnythingIsFlown()
+        {
+            using var run = new CommandRun();
+
+            Assert.That(run.Run("validate", "--readme", run.Write("README.md", "# A page\n"), "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("validation: written by the command validate"));
+            Assert.That(Directory.Exists(run.Out), Is.False);
         }
 
         [Test]
@@ -81,6 +149,17 @@ namespace Alate.Tests.Cli
 
             Assert.That(() => UserCurves.Read(run.Folder, s_Curves), Throws.TypeOf<UserException>().With.Message.EqualTo($"{path}: {message}"));
         }
+
+        private static string Text(params string[] path) => File.ReadAllText(Path.Combine(path)).ReplaceLineEndings("\n");
+
+        private static ValidationRow Row(JsonElement row) => new(
+            row.GetProperty("title").GetString(), Number(row, "low", double.NegativeInfinity), Number(row, "high", double.PositiveInfinity), row.GetProperty("measured").GetString(),
+            row.GetProperty("source").GetString(), Number(row, "ours", double.NaN), Number(row, "at_twice_the_substeps", double.NaN), row.GetProperty("cause").GetString())
+        {
+            Unrefined = row.GetProperty("not_refined").GetString(),
+        };
+
+        private static double Number(JsonElement row, string name, double missing) => row.GetProperty(name) is { ValueKind: JsonValueKind.Number } number ? number.GetDouble() : missing;
 
         [Test]
         public void AFolderThatIsNotThere_OrIsEmpty_IsRefused()
