@@ -81,7 +81,7 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
         var step = ImplicitStep.Of(pack, h);
         CarriedSurface.Evaluate(pack, scratch, h);
         Done();
-        JointLoads.Evaluate(pack, scratch);
+        JointLoads.Evaluate(pack, scratch, step);
         Done();
         Bending.Turn(pack, scratch, step);
         Done();

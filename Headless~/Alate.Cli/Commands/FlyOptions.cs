@@ -26,6 +26,8 @@ internal sealed class FlyOptions
     private readonly Option<double?> m_Induced = Numbers.Switch(
         "--induced-flow", "FACTOR", 1, 0, InducedFlow.MostFactor, "Wings that meet the air which they draw along, by momentum theory, times a wake factor, 0 to 3. [default: none; 1 without FACTOR]");
 
+    private readonly Option<bool> m_AddedMass = new("--added-mass") { Description = "The air that the wings carry along where they are accelerated across their surface." };
+
     private readonly Option<double?> m_Lag = Numbers.Optional(
         "--lag", "LAMBDA", 0, 2, "Delay of the trailing edge, half beats, 0 to 2. [default: the species']");
 
@@ -90,7 +92,7 @@ internal sealed class FlyOptions
     {
         Option[] all =
         [
-            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Induced, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
+            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Induced, m_AddedMass, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
             m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_Kinematics, m_View, m_NoPictures, m_Out,
         ];
         foreach (Option option in all)
@@ -104,8 +106,9 @@ internal sealed class FlyOptions
     /// <exception cref="UserException">One is for flights on the spot alone.</exception>
     public void CheckFree(ParseResult parsed)
     {
-        if (parsed.GetResult(m_Induced) is { Implicit: false })
-            throw new UserException($"{m_Induced.Name} is for flights on the spot; it does not go with --free.");
+        Option given = new Option[] { m_Induced, m_AddedMass }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
+        if (given != null)
+            throw new UserException($"{given.Name} is for flights on the spot; it does not go with --free.");
     }
 
     /// <summary>Where the files go; null is the default.</summary>
@@ -133,6 +136,7 @@ internal sealed class FlyOptions
             Seconds = parsed.GetValue(m_Seconds),
             Wind = parsed.GetValue(m_Wind) is { Length: 3 } wind ? wind : [0, 0, 0],
             Induced = parsed.GetValue(m_Induced) is double factor and > 0 ? new InducedFlow(factor) : null,
+            AddedMass = parsed.GetValue(m_AddedMass),
             Lag = parsed.GetValue(m_Lag),
             Elasticity = parsed.GetValue(m_Elasticity),
             Substeps = parsed.GetValue(m_Substeps),

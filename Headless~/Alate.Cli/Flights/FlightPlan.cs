@@ -46,6 +46,9 @@ internal sealed record FlightPlan
     /// <summary>Air that the wings draw along; null for none.</summary>
     public InducedFlow Induced { get; init; }
 
+    /// <summary>Whether the air that the wings carry along across their surface counts.</summary>
+    public bool AddedMass { get; init; }
+
     /// <summary>λ; null is the species'.</summary>
     public double? Lag { get; init; }
 
@@ -124,6 +127,7 @@ internal sealed record FlightPlan
         parameters.maxFrequency *= (float)Frequency;
         parameters.substepsPerBeat = Substeps ?? parameters.substepsPerBeat;
         parameters.chordDelay = (float)(Lag ?? parameters.chordDelay);
+        parameters.options.addedMass |= AddedMass;
         parameters.options.coefficients = Coefficients ?? parameters.options.coefficients;
         if (IsVersion01)
             Version01.ApplyTo(ref parameters);

@@ -77,6 +77,8 @@ internal static class SummaryJson
         json.WriteEndArray();
         if (plan.Induced != null)
             json.WriteNumber("induced_flow", plan.Induced.Factor);
+        if (parameters.options.addedMass)
+            json.WriteBoolean("added_mass", true);
         Number(json, "lag", parameters.chordDelay);
         json.WriteNumber("elasticity_factor", plan.Elasticity);
         json.WriteNumber("substeps", parameters.substepsPerBeat);

@@ -48,12 +48,12 @@ internal static class DragonflyRows
         MeasuredDragonfly flight = MeasuredDragonfly.Tethered;
         IReadOnlyList<double> measured = MeasuredDragonfly.TetheredForce;
         double mean = measured.Average(), peak = measured.Max();
-        foreach (double wake in new[] { 0, 1, k_Wake })
+        foreach ((double wake, bool addedMass) in new[] { (0, false), (1, false), (k_Wake, false), (1, true) })
         {
             string cause = wake > 0 ? "the downwash of momentum theory is even and steady" : "the wing meets air at rest; in hover it meets what it has set moving";
             double band = wake > 1 ? k_WithWake : k_WithInflow;
-            DragonflyRun run = DragonflyRun.Fly(flight, true, Substeps, wake), finer = DragonflyRun.Fly(flight, true, FineSubsteps, wake);
-            string name = "tethered dragonfly" + (wake > 0 ? Inflow(finer, wake) : ", no induced flow");
+            DragonflyRun run = DragonflyRun.Fly(flight, true, Substeps, wake, addedMass), finer = DragonflyRun.Fly(flight, true, FineSubsteps, wake, addedMass);
+            string name = "tethered dragonfly" + (wake > 0 ? Inflow(finer, wake) : ", no induced flow") + (addedMass ? ", added mass" : "");
             double[] ours = run.Even(run.Lift, k_Places), fine = finer.Even(finer.Lift, k_Places);
             yield return new ValidationRow(
                 $"{name}: correlation of the vertical force", k_Correlation, 1, "0.9 or more with the computed curve", flight.Source,

@@ -59,7 +59,8 @@ internal sealed class DragonflyRun
     /// <param name="rigid">Whether the wings are stiff.</param>
     /// <param name="substeps">Of a beat.</param>
     /// <param name="wake">Factor of the induced flow; 0 for none.</param>
-    public static DragonflyRun Fly(MeasuredDragonfly measured, bool rigid, int substeps, double wake = 0)
+    /// <param name="addedMass">Whether the air that the wings carry along counts.</param>
+    public static DragonflyRun Fly(MeasuredDragonfly measured, bool rigid, int substeps, double wake = 0, bool addedMass = false)
     {
         var plan = new FlightPlan
         {
@@ -68,6 +69,7 @@ internal sealed class DragonflyRun
             Speed = measured.Speed,
             Climb = measured.Climb,
             Induced = wake > 0 ? new InducedFlow(wake, k_Density) : null,
+            AddedMass = addedMass,
             RecordsAir = true,
             Substeps = substeps,
             Patches = 256,

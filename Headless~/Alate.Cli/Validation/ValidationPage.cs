@@ -36,7 +36,7 @@ internal static class ValidationPage
         page.Append("\n## Inside\n\n").Append(MarkdownTable.Write(Table(inside, false)));
         page.Append("\n## Over the beat\n\nThe tethered dragonfly with the induced flow of momentum theory, but for the curve that says otherwise. The published vertical force is computed by its authors, not measured. `validate --data DIR` draws curves of your own in their place.\n\n");
         page.Append($"![Curves of the tethered dragonfly over the beat]({picture})\n");
-        page.Append("\n## Not compared yet\n\nA cantilever and a flapping plate for the structure alone, stiffness in newtons times square metres, and added mass.\n");
+        page.Append("\n## Not compared yet\n\nA cantilever and a flapping plate for the structure alone, and stiffness in newtons times square metres.\n");
         return page.ToString();
     }
 

@@ -91,6 +91,7 @@ namespace Alate
             SoaFloat3 torque = SoaQuaternion.Rotate(SoaQuaternion.Conjugate(bent), scratch.torques[bone]);
             float3 axis = pack.rig.bendAxes[bone], along = pack.rig.boneDirections[bone];
             float4 inertia = pack.rig.jointInertias[bone];
+            float4 across = pack.options.addedMass ? inertia + pack.parameters->numbers.airDensity * pack.rig.addedInertias[bone] : inertia;
             float4 stiffness = pack.bendStiffness[bone];
             float4 damping = pack.bendDamping[bone];
             float4 airDamping = AirDamping(pack, scratch, bone) * (euler ? 1f : k_AirShare);
@@ -106,7 +107,7 @@ namespace Alate
             pack.earlierRates[bone] = pack.bendRates[bone];
 
             float4 bend = torque.x * axis.x + torque.y * axis.y + torque.z * axis.z;
-            angles.x = Hinge(inertia, bendDamping, airDamping, bendStiffness, bend, p.numbers.jointLimit, step.length,
+            angles.x = Hinge(across, bendDamping, airDamping, bendStiffness, bend, p.numbers.jointLimit, step.length,
                 seen.x, angles.x, ref rates.x);
 
             float4 inPlane = stiffness * p.numbers.inPlaneFactor;
@@ -114,12 +115,12 @@ namespace Alate
                 seen.y, angles.y, ref rates.y);
 
             float4 twist = torque.x * along.x + torque.y * along.y + torque.z * along.z;
-            angles.z = Hinge(inertia, damping * p.torsionDamping, 0f, twistStiffness, twist, p.numbers.jointLimit, step.length,
+            angles.z = Hinge(across, damping * p.torsionDamping, 0f, twistStiffness, twist, p.numbers.jointLimit, step.length,
                 seen.z, angles.z, ref rates.z);
 
             pack.bendAngles[bone] = angles;
             pack.bendRates[bone] = rates;
-            scratch.compliances[bone].x = Compliance(inertia, bendDamping + airDamping, bendStiffness, step.length);
+            scratch.compliances[bone].x = Compliance(across, bendDamping + airDamping, bendStiffness, step.length);
             scratch.compliances[bone].y = Compliance(inertia, inPlaneDamping + airDamping, inPlane, step.length);
         }
 

@@ -8,7 +8,7 @@ namespace Alate
     internal static unsafe class JointLoads
     {
         /// <summary>Fills forces, airDamping and torques, and adds force and moment of the air to the readings.</summary>
-        public static void Evaluate(in WingPack pack, in StepScratch scratch)
+        public static void Evaluate(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
@@ -17,6 +17,8 @@ namespace Alate
             }
 
             Aerodynamics.Apply(pack, scratch);
+            if (pack.options.addedMass)
+                AddedMass.Apply(pack, scratch, step);
             ReadAir(pack, scratch);
             AddInertiaAndGravity(pack, scratch);
             if (pack.options.torqueArm == TorqueArm.OwnLoadAboutRoot)

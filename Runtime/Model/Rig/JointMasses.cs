@@ -17,16 +17,10 @@ namespace Alate
         /// <summary>m_i = Σ_t (A_t/A)(w_ia + w_ib + w_ic)/3, at least <see cref="LeastShare"/>; sum 1.</summary>
         public static float[] OfJoints(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] weights)
         {
-            double[] sums = new double[rest.joints.Length];
-            for (int t = 0; t < triangles.Count; t++)
-            {
-                double share = triangles.areas[t] / (3.0 * triangles.Area);
-                int3 corner = triangles.corners[t];
-                Add(rest, sums, weights[corner.x], share);
-                Add(rest, sums, weights[corner.y], share);
-                Add(rest, sums, weights[corner.z], share);
-            }
-
+            double[] shares = new double[triangles.Count];
+            for (int t = 0; t < shares.Length; t++)
+                shares[t] = triangles.areas[t] / (3.0 * triangles.Area);
+            double[] sums = Sums(rest, triangles, weights, shares);
             double total = 0.0;
             for (int joint = 0; joint < sums.Length; joint++)
             {
@@ -38,6 +32,21 @@ namespace Alate
             for (int joint = 0; joint < sums.Length; joint++)
                 masses[joint] = (float)(sums[joint] / total);
             return masses;
+        }
+
+        /// <summary>What the joints get of the triangles around them: a share for each corner of each triangle, by the corner's weights.</summary>
+        public static double[] Sums(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] weights, double[] shares)
+        {
+            double[] sums = new double[rest.joints.Length];
+            for (int t = 0; t < triangles.Count; t++)
+            {
+                int3 corner = triangles.corners[t];
+                Add(rest, sums, weights[corner.x], shares[t]);
+                Add(rest, sums, weights[corner.y], shares[t]);
+                Add(rest, sums, weights[corner.z], shares[t]);
+            }
+
+            return sums;
         }
 
         /// <summary>Inertia of the joints beyond each bone, I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>

@@ -23,6 +23,7 @@ namespace Alate
             FitCheck.Run(SurfaceCheck.Name(surface), rest, triangles, centres);
 
             CellPoint[] weights = cells.Locate(points);
+            float[] added = AddedMasses.OfJoints(rest, points, triangles, weights);
             float[] masses = JointMasses.OfJoints(rest, triangles, weights);
             return new RigContent
             {
@@ -32,6 +33,8 @@ namespace Alate
                 area = (float)triangles.Area,
                 jointMasses = masses,
                 jointInertias = JointMasses.Inertias(rest, masses),
+                addedMasses = added,
+                addedInertias = JointMasses.Inertias(rest, added),
                 leverDamping = JointMasses.LeverDamping(rest),
                 springs = SpringNetwork.Make(rest),
                 strips = new StripNetwork(rest),

@@ -9,6 +9,8 @@ namespace Alate
         public float area;
         public float[] jointMasses;
         public float[] jointInertias;
+        public float[] addedMasses;
+        public float[] addedInertias;
         public float[] leverDamping;
         public Spring[] springs;
         public StripNetwork strips;

@@ -53,6 +53,8 @@ namespace Alate
                 crossDirections = (float3*)Pointer(rest.crossDirections),
                 jointMasses = (float*)jointMasses.GetUnsafeReadOnlyPtr(),
                 jointInertias = (float*)Pointer(content.jointInertias),
+                addedMasses = (float*)Pointer(content.addedMasses),
+                addedInertias = (float*)Pointer(content.addedInertias),
                 leverDamping = (float*)Pointer(content.leverDamping),
                 strips = (Strip*)Pointer(content.strips.Strips),
                 stripCount = content.strips.Strips.Length,

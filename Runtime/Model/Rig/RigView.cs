@@ -50,6 +50,12 @@ namespace Alate
         /// <summary>[bone] I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>
         public float* jointInertias;
 
+        /// <summary>[joint] Mass of the air that a joint carries along across the surface, over the air's density, L³.</summary>
+        public float* addedMasses;
+
+        /// <summary>[bone] Inertia of that air beyond the bone, over the air's density, L⁵.</summary>
+        public float* addedInertias;
+
         /// <summary>
         /// [(i·m + j)·m + k] For k &gt; j |p_ik−p_ij| Λ_ik with Λ_ik = Σ_{l&lt;k} |p_ik−p_il|, else 0: turns the air's damping at
         /// joint k into that of the bend at joint j.

@@ -47,6 +47,13 @@ namespace Alate
         [Tooltip("Second Order: the error falls with the square of the substep. Backward Euler: as printed; needs about twice the substeps.")]
         public TimeScheme timeScheme;
 
+        /// <summary>
+        /// True where the air that a thin wing carries along, where it is accelerated across its surface, adds to the force of the air and to the inertia of the joints. False in both readings: the paper has
+        /// no such term.
+        /// </summary>
+        [Tooltip("Adds the mass of the air that the wing carries along where it is accelerated across its surface. Off by default.")]
+        public bool addedMass;
+
         /// <summary>The options of <see cref="ModelReading.Physical"/>.</summary>
         public static ModelOptions Physical => new ModelOptions { clampLift = true };
 
@@ -67,13 +74,13 @@ namespace Alate
         public bool Equals(ModelOptions other) =>
             coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift
                 && cycleChange == other.cycleChange && torqueArm == other.torqueArm && springUnits == other.springUnits
-                && coupling == other.coupling && timeScheme == other.timeScheme;
+                && coupling == other.coupling && timeScheme == other.timeScheme && addedMass == other.addedMass;
 
         /// <inheritdoc/>
         public override bool Equals(object obj) => obj is ModelOptions other && Equals(other);
 
         /// <inheritdoc/>
         public override int GetHashCode() =>
-            HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, timeScheme);
+            HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, HashCode.Combine(timeScheme, addedMass));
     }
 }

@@ -158,6 +158,8 @@ namespace Alate
             view.drivenRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
             view.drivenPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.drivenLags = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
+            view.normalSpeeds = (float4*)carver.Take<float4>(joints);
+            view.earlierNormalSpeeds = (float4*)carver.Take<float4>(joints);
             view.offsets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.offsetRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.earlierOffsets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);

@@ -71,6 +71,12 @@ namespace Alate
         /// </summary>
         public SoaFloat3* drivenLags;
 
+        /// <summary>Speed of the driven joint along its normal in the last substep, L/s; only with <see cref="ModelOptions.addedMass"/>.</summary>
+        public float4* normalSpeeds;
+
+        /// <summary>The same one substep earlier, L/s.</summary>
+        public float4* earlierNormalSpeeds;
+
         /// <summary>Deviation e per joint: elastic minus posed position, wing lengths.</summary>
         public SoaFloat3* offsets;
 

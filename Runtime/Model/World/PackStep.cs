@@ -95,7 +95,7 @@ namespace Alate
             DrivenPose.Evaluate(pack, scratch);
             var step = ImplicitStep.Of(pack, h);
             CarriedSurface.Evaluate(pack, scratch, h);
-            JointLoads.Evaluate(pack, scratch);
+            JointLoads.Evaluate(pack, scratch, step);
             if (pack.carries)
                 AirDamping.Evaluate(pack, scratch);
             Bending.Step(pack, scratch, step);
