@@ -15,7 +15,7 @@ internal static class FlightFigures
     public const string Page = "flight.md";
 
     /// <summary>Speed and climb of the measured monarch, m/s.</summary>
-    private const float k_MeasuredSpeed = 1.28f, k_MeasuredClimb = 0.75f;
+    internal const float k_MeasuredSpeed = 1.28f, k_MeasuredClimb = 0.75f;
 
     private const string k_Climbing = "Kang, Sridhar et al. 2020, a monarch that climbs by 0.75 m/s at 1.28 m/s", k_Halves = "Bode-Oke and Dong 2020, a monarch in forward flight";
 

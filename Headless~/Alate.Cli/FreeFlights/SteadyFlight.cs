@@ -32,12 +32,13 @@ internal sealed record SteadyFlight(
     /// <param name="model">The insect.</param>
     /// <param name="table">Its trims.</param>
     /// <param name="condition">Speed and climb; bounded by the table.</param>
-    public static SteadyFlight Fly(FlightModel model, TrimTable table, FlightCondition condition)
+    /// <param name="seconds">Least time of the means.</param>
+    public static SteadyFlight Fly(FlightModel model, TrimTable table, FlightCondition condition, double seconds = k_Averaged)
     {
         using var flight = new FreeFlight(model, table, condition);
         var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
         float step = (float)(1 / (k_StepsPerBeat * flight.World.Read(flight.Wings[0]).Frequency));
-        double averaged = Math.Max(k_Averaged, k_LeastBeats * k_StepsPerBeat * step), settled = k_Settled / k_Averaged * averaged;
+        double averaged = Math.Max(seconds, k_LeastBeats * k_StepsPerBeat * step), settled = k_Settled / k_Averaged * averaged;
         var moments = new List<FreeMoment>();
         int beat = -1;
         while (flight.Time < settled + averaged || flight.Beats == beat)

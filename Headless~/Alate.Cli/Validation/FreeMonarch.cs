@@ -20,6 +20,9 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
     private const float k_Speed = 1.3f;
     private const int k_Beats = 60;
 
+    /// <summary>Time of the means.</summary>
+    private const double k_Seconds = 12;
+
     /// <summary>Flies with so many substeps of a beat, by the species' trim table.</summary>
     public static FreeMonarch Fly(int substeps)
     {
@@ -27,22 +30,24 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         using FlightModel model = CatalogueFlight.CreateModel(monarch);
         using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
         Refine(model, parameters => substeps);
-        var level = SteadyFlight.Fly(model, table, new FlightCondition(k_Speed, 0f));
+        var level = SteadyFlight.Fly(model, table, new FlightCondition(k_Speed, 0f), k_Seconds);
         (double down, double up) = Attacks(model, table);
         return new FreeMonarch(100 * level.UpForce, 100 * level.UpSupport, level.PowerPerMass, down, up);
     }
 
-    /// <summary>Attitude in the measured climb.</summary>
-    /// <param name="fineness">Factor on the substeps of the species.</param>
-    /// <param name="missing">What the trim lacks where it does not close.</param>
-    /// <returns>Mean pitch of the thorax, and the stroke plane off the vertical, degrees; not numbers where the trim does not close.</returns>
-    public static (double Pitch, double Plane) Climb(int fineness, out string missing)
+    /// <summary>Trims of the measured climb: at the species' substeps, and from there at more.</summary>
+    /// <param name="fineness">Factor on the species' substeps.</param>
+    /// <param name="residual">What lift, thrust and pitching moment then lack, over weight and weight times wing length; null where the first does not close.</param>
+    public static (TrimState Trim, TrimState Fine) Climb(int fineness, out double[] residual)
     {
         using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
+        TrimState climbing = FlightFigures.MeasuredClimb(model, out _);
+        residual = null;
+        if (climbing == null)
+            return default;
         Refine(model, parameters => fineness * parameters.substepsPerBeat);
-        TrimState climbing = FlightFigures.MeasuredClimb(model, out missing);
-        double pitch = climbing?.Pitch ?? double.NaN, tilt = climbing?.Tilt ?? double.NaN;
-        return (180 / Math.PI * pitch, 180 / Math.PI * (pitch + tilt));
+        using var solver = new TrimSolver(model);
+        return (climbing, solver.Solve(new FlightCondition(FlightFigures.k_MeasuredSpeed, FlightFigures.k_MeasuredClimb), climbing, out residual));
     }
 
     private static void Refine(FlightModel model, Func<WingParameters, int> substeps)
