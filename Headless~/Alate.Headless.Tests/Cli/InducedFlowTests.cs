@@ -89,19 +89,21 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
-        public void TheCommand_WritesWhatIsDrawnAlong()
+        public void TheCommand_WritesWhatIsDrawnAlong_AndThatAddedMassCounts()
         {
             using var run = new CommandRun();
 
-            Assert.That(run.Run("fly", "monarch", "--induced-flow", "--substeps", "12", "--no-pictures", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "monarch", "--induced-flow", "--added-mass", "--substeps", "12", "--no-pictures", "--out", run.Out), Is.Zero, run.Errors);
             JsonElement json = JsonDocument.Parse(System.IO.File.ReadAllText(System.IO.Path.Combine(run.Out, "summary.json"))).RootElement;
             Assert.That(json.GetProperty("options").GetProperty("induced_flow").GetDouble(), Is.EqualTo(1));
+            Assert.That(json.GetProperty("options").GetProperty("added_mass").GetBoolean());
             Assert.That(json.GetProperty("induced_velocity_m_s").EnumerateArray().Sum(part => Math.Abs(part.GetDouble())), Is.GreaterThan(0.01));
             Assert.That(run.Output, Does.Contain("The wings draw air along at"));
         }
 
         [TestCase("--induced-flow must lie between 0 and 3; it is 4.", "--induced-flow", "4")]
         [TestCase("--induced-flow takes a finite number, not 'strong'.", "--induced-flow", "strong")]
+        [TestCase("--added-mass is for flights on the spot; it does not go with --free.", "--added-mass", "--free")]
         [TestCase("--induced-flow is for flights on the spot; it does not go with --free.", "--induced-flow", "1", "--free")]
         public void BadUsage_IsOneLine(string message, params string[] options)
         {
