@@ -82,6 +82,50 @@ namespace Alate.Tests
             }
         }
 
+        // In the first moment after gravity sets in nothing but inertia holds a hinge: I of the wing, and of the air only across the surface.
+        [TestCase(0f, -1f, 0f)]
+        [TestCase(0f, 0f, -1f)]
+        public void AHingeLetGo_TurnsWithTheInertiaOfWingAndAir(float x, float y, float z)
+        {
+            WingParameters parameters = RigidPlate.Parameters;
+            parameters.jointLimit = 0.5f;
+            parameters.elasticity = 1e-3f;
+            parameters.bendDamping = 0f;
+            parameters.options.coupling = MembraneCoupling.OneWay;
+            float3[] wing = LetGo(parameters, new float3(x, y, z) * 160f, out _), both;
+            parameters.options.addedMass = true;
+            both = LetGo(parameters, new float3(x, y, z) * 160f, out double[] shares);
+            for (int bone = 0; bone < wing.Length; bone++)
+            {
+                double ratio = y != 0f ? both[bone].x / wing[bone].x : both[bone].y / wing[bone].y;
+                Assert.That(ratio, Is.EqualTo(y != 0f ? shares[bone] : 1.0).Within(0.5).Percent, $"bone {bone}");
+                Assert.That(shares[bone], Is.LessThan(0.8));
+            }
+        }
+
+        private static unsafe float3[] LetGo(in WingParameters parameters, float3 gravity, out double[] shares)
+        {
+            WingRig rig = RigidPlate.Rig();
+            using (var world = new WingWorld())
+            {
+                WingHandle wing = world.Add(rig, parameters, new WingSurroundings { gravity = gravity });
+                rig.Release();
+                world.Step(1e-4f);
+                WingReading reading = world.Read(wing);
+                int bones = reading.JointsPerChain - 1;
+                RigView view = rig.ViewAt(false);
+                shares = new double[reading.ChainCount * bones];
+                var bends = new float3[shares.Length];
+                for (int bone = 0; bone < bends.Length; bone++)
+                {
+                    bends[bone] = reading.BendAngles(bone / bones, bone % bones);
+                    shares[bone] = view.jointInertias[bone] / (view.jointInertias[bone] + parameters.airDensity * view.addedInertias[bone]);
+                }
+
+                return bends;
+            }
+        }
+
         private static double Carried(in WingParameters parameters) => 0.25 * Math.PI * RigidPlate.k_Chord * RigidPlate.k_Chord * parameters.airDensity;
 
         private static WingParameters Driven(DrivenAngle angle, float amplitude)
