@@ -10,7 +10,8 @@ namespace Alate.Authoring
     /// <summary>Skeletons as JSON text, to carry them between tools.</summary>
     /// <remarks>
     /// <c>{"version":1,"hinge":[x,y,z],"span":[x,y,z],"up":[x,y,z],"chains":[[[x,y,z],…],…]}</c>: chains from leading to trailing
-    /// edge, joints from root to tip, positions in mesh space. All keys are required, in any order, and there are no others.
+    /// edge, joints from root to tip, positions in mesh space. These keys are required, in any order. Where the stiffness of a chain is measured there are
+    /// <c>"flexuralStiffness":[[EI,…],…]</c> and <c>"torsionalStiffness":[[GJ,…],…]</c>, a list for each chain, N·m²; there are no other keys.
     /// </remarks>
     [MovedFrom(true, "Alate", "Alate")]
     public static class SkeletonJson
@@ -20,6 +21,8 @@ namespace Alate.Authoring
         internal const string k_Span = "span";
         internal const string k_Up = "up";
         internal const string k_Chains = "chains";
+        internal const string k_Flexural = "flexuralStiffness";
+        internal const string k_Torsional = "torsionalStiffness";
 
         /// <summary>The skeleton as text, one chain a line; reading it gives the same numbers to the last bit.</summary>
         /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
@@ -46,7 +49,10 @@ namespace Alate.Authoring
                 text.Append(']');
             }
 
-            return text.Append("\n  ]\n}\n").ToString();
+            text.Append("\n  ]");
+            AppendValues(text, k_Flexural, Array.ConvertAll(chains, chain => chain.flexuralStiffness));
+            AppendValues(text, k_Torsional, Array.ConvertAll(chains, chain => chain.torsionalStiffness));
+            return text.Append("\n}\n").ToString();
         }
 
         /// <summary>Reads the skeleton that a text describes. <see cref="WingSkeleton.Validate"/> tells whether it is usable.</summary>
@@ -68,6 +74,23 @@ namespace Alate.Authoring
             return skeleton;
         }
 
+        // A list for each chain; nothing where no chain has values.
+        private static void AppendValues(StringBuilder text, string key, float[][] values)
+        {
+            if (!Array.Exists(values, ChainValues.AreGiven))
+                return;
+            AppendKey(text, key).Append('[');
+            for (int i = 0; i < values.Length; i++)
+            {
+                text.Append(i == 0 ? "[" : ", [");
+                for (int k = 0; values[i] != null && k < values[i].Length; k++)
+                    text.Append(k == 0 ? "" : ", ").Append(Number(Finite(values[i][k]), 0.0));
+                text.Append(']');
+            }
+
+            text.Append(']');
+        }
+
         private static void AppendMember(StringBuilder text, string key, Vector3 value, (double x, double y, double z) origin) =>
             Append(AppendKey(text, key), value, origin);
 
@@ -75,10 +98,11 @@ namespace Alate.Authoring
 
         private static void Append(StringBuilder text, Vector3 v, (double x, double y, double z) origin)
         {
-            if (!math.all(math.isfinite((float3)v)))
-                throw new ArgumentException("A skeleton with a number that is not finite cannot be written as JSON.");
-            text.Append('[').Append(Number(v.x, origin.x)).Append(", ").Append(Number(v.y, origin.y)).Append(", ").Append(Number(v.z, origin.z)).Append(']');
+            text.Append('[').Append(Number(Finite(v.x), origin.x)).Append(", ").Append(Number(Finite(v.y), origin.y)).Append(", ").Append(Number(Finite(v.z), origin.z)).Append(']');
         }
+
+        private static float Finite(float value) =>
+            math.isfinite(value) ? value : throw new ArgumentException("A skeleton with a number that is not finite cannot be written as JSON.");
 
         // The shortest of the two formats that comes back as the same number.
         private static string Number(float value, double origin)

@@ -8,10 +8,12 @@ namespace Alate.Authoring
     /// <summary>Reads exactly the JSON of <see cref="SkeletonJson"/>, and reports where a text departs from it.</summary>
     internal sealed class SkeletonJsonReader
     {
-        private static readonly string[] s_Keys =
+        private static readonly string[] s_Required =
         {
             SkeletonJson.k_Version, SkeletonJson.k_Hinge, SkeletonJson.k_Span, SkeletonJson.k_Up, SkeletonJson.k_Chains,
         };
+
+        private static readonly string[] s_Keys = { s_Required[0], s_Required[1], s_Required[2], s_Required[3], s_Required[4], SkeletonJson.k_Flexural, SkeletonJson.k_Torsional };
 
         private readonly string m_Text;
         private readonly (double x, double y, double z) m_Origin;
@@ -32,6 +34,8 @@ namespace Alate.Authoring
             public Vector3 span;
             public Vector3 up;
             public JointChain[] chains;
+            public float[][] flexural;
+            public float[][] torsional;
         }
 
         /// <summary>Reads the whole text.</summary>
@@ -52,7 +56,7 @@ namespace Alate.Authoring
             }
             while (More('}', "a member"));
 
-            foreach (string key in s_Keys)
+            foreach (string key in s_Required)
             {
                 if (!seen.Contains(key))
                     throw Wrong($"\"{key}\" is missing");
@@ -61,7 +65,20 @@ namespace Alate.Authoring
             SkipSpace();
             if (m_Position < m_Text.Length)
                 throw Wrong($"expected the end of the text, found {Found()}");
+            for (int i = 0; i < content.chains.Length; i++)
+            {
+                content.chains[i].flexuralStiffness = Of(content, i, SkeletonJson.k_Flexural, content.flexural);
+                content.chains[i].torsionalStiffness = Of(content, i, SkeletonJson.k_Torsional, content.torsional);
+            }
+
             return content;
+        }
+
+        private float[] Of(in Content content, int chain, string key, float[][] values)
+        {
+            if (values != null && values.Length != content.chains.Length)
+                throw Wrong($"\"{key}\" has {values.Length} lists for {content.chains.Length} chains");
+            return values?[chain];
         }
 
         private void ReadMember(string key, ref Content content)
@@ -79,6 +96,12 @@ namespace Alate.Authoring
                     break;
                 case SkeletonJson.k_Up:
                     content.up = ReadVector(default);
+                    break;
+                case SkeletonJson.k_Flexural:
+                    content.flexural = ReadList(ReadValues, "a list");
+                    break;
+                case SkeletonJson.k_Torsional:
+                    content.torsional = ReadList(ReadValues, "a list");
                     break;
                 default:
                     content.chains = ReadList(ReadChain, "a chain");
@@ -98,6 +121,8 @@ namespace Alate.Authoring
         }
 
         private JointChain ReadChain() => new JointChain(ReadList(ReadPosition, "a joint"));
+
+        private float[] ReadValues() => ReadList(() => ReadFloat(0.0), "a number");
 
         private Vector3 ReadPosition() => ReadVector(m_Origin);
 

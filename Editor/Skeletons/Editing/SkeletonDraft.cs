@@ -1,11 +1,12 @@
+using System;
 using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Editor
 {
     /// <summary>
-    /// Content of a skeleton while a command works on it: a grid of joints, so that all chains have equal counts by construction. Mesh
-    /// space and units. A copy: nothing in it is shared with the asset.
+    /// Content of a skeleton while a command works on it: a grid of joints, so that all chains have equal counts by construction, and what was measured of each chain. Mesh
+    /// space and units. A copy: nothing in it is shared with the asset but the measured values, which no command changes.
     /// </summary>
     internal sealed class SkeletonDraft
     {
@@ -13,10 +14,12 @@ namespace Alate.Editor
         public const float Farthest = 1e9f;
 
         private readonly Vector3[,] m_Joints;
+        private readonly JointChain[] m_Measured;
 
         public SkeletonDraft(int chains, int joints)
         {
             m_Joints = new Vector3[chains, joints];
+            m_Measured = new JointChain[chains];
         }
 
         public Vector3 Hinge { get; set; }
@@ -56,10 +59,7 @@ namespace Alate.Editor
 
             draft = new SkeletonDraft(skeleton.ChainCount, skeleton.JointsPerChain).TakeFrame(skeleton);
             for (int i = 0; i < draft.ChainCount; i++)
-            {
-                for (int j = 0; j < draft.JointsPerChain; j++)
-                    draft[i, j] = skeleton.Chains[i].joints[j];
-            }
+                draft.SetChain(i, skeleton.Chains[i].joints, skeleton.Chains[i]);
 
             return null;
         }
@@ -69,17 +69,18 @@ namespace Alate.Editor
         {
             SkeletonDraft copy = Resized(ChainCount, JointsPerChain);
             for (int i = 0; i < ChainCount; i++)
-            {
-                for (int j = 0; j < JointsPerChain; j++)
-                    copy[i, j] = this[i, j];
-            }
-
+                copy.SetChain(i, Chain(i));
             return copy;
         }
 
-        /// <summary>Makes a draft of other counts with equal hinge and axes and all joints at the origin.</summary>
-        public SkeletonDraft Resized(int chains, int joints) =>
-            new SkeletonDraft(chains, joints) { Hinge = Hinge, SpanAxis = SpanAxis, UpAxis = UpAxis };
+        /// <summary>Makes a draft of other counts with equal hinge and axes and all joints at the origin. With as many chains, these keep what was measured of them.</summary>
+        public SkeletonDraft Resized(int chains, int joints)
+        {
+            var draft = new SkeletonDraft(chains, joints) { Hinge = Hinge, SpanAxis = SpanAxis, UpAxis = UpAxis };
+            for (int i = 0; chains == ChainCount && i < chains; i++)
+                draft.m_Measured[i] = m_Measured[i];
+            return draft;
+        }
 
         /// <summary>Takes over the hinge and axes of a skeleton.</summary>
         public SkeletonDraft TakeFrame(WingSkeleton skeleton)
@@ -106,12 +107,31 @@ namespace Alate.Editor
                 this[chain, j] = joints[j];
         }
 
+        /// <summary>Replaces a chain's joints and what was measured of it.</summary>
+        public void SetChain(int chain, Vector3[] joints, in JointChain measured)
+        {
+            SetChain(chain, joints);
+            m_Measured[chain] = measured;
+        }
+
+        /// <summary>What was measured of a chain; its joints do not count.</summary>
+        public JointChain Measured(int chain) => m_Measured[chain];
+
+        /// <summary>Returns true where the same was measured of a chain as of one of another draft.</summary>
+        public bool IsMeasuredAs(SkeletonDraft other, int chain) =>
+            AreSame(m_Measured[chain].flexuralStiffness, other.m_Measured[chain].flexuralStiffness)
+            && AreSame(m_Measured[chain].torsionalStiffness, other.m_Measured[chain].torsionalStiffness);
+
         /// <summary>Makes the skeleton equal to this draft, in new arrays.</summary>
         public void WriteTo(WingSkeleton skeleton)
         {
             var chains = new JointChain[ChainCount];
             for (int i = 0; i < chains.Length; i++)
-                chains[i] = new JointChain(Chain(i));
+            {
+                chains[i] = m_Measured[i];
+                chains[i].joints = Chain(i);
+            }
+
             skeleton.Chains = chains;
             skeleton.Hinge = Hinge;
             skeleton.SpanAxis = SpanAxis;
@@ -150,12 +170,15 @@ namespace Alate.Editor
                 && Hinge.Equals(other.Hinge) && SpanAxis.Equals(other.SpanAxis) && UpAxis.Equals(other.UpAxis);
             for (int i = 0; same && i < ChainCount; i++)
             {
+                same = IsMeasuredAs(other, i);
                 for (int j = 0; same && j < JointsPerChain; j++)
                     same = this[i, j].Equals(other[i, j]);
             }
 
             return same;
         }
+
+        private static bool AreSame(float[] a, float[] b) => new ReadOnlySpan<float>(a).SequenceEqual(new ReadOnlySpan<float>(b));
 
         /// <summary>Returns true where all components are finite and none is beyond <see cref="Farthest"/>.</summary>
         public static bool IsUsable(Vector3 v) => math.all(math.abs((float3)v) <= Farthest);

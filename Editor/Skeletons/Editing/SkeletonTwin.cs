@@ -39,6 +39,8 @@ namespace Alate.Editor
             SkeletonDraft next = (sameCounts ? twin : image).Copy();
             for (int i = 0; sameCounts && i < after.ChainCount; i++)
             {
+                if (!after.IsMeasuredAs(before, i))
+                    next.SetChain(i, next.Chain(i), after.Measured(i));
                 for (int j = 0; j < after.JointsPerChain; j++)
                 {
                     if (!after[i, j].Equals(before[i, j]))

@@ -37,8 +37,14 @@ namespace Alate.Flight
         public void Add(FlightWing wing)
         {
             WingParameters parameters = wing.Parameters;
+            // The unit of stiffness follows from length and mass.
             foreach (WingParameterRange range in WingParameters.s_Ranges)
-                Add(range.Of(ref parameters));
+            {
+                if (range.Name != nameof(WingParameters.stiffnessUnit))
+                    Add(range.Of(ref parameters));
+            }
+
+            Add(wing.Rig.Beams);
             Add((uint)parameters.substepsPerBeat);
             ModelOptions o = parameters.options;
             Add((uint)o.coefficients * 1024 + (uint)o.tangent * 256 + (o.clampLift ? 128u : 0u) + (o.addedMass ? 4096u : 0u) + (uint)o.cycleChange * 64
@@ -47,6 +53,19 @@ namespace Alate.Flight
             Add(wing.Length);
             Add(wing.Mass);
             Add(wing.GravityShare);
+        }
+
+        // Nothing where no stiffness is measured.
+        private void Add(BeamHinges beams)
+        {
+            for (int bone = 0; bone < beams.bend.Length; bone++)
+            {
+                if (beams.bend[bone] == 0f)
+                    continue;
+                Add((uint)bone);
+                Add(beams.bend[bone]);
+                Add(beams.torsion[bone]);
+            }
         }
 
         // Nothing where no motion is prescribed.

@@ -37,9 +37,18 @@ namespace Alate
                 hash = hash * 31u + (uint)chain.Length;
                 for (int joint = 0; joint < chain.Length; joint++)
                     hash = Mix(hash, chain.joints[joint]);
+                hash = Mix(Mix(hash, chain.flexuralStiffness), chain.torsionalStiffness);
             }
 
             m_Hash = hash == 0 ? 1u : hash;
+        }
+
+        // Chains of unknown stiffness leave the hash as it is.
+        private static uint Mix(uint hash, float[] values)
+        {
+            for (int k = 0; values != null && k < values.Length; k++)
+                hash = (hash * 0x9E3779B1u + math.asuint(values[k])) * 0x85EBCA77u + (uint)values.Length;
+            return hash;
         }
 
         private static uint Mix(uint hash, Vector3 point)

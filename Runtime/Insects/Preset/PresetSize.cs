@@ -41,6 +41,9 @@ namespace Alate
         /// <summary>Relative density ρ* = ρL³/m_w, without unit.</summary>
         public float RelativeDensity => fluidDensity * wingLength * wingLength * wingLength / wingMass;
 
+        /// <summary>Unit of measured stiffness, 1/(m_w L³), kg⁻¹ m⁻³; see <see cref="WingParameters.stiffnessUnit"/>.</summary>
+        internal readonly float StiffnessUnit => 1f / (wingMass * wingLength * wingLength * wingLength);
+
         /// <summary>A monarch's.</summary>
         internal static PresetSize Default => new PresetSize
         {

@@ -87,6 +87,7 @@ namespace Alate
             {
                 airDensity = m_Size.RelativeDensity,
                 referenceFrequency = ReferenceFrequency,
+                stiffnessUnit = m_Size.StiffnessUnit,
                 substepsPerBeat = m_SubstepsPerBeat,
                 amplitudeScale = 1f,
                 options = m_Options,

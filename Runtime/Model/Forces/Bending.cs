@@ -18,9 +18,13 @@ namespace Alate
         /// <summary>Bend at which a joint has become twice as stiff, radians (7°); it rises with the fourth power, so that ordinary bends do not feel it.</summary>
         private const float k_StiffeningAngle = 0.12f;
 
-        /// <summary>Bending stiffness of every bone, k_e I (2π f_ref N)² e^(−σ/decay), and its damping, from parameters and rig.</summary>
+        /// <summary>
+        /// Stiffness of every bone and its damping, from parameters and rig: k_e I (2π f_ref N)² e^(−σ/decay), or what was measured, which is linear up to the joint's limit.
+        /// </summary>
         public static void Derive(in WingPack pack)
         {
+            const float k_Stiffening = 1f / (k_StiffeningAngle * k_StiffeningAngle);
+            bool stiffens = pack.options.coupling == MembraneCoupling.TwoWay;
             ref readonly LaneParameters p = ref *pack.parameters;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
             for (int i = 0, bone = 0; i < pack.rig.chainCount; i++)
@@ -29,9 +33,15 @@ namespace Alate
                 float4 atRoot = p.bendScale * factor * factor * pack.rig.jointInertias[bone];
                 for (int j = 0; j < bonesPerChain; j++, bone++)
                 {
-                    float4 stiffness = atRoot * math.exp(-pack.rig.jointRatio[j] / p.numbers.stiffnessDecay);
+                    float inertia = pack.rig.jointInertias[bone], measured = pack.rig.beamStiffness[bone], torsion = pack.rig.beamTorsion[bone];
+                    float4 stiffness = measured > 0f ? p.numbers.stiffnessUnit * measured : atRoot * math.exp(-pack.rig.jointRatio[j] / p.numbers.stiffnessDecay);
+                    float4 damping = 2f * p.numbers.bendDamping * math.sqrt(stiffness * inertia);
+                    float4 twist = p.numbers.stiffnessUnit * torsion;
                     pack.bendStiffness[bone] = stiffness;
-                    pack.bendDamping[bone] = 2f * p.numbers.bendDamping * math.sqrt(stiffness * pack.rig.jointInertias[bone]);
+                    pack.bendDamping[bone] = damping;
+                    pack.torsionStiffness[bone] = torsion > 0f ? twist : stiffness * p.numbers.torsionFactor;
+                    pack.torsionDamping[bone] = torsion > 0f ? 2f * p.numbers.bendDamping * math.sqrt(twist * inertia) : damping * p.torsionDamping;
+                    pack.bendStiffening[bone] = stiffens && measured == 0f ? k_Stiffening : 0f;
                 }
             }
         }
@@ -101,8 +111,8 @@ namespace Alate
             SoaFloat3 rates = step.Past(pack.bendRates[bone], pack.earlierRates[bone]);
             bool4 up = pack.bendAngles[bone].x > 0f;
             float4 bendDamping = damping * math.select(1f, p.dorsalDamping, up), inPlaneDamping = damping * p.inPlaneDamping;
-            float4 bendStiffness = stiffness * math.select(1f, p.numbers.dorsalAsymmetry, up) * Stiffening(pack.options, pack.bendAngles[bone].x);
-            float4 twistStiffness = stiffness * p.numbers.torsionFactor * Stiffening(pack.options, pack.bendAngles[bone].z);
+            float4 bendStiffness = stiffness * math.select(1f, p.numbers.dorsalAsymmetry, up) * Stiffening(pack.bendStiffening[bone], pack.bendAngles[bone].x);
+            float4 twistStiffness = pack.torsionStiffness[bone] * Stiffening(pack.bendStiffening[bone], pack.bendAngles[bone].z);
             pack.earlierAngles[bone] = pack.bendAngles[bone];
             pack.earlierRates[bone] = pack.bendRates[bone];
 
@@ -115,7 +125,7 @@ namespace Alate
                 seen.y, angles.y, ref rates.y);
 
             float4 twist = torque.x * along.x + torque.y * along.y + torque.z * along.z;
-            angles.z = Hinge(across, damping * p.torsionDamping, 0f, twistStiffness, twist, p.numbers.jointLimit, step.length,
+            angles.z = Hinge(across, pack.torsionDamping[bone], 0f, twistStiffness, twist, p.numbers.jointLimit, step.length,
                 seen.z, angles.z, ref rates.z);
 
             pack.bendAngles[bone] = angles;
@@ -126,10 +136,10 @@ namespace Alate
 
         // A joint bends less and less easily on its way to the limit.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static float4 Stiffening(in ModelOptions options, float4 angle)
+        private static float4 Stiffening(float4 scale, float4 angle)
         {
-            float4 square = angle * angle * (1f / (k_StiffeningAngle * k_StiffeningAngle));
-            return options.coupling == MembraneCoupling.TwoWay ? 1f + square * square : 1f;
+            float4 square = angle * angle * scale;
+            return 1f + square * square;
         }
 
         // How far a unit of torque turns a hinge in an implicit step.

@@ -25,6 +25,8 @@ namespace Alate
             CellPoint[] weights = cells.Locate(points);
             float[] added = AddedMasses.OfJoints(rest, points, triangles, weights);
             float[] masses = JointMasses.OfJoints(rest, triangles, weights);
+            float[] inertias = JointMasses.Inertias(rest, masses);
+            var beams = new BeamHinges(skeleton, rest, masses, inertias);
             return new RigContent
             {
                 frame = frame,
@@ -32,9 +34,10 @@ namespace Alate
                 triangleCount = triangles.Count,
                 area = (float)triangles.Area,
                 jointMasses = masses,
-                jointInertias = JointMasses.Inertias(rest, masses),
                 addedMasses = added,
                 addedInertias = JointMasses.Inertias(rest, added),
+                jointInertias = beams.inertias,
+                beams = beams,
                 leverDamping = JointMasses.LeverDamping(rest),
                 springs = SpringNetwork.Make(rest),
                 strips = new StripNetwork(rest),

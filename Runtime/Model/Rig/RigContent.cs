@@ -11,6 +11,7 @@ namespace Alate
         public float[] jointInertias;
         public float[] addedMasses;
         public float[] addedInertias;
+        public BeamHinges beams;
         public float[] leverDamping;
         public Spring[] springs;
         public StripNetwork strips;

@@ -55,6 +55,8 @@ namespace Alate
                 jointInertias = (float*)Pointer(content.jointInertias),
                 addedMasses = (float*)Pointer(content.addedMasses),
                 addedInertias = (float*)Pointer(content.addedInertias),
+                beamStiffness = (float*)Pointer(content.beams.bend),
+                beamTorsion = (float*)Pointer(content.beams.torsion),
                 leverDamping = (float*)Pointer(content.leverDamping),
                 strips = (Strip*)Pointer(content.strips.Strips),
                 stripCount = content.strips.Strips.Length,

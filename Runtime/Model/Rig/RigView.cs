@@ -47,7 +47,7 @@ namespace Alate
         /// <summary>[joint] Mass; the sum is 1, each is above 0.</summary>
         public float* jointMasses;
 
-        /// <summary>[bone] I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|².</summary>
+        /// <summary>[bone] I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|²; on a chain of measured stiffness, that which lets every joint swing at the chain's first bending frequency.</summary>
         public float* jointInertias;
 
         /// <summary>[joint] Mass of the air that a joint carries along across the surface, over the air's density, L³.</summary>
@@ -55,6 +55,12 @@ namespace Alate
 
         /// <summary>[bone] Inertia of that air beyond the bone, over the air's density, L⁵.</summary>
         public float* addedInertias;
+
+        /// <summary>[bone] Measured stiffness of the joint in bending, N·m² per wing length; 0 where the preset's factors hold.</summary>
+        public float* beamStiffness;
+
+        /// <summary>[bone] Measured stiffness of the joint in torsion, N·m² per wing length; 0 where the torsion factor holds.</summary>
+        public float* beamTorsion;
 
         /// <summary>
         /// [(i·m + j)·m + k] For k &gt; j |p_ik−p_ij| Λ_ik with Λ_ik = Σ_{l&lt;k} |p_ik−p_il|, else 0: turns the air's damping at

@@ -24,6 +24,7 @@ namespace Alate
             Frame = content.frame;
             TriangleCount = content.triangleCount;
             Area = content.area;
+            Beams = content.beams;
         }
 
         /// <summary>Frame of the wing: converts between mesh space and wing frame; may be read after disposal.</summary>
@@ -34,6 +35,9 @@ namespace Alate
 
         /// <summary>Area of the wing, one side, squared wing lengths.</summary>
         public float Area { get; }
+
+        /// <summary>Measured stiffness of the chains, as hinges; may be read after disposal.</summary>
+        internal BeamHinges Beams { get; }
 
         /// <summary>True once the last user has released the rig.</summary>
         public bool IsDisposed => m_Users == 0;

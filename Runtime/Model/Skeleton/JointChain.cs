@@ -4,19 +4,40 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>One chain of joints of a <see cref="WingSkeleton"/>, radiating from the wing's base.</summary>
+    /// <summary>One chain of joints of a <see cref="WingSkeleton"/>, radiating from the wing's base, and its measured stiffness where that is known.</summary>
+    /// <remarks>
+    /// A list of stiffness has one value for the whole chain, or two for root and tip, or more, at most <see cref="WingSkeleton.MaxJoints"/>, spread evenly over the joints from root
+    /// to tip; between two values the stiffness changes geometrically. An empty list leaves the chain to the factors of the preset.
+    /// </remarks>
     [Serializable]
     [MovedFrom(true, null, "Alate")]
     public struct JointChain
     {
         /// <summary>Rest positions from root to tip, mesh space.</summary>
+        [Tooltip("Positions from root to tip, mesh units.")]
         public Vector3[] joints;
 
-        /// <summary>A chain of these joints.</summary>
+        /// <summary>
+        /// Flexural stiffness EI from root to tip, N·m², 10⁻¹⁵ to 1000 each, of the real wing's size; empty where it is not known. In place of the preset's elasticity, leading and
+        /// trailing edge and decay; the dorsal asymmetry still multiplies it when the chain bends up.
+        /// </summary>
+        [Tooltip("Measured flexural stiffness EI from root to tip, N·m², 1e-15 to 1000: one value, root and tip, or more. Empty: the preset's factors. A fiftieth of a monarch's makes a rag, fifty times as much a board.")]
+        public float[] flexuralStiffness;
+
+        /// <summary>
+        /// Torsional stiffness GJ from root to tip, N·m², 10⁻¹⁵ to 1000 each; empty where it is not known: then the preset's torsion factor times the stiffness in bending. Needs
+        /// <see cref="flexuralStiffness"/>.
+        /// </summary>
+        [Tooltip("Measured torsional stiffness GJ from root to tip, N·m², 1e-15 to 1000. Empty: the preset's torsion factor times the stiffness in bending. Needs a flexural stiffness.")]
+        public float[] torsionalStiffness;
+
+        /// <summary>A chain of these joints, of unknown stiffness.</summary>
         /// <param name="joints">Rest positions from root to tip, mesh space; kept, not copied.</param>
         public JointChain(params Vector3[] joints)
         {
             this.joints = joints;
+            flexuralStiffness = null;
+            torsionalStiffness = null;
         }
 
         /// <summary>Joints of the chain; 0 when there is no array.</summary>

@@ -41,5 +41,8 @@ namespace Alate
 
         /// <summary>The chains do not follow one another from the leading to the trailing edge.</summary>
         ChainsOutOfOrder,
+
+        /// <summary>A measured stiffness is not a number, out of its range, or one of too many.</summary>
+        InvalidStiffness,
     }
 }

@@ -13,6 +13,7 @@ namespace Alate
             CheckVersion(skeleton, problems);
             CheckCounts(skeleton.Chains, problems);
             CheckFinite(skeleton, problems);
+            CheckStiffness(skeleton.Chains, problems);
             if (!WingAxes.TryMake(skeleton.SpanAxis, skeleton.UpAxis, out float3x3 axes))
             {
                 Add(problems, SkeletonProblemKind.InvalidAxes,
@@ -85,6 +86,21 @@ namespace Alate
                             $"Joint {j} of chain {i} is not a finite position.", i, j);
                     }
                 }
+            }
+        }
+
+        private static void CheckStiffness(JointChain[] chains, List<SkeletonProblem> problems)
+        {
+            const string k_Unit = " N·m²";
+            const float k_Least = ChainValues.LeastStiffness, k_Most = ChainValues.MostStiffness;
+            for (int i = 0; i < chains.Length; i++)
+            {
+                string problem = ChainValues.FindProblem("flexural stiffness", k_Unit, chains[i].flexuralStiffness, k_Least, k_Most)
+                    ?? ChainValues.FindProblem("torsional stiffness", k_Unit, chains[i].torsionalStiffness, k_Least, k_Most);
+                if (problem == null && ChainValues.AreGiven(chains[i].torsionalStiffness) && !ChainValues.AreGiven(chains[i].flexuralStiffness))
+                    problem = "has a torsional stiffness but no flexural stiffness; give both, or the flexural one alone";
+                if (problem != null)
+                    Add(problems, SkeletonProblemKind.InvalidStiffness, $"Chain {i} {problem}.", i);
             }
         }
 

@@ -148,6 +148,9 @@ namespace Alate
             view.beat = (BeatState*)carver.Take<BeatState>(1);
             view.bendStiffness = (float4*)carver.Take<float4>(bones);
             view.bendDamping = (float4*)carver.Take<float4>(bones);
+            view.torsionStiffness = (float4*)carver.Take<float4>(bones);
+            view.torsionDamping = (float4*)carver.Take<float4>(bones);
+            view.bendStiffening = (float4*)carver.Take<float4>(bones);
             view.chainDelays = (float4*)carver.Take<float4>(rig.chainCount);
             view.bendAngles = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             view.bendRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);

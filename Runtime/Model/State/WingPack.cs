@@ -39,6 +39,15 @@ namespace Alate
         /// <summary>Damping of the bend per bone, 2ζ √(stiffness · inertia).</summary>
         public float4* bendDamping;
 
+        /// <summary>Stiffness per bone in torsion.</summary>
+        public float4* torsionStiffness;
+
+        /// <summary>Damping per bone in torsion.</summary>
+        public float4* torsionDamping;
+
+        /// <summary>1/θ² per bone, θ the bend at which the joint has become twice as stiff; 0 where it does not stiffen.</summary>
+        public float4* bendStiffening;
+
         /// <summary>Delay of each chain, radians.</summary>
         public float4* chainDelays;
 

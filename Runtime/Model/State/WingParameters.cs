@@ -99,6 +99,11 @@ namespace Alate
         /// <summary>Stiffness against bending up over that against bending down, 0.1 to 10; default 1.4: wings yield more readily on the upstroke.</summary>
         public float dorsalAsymmetry;
 
+        /// <summary>
+        /// 1 N·m² of measured stiffness (<see cref="JointChain.flexuralStiffness"/>) in wing masses times cubed wing lengths per squared second, 1/(m_w L³), 0 to 10²⁰; monarch 1.76·10⁸. Chains of unknown stiffness do not read it.
+        /// </summary>
+        public float stiffnessUnit;
+
         /// <summary>Stiffness in the wing's plane over that out of it, 0 to 1000; default 25.</summary>
         public float inPlaneFactor;
 
@@ -228,6 +233,7 @@ namespace Alate
             new WingParameterRange("stiffnessDecay", "chain lengths", WingBounds.Decay.Min, WingBounds.Decay.Default, WingBounds.Decay.Max, (ref WingParameters p) => ref p.stiffnessDecay),
             new WingParameterRange("bendDamping", "", WingBounds.Damping.Min, WingBounds.Damping.Default, WingBounds.Damping.Max, (ref WingParameters p) => ref p.bendDamping),
             new WingParameterRange("dorsalAsymmetry", "", WingBounds.DorsalAsymmetry.Min, WingBounds.DorsalAsymmetry.Default, WingBounds.DorsalAsymmetry.Max, (ref WingParameters p) => ref p.dorsalAsymmetry),
+            new WingParameterRange("stiffnessUnit", "wing masses times cubed wing lengths per squared second", 0f, 1.755e8f, 1e20f, (ref WingParameters p) => ref p.stiffnessUnit),
             new WingParameterRange("inPlaneFactor", "", WingBounds.InPlaneFactor.Min, WingBounds.InPlaneFactor.Default, WingBounds.InPlaneFactor.Max, (ref WingParameters p) => ref p.inPlaneFactor),
             new WingParameterRange("torsionFactor", "", WingBounds.TorsionFactor.Min, WingBounds.TorsionFactor.Default, WingBounds.TorsionFactor.Max, (ref WingParameters p) => ref p.torsionFactor),
             WingParameterRange.Angle("jointLimit", WingBounds.JointLimit.Min, WingBounds.JointLimit.Default, WingBounds.JointLimit.Max, (ref WingParameters p) => ref p.jointLimit),
@@ -255,6 +261,7 @@ namespace Alate
         public float4 stiffnessDecay;
         public float4 bendDamping;
         public float4 dorsalAsymmetry;
+        public float4 stiffnessUnit;
         public float4 inPlaneFactor;
         public float4 torsionFactor;
         public float4 jointLimit;
@@ -277,6 +284,7 @@ namespace Alate
             stiffnessDecay[lane] = p.stiffnessDecay;
             bendDamping[lane] = p.bendDamping;
             dorsalAsymmetry[lane] = p.dorsalAsymmetry;
+            stiffnessUnit[lane] = p.stiffnessUnit;
             inPlaneFactor[lane] = p.inPlaneFactor;
             torsionFactor[lane] = p.torsionFactor;
             jointLimit[lane] = p.jointLimit;

@@ -31,7 +31,7 @@ namespace Alate.Editor
             for (int from = 0, to = 0; from < draft.ChainCount; from++)
             {
                 if (!chains.Contains(from))
-                    next.SetChain(to++, draft.Chain(from));
+                    next.SetChain(to++, draft.Chain(from), draft.Measured(from));
             }
 
             return Proposal.Make(next, Array.Empty<JointIndex>());
@@ -42,7 +42,7 @@ namespace Alate.Editor
         {
             SkeletonDraft next = draft.Copy();
             for (int i = 0; i < draft.ChainCount; i++)
-                next.SetChain(draft.ChainCount - 1 - i, draft.Chain(i));
+                next.SetChain(draft.ChainCount - 1 - i, draft.Chain(i), draft.Measured(i));
             JointIndex[] turned = Array.ConvertAll(selected, s => new JointIndex(draft.ChainCount - 1 - s.chain, s.joint));
             return Proposal.Make(next, turned);
         }
@@ -62,7 +62,7 @@ namespace Alate.Editor
             {
                 if (side == 0 && beside.Contains(from))
                     Insert(draft, from - 1, next, to++, added);
-                next.SetChain(to++, draft.Chain(from));
+                next.SetChain(to++, draft.Chain(from), draft.Measured(from));
                 if (side == 1 && beside.Contains(from))
                     Insert(draft, from, next, to++, added);
             }

@@ -14,13 +14,13 @@ namespace Alate.Editor
         /// </summary>
         public static Proposal Make(WingSkeleton skeleton)
         {
-            List<Vector3[]> chains = UsableChains(skeleton);
+            List<JointChain> chains = UsableChains(skeleton);
             if (chains.Count < 2)
                 return Proposal.Refuse("Fewer than two chains have two usable joints; that is too little to mend.");
             int joints = Mathf.Clamp(UsualLength(chains), WingSkeleton.MinJoints, WingSkeleton.MaxJoints);
             SkeletonDraft draft = new SkeletonDraft(chains.Count, joints).TakeFrame(skeleton);
             for (int i = 0; i < chains.Count; i++)
-                draft.SetChain(i, chains[i].Length == joints ? chains[i] : new JointPath(chains[i]).Evenly(joints));
+                draft.SetChain(i, chains[i].Length == joints ? chains[i].joints : new JointPath(chains[i].joints).Evenly(joints), chains[i]);
             if (!SkeletonDraft.IsUsable(draft.Hinge))
                 draft.Hinge = draft[0, 0];
             if (!WingAxes.TryMake(draft.SpanAxis, draft.UpAxis, out float3x3 _))
@@ -36,23 +36,25 @@ namespace Alate.Editor
                 : ResampleCommands.ToCounts(draft, count, joints);
         }
 
-        private static List<Vector3[]> UsableChains(WingSkeleton skeleton)
+        private static List<JointChain> UsableChains(WingSkeleton skeleton)
         {
-            var chains = new List<Vector3[]>();
+            var chains = new List<JointChain>();
             foreach (JointChain chain in skeleton.Chains)
             {
                 Vector3[] usable = Array.FindAll(chain.joints ?? Array.Empty<Vector3>(), SkeletonDraft.IsUsable);
+                JointChain kept = chain;
+                kept.joints = usable.Length < 2 || usable.Length == chain.Length ? usable : new JointPath(usable).Evenly(chain.Length);
                 if (usable.Length >= 2)
-                    chains.Add(usable.Length == chain.Length ? usable : new JointPath(usable).Evenly(chain.Length));
+                    chains.Add(kept);
             }
 
             return chains;
         }
 
-        private static int UsualLength(List<Vector3[]> chains)
+        private static int UsualLength(List<JointChain> chains)
         {
             int usual = 0, most = 0;
-            foreach (Vector3[] candidate in chains)
+            foreach (JointChain candidate in chains)
             {
                 int same = chains.FindAll(chain => chain.Length == candidate.Length).Count;
                 if (same > most || (same == most && candidate.Length > usual))

@@ -47,6 +47,23 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void MeasuredStiffness_StaysWithItsChain()
+        {
+            Skeleton.Chains[1].flexuralStiffness = new[] { 1e-6f };
+            Select((0, 1));
+            Assert.That(Do("Add Chain Before").Done);
+            Assert.That(Measured(), Is.EqualTo("..1..."));
+            Assert.That(Do("Remove Chain").Done);
+            Assert.That(Measured(), Is.EqualTo(".1..."));
+            Select((2, 1));
+            Assert.That(Do("Add Joint Row").Done);
+            Assert.That(Do("Reverse Chains").Done);
+            Assert.That(Measured(), Is.EqualTo("...1."));
+        }
+
+        private string Measured() => string.Concat(Skeleton.Chains.Select(chain => ChainValues.AreGiven(chain.flexuralStiffness) ? "1" : "."));
+
+        [Test]
         public void ChainAddedBetween_IsTheSame_FromEitherSide()
         {
             Select((1, 0));

@@ -186,7 +186,7 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator AChangeOfOneWing_LeavesTheOtherAlone_AndInPhase([Values("mesh", "skeleton", "edited skeleton", "renderer")] string what)
+        public IEnumerator AChangeOfOneWing_LeavesTheOtherAlone_AndInPhase([Values("mesh", "skeleton", "edited skeleton", "measured skeleton", "renderer")] string what)
         {
             WingSkeleton own = Keep(TestWings.Fan());
             InsectWings insect = Hatch(made => made.Wings[0].Skeleton = own), twin = Hatch();
@@ -198,6 +198,7 @@ namespace Alate.Tests.Play
                 case "mesh": Filter(insect, 0).sharedMesh = Keep(TestWings.ToMesh(TestWings.Ellipse(10, 8))); break;
                 case "skeleton": insect.Wings[0].Skeleton = Keep(TestWings.Fan(4, 4)); break;
                 case "edited skeleton": own.Chains[2].joints[2].z -= 0.01f; break;
+                case "measured skeleton": own.Chains[2].flexuralStiffness = new[] { 1e-6f }; break;
                 default: insect.Wings[0].Renderer = MakeWing(insect.transform, WingSide.Right).Renderer; break;
             }
 
