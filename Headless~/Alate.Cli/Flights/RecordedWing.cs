@@ -23,6 +23,9 @@ internal sealed class RecordedWing
     public int ChainCount { get; init; }
     public int JointsPerChain { get; init; }
 
+    /// <summary>What its joints amount to.</summary>
+    public WingStiffness Stiffness { get; init; }
+
     /// <summary>True for the mesh of a left wing, whose triangles wind the other way in the wing frame.</summary>
     public bool IsMeshMirrored { get; init; }
 

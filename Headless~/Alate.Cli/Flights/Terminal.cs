@@ -136,6 +136,8 @@ internal sealed class Terminal
         Row(table, summary, "lag of the tip, °", wing => Number(wing.TipLagDeg, 1));
         Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2), MeasureBound.Find("edge_stretch_max_pct"));
         Row(table, summary, "edge stretch, 99th percentile, %", wing => Number(wing.EdgeStretchP99Pct, 2));
+        Row(table, summary, "stiffness EI of the leading chain, N m²", wing => Scientific(wing.Stiffness.Leading));
+        Row(table, summary, "stiffness EI of all chains, N m²", wing => Scientific(wing.Stiffness.Whole), Scientific(summary.Main.Stiffness.Usual));
         Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));
         Row(table, summary, "mean force right, up, ahead, mN", Milli(summary.MeanForce));
         Row(table, summary, "mean moment nose down, nose right, right wing up, µN m", Milli(1e3f * summary.MeanMoment));
@@ -172,6 +174,8 @@ internal sealed class Terminal
     }
 
     private static string Milli(Unity.Mathematics.float3 value) => $"{Number(1e3 * value.x, 2)}, {Number(1e3 * value.y, 2)}, {Number(1e3 * value.z, 2)}";
+
+    private static string Scientific(double value) => value.ToString("0.0e-0", CultureInfo.InvariantCulture);
 
     private static string Number(double value, int digits) => value.ToString("F" + digits, CultureInfo.InvariantCulture);
 }

@@ -104,6 +104,7 @@ internal sealed class TetheredWings : IDisposable
                 Triangles = wing.Surface.triangles,
                 ChainCount = rig.ChainCount,
                 JointsPerChain = rig.JointsPerChain,
+                Stiffness = WingStiffness.Of(rig, World.Read(m_Handles[^1]), wing.Preset.Size),
                 IsMeshMirrored = rig.Frame.mirrored,
             });
         }

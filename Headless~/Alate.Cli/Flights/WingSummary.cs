@@ -16,6 +16,9 @@ internal sealed record WingSummary(
     double EdgeStretchMaxPct,
     double EdgeStretchP99Pct)
 {
+    /// <summary>What the wing's joints amount to.</summary>
+    public WingStiffness Stiffness { get; init; }
+
     /// <summary>Measures the right wing of a kind.</summary>
     public static WingSummary Of(RecordedWing wing)
     {
@@ -31,6 +34,9 @@ internal sealed record WingSummary(
             math.degrees(beat.Lag),
             math.degrees(beat.TipLag),
             100.0 * beat.StretchMax,
-            100.0 * beat.Stretch99);
+            100.0 * beat.Stretch99)
+        {
+            Stiffness = wing.Stiffness,
+        };
     }
 }

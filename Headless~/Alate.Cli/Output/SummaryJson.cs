@@ -38,6 +38,9 @@ internal static class SummaryJson
         json.WriteString("wing", wing.Name);
         foreach (WingMeasure measure in WingMeasure.All)
             Number(json, measure.Key, measure.Of(wing));
+        Number(json, "leading_ei_n_m2", wing.Stiffness.Leading);
+        Number(json, "wing_ei_n_m2", wing.Stiffness.Whole);
+        Number(json, "usual_ei_n_m2", wing.Stiffness.Usual);
         json.WriteStartArray("outside_usual");
         foreach (MeasureBound bound in MeasureBound.All)
         {

@@ -96,6 +96,16 @@ namespace Alate
         /// <summary>Bend of the joint at the root side of a bone, radians: x up, y in the plane, z torsion.</summary>
         public float3 BendAngles(int chain, int bone) => m_Pack.bendAngles[Bone(chain, bone)][m_Lane];
 
+        /// <summary>
+        /// Stiffness of the joint at the root side of a bone, wing masses · L²/s² per radian: x against bending down, y against torsion. Over <see cref="WingParameters.stiffnessUnit"/> it
+        /// is in N·m² per wing length.
+        /// </summary>
+        public float2 JointStiffness(int chain, int bone)
+        {
+            int at = Bone(chain, bone);
+            return new float2(m_Pack.bendStiffness[at][m_Lane], m_Pack.torsionStiffness[at][m_Lane]);
+        }
+
         /// <summary>True where patch loads are kept; see <see cref="WingWorld.RecordPatches"/>.</summary>
         public bool HasPatchLoads => m_Pack.recordedLoads != null;
 
