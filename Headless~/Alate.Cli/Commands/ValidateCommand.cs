@@ -18,14 +18,14 @@ internal static class ValidateCommand
     /// <summary>Part of the front page.</summary>
     internal const string Part = "validation";
 
-    private const int k_Stages = 24;
+    private const int k_Stages = 27;
 
     public static Command Create(TextWriter output)
     {
         var data = new Option<string>("--data") { HelpName = "DIR", Description = "Measured curves of your own: CSV files of t/T and value, such as vertical-force.csv." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/validation]" };
         var front = new Option<string>("--readme") { HelpName = "FILE.md", Description = "A page whose part 'validation' gets the rows of the package's front page." };
-        var command = new Command(k_Name, "Compares the model with measured and published flights.") { data, folder, front };
+        var command = new Command(k_Name, "Compares the model with measured and published flights, and its structure with beams.") { data, folder, front };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -56,6 +56,9 @@ internal static class ValidateCommand
             rows.AddRange(DragonflyRows.Tethered(() => done(++stage)));
             rows.AddRange(ButterflyRows.Free(() => done(++stage)));
             rows.AddRange(ButterflyRows.Held(() => done(++stage)));
+            rows.AddRange(StructureRows.Droops(() => done(++stage)));
+            rows.AddRange(StructureRows.Motions(() => done(++stage)));
+            rows.AddRange(StructureRows.Insects(() => done(++stage)));
             if (data != null)
                 rows.AddRange(UserCurves.Rows(curves));
             Write(folder, k_Page, ValidationPage.Markdown(rows, k_Charts));

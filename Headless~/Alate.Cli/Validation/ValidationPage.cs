@@ -29,14 +29,13 @@ internal static class ValidationPage
         List<ValidationRow> outside = rows.Where(row => !row.IsInside).ToList(), inside = rows.Where(row => row.IsInside).ToList();
         var refined = rows.Where(row => !double.IsNaN(row.Fine)).ToList();
         var page = new StringBuilder("# Validation\n\nWritten by `validate`; see [the command line](command-line.md#validate). The model beside measured and published flights, at ");
-        page.Append(CultureInfo.InvariantCulture, $"{DragonflyRows.Substeps} substeps of a beat and at {DragonflyRows.FineSubsteps}; trims at those of their species and at twice as many; the last columns say how far both are apart, and the verdict is that of the finer one. ");
+        page.Append(CultureInfo.InvariantCulture, $"{DragonflyRows.Substeps} substeps of a beat and at {DragonflyRows.FineSubsteps}; trims at those of their species and at twice as many; the last columns say how far both are apart, and the verdict is that of the finer one. A dash is a number without time. ");
         page.Append(CultureInfo.InvariantCulture, $"{inside.Count} of {rows.Count} rows agree; {refined.Count(row => row.IsConverged)} of {refined.Count} are converged within {100 * ValidationRow.Converged:0} %.\n\n");
-        page.Append("The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of the air makes up for the difference in area. Added mass goes with the square of the chord and is too large by as much, 7 to 10 % for the tethered insect. Their kinematics are [examples of the manual](kinematics.md#examples), digitised from plots by J. Pecquet.\n\n");
+        page.Append("The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of the air makes up for the difference in area. Added mass goes with the square of the chord and is too large by as much, 7 to 10 % for the tethered insect. Their kinematics are [examples of the manual](kinematics.md#examples), digitised from plots by J. Pecquet.\n\nStrips are wings of [measured stiffness](wing-skeleton.md#measured-stiffness) without air; they are compared with beams.\n\n");
         page.Append("## Outside\n\n").Append(MarkdownTable.Write(Table(outside, true)));
         page.Append("\n## Inside\n\n").Append(MarkdownTable.Write(Table(inside, false)));
         page.Append("\n## Over the beat\n\nThe tethered dragonfly with the induced flow of momentum theory, but for the curve that says otherwise. The published vertical force is computed by its authors, not measured. `validate --data DIR` draws curves of your own in their place.\n\n");
         page.Append($"![Curves of the tethered dragonfly over the beat]({picture})\n");
-        page.Append("\n## Not compared yet\n\nA cantilever and a flapping plate for the structure alone, and stiffness in newtons times square metres.\n");
         return page.ToString();
     }
 
