@@ -11,7 +11,7 @@ namespace Alate.Authoring
     /// <remarks>
     /// <c>{"version":1,"hinge":[x,y,z],"span":[x,y,z],"up":[x,y,z],"chains":[[[x,y,z],…],…]}</c>: chains from leading to trailing
     /// edge, joints from root to tip, positions in mesh space. These keys are required, in any order. Where the stiffness of a chain is measured there are
-    /// <c>"flexuralStiffness":[[EI,…],…]</c> and <c>"torsionalStiffness":[[GJ,…],…]</c>, a list for each chain, N·m²; there are no other keys.
+    /// <c>"flexuralStiffness":[[EI,…],…]</c> and <c>"torsionalStiffness":[[GJ,…],…]</c>, a list for each chain, N·m²; where veins are known <c>"veinWidths":[[width,…],…]</c>; there are no other keys.
     /// </remarks>
     [MovedFrom(true, "Alate", "Alate")]
     public static class SkeletonJson
@@ -23,6 +23,7 @@ namespace Alate.Authoring
         internal const string k_Chains = "chains";
         internal const string k_Flexural = "flexuralStiffness";
         internal const string k_Torsional = "torsionalStiffness";
+        internal const string k_Widths = "veinWidths";
 
         /// <summary>The skeleton as text, one chain a line; reading it gives the same numbers to the last bit.</summary>
         /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
@@ -52,6 +53,7 @@ namespace Alate.Authoring
             text.Append("\n  ]");
             AppendValues(text, k_Flexural, Array.ConvertAll(chains, chain => chain.flexuralStiffness));
             AppendValues(text, k_Torsional, Array.ConvertAll(chains, chain => chain.torsionalStiffness));
+            AppendValues(text, k_Widths, Array.ConvertAll(chains, chain => chain.veinWidths));
             return text.Append("\n}\n").ToString();
         }
 

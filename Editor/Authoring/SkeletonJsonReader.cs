@@ -13,7 +13,7 @@ namespace Alate.Authoring
             SkeletonJson.k_Version, SkeletonJson.k_Hinge, SkeletonJson.k_Span, SkeletonJson.k_Up, SkeletonJson.k_Chains,
         };
 
-        private static readonly string[] s_Keys = { s_Required[0], s_Required[1], s_Required[2], s_Required[3], s_Required[4], SkeletonJson.k_Flexural, SkeletonJson.k_Torsional };
+        private static readonly string[] s_Keys = { s_Required[0], s_Required[1], s_Required[2], s_Required[3], s_Required[4], SkeletonJson.k_Flexural, SkeletonJson.k_Torsional, SkeletonJson.k_Widths };
 
         private readonly string m_Text;
         private readonly (double x, double y, double z) m_Origin;
@@ -36,6 +36,7 @@ namespace Alate.Authoring
             public JointChain[] chains;
             public float[][] flexural;
             public float[][] torsional;
+            public float[][] widths;
         }
 
         /// <summary>Reads the whole text.</summary>
@@ -69,6 +70,7 @@ namespace Alate.Authoring
             {
                 content.chains[i].flexuralStiffness = Of(content, i, SkeletonJson.k_Flexural, content.flexural);
                 content.chains[i].torsionalStiffness = Of(content, i, SkeletonJson.k_Torsional, content.torsional);
+                content.chains[i].veinWidths = Of(content, i, SkeletonJson.k_Widths, content.widths);
             }
 
             return content;
@@ -102,6 +104,9 @@ namespace Alate.Authoring
                     break;
                 case SkeletonJson.k_Torsional:
                     content.torsional = ReadList(ReadValues, "a list");
+                    break;
+                case SkeletonJson.k_Widths:
+                    content.widths = ReadList(ReadValues, "a list");
                     break;
                 default:
                     content.chains = ReadList(ReadChain, "a chain");

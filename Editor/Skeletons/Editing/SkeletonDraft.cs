@@ -120,7 +120,8 @@ namespace Alate.Editor
         /// <summary>Returns true where the same was measured of a chain as of one of another draft.</summary>
         public bool IsMeasuredAs(SkeletonDraft other, int chain) =>
             AreSame(m_Measured[chain].flexuralStiffness, other.m_Measured[chain].flexuralStiffness)
-            && AreSame(m_Measured[chain].torsionalStiffness, other.m_Measured[chain].torsionalStiffness);
+            && AreSame(m_Measured[chain].torsionalStiffness, other.m_Measured[chain].torsionalStiffness)
+            && AreSame(m_Measured[chain].veinWidths, other.m_Measured[chain].veinWidths);
 
         /// <summary>Makes the skeleton equal to this draft, in new arrays.</summary>
         public void WriteTo(WingSkeleton skeleton)

@@ -20,7 +20,7 @@ namespace Alate.Cli.Commands;
 internal static class FiguresCommand
 {
     private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg", k_Gallery = "images/insects.png",
-        k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png";
+        k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg";
 
     private const int k_GalleryWidth = 1230;
     private const string k_Hero = "monarch";
@@ -54,7 +54,7 @@ internal static class FiguresCommand
     }
 
     private static List<string> Pictures =>
-        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, k_Veins, .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
     private static void Run(string path, TextWriter output)
     {
@@ -113,6 +113,7 @@ internal static class FiguresCommand
         var swept = Sweep.Fly(sweep, _ => { });
         folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
+        Write(folder, k_Veins, VeinFigure.Draw());
         stage("filming");
         var film = Film.Fly(new FilmPlan { Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive), Beats = 3, Turn = 360 });
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));

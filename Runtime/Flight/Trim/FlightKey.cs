@@ -45,6 +45,8 @@ namespace Alate.Flight
             }
 
             Add(wing.Rig.Beams);
+            for (int bone = 0; wing.Rig.VeinFactors != null && bone < wing.Rig.VeinFactors.Length; bone++)
+                Add(wing.Rig.VeinFactors[bone]);
             Add((uint)parameters.substepsPerBeat);
             ModelOptions o = parameters.options;
             Add((uint)o.coefficients * 1024 + (uint)o.tangent * 256 + (o.clampLift ? 128u : 0u) + (o.addedMass ? 4096u : 0u) + (uint)o.cycleChange * 64

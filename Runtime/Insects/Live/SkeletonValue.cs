@@ -37,7 +37,7 @@ namespace Alate
                 hash = hash * 31u + (uint)chain.Length;
                 for (int joint = 0; joint < chain.Length; joint++)
                     hash = Mix(hash, chain.joints[joint]);
-                hash = Mix(Mix(hash, chain.flexuralStiffness), chain.torsionalStiffness);
+                hash = Mix(Mix(Mix(hash, chain.flexuralStiffness), chain.torsionalStiffness) + 1u, chain.veinWidths) - 1u;
             }
 
             m_Hash = hash == 0 ? 1u : hash;

@@ -19,31 +19,52 @@ namespace Alate
         private const float k_StiffeningAngle = 0.12f;
 
         /// <summary>
-        /// Stiffness of every bone and its damping, from parameters and rig: k_e I (2π f_ref N)² e^(−σ/decay), or what was measured, which is linear up to the joint's limit.
+        /// Stiffness of every bone and its damping, from parameters and rig: k_e I (2π f_ref N)² e^(−σ/decay), by veins where they are known, or what was measured, which is linear up to the
+        /// joint's limit.
         /// </summary>
         public static void Derive(in WingPack pack)
         {
             const float k_Stiffening = 1f / (k_StiffeningAngle * k_StiffeningAngle);
             bool stiffens = pack.options.coupling == MembraneCoupling.TwoWay;
+            float4 share = VeinShare(pack);
             ref readonly LaneParameters p = ref *pack.parameters;
-            int bonesPerChain = pack.rig.jointsPerChain - 1;
-            for (int i = 0, bone = 0; i < pack.rig.chainCount; i++)
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
-                float4 factor = p.numbers.stiffnessRoot * math.pow(p.numbers.stiffnessTip / p.numbers.stiffnessRoot, pack.rig.chainRatio[i]);
-                float4 atRoot = p.bendScale * factor * factor * pack.rig.jointInertias[bone];
-                for (int j = 0; j < bonesPerChain; j++, bone++)
-                {
-                    float inertia = pack.rig.jointInertias[bone], measured = pack.rig.beamStiffness[bone], torsion = pack.rig.beamTorsion[bone];
-                    float4 stiffness = measured > 0f ? p.numbers.stiffnessUnit * measured : atRoot * math.exp(-pack.rig.jointRatio[j] / p.numbers.stiffnessDecay);
-                    float4 damping = 2f * p.numbers.bendDamping * math.sqrt(stiffness * inertia);
-                    float4 twist = p.numbers.stiffnessUnit * torsion;
-                    pack.bendStiffness[bone] = stiffness;
-                    pack.bendDamping[bone] = damping;
-                    pack.torsionStiffness[bone] = torsion > 0f ? twist : stiffness * p.numbers.torsionFactor;
-                    pack.torsionDamping[bone] = torsion > 0f ? 2f * p.numbers.bendDamping * math.sqrt(twist * inertia) : damping * p.torsionDamping;
-                    pack.bendStiffening[bone] = stiffens && measured == 0f ? k_Stiffening : 0f;
-                }
+                float inertia = pack.rig.jointInertias[bone], measured = pack.rig.beamStiffness[bone], torsion = pack.rig.beamTorsion[bone];
+                float4 stiffness = measured > 0f ? p.numbers.stiffnessUnit * measured : FactorStiffness(pack, bone) * pack.rig.veinFactors[bone] * share;
+                float4 damping = 2f * p.numbers.bendDamping * math.sqrt(stiffness * inertia);
+                float4 twist = p.numbers.stiffnessUnit * torsion;
+                pack.bendStiffness[bone] = stiffness;
+                pack.bendDamping[bone] = damping;
+                pack.torsionStiffness[bone] = torsion > 0f ? twist : stiffness * p.numbers.torsionFactor;
+                pack.torsionDamping[bone] = torsion > 0f ? 2f * p.numbers.bendDamping * math.sqrt(twist * inertia) : damping * p.torsionDamping;
+                pack.bendStiffening[bone] = stiffens && measured == 0f ? k_Stiffening : 0f;
             }
+        }
+
+        private static float4 FactorStiffness(in WingPack pack, int bone)
+        {
+            ref readonly LaneParameters p = ref *pack.parameters;
+            int perChain = pack.rig.jointsPerChain - 1, chain = bone / perChain;
+            float4 factor = p.numbers.stiffnessRoot * math.pow(p.numbers.stiffnessTip / p.numbers.stiffnessRoot, pack.rig.chainRatio[chain]);
+            float4 atRoot = p.bendScale * factor * factor * pack.rig.jointInertias[chain * perChain];
+            return atRoot * math.exp(-pack.rig.jointRatio[bone - chain * perChain] / p.numbers.stiffnessDecay);
+        }
+
+        // Keeps the mean stiffness of the joints that veins stiffen and membrane softens.
+        private static float4 VeinShare(in WingPack pack)
+        {
+            if (!pack.rig.hasVeins)
+                return 1f;
+            float4 plain = 1e-20f, veined = 1e-20f;
+            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+            {
+                float4 stiffness = pack.rig.beamStiffness[bone] > 0f ? 0f : FactorStiffness(pack, bone);
+                plain += stiffness;
+                veined += stiffness * pack.rig.veinFactors[bone];
+            }
+
+            return plain / veined;
         }
 
         /// <summary>Turns the joints by one substep, and the chain with them: new bend angles, rates and rotations H.</summary>

@@ -27,6 +27,7 @@ namespace Alate
             float[] masses = JointMasses.OfJoints(rest, triangles, weights);
             float[] inertias = JointMasses.Inertias(rest, masses);
             var beams = new BeamHinges(skeleton, rest, masses, inertias);
+            float[] veins = VeinFactors.Of(skeleton, rest, out bool hasVeins);
             return new RigContent
             {
                 frame = frame,
@@ -38,6 +39,8 @@ namespace Alate
                 addedInertias = JointMasses.Inertias(rest, added),
                 jointInertias = beams.inertias,
                 beams = beams,
+                veinFactors = veins,
+                hasVeins = hasVeins,
                 leverDamping = JointMasses.LeverDamping(rest),
                 springs = SpringNetwork.Make(rest),
                 strips = new StripNetwork(rest),

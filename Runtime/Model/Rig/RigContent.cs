@@ -12,6 +12,8 @@ namespace Alate
         public float[] addedMasses;
         public float[] addedInertias;
         public BeamHinges beams;
+        public float[] veinFactors;
+        public bool hasVeins;
         public float[] leverDamping;
         public Spring[] springs;
         public StripNetwork strips;

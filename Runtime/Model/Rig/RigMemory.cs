@@ -57,6 +57,8 @@ namespace Alate
                 addedInertias = (float*)Pointer(content.addedInertias),
                 beamStiffness = (float*)Pointer(content.beams.bend),
                 beamTorsion = (float*)Pointer(content.beams.torsion),
+                veinFactors = (float*)Pointer(content.veinFactors),
+                hasVeins = content.hasVeins,
                 leverDamping = (float*)Pointer(content.leverDamping),
                 strips = (Strip*)Pointer(content.strips.Strips),
                 stripCount = content.strips.Strips.Length,

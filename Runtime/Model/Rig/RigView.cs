@@ -62,6 +62,12 @@ namespace Alate
         /// <summary>[bone] Measured stiffness of the joint in torsion, N·m² per wing length; 0 where the torsion factor holds.</summary>
         public float* beamTorsion;
 
+        /// <summary>[bone] Factor on the stiffness that the preset's factors make, by the width of the vein there; 1 where no veins are known.</summary>
+        public float* veinFactors;
+
+        /// <summary>True where the skeleton knows veins.</summary>
+        public bool hasVeins;
+
         /// <summary>
         /// [(i·m + j)·m + k] For k &gt; j |p_ik−p_ij| Λ_ik with Λ_ik = Σ_{l&lt;k} |p_ik−p_il|, else 0: turns the air's damping at
         /// joint k into that of the bend at joint j.

@@ -25,6 +25,7 @@ namespace Alate
             TriangleCount = content.triangleCount;
             Area = content.area;
             Beams = content.beams;
+            VeinFactors = content.hasVeins ? content.veinFactors : null;
         }
 
         /// <summary>Frame of the wing: converts between mesh space and wing frame; may be read after disposal.</summary>
@@ -38,6 +39,9 @@ namespace Alate
 
         /// <summary>Measured stiffness of the chains, as hinges; may be read after disposal.</summary>
         internal BeamHinges Beams { get; }
+
+        /// <summary>[bone] Factors of the veins; null where none are known. May be read after disposal.</summary>
+        internal float[] VeinFactors { get; }
 
         /// <summary>True once the last user has released the rig.</summary>
         public bool IsDisposed => m_Users == 0;

@@ -8,6 +8,9 @@ namespace Alate
         /// <summary>Bounds of a flexural or torsional stiffness, N·m²: from below a thrips' wing to above a ruler of steel.</summary>
         public const float LeastStiffness = 1e-15f, MostStiffness = 1000f;
 
+        /// <summary>Largest width of a vein, any unit.</summary>
+        public const float MostWidth = 1e6f;
+
         /// <summary>Returns true where there are values.</summary>
         public static bool AreGiven(float[] values) => values != null && values.Length > 0;
 
@@ -16,9 +19,23 @@ namespace Alate
         /// <param name="place">0 at the root, 1 at the tip.</param>
         public static double At(float[] values, double place)
         {
+            (float before, float after, double share) = Around(values, place);
+            return before * Math.Pow((double)after / before, share);
+        }
+
+        /// <summary>Value at a place of the chain, linear between two values.</summary>
+        /// <inheritdoc cref="At"/>
+        public static double Between(float[] values, double place)
+        {
+            (float before, float after, double share) = Around(values, place);
+            return before + (after - before) * share;
+        }
+
+        private static (float before, float after, double share) Around(float[] values, double place)
+        {
             double at = place * (values.Length - 1);
-            int before = Math.Min((int)at, Math.Max(values.Length - 2, 0)), after = Math.Min(before + 1, values.Length - 1);
-            return values[before] * Math.Pow((double)values[after] / values[before], at - before);
+            int before = Math.Min((int)at, Math.Max(values.Length - 2, 0));
+            return (values[before], values[Math.Min(before + 1, values.Length - 1)], at - before);
         }
 
         /// <summary>Describes the first value that is not allowed, without the chain and a full stop; null when all are.</summary>

@@ -4,10 +4,10 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
 {
-    /// <summary>One chain of joints of a <see cref="WingSkeleton"/>, radiating from the wing's base, and its measured stiffness where that is known.</summary>
+    /// <summary>One chain of joints of a <see cref="WingSkeleton"/>, radiating from the wing's base, and what is known of it: its measured stiffness, the vein that it lies on.</summary>
     /// <remarks>
-    /// A list of stiffness has one value for the whole chain, or two for root and tip, or more, at most <see cref="WingSkeleton.MaxJoints"/>, spread evenly over the joints from root
-    /// to tip; between two values the stiffness changes geometrically. An empty list leaves the chain to the factors of the preset.
+    /// A list has one value for the whole chain, or two for root and tip, or more, at most <see cref="WingSkeleton.MaxJoints"/>, spread evenly over the joints from root
+    /// to tip; between two values the stiffness changes geometrically, a width linearly. An empty list leaves the chain to the factors of the preset.
     /// </remarks>
     [Serializable]
     [MovedFrom(true, null, "Alate")]
@@ -31,6 +31,13 @@ namespace Alate
         [Tooltip("Measured torsional stiffness GJ from root to tip, N·m², 1e-15 to 1000. Empty: the preset's torsion factor times the stiffness in bending. Needs a flexural stiffness.")]
         public float[] torsionalStiffness;
 
+        /// <summary>
+        /// Widths of the vein that the chain lies on, from root to tip, 0 to 10⁶ each, in one unit for the whole wing, such as millimetres: only their ratios count. 0 is membrane. Empty: membrane where other
+        /// chains have widths, else the veins of the wing are unknown, and all chains are alike.
+        /// </summary>
+        [Tooltip("Widths of the vein under the chain from root to tip, in any unit that is one for the whole wing; 0 is membrane. A vein twice as wide is eight times as stiff; the wing's mean stiffness stays. Empty on all chains: veins unknown.")]
+        public float[] veinWidths;
+
         /// <summary>A chain of these joints, of unknown stiffness.</summary>
         /// <param name="joints">Rest positions from root to tip, mesh space; kept, not copied.</param>
         public JointChain(params Vector3[] joints)
@@ -38,6 +45,7 @@ namespace Alate
             this.joints = joints;
             flexuralStiffness = null;
             torsionalStiffness = null;
+            veinWidths = null;
         }
 
         /// <summary>Joints of the chain; 0 when there is no array.</summary>

@@ -42,7 +42,7 @@ namespace Alate
         /// <summary>The chains do not follow one another from the leading to the trailing edge.</summary>
         ChainsOutOfOrder,
 
-        /// <summary>A measured stiffness is not a number, out of its range, or one of too many.</summary>
+        /// <summary>A measured stiffness or the width of a vein is not a number, out of its range, or one of too many.</summary>
         InvalidStiffness,
     }
 }

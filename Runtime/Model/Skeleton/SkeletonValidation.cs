@@ -96,7 +96,8 @@ namespace Alate
             for (int i = 0; i < chains.Length; i++)
             {
                 string problem = ChainValues.FindProblem("flexural stiffness", k_Unit, chains[i].flexuralStiffness, k_Least, k_Most)
-                    ?? ChainValues.FindProblem("torsional stiffness", k_Unit, chains[i].torsionalStiffness, k_Least, k_Most);
+                    ?? ChainValues.FindProblem("torsional stiffness", k_Unit, chains[i].torsionalStiffness, k_Least, k_Most)
+                    ?? ChainValues.FindProblem("vein width", "", chains[i].veinWidths, 0f, ChainValues.MostWidth);
                 if (problem == null && ChainValues.AreGiven(chains[i].torsionalStiffness) && !ChainValues.AreGiven(chains[i].flexuralStiffness))
                     problem = "has a torsional stiffness but no flexural stiffness; give both, or the flexural one alone";
                 if (problem != null)

@@ -41,6 +41,7 @@ namespace Alate.Editor.Tests
             WingSkeleton written = TestWings.Fan(4);
             written.Chains[0].flexuralStiffness = new[] { 1.3e-5f, 2.7e-7f };
             written.Chains[2].flexuralStiffness = new[] { 1e-6f };
+            written.Chains[1].veinWidths = new[] { 0.1f, 0f };
             written.Chains[2].torsionalStiffness = new[] { 3.1e-7f, 1e-8f, 1e-9f };
 
             WingSkeleton read = SkeletonJson.Read(SkeletonJson.Write(written));
@@ -49,10 +50,11 @@ namespace Alate.Editor.Tests
             for (int i = 0; i < 4; i++)
             {
                 Assert.That(read.Chains[i].flexuralStiffness ?? Array.Empty<float>(), Is.EqualTo(written.Chains[i].flexuralStiffness ?? Array.Empty<float>()));
+                Assert.That(read.Chains[i].veinWidths ?? Array.Empty<float>(), Is.EqualTo(written.Chains[i].veinWidths ?? Array.Empty<float>()));
                 Assert.That(read.Chains[i].torsionalStiffness ?? Array.Empty<float>(), Is.EqualTo(written.Chains[i].torsionalStiffness ?? Array.Empty<float>()));
             }
 
-            Assert.That(SkeletonJson.Write(TestWings.Fan()), Does.Not.Contain("Stiffness"));
+            Assert.That(SkeletonJson.Write(TestWings.Fan()), Does.Not.Contain("Stiffness").And.Not.Contain("vein"));
         }
 
         [TestCase("\"flexuralStiffness\":[[1e-6]]", "\"flexuralStiffness\" has 1 lists for 2 chains.")]
@@ -110,7 +112,7 @@ namespace Alate.Editor.Tests
         [TestCase("# version 1", "line 1, column 1: expected '{', found '#'.")]
         [TestCase("[]", "expected '{'")]
         [TestCase("{}", "expected a key in double quotes, found '}'.")]
-        [TestCase("{\"versions\":1}", "expected one of the keys version, hinge, span, up, chains, flexuralStiffness, torsionalStiffness, found '\"versions\"'.")]
+        [TestCase("{\"versions\":1}", "expected one of the keys version, hinge, span, up, chains, flexuralStiffness, torsionalStiffness, veinWidths, found '\"versions\"'.")]
         [TestCase("{\"version\":1}", "\"hinge\" is missing.")]
         [TestCase("{\"version\":1,\"version\":1}", "\"version\" appears twice.")]
         [TestCase("{\"version\":1,}", "expected a key in double quotes")]

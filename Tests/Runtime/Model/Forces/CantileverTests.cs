@@ -55,6 +55,21 @@ namespace Alate.Tests
             Assert.That(y, Is.EqualTo(exact).Within(0.5).Percent);
         }
 
+        // Two segments: w/8 (L⁴ − l⁴)/EI₁ + w/8 l⁴/EI₂, l the outer half's length. The step is a steep slope between two of sixteen values.
+        [TestCase(0.125f)]
+        [TestCase(0.5f)]
+        [TestCase(4f)]
+        public void AStripWithAStiffAndASoftHalf_DroopsAsTwoSegments(float outer)
+        {
+            float[] profile = new float[16];
+            for (int k = 0; k < profile.Length; k++)
+                profile[k] = k < 8 ? 1f : outer;
+            const double k_Load = 0.01;
+            (double _, double y) = Droop(Strip(9, profile), 8.0 * k_Stiffness * k_Load);
+
+            Assert.That(y, Is.EqualTo(-k_Load * (15.0 / 16.0 + 1.0 / 16.0 / outer)).Within(3).Percent);
+        }
+
         // Above the first resonance the joints answer in the first mode alone: by three times its frequency 12 % are missing.
         [TestCase(0.5, 1.0)]
         [TestCase(0.95, 2.0)]
