@@ -17,6 +17,7 @@ namespace Alate.Authoring
         private readonly PlanPoint[] m_Outline;
         private readonly PlanPoint[][] m_Fitted;
         private PlanPoint[][] m_Chains;
+        private RadialVein[] m_Followed;
 
         /// <param name="fit">To the outline.</param>
         /// <param name="outline">Counterclockwise.</param>
@@ -25,7 +26,7 @@ namespace Alate.Authoring
             m_Outline = outline;
             m_Fitted = fit.Chains;
             m_Chains = m_Fitted;
-            FollowsVein = new bool[m_Fitted.Length];
+            m_Followed = new RadialVein[m_Fitted.Length];
             Hinge = fit.Hinge;
             Span = fit.Span;
             foreach (PlanPoint point in outline)
@@ -41,7 +42,7 @@ namespace Alate.Authoring
         public double Length { get; }
 
         /// <summary>[chain] True where the chain follows a vein.</summary>
-        public bool[] FollowsVein { get; private set; }
+        public bool[] FollowsVein => Array.ConvertAll(m_Followed, vein => vein != null);
 
         /// <summary>Lays chains along veins, as many as the skeleton stays valid with.</summary>
         public void Follow(List<RadialVein> veins)
@@ -59,7 +60,7 @@ namespace Alate.Authoring
                 bool isPoor = laid.Shares[poor] < k_LeastShare;
                 if (!isPoor && (TryTake(laid) || TryTake(VeinChains.Lay(m_Fitted, followed, rim, Length, false))))
                 {
-                    FollowsVein = Array.ConvertAll(followed, vein => vein != null);
+                    m_Followed = followed;
                     return;
                 }
 
@@ -79,10 +80,15 @@ namespace Alate.Authoring
         }
 
         /// <summary>The skeleton in the space of a mesh.</summary>
-        public WingSkeleton ToWingSkeleton(WingPlacement placement)
+        /// <param name="placement">Of the mesh.</param>
+        /// <param name="widths">Measures the veins that chains follow; null to leave their widths unknown.</param>
+        public WingSkeleton ToWingSkeleton(WingPlacement placement, VeinWidths widths)
         {
             WingSkeleton skeleton = ScriptableObject.CreateInstance<WingSkeleton>();
             skeleton.Chains = Array.ConvertAll(m_Chains, chain => new JointChain(Array.ConvertAll(chain, placement.ToMesh)));
+            float[][] measured = widths?.Measure(m_Chains, m_Followed);
+            for (int i = 0; measured != null && i < measured.Length; i++)
+                skeleton.Chains[i].veinWidths = measured[i];
             skeleton.Hinge = placement.ToMesh(Hinge);
             skeleton.SpanAxis = placement.ToMesh(Hinge + Span).normalized;
             skeleton.UpAxis = Vector3.up;

@@ -38,9 +38,10 @@ namespace Alate.Authoring
             skeleton.Follow(veins);
             double clear = wing.ClearRim;
             float confidence = clear < k_ClearRim ? (float)clear * fit.Confidence : fit.Confidence;
+            VeinWidths widths = settings.veinWidths ? new VeinWidths(RidgeField.Shades(working, wing.Mask), working.Factor, skeleton.Length) : null;
             WingPlacement placement = skeleton.Place(picture, settings.length);
             return new WingTrace(
-                placement, Array.ConvertAll(outline, ToPicture), Surface(mesh, placement), skeleton.ToWingSkeleton(placement), skeleton.FollowsVein,
+                placement, Array.ConvertAll(outline, ToPicture), Surface(mesh, placement), skeleton.ToWingSkeleton(placement, widths), skeleton.FollowsVein,
                 veins.ConvertAll(vein => Array.ConvertAll(vein.Path, ToPicture)), confidence, Warnings(fit, wing, clear));
         }
 

@@ -37,6 +37,12 @@ namespace Alate.Authoring
         public Vector2? forward;
 
         /// <summary>
+        /// True where the skeleton takes the widths of the veins that its chains follow (<see cref="JointChain.veinWidths"/>, wing lengths), so that thick veins are stiff; default false. For photos and
+        /// drawings that show widths, all veins in one shade.
+        /// </summary>
+        public bool veinWidths;
+
+        /// <summary>
         /// Default settings: five chains of five joints in a mesh of a thousand triangles, one unit long; hinge and leading edge are found.
         /// </summary>
         public static WingTracingSettings Default => new WingTracingSettings { chains = 5, jointsPerChain = 5, triangles = 1000, length = 1f };

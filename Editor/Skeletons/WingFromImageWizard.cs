@@ -22,6 +22,7 @@ namespace Alate.Editor
             public static readonly GUIContent Triangles = new GUIContent("Triangles", "Triangles of the mesh, 50 to 200000; it gets exactly so many.");
             public static readonly GUIContent Length = new GUIContent("Length", "From hinge to tip in the mesh, scene units, above 0.");
             public static readonly GUIContent Leading = new GUIContent("Leading Edge", "The side of the picture on which the leading edge lies.");
+            public static readonly GUIContent VeinWidths = new GUIContent("Vein Widths", "Measure the veins that chains follow, so that thick ones are stiffer. For pictures that show widths, all veins in one shade.");
             public static readonly GUIContent HasHinge = new GUIContent("Set Hinge", "Say where the wing turns. Without it the hinge lies where the veins meet, or is guessed.");
             public static readonly GUIContent Hinge = new GUIContent("Hinge", "Pixels from the picture's top left corner, y down. A click in the picture sets it.");
         }
@@ -32,6 +33,7 @@ namespace Alate.Editor
         [SerializeField] private int m_Triangles = 1000;
         [SerializeField] private float m_Length = 1f;
         [SerializeField] private WingImageSide m_Leading;
+        [SerializeField] private bool m_VeinWidths;
         [SerializeField] private bool m_HasHinge;
         [SerializeField] private Vector2 m_Hinge;
 
@@ -92,6 +94,7 @@ namespace Alate.Editor
             m_Triangles = Mathf.Clamp(triangles, WingTracingSettings.MinTriangles, WingTracingSettings.MaxTriangles);
             m_Length = EditorGUILayout.FloatField(Content.Length, m_Length);
             m_Leading = (WingImageSide)EditorGUILayout.EnumPopup(Content.Leading, m_Leading);
+            m_VeinWidths = EditorGUILayout.Toggle(Content.VeinWidths, m_VeinWidths);
             m_HasHinge = EditorGUILayout.Toggle(Content.HasHinge, m_HasHinge);
             if (m_HasHinge)
                 m_Hinge = EditorGUILayout.Vector2Field(Content.Hinge, m_Hinge);
@@ -160,6 +163,7 @@ namespace Alate.Editor
                 length = m_Length,
                 forward = m_Leading.ToDirection(),
                 hinge = m_HasHinge ? m_Hinge : (Vector2?)null,
+                veinWidths = m_VeinWidths,
             });
         }
 

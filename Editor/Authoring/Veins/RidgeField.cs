@@ -36,8 +36,8 @@ namespace Alate.Authoring
             return Strength(dark, inner) >= Strength(bright, inner) ? dark : bright;
         }
 
-        // Ground at the rim would look like a line's edge; the wing's own shades go on into it instead.
-        private static PixelPlane Shades(WorkingPicture picture, PixelMask wing)
+        /// <summary>Shades of grey of the wing. Ground at the rim would look like a line's edge; the wing's own shades go on into it instead.</summary>
+        public static PixelPlane Shades(WorkingPicture picture, PixelMask wing)
         {
             var shades = new PixelPlane(picture.Width, picture.Height);
             var known = new PixelPlane(picture.Width, picture.Height);

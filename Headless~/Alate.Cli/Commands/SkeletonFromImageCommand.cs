@@ -43,10 +43,11 @@ internal static class SkeletonFromImageCommand
         });
         Option<double> length = Numbers.Option(
             "--length", "METRES", standard.length, 1e-6, 1e6, "Length of the wing from hinge to tip in the mesh, metres, 0.000001 to 1000000.");
+        var widths = new Option<bool>("--vein-widths") { Description = "Measures the veins that chains follow, and makes thick ones stiffer." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/IMAGE]" };
         var command = new Command("from-image", "Makes a mesh and a skeleton from a picture of a wing; chains follow its veins where it shows any.")
         {
-            image, chains, joints, triangles, hinge, leading, length, folder,
+            image, chains, joints, triangles, hinge, leading, length, widths, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -59,6 +60,7 @@ internal static class SkeletonFromImageCommand
                 hinge = parsed.GetValue(hinge) is { Length: 2 } at ? new Vector2((float)at[0], (float)at[1]) : null,
                 forward = parsed.GetValue(leading),
                 length = (float)parsed.GetValue(length),
+                veinWidths = parsed.GetValue(widths),
             };
             string file = parsed.GetValue(image);
             Run(file, settings, parsed.GetValue(folder) ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)), output);

@@ -25,7 +25,7 @@ namespace Alate.Tests.Cli
         {
             string image = Image("wing.png", new DrawnVeinPicture(DrawnWing.Monarch(), 300, 6, VeinLook.Photo).Picture);
 
-            int code = m_Run.Run("skeleton", "from-image", image, "--triangles", "777", "--chains", "6", "--joints", "4", "--out", m_Run.Out);
+            int code = m_Run.Run("skeleton", "from-image", image, "--vein-widths", "--triangles", "777", "--chains", "6", "--joints", "4", "--out", m_Run.Out);
 
             Assert.That(code, Is.Zero, m_Run.Errors);
             Assert.That(m_Run.Output, Does.Contain("777 triangles").And.Contain("6 chains of 4 joints"));
@@ -33,6 +33,7 @@ namespace Alate.Tests.Cli
             WingSkeleton skeleton = Read("skeleton.json", reader => SkeletonJson.Read(reader.ReadToEnd()));
             Assert.That((skeleton.ChainCount, skeleton.JointsPerChain), Is.EqualTo((6, 4)));
             Assert.That(skeleton.Validate(), Is.Empty);
+            Assert.That(skeleton.Chains.Count(chain => chain.veinWidths?.Length == 4), Is.GreaterThanOrEqualTo(3), "widths of veins");
             XElement svg = XDocument.Load(Path.Combine(m_Run.Out, "overlay.svg")).Root;
             XNamespace ns = svg.Name.Namespace;
             Assert.That(svg.Elements(ns + "image").Single().Attribute("width").Value, Is.EqualTo("300"));

@@ -7,13 +7,16 @@ namespace Alate.Editor.Tests
     internal sealed class DrawnVeinPicture
     {
         private readonly DrawnVeins m_Veins;
+        private readonly float m_Rear;
 
         /// <param name="wing">Its shape.</param>
         /// <param name="side">Of the picture, pixels.</param>
         /// <param name="count">Radial veins.</param>
         /// <param name="look">How it is drawn.</param>
-        public DrawnVeinPicture(DrawnWing wing, int side, int count, VeinLook look)
+        /// <param name="rear">Width of the last vein over that of the first.</param>
+        public DrawnVeinPicture(DrawnWing wing, int side, int count, VeinLook look, float rear = 1f)
         {
+            m_Rear = rear;
             Place = wing.In(side);
             m_Veins = DrawnVeins.In(wing, count);
             Root = Place.At(0.5f * (wing.Outline[0] + wing.Outline[wing.Outline.Length - 1]));
@@ -52,7 +55,7 @@ namespace Alate.Editor.Tests
             for (int k = 0; k < m_Veins.Radial.Count; k++)
             {
                 Vector2[] path = Place.At(m_Veins.Radial[k]);
-                picture.Stroke(path, line, vein);
+                picture.Stroke(path, Mathf.Lerp(1f, m_Rear, k / Mathf.Max(1f, m_Veins.Radial.Count - 1f)) * line, vein);
                 if (look == VeinLook.Broken)
                     Break(picture, path, 7 + 2 * k, line, wing);
             }

@@ -83,6 +83,32 @@ namespace Alate.Editor.Tests
             Assert.That(taken.Count, Is.GreaterThanOrEqualTo(4));
         }
 
+        [TestCase(VeinLook.Photo, 1.35f, Explicit = true, Category = "Long")]
+        [TestCase(VeinLook.Drawing, 1.1f)]
+        public void WidthsOfVeins_AreMeasured(VeinLook look, float scatter)
+        {
+            const float k_Rear = 2.5f;
+            var drawn = new DrawnVeinPicture(DrawnWing.Scalloped(), 400, 6, look, k_Rear);
+            WingTracingSettings settings = WingTracingSettings.Default;
+            settings.veinWidths = true;
+            WingTrace trace = WingTracer.Trace(drawn.Picture.ToPicture(), settings);
+
+            var ratios = new List<float>();
+            for (int i = 0; i < 5; i++)
+            {
+                float[] widths = trace.Skeleton.Chains[i].veinWidths;
+                if (!trace.FollowsVein[i])
+                    continue;
+                float drawnWidth = Mathf.Lerp(1f, k_Rear, Nearest(trace, i, drawn) / 5f);
+                ratios.Add(widths[2] / drawnWidth);
+            }
+
+            ratios.Sort();
+            Assert.That(ratios, Has.Count.GreaterThanOrEqualTo(3));
+            Assert.That(ratios[ratios.Count - 1] / ratios[0], Is.LessThan(scatter), "widths are as drawn, up to a common factor");
+            Assert.That(trace.Skeleton.Validate(), Is.Empty);
+        }
+
         [Test]
         public void FewVeins_LeaveTheOtherChainsToTheOutline()
         {
@@ -94,6 +120,7 @@ namespace Alate.Editor.Tests
             for (int i = 0; i < 5; i++)
                 followed += trace.FollowsVein[i] ? 1 : 0;
             Assert.That(followed, Is.InRange(1, 2));
+            Assert.That(trace.Skeleton.Chains, Has.All.Matches<JointChain>(chain => chain.veinWidths == null), "not asked for");
             Assert.That(trace.Skeleton.Validate(), Is.Empty);
         }
 
