@@ -21,7 +21,7 @@ namespace Alate
         /// Flexural stiffness EI from root to tip, N·m², 10⁻¹⁵ to 1000 each, of the real wing's size; empty where it is not known. In place of the preset's elasticity, leading and
         /// trailing edge and decay; the dorsal asymmetry still multiplies it when the chain bends up.
         /// </summary>
-        [Tooltip("Measured flexural stiffness EI from root to tip, N·m², 1e-15 to 1000: one value, root and tip, or more. Empty: the preset's factors. A fiftieth of a monarch's makes a rag, fifty times as much a board.")]
+        [Tooltip("Measured flexural stiffness EI from root to tip, N·m², 1e-15 to 1000: one value, root and tip, or more. Empty: the preset's factors. All chains of a monarch together have 3e-5 by its factors: a third of that hangs in the wind, ten times as much is a stiff sheet.")]
         public float[] flexuralStiffness;
 
         /// <summary>
