@@ -11,8 +11,14 @@ namespace Alate.Flight
         /// <summary>Largest change of velocity of what flies, m/s²; what swims has less.</summary>
         public const float Acceleration = 2.5f;
 
-        /// <summary>Seconds of the filters of velocity and wind.</summary>
-        private const float k_Filter = 0.1f;
+        /// <summary>Seconds of the filters of velocity and wind: a gust is met before it has blown the insect off its way.</summary>
+        private const float k_Filter = 0.1f, k_WindFilter = 0.07f;
+
+        /// <summary>
+        /// Share of the largest change of velocity that an insect follows at rest, and share of the top speed from which it follows all: trims change most where it is slow, and
+        /// one that changes its speed faster than its beat can follow rocks.
+        /// </summary>
+        private const float k_SlowShare = 0.35f, k_Nimble = 0.45f;
 
         /// <summary>Speed above which the insect looks along its way and turns on an arc: m/s, and at most a share of the top speed.</summary>
         private const float k_Cruising = 0.3f, k_CruisingShare = 0.25f;
@@ -78,12 +84,11 @@ namespace Alate.Flight
                 wanted = default;
             m_Cruising = math.min(k_Cruising, k_CruisingShare * table.TopSpeed);
             m_Acceleration = table.Acceleration;
-            Wind += (1f - math.exp(-dt / k_Filter)) * (wind - Wind);
+            Wind += (1f - math.exp(-dt / k_WindFilter)) * (wind - Wind);
             float3 target = Bounded(wanted, table);
             target = OnAnArc(target);
             float3 rate = (target - m_Velocity) * (1f / k_Filter);
-            float size = math.length(rate);
-            rate *= size > m_Acceleration ? m_Acceleration / size : 1f;
+            rate = Followed(rate, table.TopSpeed);
             m_Rate = rate;
             var reference = new BodyReference { velocity = m_Velocity, acceleration = rate };
             Turn(heading, dt);
@@ -97,6 +102,18 @@ namespace Alate.Flight
             reference.airSpeed = air.x * sin + air.z * cos;
             reference.climb = air.y;
             return reference;
+        }
+
+        // Ahead and up a slow insect follows less, across its nose it goes with the air at once.
+        private float3 Followed(float3 rate, float topSpeed)
+        {
+            float most = m_Acceleration * math.lerp(k_SlowShare, 1f, math.saturate(math.length((m_Velocity - Wind).xz) / (k_Nimble * topSpeed)));
+            math.sincos(Heading, out float sin, out float cos);
+            var right = new float3(cos, 0f, -sin);
+            float3 aside = math.dot(rate, right) * right, ahead = rate - aside;
+            ahead *= math.min(1f, most / math.max(math.length(ahead), 1e-6f));
+            rate = ahead + aside;
+            return rate * math.min(1f, m_Acceleration / math.max(math.length(rate), 1e-6f));
         }
 
         // Through the air the insect is not faster than its table, more wind carries it; climbs as far as the table closes.
