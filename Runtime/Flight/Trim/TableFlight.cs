@@ -18,9 +18,7 @@ namespace Alate.Flight
         /// <summary>Takes the points out that the insect cannot fly to from level flight.</summary>
         public static void Check(FlightModel model, TrimTable table, Action<string> log)
         {
-            int level = 0;
-            for (int c = 1; c < table.ClimbRates.Length; c++)
-                level = math.abs(table.ClimbRates[c]) < math.abs(table.ClimbRates[level]) ? c : level;
+            int level = table.LevelClimb;
             for (int s = 0; s < table.Speeds.Length; s++)
             {
                 foreach (int way in new[] { -1, 1 })

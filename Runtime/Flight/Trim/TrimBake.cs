@@ -47,8 +47,14 @@ namespace Alate.Flight
             TableFlight.Check(m_Model, table, Log);
             table.Fill();
             table.Dispose();
+            table = Refine(table, solver, tunnel);
+            table.Dispose();
             return table;
         }
+
+        /// <summary>Adds speeds where the trims of two do not mix well.</summary>
+        internal TrimTable Refine(TrimTable table, TrimSolver solver, FlightTunnel tunnel) =>
+            new TableRefinement(m_Model, solver, (to, s, c, trim) => Add(to, s, c, new FlightCondition(to.Speeds[s], to.ClimbRates[c]), trim, tunnel), Log).Refine(table);
 
         /// <summary>Trims over speeds and climbs, each also tried from its neighbours'; null where none closes.</summary>
         internal TrimState[,] Trims(TrimSolver solver, TrimTable table)

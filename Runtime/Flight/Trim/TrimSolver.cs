@@ -38,6 +38,9 @@ namespace Alate.Flight
             m_Tunnel = new FlightTunnel(model, TrimState.Unknowns + 1);
         }
 
+        /// <summary>Trim that solutions stay near to, in place of the preferred beat and attitude; null for none.</summary>
+        public TrimState Near { get; set; }
+
         /// <summary>Solves for a condition.</summary>
         /// <param name="condition">Steady flight.</param>
         /// <param name="start">Where to begin.</param>
@@ -311,6 +314,8 @@ namespace Alate.Flight
         // Pitch and tilt by speed; own frequency and amplitude, no sweep.
         private double[] Preferred(in FlightCondition condition)
         {
+            if (Near != null)
+                return Near.z;
             if (m_Model.Floats)
                 return new double[] { 0, 1, 1, 0, 0 };
             float v = math.abs(condition.Speed);

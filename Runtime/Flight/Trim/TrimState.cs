@@ -93,6 +93,19 @@ namespace Alate.Flight
                 point[TrimPoint.Bob + k] = (float)bob[k];
         }
 
+        /// <summary>The state of a table's point.</summary>
+        internal static TrimState Read(float[] point, float frequency)
+        {
+            var state = new TrimState();
+            state.z[0] = point[TrimPoint.Pitch];
+            state.z[1] = point[TrimPoint.Drive] / frequency;
+            for (int k = 1; k < TrimPoint.LongCommands; k++)
+                state.z[k + 1] = point[TrimPoint.Drive + k];
+            for (int k = 0; k < state.bob.Length; k++)
+                state.bob[k] = point[TrimPoint.Bob + k];
+            return state;
+        }
+
         /// <summary>The beat of a wing.</summary>
         internal WingDrive Drive(float frequency) => new WingDrive
         {

@@ -124,6 +124,54 @@ namespace Alate.Flight
             return any;
         }
 
+        /// <summary>Index of the climb that is nearest to 0.</summary>
+        internal int LevelClimb
+        {
+            get
+            {
+                int level = 0;
+                for (int c = 1; c < ClimbRates.Length; c++)
+                    level = math.abs(ClimbRates[c]) < math.abs(ClimbRates[level]) ? c : level;
+                return level;
+            }
+        }
+
+        /// <summary>A table with these points and one more speed, at which none closes yet.</summary>
+        internal TrimTable WithSpeed(float speed)
+        {
+            float[] speeds = With(Speeds, speed, out int added);
+            var table = new TrimTable(speeds, ClimbRates);
+            for (int k = 0; k < m_Points.Length; k++)
+                Give(table, k / ClimbRates.Length, k % ClimbRates.Length, added, int.MaxValue);
+            return table;
+        }
+
+        /// <summary>A table with these points and one more climb, at which none closes yet.</summary>
+        internal TrimTable WithClimb(float climb)
+        {
+            float[] climbs = With(ClimbRates, climb, out int added);
+            var table = new TrimTable(Speeds, climbs);
+            for (int k = 0; k < m_Points.Length; k++)
+                Give(table, k / ClimbRates.Length, k % ClimbRates.Length, int.MaxValue, added);
+            return table;
+        }
+
+        private void Give(TrimTable table, int s, int c, int addedSpeed, int addedClimb)
+        {
+            if (IsClosed(s, c))
+                table.Set(s < addedSpeed ? s : s + 1, c < addedClimb ? c : c + 1, Point(s, c));
+        }
+
+        private static float[] With(float[] axis, float value, out int added)
+        {
+            float[] longer = new float[axis.Length + 1];
+            axis.CopyTo(longer, 0);
+            longer[axis.Length] = value;
+            Array.Sort(longer);
+            added = Array.IndexOf(longer, value);
+            return longer;
+        }
+
         /// <summary>Frees the native memory; a table that is used again makes it again.</summary>
         public void Dispose()
         {

@@ -1,0 +1,182 @@
+using System;
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>
+    /// Adds speeds and climbs to a table where the trims of two neighbours are so far apart that the insect does not fly well by what is mixed of them. Of the trims that close there, the
+    /// nearest to the middle of the two is taken, so that trims change as little as they can from point to point.
+    /// </summary>
+    internal sealed class TableRefinement
+    {
+        /// <summary>Seconds of a flight halfway between two points, share of it after which it counts, and its step.</summary>
+        private const float k_Seconds = 6f, k_Counted = 0.5f, k_Step = 0.01f;
+
+        /// <summary>Turn out of the mixed attitude, radians, and error of the velocity, m/s, from which trims do not mix well.</summary>
+        private const float k_MostTilt = 4f * math.PI / 180f, k_MostError = 0.6f;
+
+        /// <summary>Least distance of two speeds, and of two climbs, m/s.</summary>
+        private const float k_LeastSpeed = 0.03f, k_LeastClimb = 0.07f;
+
+        private readonly FlightModel m_Model;
+        private readonly TrimSolver m_Solver;
+        private readonly Action<TrimTable, int, int, TrimState> m_Add;
+        private readonly Action<string> m_Log;
+
+        /// <param name="model">The insect.</param>
+        /// <param name="solver">Of the insect.</param>
+        /// <param name="add">Finds the gains of a trim and sets the table's point where they hold the insect.</param>
+        /// <param name="log">What is told; null tells nobody.</param>
+        public TableRefinement(FlightModel model, TrimSolver solver, Action<TrimTable, int, int, TrimState> add, Action<string> log)
+        {
+            m_Model = model;
+            m_Solver = solver;
+            m_Add = add;
+            m_Log = log;
+        }
+
+        /// <summary>Flies between all speeds and climbs of a table and adds what is missing.</summary>
+        /// <returns>The table, or a new one in its place; the old one is disposed then.</returns>
+        public TrimTable Refine(TrimTable table)
+        {
+            for (int s = 0; s + 1 < table.Speeds.Length; s++)
+            {
+                // Halfway to an added speed too.
+                while (TryAddSpeed(ref table, s)) { }
+            }
+
+            for (int c = 0; c + 1 < table.ClimbRates.Length; c++)
+                TryAddClimb(ref table, c);
+            for (int s = 0; s < table.Speeds.Length; s++)
+                ExtendClimbs(table, s);
+            table.Fill();
+            table.Dispose();
+            return table;
+        }
+
+        // Climbs that did not close, or did not mix, are tried again between those beside them that do.
+        private void ExtendClimbs(TrimTable table, int s)
+        {
+            int level = table.LevelClimb;
+            foreach (int way in new[] { -1, 1 })
+            {
+                for (int c = level + way; c >= 0 && c < table.ClimbRates.Length && table.IsClosed(s, c - way); c += way)
+                {
+                    int beside = s + 1 < table.Speeds.Length && table.IsClosed(s + 1, c) ? s + 1 : s - 1;
+                    if (table.IsClosed(s, c) || beside < 0 || !table.IsClosed(beside, c))
+                        continue;
+                    AddPoint(table, s, c, Middle(State(table, s, c - way), State(table, beside, c)));
+                    if (!table.IsClosed(s, c))
+                        break;
+                    table.Fill();
+                    table.Dispose();
+                    bool mixes = FliesWell(table, new FlightCondition(table.Speeds[s], 0.5f * (table.ClimbRates[c] + table.ClimbRates[c - way])))
+                        && FliesWell(table, new FlightCondition(0.5f * (table.Speeds[s] + table.Speeds[beside]), table.ClimbRates[c]));
+                    if (!mixes)
+                        table.Open(s, c);
+                }
+            }
+        }
+
+        private bool TryAddSpeed(ref TrimTable table, int s)
+        {
+            int level = table.LevelClimb;
+            float middle = 0.5f * (table.Speeds[s] + table.Speeds[s + 1]);
+            if (middle - table.Speeds[s] < k_LeastSpeed || !table.IsClosed(s, level) || !table.IsClosed(s + 1, level))
+                return false;
+            bool mixes = true;
+            for (int c = 0; c < table.ClimbRates.Length && mixes; c++)
+                mixes = !table.IsClosed(s, c) || !table.IsClosed(s + 1, c) || FliesWell(table, new FlightCondition(middle, table.ClimbRates[c]));
+            if (mixes)
+                return false;
+            TrimTable refined = table.WithSpeed(middle);
+            AddRow(refined, s + 1);
+            return Replace(ref table, refined, refined.IsClosed(s + 1, level));
+        }
+
+        private void TryAddClimb(ref TrimTable table, int c)
+        {
+            float middle = 0.5f * (table.ClimbRates[c] + table.ClimbRates[c + 1]);
+            if (middle - table.ClimbRates[c] < k_LeastClimb)
+                return;
+            bool mixes = true;
+            for (int s = 0; s < table.Speeds.Length && mixes; s++)
+                mixes = !table.IsClosed(s, c) || !table.IsClosed(s, c + 1) || FliesWell(table, new FlightCondition(table.Speeds[s], middle));
+            if (mixes)
+                return;
+            TrimTable refined = table.WithClimb(middle);
+            for (int s = 0; s < table.Speeds.Length; s++)
+            {
+                TrimState sinking = State(refined, s, c), climbing = State(refined, s, c + 2);
+                if (sinking != null && climbing != null)
+                    AddPoint(refined, s, c + 1, Middle(sinking, climbing));
+            }
+
+            Replace(ref table, refined, true);
+        }
+
+        private static bool Replace(ref TrimTable table, TrimTable refined, bool isBetter)
+        {
+            (isBetter ? table : refined).Dispose();
+            if (isBetter)
+                table = refined;
+            table.Fill();
+            return isBetter;
+        }
+
+        // From the level trim outwards: each the nearest to the middle of the slower and the faster one, or, where one does not close, of the other and the one nearer to level.
+        private void AddRow(TrimTable table, int s)
+        {
+            int level = table.LevelClimb;
+            AddPoint(table, s, level, Middle(State(table, s - 1, level), State(table, s + 1, level)));
+            foreach (int way in new[] { -1, 1 })
+            {
+                for (int c = level + way; c >= 0 && c < table.ClimbRates.Length && table.IsClosed(s, c - way); c += way)
+                {
+                    TrimState slower = State(table, s - 1, c), faster = State(table, s + 1, c), inner = State(table, s, c - way);
+                    if (slower == null && faster == null)
+                        break;
+                    AddPoint(table, s, c, slower != null && faster != null ? Middle(slower, faster) : Middle(inner, slower ?? faster));
+                }
+            }
+        }
+
+        private void AddPoint(TrimTable table, int s, int c, TrimState near)
+        {
+            var condition = new FlightCondition(table.Speeds[s], table.ClimbRates[c]);
+            m_Solver.Near = near;
+            TrimState trim = m_Solver.Solve(condition, near, out double[] residual);
+            m_Solver.Near = null;
+            if (TrimSolver.Norm(residual) < TrimSolver.Closed)
+                m_Add(table, s, c, trim);
+            else
+                m_Log?.Invoke(m_Solver.Missing(condition, residual));
+        }
+
+        private TrimState State(TrimTable table, int s, int c) => table.IsClosed(s, c) ? TrimState.Read(table.Point(s, c), m_Model.Frequency) : null;
+
+        private static TrimState Middle(TrimState a, TrimState b)
+        {
+            TrimState middle = a.Copy();
+            for (int k = 0; k < middle.z.Length; k++)
+                middle.z[k] = 0.5 * (a.z[k] + b.z[k]);
+            for (int k = 0; k < middle.bob.Length; k++)
+                middle.bob[k] = 0.5 * (a.bob[k] + b.bob[k]);
+            return middle;
+        }
+
+        private bool FliesWell(TrimTable table, in FlightCondition condition)
+        {
+            using var flight = new FreeFlight(m_Model, table, condition);
+            var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
+            while (flight.Time < k_Seconds)
+            {
+                flight.Step(command, k_Step);
+                if (!(math.length(flight.VelocityError) < k_MostError) || flight.Time > k_Counted * k_Seconds && !(flight.Tilt < k_MostTilt))
+                    return false;
+            }
+
+            return true;
+        }
+    }
+}
