@@ -12,12 +12,14 @@ namespace Alate.Tests.Flight
             Assert.That(PerchFlights.Of("monarch").Fly(seed).Landed);
 
         [TestCase("monarch", 8)]
+        [TestCase("swallowtail", 1)]
         [TestCase("firefly", 2)]
         [TestCase("fishfly", 3)]
         [TestCase("painted-lichen-moth", 3)]
         public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 
         [TestCase("monarch", 1000)]
+        [TestCase("swallowtail", 200)]
         [TestCase("firefly", 200)]
         [TestCase("fishfly", 200)]
         [TestCase("painted-lichen-moth", 200)]

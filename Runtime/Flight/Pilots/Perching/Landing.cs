@@ -21,10 +21,13 @@ namespace Alate.Flight
         private const float k_LineLength = 0.45f;
 
         /// <summary>Fastest flight along the line, m/s, and growth of the speed with the distance, 1/s.</summary>
-        private const float k_LineSpeed = 0.33f, k_FlareRate = 0.8f;
+        private const float k_LineSpeed = 0.25f, k_FlareRate = 0.8f;
+
+        /// <summary>Way before the spot that is flown at the speed of the contact, metres: what braking throws off the line is flown out there.</summary>
+        private const float k_Steady = 0.05f;
 
         /// <summary>Speed at the spot: wing lengths a second, and its bounds, m/s. What has a short reach comes slower.</summary>
-        private const float k_Touch = 4f, k_LeastTouch = 0.05f, k_MostTouch = 0.16f;
+        private const float k_Touch = 5f, k_LeastTouch = 0.05f, k_MostTouch = 0.16f;
 
         /// <summary>Fastest approach to the surface: over the height above it, 1/s, and what is added to it, m/s.</summary>
         private const float k_SettleRate = 3f, k_Settle = 0.02f;
@@ -34,6 +37,9 @@ namespace Alate.Flight
 
         /// <summary>Rate at which a steady drift off the line is learned, 1/s², distance from the line within which it is, metres, and the fastest drift, m/s.</summary>
         private const float k_DriftRate = 1f, k_DriftWithin = 0.03f, k_MostDrift = 0.05f;
+
+        /// <summary>Share of the difference between flown and followed velocity that is taken out at once, seconds over which it is averaged, and the most of it, m/s.</summary>
+        private const float k_SlipShare = 0.5f, k_SlipTime = 0.1f, k_MostSlip = 0.12f;
 
         /// <summary>Distance off the line over the distance along it within which the insect begins, and from which it gives up, with what it may be off at the spot, metres.</summary>
         private const float k_Begin = 0.25f, k_GiveUp = 0.5f, k_Astray = 0.1f;
@@ -57,7 +63,7 @@ namespace Alate.Flight
         private readonly float m_Stand;
         private float m_LineTime, m_RoundTime, m_Heading, m_Distance;
         private bool m_HasCourse;
-        private float3 m_Line, m_Drift, m_Round;
+        private float3 m_Line, m_Drift, m_Slip, m_Round;
 
         /// <param name="spot">Where to land.</param>
         /// <param name="stand">Height of the centre of mass over the feet, metres of the insect.</param>
@@ -107,12 +113,13 @@ namespace Alate.Flight
                 return GoRound(situation);
 
             float touch = math.clamp(k_Touch * situation.wingLength, k_LeastTouch, k_MostTouch);
-            float speed = along > 0f ? math.min(touch + k_FlareRate * math.max(along - reach, 0f), k_LineSpeed) : 0f;
+            float speed = along > 0f ? math.min(touch + k_FlareRate * math.max(along - math.max(reach, k_Steady), 0f), k_LineSpeed) : 0f;
             if (math.length(beside) < k_DriftWithin)
                 m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
             float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
-            float3 velocity = -speed * m_Line - back;
+            m_Slip += (1f - math.exp(-situation.deltaTime / k_SlipTime)) * (situation.velocity - situation.referenceVelocity - m_Slip);
+            float3 velocity = -speed * m_Line - back - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
             velocity -= math.min(math.dot(velocity, m_Spot.normal) + (gap > 0f ? k_SettleRate * gap + k_Settle : 0f), 0f) * m_Spot.normal;
             return Wish(FlightWish.Land, velocity, situation);
         }
@@ -135,7 +142,7 @@ namespace Alate.Flight
             {
                 IsFlaring = true;
                 m_LineTime = -along / (0.5f * k_LineSpeed);
-                m_Drift = default;
+                m_Drift = m_Slip = default;
                 m_Distance = float.PositiveInfinity;
             }
 
