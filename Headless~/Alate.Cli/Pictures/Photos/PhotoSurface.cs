@@ -116,7 +116,7 @@ internal sealed class PhotoSurface
         return new float4(sum.xyz / math.max(sum.w, 1e-6f), sum.w / along.Count);
     }
 
-    // Of a triangle seen at a slant a pixel holds a long and narrow piece of the pattern: steps along it, each about as long as the piece is wide.
+    // Of a triangle seen at a slant a pixel holds a long and narrow piece of the pattern: a sample is the mean of its part of it, in steps about as long as the piece is wide.
     private (float4 Step, int Count) Squeezed(int3 t, float3[] places)
     {
         float2 p = places[t.y].xy - places[t.x].xy, q = places[t.z].xy - places[t.x].xy;
@@ -127,9 +127,9 @@ internal sealed class PhotoSurface
         float4 x = (q.y * u - p.y * v) / area, y = (p.x * v - q.x * u) / area;
         float xx = math.dot(x, x), yy = math.dot(y, y), xy = math.dot(x, y), spread = math.sqrt(0.25f * (xx - yy) * (xx - yy) + xy * xy);
         float longest = math.sqrt(0.5f * (xx + yy) + spread), narrowest = math.sqrt(math.max(0.5f * (xx + yy) - spread, 0f));
-        int count = (int)math.ceil(math.min(longest / math.max(narrowest, 1e-9f), k_MostTaps));
+        int count = (int)math.ceil(math.min(longest / math.max(narrowest, 1e-9f), k_MostTaps) / SampleGrid.k_Fineness);
         float turn = 0.5f * math.atan2(2f * xy, xx - yy);
-        return count < 2 ? (default, 1) : (SampleGrid.k_Fineness / (float)count * (math.cos(turn) * x + math.sin(turn) * y), count);
+        return count < 2 ? (default, 1) : ((math.cos(turn) * x + math.sin(turn) * y) / count, count);
     }
 
     // Two triangles, a little nearer than the wing, and beyond both ends so that lines in a row join.
