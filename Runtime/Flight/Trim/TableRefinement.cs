@@ -50,7 +50,6 @@ namespace Alate.Flight
             for (int s = 0; s < table.Speeds.Length; s++)
                 ExtendClimbs(table, s);
             table.Fill();
-            table.Dispose();
             return table;
         }
 
@@ -69,7 +68,6 @@ namespace Alate.Flight
                     if (!table.IsClosed(s, c))
                         break;
                     table.Fill();
-                    table.Dispose();
                     bool mixes = FliesWell(table, new FlightCondition(table.Speeds[s], 0.5f * (table.ClimbRates[c] + table.ClimbRates[c - way])))
                         && FliesWell(table, new FlightCondition(0.5f * (table.Speeds[s] + table.Speeds[beside]), table.ClimbRates[c]));
                     if (!mixes)

@@ -46,10 +46,7 @@ namespace Alate.Flight
                 return null;
             TableFlight.Check(m_Model, table, Log);
             table.Fill();
-            table.Dispose();
-            table = Refine(table, solver, tunnel);
-            table.Dispose();
-            return table;
+            return Refine(table, solver, tunnel);
         }
 
         /// <summary>Adds speeds where the trims of two do not mix well.</summary>

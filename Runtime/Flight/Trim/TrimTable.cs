@@ -106,10 +106,11 @@ namespace Alate.Flight
             m_Closed[At(speed, climb)] = true;
         }
 
-        /// <summary>Gives the points that do not close their nearest neighbour's numbers.</summary>
+        /// <summary>Gives the points that do not close their nearest neighbour's numbers; what flies by the table next flies by them.</summary>
         /// <returns>Whether any point closes.</returns>
         internal bool Fill()
         {
+            Dispose();
             bool any = false;
             for (int s = 0; s < Speeds.Length; s++)
             {
