@@ -25,7 +25,7 @@ namespace Alate.Editor.Tests
                         yield return new TestCaseData(s_Wings[k], look, 400).SetName($"{{m}}({s_Wings[k].Name}, {look}, 400)");
                 }
 
-                if (k == 1 == isQuick)
+                if (!isQuick)
                     yield return new TestCaseData(s_Wings[k], VeinLook.Photo, 640).SetName($"{{m}}({s_Wings[k].Name}, Photo, 640)");
             }
         }
