@@ -4,15 +4,18 @@ using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
+using Unity.Mathematics;
 
 namespace Alate.Cli.Figures;
 
 /// <summary>What veins do to a wing: the monarch's twist and camber over the beat with all chains alike, with thick veins in front, and with thick veins behind.</summary>
 internal static class VeinFigure
 {
-    private const float k_Width = 1000f, k_Height = 330f, k_ChartWidth = 480f, k_ChartHeight = 230f, k_Top = 84f;
+    private const float k_Width = 1000f, k_Height = 366f, k_ChartWidth = 480f, k_ChartHeight = 250f, k_Top = 108f;
     private const int k_Substeps = 100;
-    private static readonly string[] s_Colours = ["#6b6459", "#0b5fa5", "#c2410c"];
+    
+    // Looks differ without their colours.
+    private static readonly (string Colour, CurveLook Look)[] s_Looks = [("#6b6455", CurveLook.Dotted), ("#0b5fa5", CurveLook.Plain), ("#c2410c", CurveLook.Dashed)];
 
     /// <summary>Widths of the veins at the root of the five chains, from the leading edge on; at the tip they have half.</summary>
     public static IReadOnlyList<(string Name, float[] Widths)> Wings { get; } =
@@ -42,8 +45,11 @@ internal static class VeinFigure
     {
         var page = new SvgPage();
         var wings = Wings.Select(wing => Fly(wing.Widths, k_Substeps)).ToList();
-        page.Text(26f, 38f, 22f, "Veins of a monarch's wing over the beat", look: "b");
-        page.Text(26f, 60f, 13f, "Grey: chains all alike. Blue: thick veins in front. Red: thick veins behind. The mean stiffness is the same.", look: "t");
+        page.Text(ChartSheet.Edge, 38f, 22f, "Veins of a monarch's wing over the beat", look: "b");
+        page.Text(ChartSheet.Edge, 60f, 13f, "Across the phase from the top of the stroke, in beats. The mean stiffness is the same.", look: "t");
+        var legend = new ChartLegend(page, 86f);
+        for (int k = 0; k < wings.Count; k++)
+            legend.Add(Wings[k].Name, s_Looks[k].Colour, s_Looks[k].Look);
         Chart(page, wings, 0, "twist, °", (wing, frame) => 180 / Math.PI * wing.Measurement.Twist(frame.Positions));
         Chart(page, wings, 1, "camber, % of the chord", (wing, frame) => 100 * wing.Measurement.Camber(frame.Positions));
         return page.Finish(k_Width, k_Height, "Twist and camber of a monarch's wing with and without veins");
@@ -51,9 +57,14 @@ internal static class VeinFigure
 
     private static void Chart(SvgPage page, List<RecordedWing> wings, int column, string title, Func<RecordedWing, BeatFrame, double> of)
     {
-        var curves = wings.Select((wing, k) => new ChartCurve(wing.Beat.OrderBy(Place).Select(frame => of(wing, frame)).ToArray(), s_Colours[k], false)).ToList();
-        var turns = Enumerable.Range(0, k_Substeps).Select(n => (double)n / k_Substeps).ToList();
-        new LineChart(turns, false, 12f + column * (k_ChartWidth + 10f), k_Top, k_ChartWidth, k_ChartHeight).Draw(page, title, curves);
+        var curves = wings.Select(wing => wing.Beat.OrderBy(Place).Select(frame => of(wing, frame)).ToArray()).ToList();
+        var across = new ChartAxis(0, 1, false, [0, 0.2, 0.4, 0.6, 0.8, 1]);
+        var chart = new PointChart(page, title, across, ChartAxis.Linear(curves.SelectMany(values => values)), 12f + column * (k_ChartWidth + 10f), k_Top, new float2(k_ChartWidth, k_ChartHeight));
+        for (int k = 0; k < curves.Count; k++)
+        {
+            double[] values = curves[k];
+            chart.Draw(new PointCurve(Enumerable.Range(0, values.Length + 1).Select(n => new ChartPoint((double)n / values.Length, values[n % values.Length])).ToList(), s_Looks[k].Colour, s_Looks[k].Look));
+        }
     }
 
     // A frame a substep; that of the beat's end is its start.
