@@ -13,7 +13,7 @@ internal static class VeinFigure
 {
     private const float k_Width = 1000f, k_Height = 366f, k_ChartWidth = 480f, k_ChartHeight = 250f, k_Top = 108f;
     private const int k_Substeps = 100;
-    
+
     // Looks differ without their colours.
     private static readonly (string Colour, CurveLook Look)[] s_Looks = [("#6b6455", CurveLook.Dotted), ("#0b5fa5", CurveLook.Plain), ("#c2410c", CurveLook.Dashed)];
 
