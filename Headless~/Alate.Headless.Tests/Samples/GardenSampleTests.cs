@@ -12,25 +12,33 @@ namespace Alate.Tests.Play.Samples;
 public sealed class GardenSampleTests : SampleFixture<GardenSample>
 {
     [UnityTest]
-    public IEnumerator Butterflies_FlyLandAndSit_WithTheirWingsFolded()
+    public IEnumerator Butterflies_FlyLandAndSit_WithTheirWingsFolded_AndFleeFromTheCamera()
     {
         yield return Begin();
         DrawnScreen.Slide("Butterflies", 4f);
         yield return Frames(30);
-        bool sat = false;
-        for (int frame = 0; frame < 3000 && !sat; frame++)
+        InsectFlight sitting = null;
+        for (int frame = 0; frame < 3000 && sitting == null; frame++)
         {
             foreach (InsectFlight flight in Sample.GetComponentsInChildren<InsectFlight>())
             {
                 Assert.That(flight.Problem, Is.EqualTo(FlightProblem.None), flight.name);
                 Assert.That(float.IsFinite(flight.Position.sqrMagnitude), Is.True);
-                sat |= flight.State == FlightState.Perched && flight.GetComponent<PerchPilot>().Fold > 0.9f;
+                if (flight.State == FlightState.Perched && flight.GetComponent<PerchPilot>().Fold > 0.9f)
+                    sitting = flight;
             }
 
             yield return null;
         }
 
-        Assert.That(sat, Is.True, "no butterfly sat within 50 s");
+        Assert.That(sitting != null, Is.True, "no butterfly sat within 50 s");
+        Camera camera = Sample.GetComponentInChildren<Camera>();
+        camera.GetComponent<MonoBehaviour>().enabled = false;
+        camera.transform.position = sitting.Position + new Vector3(0f, 2f, -4f);
+        yield return Frames(60);
+        Assert.That(sitting.State, Is.EqualTo(FlightState.Flying), "a second after the camera came near");
+        yield return Frames(120);
+        Assert.That(Vector3.Distance(sitting.Position, camera.transform.position), Is.GreaterThan(7f));
     }
 
     [UnityTest]
@@ -42,7 +50,7 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         yield return Frames(20 * 60);
         float turned = 0f;
         Vector3 before = fish.Position;
-        for (int frame = 0; frame < 30 * 60; frame++)
+        for (int frame = 0; frame < 60 * 60; frame++)
         {
             yield return null;
             Assert.That((fish.Problem, fish.State), Is.EqualTo((FlightProblem.None, FlightState.Flying)), $"frame {frame}");
@@ -52,7 +60,7 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
             before = fish.Position;
         }
 
-        Assert.That(Mathf.Abs(turned), Is.EqualTo(Mathf.Rad2Deg * 30f * 0.2f * 10f / 20f).Within(30f));
+        Assert.That(Mathf.Abs(turned), Is.EqualTo(Mathf.Rad2Deg * 60f * 0.2f * 10f / 20f).Within(60f));
     }
 
     [UnityTest]
