@@ -133,7 +133,7 @@ namespace Alate.Flight
         {
             var wings = new List<FlightWing>();
             foreach (LiveWing wing in live.wings)
-                wings.Add(SceneModel.Describe(wing.rig, wing.placed, live.root, wing.values, m_Units));
+                wings.Add(SceneModel.Describe(wing.rig, wing.placed, live.root.rotation, live.root.position, wing.values, m_Units));
             return wings;
         }
 

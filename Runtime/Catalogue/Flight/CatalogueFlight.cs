@@ -19,14 +19,14 @@ namespace Alate.Catalogue
         public static FlightModel CreateModel(InsectDefinition insect, InsectVariant variant = InsectVariant.Flight)
         {
             var wings = new List<FlightWing>();
-            float mass = 0f, density = 0f, share = 0f;
+            float mass = 0f, density = 0f, share = 0f, metresPerUnit = 0f;
             foreach (WingDefinition wing in insect.Wings)
             {
                 WingPreset preset = wing.CreatePreset(ModelReading.Physical, variant);
                 mass = preset.Size.insectMass;
                 density = preset.Size.fluidDensity;
                 share = preset.Size.gravityShare;
-                Add(wings, wing, preset);
+                Add(wings, wing, preset, ref metresPerUnit);
                 UnityEngine.Object.DestroyImmediate(preset);
             }
 
@@ -85,21 +85,23 @@ namespace Alate.Catalogue
             return flight;
         }
 
-        private static void Add(List<FlightWing> wings, WingDefinition wing, WingPreset preset)
+        private static void Add(List<FlightWing> wings, WingDefinition wing, WingPreset preset, ref float metresPerUnit)
         {
             SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
             WingSkeleton skeleton = wing.CreateSkeleton(WingSide.Right);
             var rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
             UnityEngine.Object.DestroyImmediate(skeleton);
-            // Where the numbers have longer wings than the mesh, what lies between the body and the hinge grows with them.
-            float3 offset = rig.Frame.origin / rig.Frame.length * preset.WingLength;
+            // As in a scene: the first wing's length tells how large an insect is, also where the numbers have longer wings than the mesh.
+            if (wings.Count == 0)
+                metresPerUnit = preset.WingLength / rig.Frame.length;
+            float3 hinge = metresPerUnit * ((float3)wing.HingeOn(WingSide.Right) + rig.Frame.origin);
             foreach (float side in new[] { 1f, -1f })
             {
                 wings.Add(new FlightWing
                 {
                     Rig = rig,
                     Parameters = preset.ToParameters(),
-                    Hinge = ((float3)wing.Hinge + offset) * new float3(side, 1f, 1f),
+                    Hinge = hinge * new float3(side, 1f, 1f),
                     Axes = new float3x3(new float3(side, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f)),
                     Length = preset.WingLength,
                     Mass = preset.Size.wingMass,

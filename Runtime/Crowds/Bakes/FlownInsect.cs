@@ -13,13 +13,16 @@ namespace Alate.Crowds
         private readonly FlightModel m_Model;
         private readonly TrimTable m_Table;
 
-        private FlownInsect(InsectWings insect, InsectFlight flight, IReadOnlyList<DrawnWing> wings, float metresPerUnit)
+        private FlownInsect(InsectWings insect, InsectFlight flight, IReadOnlyList<DrawnWing> wings)
         {
             m_Insect = insect;
+            var values = wings.Select(wing => new PresetValues(wing.Wing.Preset == null ? insect.Preset : wing.Wing.Preset)).ToList();
+            float units = SceneModel.UnitsPerMetre(wings[0].Placed, values[0]);
             PresetSize size = new PresetValues(insect.Preset).size;
             try
             {
-                m_Model = new FlightModel(wings.Select(wing => Describe(wing, insect, metresPerUnit)).ToList(), flight.Parts, size.insectMass, size.fluidDensity, size.gravityShare);
+                var described = wings.Select((wing, k) => SceneModel.Describe(wing.Rig, wing.Placed, quaternion.identity, float3.zero, values[k], units)).ToList();
+                m_Model = new FlightModel(described, flight.Parts, size.insectMass, size.fluidDensity, size.gravityShare);
             }
             catch (ArgumentException problem)
             {
@@ -31,8 +34,8 @@ namespace Alate.Crowds
 
         /// <summary>Makes it; null where the insect has no Insect Flight.</summary>
         /// <exception cref="BakeException">Its body cannot fly.</exception>
-        public static FlownInsect Of(InsectWings insect, IReadOnlyList<DrawnWing> wings, float metresPerUnit) =>
-            insect.TryGetComponent(out InsectFlight flight) ? new FlownInsect(insect, flight, wings, metresPerUnit) : null;
+        public static FlownInsect Of(InsectWings insect, IReadOnlyList<DrawnWing> wings) =>
+            insect.TryGetComponent(out InsectFlight flight) ? new FlownInsect(insect, flight, wings) : null;
 
         /// <summary>Flies a motion; null where it is one in which the body is held.</summary>
         /// <exception cref="BakeException">There are no trims for it, or the insect is lost.</exception>
@@ -55,23 +58,6 @@ namespace Alate.Crowds
             if (m_Table != null)
                 FlightTrims.Return(m_Table);
             m_Model.Dispose();
-        }
-
-        private static FlightWing Describe(DrawnWing wing, InsectWings insect, float metresPerUnit)
-        {
-            var values = new PresetValues(wing.Wing.Preset == null ? insect.Preset : wing.Wing.Preset);
-            var axes = new float3x3(wing.Placed.span, wing.Placed.up, wing.Placed.forward);
-            return new FlightWing
-            {
-                Rig = wing.Rig,
-                Parameters = values.parameters,
-                Hinge = wing.Placed.hinge * metresPerUnit,
-                Axes = axes,
-                Length = values.size.wingLength,
-                Mass = values.size.wingMass,
-                GravityShare = values.size.gravityShare,
-                IsLeft = math.determinant(axes) < 0f,
-            };
         }
     }
 }

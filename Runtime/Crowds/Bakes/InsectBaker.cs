@@ -41,7 +41,7 @@ namespace Alate.Crowds
 
             var clips = new List<BakedClip>();
             float metresPerUnit = MetresPerUnit(insect, drawn.Wings[0]);
-            using var flown = FlownInsect.Of(insect, drawn.Wings, metresPerUnit);
+            using var flown = FlownInsect.Of(insect, drawn.Wings);
             foreach (BakeMotion motion in motions)
             {
                 using var flight = new BakeFlight(insect, drawn.Wings, wings, surface, motion, flown?.Fly(motion), metresPerUnit);

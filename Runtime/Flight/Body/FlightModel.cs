@@ -7,9 +7,6 @@ namespace Alate.Flight
     /// <summary>An insect as a body that flies: its wings, its mass and where the mass lies, its drag.</summary>
     public sealed class FlightModel : IDisposable
     {
-        /// <summary>Beats until the wings' mean places are steady, and beats that are averaged.</summary>
-        private const int k_SettledBeats = 4, k_MeanBeats = 1;
-
         private const float k_Gravity = 9.81f;
 
         /// <summary>Frontal area along the body counts for so much: a slender body drags less than its shadow.</summary>
@@ -20,9 +17,6 @@ namespace Alate.Flight
 
         /// <summary>Share of the drag at top speed by which a body that floats is sped up.</summary>
         private const float k_SwimShare = 0.25f;
-
-        /// <summary>[key] What was measured before: all insects of a swarm are alike.</summary>
-        private static readonly Dictionary<uint, MassSum> s_Sums = new Dictionary<uint, MassSum>();
 
         /// <summary>Makes the model; flies the wings some beats on the spot to see where their mass lies on average.</summary>
         /// <param name="wings">All wings, right and left.</param>
@@ -45,14 +39,10 @@ namespace Alate.Flight
             Frequency = wings[0].Parameters.maxFrequency;
             Key = KeyOf(parts);
             Drag = DragOf(parts);
-            if (!s_Sums.TryGetValue(Key, out MassSum sum))
-            {
-                sum = new MassSum();
-                AddWings(sum);
-                AddParts(sum, parts, mass - sum.Mass);
-                s_Sums.Add(Key, sum);
-            }
-
+            var sum = new MassSum();
+            foreach (FlightWing wing in wings)
+                sum.Add(wing.Mass, WingMass.Of(wing), wing.Length * wing.Axes, wing.Hinge);
+            AddParts(sum, parts, mass - sum.Mass);
             Centre = sum.Centre;
             Inertia = sum.Inertia;
         }
@@ -171,42 +161,7 @@ namespace Alate.Flight
             return key.Value;
         }
 
-        private void AddWings(MassSum sum)
-        {
-            using var world = new WingWorld();
-            var handles = new List<WingHandle>();
-            foreach (FlightWing wing in Wings)
-            {
-                handles.Add(world.Add(wing.Rig, wing.Parameters));
-                world.SetDrive(handles[handles.Count - 1], new WingDrive { frequency = wing.Parameters.maxFrequency, amplitude = 1f });
-            }
-
-            int substeps = Wings[0].Parameters.substepsPerBeat;
-            float h = 1f / (Frequency * substeps);
-            for (int k = 0; k < k_SettledBeats * substeps; k++)
-                world.Step(h);
-            int samples = k_MeanBeats * substeps;
-            for (int k = 0; k < samples; k++)
-            {
-                world.Step(h);
-                for (int wing = 0; wing < Wings.Count; wing++)
-                    Add(sum, Wings[wing], world.Read(handles[wing]), 1f / samples);
-            }
-        }
-
-        private static void Add(MassSum sum, FlightWing wing, in WingReading reading, float share)
-        {
-            for (int chain = 0; chain < reading.ChainCount; chain++)
-            {
-                for (int joint = 0; joint < reading.JointsPerChain; joint++)
-                {
-                    float3 place = wing.Hinge + wing.Length * math.mul(wing.Axes, reading.JointPosition(chain, joint));
-                    sum.Add(share * wing.Mass * wing.Rig.JointMasses[chain * reading.JointsPerChain + joint], place, default);
-                }
-            }
-        }
-
-        private void AddParts(MassSum sum, IReadOnlyList<BodyEllipsoid> parts, double mass)
+        private static void AddParts(MassSum sum, IReadOnlyList<BodyEllipsoid> parts, double mass)
         {
             double whole = 0.0;
             foreach (BodyEllipsoid part in parts)

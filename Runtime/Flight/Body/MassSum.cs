@@ -24,6 +24,40 @@ namespace Alate.Flight
             }
         }
 
+        /// <summary>Adds another sum, moved from its own axes to these.</summary>
+        /// <param name="mass">What the other sum's masses are multiplied by.</param>
+        /// <param name="other">The sum.</param>
+        /// <param name="axes">Its axes in these, with their scale.</param>
+        /// <param name="at">Its origin in these.</param>
+        public void Add(double mass, MassSum other, float3x3 axes, float3 at)
+        {
+            double[] first = new double[3];
+            for (int i = 0; i < 3; i++)
+            {
+                for (int k = 0; k < 3; k++)
+                    first[i] += axes[k][i] * other.m_First[k];
+            }
+
+            for (int i = 0; i < 3; i++)
+            {
+                for (int j = 0; j < 3; j++)
+                {
+                    double second = first[i] * at[j] + at[i] * first[j] + other.Mass * at[i] * at[j];
+                    for (int k = 0; k < 3; k++)
+                    {
+                        for (int l = 0; l < 3; l++)
+                            second += axes[k][i] * other.m_Second[k, l] * axes[l][j];
+                    }
+
+                    m_Second[i, j] += mass * second;
+                }
+
+                m_First[i] += mass * (first[i] + other.Mass * at[i]);
+            }
+
+            Mass += mass * other.Mass;
+        }
+
         /// <summary>Centre of mass.</summary>
         public float3 Centre => new float3((float)(m_First[0] / Mass), (float)(m_First[1] / Mass), (float)(m_First[2] / Mass));
 

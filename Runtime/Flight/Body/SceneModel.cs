@@ -10,19 +10,20 @@ namespace Alate.Flight
     {
         /// <summary>Describes a wing as the flight sees it.</summary>
         /// <param name="rig">Rig of the wing.</param>
-        /// <param name="placed">The wing in the world.</param>
-        /// <param name="root">The insect.</param>
+        /// <param name="placed">The wing.</param>
+        /// <param name="rotation">Of the insect in the space of <paramref name="placed"/>.</param>
+        /// <param name="position">Of the insect.</param>
         /// <param name="values">Of the wing's preset.</param>
         /// <param name="units">World units of a metre of the insect.</param>
-        public static FlightWing Describe(WingRig rig, in PlacedWing placed, Transform root, PresetValues values, float units)
+        public static FlightWing Describe(WingRig rig, in PlacedWing placed, quaternion rotation, float3 position, PresetValues values, float units)
         {
-            quaternion back = math.conjugate((quaternion)root.rotation);
+            quaternion back = math.conjugate(rotation);
             var axes = new float3x3(math.rotate(back, placed.span), math.rotate(back, placed.up), math.rotate(back, placed.forward));
             return new FlightWing
             {
                 Rig = rig,
                 Parameters = values.parameters,
-                Hinge = math.rotate(back, placed.hinge - (float3)root.position) / units,
+                Hinge = math.rotate(back, placed.hinge - position) / units,
                 Axes = axes,
                 Length = values.size.wingLength,
                 Mass = values.size.wingMass,
@@ -56,7 +57,7 @@ namespace Alate.Flight
                     var values = new PresetValues(wing.Preset == null ? insect.Preset : wing.Preset);
                     if (first == null)
                         units = UnitsPerMetre(placed, first = values);
-                    wings.Add(Describe(rig, placed, insect.transform, values, units));
+                    wings.Add(Describe(rig, placed, insect.transform.rotation, insect.transform.position, values, units));
                 }
 
                 return new FlightModel(wings, parts, first.size.insectMass, first.size.fluidDensity, first.size.gravityShare);
