@@ -57,8 +57,6 @@ namespace Alate.Tests
             SkeletonFit fit = Fit(wing);
             var measure = new FitMeasure(fit.Skeleton, fit.Outline);
 
-            // On the dragonfly's edge, straight up to a tight tip, 500 to 1,200 triangles move joints by 2 %; the 480 of its mesh cut the tip off, 6 %.
-            double along = wing == InsectCatalogue.Find("dragonfly").Wings[0] ? 0.06 : 0.03;
             for (int seed = first; seed <= last; seed++)
             {
                 var move = new WingMove(seed);
@@ -73,7 +71,7 @@ namespace Alate.Tests
 
                 Assert.That(measure.Apart(same, move.Point, move.Scale), Is.LessThan(0.01), $"move {seed}");
                 Assert.That(measure.Apart(near, move.Point, move.Scale, 1), Is.LessThan(0.01), $"move {seed}, a finer mesh");
-                Assert.That(measure.Apart(near, move.Point, move.Scale), Is.LessThan(along), $"move {seed}, a finer mesh, along whose rounder edge joints lie elsewhere");
+                Assert.That(measure.Apart(near, move.Point, move.Scale), Is.LessThan(0.03), $"move {seed}, a finer mesh, along whose rounder edge joints lie elsewhere");
             }
         }
 

@@ -32,7 +32,7 @@ namespace Alate.Catalogue
             var outline = WingOutline.FromMillimetres(s_ForeSpan, s_Leading, s_ForeTrailing);
             return new WingDefinition("fore wing", outline, Author)
             {
-                TriangleCount = 480,
+                TriangleCount = 440,
                 ChainPaths = ChainPath.Straight(0.462, 0.535, 0.61, 0.686, 0.757),
                 Hinge = new Vector3(2.75e-3f, 1.6e-3f, 4.6e-3f),
                 Pattern = Pattern(outline.Smoothed()),
