@@ -49,6 +49,9 @@ namespace Alate.Editor
         [MenuItem(k_Flying + "Painted Lichen Moth", false, k_PlacePriority)]
         private static void PlaceFlyingPaintedLichenMoth(MenuCommand command) => Place("painted-lichen-moth", command, true);
 
+        [MenuItem(k_Flying + "Dragonfly", false, k_PlacePriority)]
+        private static void PlaceFlyingDragonfly(MenuCommand command) => Place("dragonfly", command, true);
+
         [MenuItem(k_Save + "Monarch", false, k_SavePriority)]
         private static void SaveMonarch() => Save("monarch");
 

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -48,7 +49,7 @@ internal static class TrimCommand
     {
         var bake = new TrimBake(model) { Log = output.WriteLine };
         using TrimTable table = bake.Bake(speeds, climbs) ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
-        File.WriteAllText(TrimSource.PathOf(insect), TrimSource.Write(insect, TrimTableText.Write(table, model.Key)));
+        File.WriteAllText(TrimSource.PathOf(insect), TrimSource.Write(insect, TrimTableText.Write(table, model.Key), Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)));
         output.WriteLine(TrimSource.PathOf(insect));
     }
 
@@ -70,6 +71,9 @@ internal static class TrimCommand
 
     private static List<float> List(double[] given, IReadOnlyList<float> otherwise) =>
         given is { Length: > 0 } ? given.Select(value => (float)value).Distinct().Order().ToList() : otherwise.ToList();
+
+    private static string Asked(string option, List<float> values, IReadOnlyList<float> otherwise) =>
+        values.SequenceEqual(otherwise) ? "" : $" {option} {string.Join(',', values.Select(value => value.ToString(CultureInfo.InvariantCulture)))}";
 
     private const string k_Examples =
         "Examples:\n"

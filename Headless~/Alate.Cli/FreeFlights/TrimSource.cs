@@ -17,10 +17,13 @@ internal static class TrimSource
         Path.Combine(PackageRoot.Find(), "Runtime", "Catalogue", "Flight", "Tables", NameOf(insect) + ".cs");
 
     /// <summary>The source.</summary>
-    public static string Write(InsectDefinition insect, string text)
+    /// <param name="insect">Of the table.</param>
+    /// <param name="text">The table.</param>
+    /// <param name="options">Of the command line, where other speeds and climbs than its own were asked for.</param>
+    public static string Write(InsectDefinition insect, string text, string options)
     {
         var source = new StringBuilder();
-        source.Append($"namespace Alate.Catalogue\n{{\n    /// <summary>Trim table of the {insect.DisplayName.ToLowerInvariant()}, made by the command line: trim {insect.Name} --bake.</summary>\n");
+        source.Append($"namespace Alate.Catalogue\n{{\n    /// <summary>Trim table of the {insect.DisplayName.ToLowerInvariant()}, made by the command line: trim {insect.Name} --bake{options}.</summary>\n");
         source.Append($"    internal static class {NameOf(insect)}\n    {{\n        public const string Text =\n");
         for (int at = 0; at < text.Length; at += k_Columns)
         {

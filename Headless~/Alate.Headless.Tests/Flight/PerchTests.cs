@@ -16,6 +16,7 @@ namespace Alate.Tests.Flight
         [TestCase("firefly", 2)]
         [TestCase("fishfly", 2)]
         [TestCase("painted-lichen-moth", 2)]
+        [TestCase("dragonfly", 1)]
         public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 
         // Some tumble on the way and fly on: flights are slow there, and without aid. Of the swallowtails some are not down in two minutes.
@@ -24,6 +25,7 @@ namespace Alate.Tests.Flight
         [TestCase("firefly", 200, 0, 0)]
         [TestCase("fishfly", 200, 1, 0)]
         [TestCase("painted-lichen-moth", 200, 0, 0)]
+        [TestCase("dragonfly", 200, 0, 0)]
         [Explicit]
         [Category("Long")]
         public void AThousandLandings(string name, int count, int mostAloft, int mostTumbled) => FlyAll(name, count, mostAloft, mostTumbled);

@@ -14,7 +14,7 @@ namespace Alate.Tests.FreeFlights
         /// <summary>Fastest gust, m/s.</summary>
         private const float k_Gust = 2f;
 
-        private static readonly string[] s_Species = ["monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth"];
+        private static readonly string[] s_Species = ["monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly"];
 
         [Test]
         public void ARandomFlight_DoesNotTumble([Values("monarch", "firefly")] string species) => Fly(species, 1, 1);

@@ -36,7 +36,7 @@ namespace Alate.Catalogue
                 ChainPaths = ChainPath.Straight(0.462, 0.535, 0.61, 0.686, 0.757),
                 Hinge = new Vector3(2.75e-3f, 1.6e-3f, 4.6e-3f),
                 Pattern = Pattern(outline.Smoothed()),
-            }.With(InsectVariant.Expressive, Soften);
+            }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Fly);
         }
 
         private static WingDefinition HindWing()
@@ -48,7 +48,7 @@ namespace Alate.Catalogue
                 ChainPaths = ChainPath.Straight(0.452, 0.538, 0.625, 0.71, 0.791),
                 Hinge = new Vector3(2.9e-3f, 1.5e-3f, -1.6e-3f),
                 Pattern = Pattern(outline.Smoothed()),
-            }.With(InsectVariant.Expressive, Soften);
+            }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Carry);
         }
 
         private static WingPattern Pattern(WingOutline outline)
@@ -113,6 +113,19 @@ namespace Alate.Catalogue
             preset.Stiffness.elasticity = 1f;
         }
 
+        private static void Fly(WingPreset preset)
+        {
+            Carry(preset);
+            preset.Beat.flapRange = 72f;
+        }
+
+        private static void Carry(WingPreset preset)
+        {
+            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            preset.Beat.maxFrequency = 33.4f;
+            preset.Beat.meanFlap = 12f;
+        }
+
         private static InsectSource[] Sources()
         {
             const string flown = "Azuma and Watanabe 1988, J. exp. Biol. 137", second = "Azuma and Watanabe 1988, flight 2, rounded";
@@ -133,6 +146,11 @@ namespace Alate.Catalogue
                 new InsectSource("λ, μ, w_0", "fore 0, hind 0.02; 0; 1", "chosen: the feather is driven at the root, and the veins are stiff"),
                 new InsectSource("elasticity k_e", "4", "chosen: stiffer than a butterfly's"),
                 new InsectSource("k_e, λ, μ, w_0", "1, 0.08, 0.3, 0.8", "chosen for the eye", InsectVariant.Expressive),
+                new InsectSource("MAX_f", "33.4 Hz", "Wang and Russell 2007, Phys. Rev. Lett. 99:148101: a tethered Libellula pulchella", InsectVariant.Flight),
+                new InsectSource("MAX_a flap", "fore 72°, hind 52°", "Azuma and Watanabe 1988, flight 1, the slowest", InsectVariant.Flight),
+                new InsectSource(
+                    "middle of the stroke", "12° up",
+                    "chosen: it brings the force of a tilted stroke back to the centre of mass, which lies 8 mm behind the middle of the hinges", InsectVariant.Flight),
                 new InsectSource("veins, colours", "ten veins, six forks, cross veins", "drawn by us"),
             };
         }

@@ -14,6 +14,7 @@ namespace Alate.Catalogue
                 case "fishfly": return FishflyTrims.Text;
                 case "painted-lichen-moth": return PaintedLichenMothTrims.Text;
                 case "snailfish": return SnailfishTrims.Text;
+                case "dragonfly": return DragonflyTrims.Text;
                 default: return null;
             }
         }

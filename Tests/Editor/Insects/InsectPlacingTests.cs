@@ -36,6 +36,7 @@ namespace Alate.Editor.Tests
         [TestCase("fishfly", Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]
         [TestCase("snailfish")]
+        [TestCase("dragonfly", Explicit = true, Category = "Long")]
         public void EverySpecies_IsAnInstanceOfAPrefab_WhosePartsAreAllSaved(string name)
         {
             GameObject insect = Place(name);
@@ -130,6 +131,7 @@ namespace Alate.Editor.Tests
         [TestCase("fishfly", Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]
         [TestCase("snailfish", Explicit = true, Category = "Long")]
+        [TestCase("dragonfly", Explicit = true, Category = "Long")]
         public void AFlyingInsect_IsAnInstanceOfItsOwnPrefab_OfTheSameAssets(string name)
         {
             GameObject insect = Place(name, null, true), still = Place(name);

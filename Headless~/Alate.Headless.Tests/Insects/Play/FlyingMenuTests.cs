@@ -16,7 +16,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator AnyOtherInsect_WandersWhereItWasPut_WithoutAid([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth")] string name) => Wander(name);
+        public IEnumerator AnyOtherInsect_WandersWhereItWasPut_WithoutAid([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string name) => Wander(name);
 
         private IEnumerator Wander(string name)
         {

@@ -25,7 +25,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator OnASlope_AnyOtherInsect_SitsAsWell([Values("swallowtail", "fishfly", "painted-lichen-moth")] string name) => Sit(name);
+        public IEnumerator OnASlope_AnyOtherInsect_SitsAsWell([Values("swallowtail", "fishfly", "painted-lichen-moth", "dragonfly")] string name) => Sit(name);
 
         private IEnumerator Sit(string name)
         {
