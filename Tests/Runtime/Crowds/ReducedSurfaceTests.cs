@@ -20,11 +20,13 @@ namespace Alate.Tests.Crowds
         [TestCase("fishfly")]
         [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]
         [TestCase("snailfish", Explicit = true, Category = "Long")]
+        [TestCase("dragonfly", Explicit = true, Category = "Long")]
         public void EachSize_IsOfVerticesOfTheOneBefore_AndKeepsTheWings(string species)
         {
             InsectBake bake = Bake(species);
             ReducedSurface[] sizes = ReducedSurface.Of(bake, s_Triangles);
 
+            TestContext.Out.WriteLine($"{species}: off by {string.Join(", ", sizes.Select(size => size.Error.ToString("0.00 %")))}");
             for (int size = 0; size < sizes.Length; size++)
             {
                 Assert.That(sizes[size].TriangleCount, Is.InRange(s_Triangles[size] * 9 / 10, s_Triangles[size]));
