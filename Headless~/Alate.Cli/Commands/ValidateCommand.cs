@@ -18,7 +18,7 @@ internal static class ValidateCommand
     /// <summary>Part of the front page.</summary>
     internal const string Part = "validation";
 
-    private const int k_Stages = 27;
+    private const int k_Stages = 22;
 
     public static Command Create(TextWriter output)
     {
@@ -61,7 +61,7 @@ internal static class ValidateCommand
             rows.AddRange(StructureRows.Insects(() => done(++stage)));
             if (data != null)
                 rows.AddRange(UserCurves.Rows(curves));
-            Write(folder, k_Page, ValidationPage.Markdown(rows, k_Charts));
+            Write(folder, k_Page, ValidationPage.Markdown(rows, curves, k_Charts));
             Write(folder, k_Json, ValidationPage.Json(rows, curves));
             Write(folder, k_Charts, ValidationCharts.Draw(curves));
             around?.Write(Path.GetFileName(front), stream => stream.Write(Encoding.UTF8.GetBytes(PageBlock.Replace(page, Part, ValidationPage.Selection(rows), k_Name))));

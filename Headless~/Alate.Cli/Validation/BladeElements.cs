@@ -18,6 +18,19 @@ internal static class BladeElements
     /// <summary>Amplitude of the first harmonic of a twisted wing's pitch at the root, degrees, and the share of the span at which it is that of the series (flight 1).</summary>
     private const double k_RootPitch = 9, k_PitchedSpan = 0.75;
 
+    /// <summary>
+    /// Drag coefficient of a dragonfly's wing at 0, 5, … 90° of attack: Azuma and Watanabe 1988, digitised by J. Pecquet; mean of the stream from above and from below.
+    /// </summary>
+    private static readonly double[] s_OwnDrag = [0.094, 0.107, 0.145, 0.208, 0.293, 0.394, 0.521, 0.688, 0.892, 1.104, 1.331, 1.526, 1.704, 1.839, 1.922, 1.961, 1.982, 1.995, 2.000];
+    private const double k_DragStep = 5;
+
+    /// <summary>A moment of the beat.</summary>
+    /// <param name="Lift">Vertical force over the weight.</param>
+    /// <param name="Thrust">Force ahead over the weight.</param>
+    /// <param name="Attack">Angle of attack at 0.75 of the fore wing's span, degrees.</param>
+    /// <param name="Power">Over the mass, W/kg.</param>
+    internal readonly record struct Moment(double Lift, double Thrust, double Attack, double Power);
+
     /// <summary>Where the stream is met.</summary>
     internal enum Point
     {
@@ -33,16 +46,28 @@ internal static class BladeElements
     /// <param name="point">Where the stream is met.</param>
     /// <param name="twisted">Whether the first harmonic of the fore wing's pitch falls to 9° at the root, as in flight 1.</param>
     /// <param name="induced">Velocity of the air that the wings draw along, m/s: right, up, ahead.</param>
-    public static double Lift(MeasuredDragonfly flight, Point point, bool twisted = false, float3 induced = default) => Curve(flight, point, induced, twisted).Average(moment => moment.Lift);
+    /// <param name="ownDrag">Whether the drag is that of a dragonfly's wing.</param>
+    public static double Lift(MeasuredDragonfly flight, Point point, bool twisted = false, float3 induced = default, bool ownDrag = false) =>
+        Curve(flight, point, induced, twisted, ownDrag).Average(moment => moment.Lift);
 
-    /// <summary>The beat: vertical force over the weight, angle of attack at 0.75 of the fore wing's span in degrees, and power over mass, W/kg.</summary>
-    public static List<(double Lift, double Attack, double Power)> Curve(MeasuredDragonfly flight, Point point, float3 induced = default, bool twisted = false)
+    /// <summary>Mean force ahead over the weight.</summary>
+    /// <inheritdoc cref="Curve"/>
+    public static double Thrust(MeasuredDragonfly flight, Point point, float3 induced = default, bool ownDrag = false) =>
+        Curve(flight, point, induced, ownDrag: ownDrag).Average(moment => moment.Thrust);
+
+    /// <summary>The beat.</summary>
+    /// <param name="flight">The flight.</param>
+    /// <param name="point">Where the stream is met.</param>
+    /// <param name="induced">Velocity of the air that the wings draw along, m/s: right, up, ahead.</param>
+    /// <param name="twisted">Whether the first harmonic of the fore wing's pitch falls to 9° at the root, as in flight 1.</param>
+    /// <param name="ownDrag">Whether the drag is that of a dragonfly's wing.</param>
+    public static List<Moment> Curve(MeasuredDragonfly flight, Point point, float3 induced = default, bool twisted = false, bool ownDrag = false)
     {
         IReadOnlyList<PresetKinematics> wings = DragonflyRun.Kinematics(flight);
-        var beat = new List<(double, double, double)>();
+        var beat = new List<Moment>();
         for (int k = 0; k < k_Moments; k++)
         {
-            double up = 0, power = 0, attack = 0;
+            double up = 0, ahead = 0, power = 0, attack = 0;
             for (int wing = 0; wing < 2; wing++)
             {
                 for (int strip = 0; strip < k_Strips; strip++)
@@ -53,20 +78,21 @@ internal static class BladeElements
                         motion.feather = Twisted(motion.feather, share);
                     var place = new Place(motion, share * flight.Lengths[wing], point == Point.MidChord ? 0.5 * chord : 0);
                     double[] air = [0, -flight.Climb + induced.y, -flight.Speed + induced.z];
-                    (double lift, double work, double angle) = Strip(place, (double)k / k_Moments, air, chord * flight.Lengths[wing] / k_Strips);
+                    (double lift, double thrust, double work, double angle) = Strip(place, (double)k / k_Moments, air, chord * flight.Lengths[wing] / k_Strips, ownDrag);
                     up += 2 * lift;
+                    ahead += 2 * thrust;
                     power += 2 * work;
                     attack = wing == 0 && strip == (int)(0.75 * k_Strips) ? angle : attack;
                 }
             }
 
-            beat.Add((up / flight.Weight, attack, power / flight.Mass));
+            beat.Add(new Moment(up / flight.Weight, ahead / flight.Weight, attack, power / flight.Mass));
         }
 
         return beat;
     }
 
-    private static (double Lift, double Work, double Attack) Strip(in Place place, double turns, double[] air, double area)
+    private static (double Lift, double Thrust, double Work, double Attack) Strip(in Place place, double turns, double[] air, double area, bool ownDrag)
     {
         (double[] at, double[] span, double[] chord) = place.At(turns);
         double[] before = place.At(turns - k_Step).At, after = place.At(turns + k_Step).At;
@@ -78,11 +104,17 @@ internal static class BladeElements
         double speed = Math.Sqrt(Dot(stream, stream));
         double[] normal = [span[1] * chord[2] - span[2] * chord[1], span[2] * chord[0] - span[0] * chord[2], span[0] * chord[1] - span[1] * chord[0]];
         double across = Dot(stream, normal), angle = Math.Atan2(Math.Abs(across), Math.Abs(Dot(stream, chord))) * 180 / Math.PI;
-        double lift = 0.225 + 1.58 * Math.Sin((2.13 * angle - 7.20) * Math.PI / 180), drag = 1.92 - 1.55 * Math.Cos((2.04 * angle - 9.82) * Math.PI / 180);
+        double lift = 0.225 + 1.58 * Math.Sin((2.13 * angle - 7.20) * Math.PI / 180), drag = ownDrag ? OwnDrag(angle) : 1.92 - 1.55 * Math.Cos((2.04 * angle - 9.82) * Math.PI / 180);
         double[] lifting = Enumerable.Range(0, 3).Select(k => Math.Sign(across) * (normal[k] - across / (speed * speed) * stream[k])).ToArray();
         double size = Math.Sqrt(Dot(lifting, lifting)), q = 0.5 * k_Density * area * speed * speed;
         double[] force = Enumerable.Range(0, 3).Select(k => q * (drag * stream[k] / speed + (size > 1e-9 ? lift * lifting[k] / size : 0))).ToArray();
-        return (force[1], -Dot(force, moved), angle);
+        return (force[1], force[2], -Dot(force, moved), angle);
+    }
+
+    private static double OwnDrag(double angle)
+    {
+        int place = Math.Min((int)(angle / k_DragStep), s_OwnDrag.Length - 2);
+        return s_OwnDrag[place] + (angle / k_DragStep - place) * (s_OwnDrag[place + 1] - s_OwnDrag[place]);
     }
 
     private static AngleSeries Twisted(AngleSeries series, double share)

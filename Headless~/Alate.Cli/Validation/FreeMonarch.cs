@@ -15,13 +15,16 @@ namespace Alate.Cli.Validation;
 /// <param name="Power">To the air, W/kg.</param>
 /// <param name="DownAttack">Mean angle of attack in the middle of the downstroke.</param>
 /// <param name="UpAttack">In the middle of the upstroke.</param>
-internal sealed record FreeMonarch(double UpForce, double UpSupport, double Power, double DownAttack, double UpAttack)
+/// <param name="PitchBob">Half of the range of the pitch.</param>
+internal sealed record FreeMonarch(double UpForce, double UpSupport, double Power, double DownAttack, double UpAttack, double PitchBob)
 {
     private const float k_Speed = 1.3f;
     private const int k_Beats = 60;
 
     /// <summary>Time of the means.</summary>
     private const double k_Seconds = 12;
+
+    private static readonly FlightCondition s_Climb = new(FlightFigures.k_MeasuredSpeed, FlightFigures.k_MeasuredClimb);
 
     /// <summary>Flies with so many substeps of a beat, by the species' trim table.</summary>
     public static FreeMonarch Fly(int substeps)
@@ -32,22 +35,44 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         Refine(model, parameters => substeps);
         var level = SteadyFlight.Fly(model, table, new FlightCondition(k_Speed, 0f), k_Seconds);
         (double down, double up) = Attacks(model, table);
-        return new FreeMonarch(100 * level.UpForce, 100 * level.UpSupport, level.PowerPerMass, down, up);
+        return new FreeMonarch(100 * level.UpForce, 100 * level.UpSupport, level.PowerPerMass, down, up, level.PitchBob);
     }
 
-    /// <summary>Trims of the measured climb: at the species' substeps, and from there at more.</summary>
+    /// <summary>Trim of the measured climb with the body held still, which closes at any fineness of time.</summary>
+    /// <param name="substeps">Of a beat.</param>
+    /// <param name="start">Where to begin; null for none.</param>
+    /// <param name="measured">Pitch of the thorax and stroke plane off the vertical, radians.</param>
+    /// <param name="force">Up and ahead over the weight, of the beat of the trim at the measured pitch and stroke plane.</param>
+    /// <returns>The trim; null where it does not close.</returns>
+    public static TrimState Climb(int substeps, TrimState start, (double Pitch, double Plane) measured, out (double Up, double Ahead) force)
+    {
+        using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
+        Refine(model, parameters => substeps);
+        using var solver = new TrimSolver(model) { HoldsStill = true };
+        TrimState trim = solver.Solve(s_Climb, start ?? solver.Start(), out double[] residual);
+        TrimState animal = trim.Copy();
+        animal.z[0] = measured.Pitch;
+        animal.z[3] = measured.Plane - measured.Pitch;
+        double[] left = solver.Residual(animal, s_Climb, out _);
+        force = (1 + left[0], left[1]);
+        return TrimSolver.Norm(residual) < TrimSolver.Closed ? trim : null;
+    }
+
+    /// <summary>Half of the range of the pitch in the climb, radians, where the body bobs by the forces of its beat: at the species' substeps, and from there at more.</summary>
     /// <param name="fineness">Factor on the species' substeps.</param>
-    /// <param name="residual">What lift, thrust and pitching moment then lack, over weight and weight times wing length; null where the first does not close.</param>
-    public static (TrimState Trim, TrimState Fine) Climb(int fineness, out double[] residual)
+    /// <param name="left">Largest part of what lift, thrust and pitching moment then lack, over weight and weight times wing length.</param>
+    public static (double Bob, double Fine) ClimbingBobs(int fineness, out double left)
     {
         using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
         TrimState climbing = FlightFigures.MeasuredClimb(model, out _);
-        residual = null;
+        left = double.NaN;
         if (climbing == null)
-            return default;
+            return (double.NaN, double.NaN);
         Refine(model, parameters => fineness * parameters.substepsPerBeat);
         using var solver = new TrimSolver(model);
-        return (climbing, solver.Solve(new FlightCondition(FlightFigures.k_MeasuredSpeed, FlightFigures.k_MeasuredClimb), climbing, out residual));
+        TrimState fine = solver.Solve(s_Climb, climbing, out double[] residual);
+        left = TrimSolver.Norm(residual);
+        return (climbing.PitchBob, fine.PitchBob);
     }
 
     private static void Refine(FlightModel model, Func<WingParameters, int> substeps)

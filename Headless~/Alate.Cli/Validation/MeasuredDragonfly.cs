@@ -29,6 +29,16 @@ internal sealed record MeasuredDragonfly(string Name, double Speed, double Climb
         1.31, 1.00, 0.78, 0.62, 0.54, 0.44, 0.33, 0.20, 0.02, -0.22, -0.36, -0.37, -0.30, -0.17, -0.04, 0.06, 0.00, -0.23, -0.55, -0.60, -0.45, -0.35, -0.29, -0.23, -0.13,
     ];
 
+    /// <summary>
+    /// Angle between the chord of the fore wing and the way of its own motion, as in still air, at t/T = 0, 0.02, … in degrees of 0 to 90: mean of five beats, measured on films
+    /// and digitised by J. Pecquet; not a number around the upper turn, where fewer than four beats have points.
+    /// </summary>
+    public static IReadOnlyList<double> TetheredAttack { get; } =
+    [
+        23, 22, 21, 22, 25, 31, 35, double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, 58, 67, 69, 60, 57, 60, 66, 74, 81, 84, 84, 80,
+        76, 74, 74, 79, 85, 85, 80, 78, 80, 80, 78, 72, 63, 42, 19, 13, 16, 20, 23, 23, 23, 22, 22, 23, 23,
+    ];
+
     /// <summary>Weight, newtons.</summary>
     public double Weight => Mass * 9.81;
 

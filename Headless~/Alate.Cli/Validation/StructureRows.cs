@@ -13,7 +13,7 @@ internal static class StructureRows
     private const int k_Bones = 4, k_MoreBones = 8;
     private const double k_Beam = 0.03, k_Motion = 0.05, k_Phase = 5, k_Scatter = 3;
     private const string k_Elastica = "beam theory, Euler's elastica under its own weight";
-    private const string k_Moving = "Erturk and Inman 2008, J. Vib. Acoust. 130:041002: an Euler–Bernoulli beam on a moving base, damped by its strain rate";
+    private const string k_Moving = "closed form of the Euler–Bernoulli beam on a base that moves across it and turns, damped by its strain rate: the problem of Erturk and Inman 2008, J. Vib. Acoust. 130:041002, without piezoelectric layers";
     private const string k_FirstMode = "the joints answer in the chain's first mode alone; the second has its resonance at 6.3 times the first";
     private static readonly double[] s_Droops = [0.002, 0.01, 0.05, 0.2, 0.5];
 

@@ -34,7 +34,7 @@ internal static class ValidationCharts
 
     private static void Draw(SvgPage page, ValidationCurve curve, int index)
     {
-        var up = ChartAxis.Linear(curve.Ours.SelectMany(one => one.Values).Concat(curve.Measured ?? []));
+        var up = ChartAxis.Linear(curve.Ours.SelectMany(one => one.Values).Concat(curve.Measured ?? []).Where(double.IsFinite));
         var across = new ChartAxis(0, 1, false, [0, 0.2, 0.4, 0.6, 0.8, 1]);
         var chart = new PointChart(page, curve.Title, across, up, 12f + index % 2 * (k_ChartWidth + 10f), k_Top + index / 2 * k_ChartHeight, new float2(k_ChartWidth, k_ChartHeight));
         foreach ((string name, double[] values) in curve.Ours)
@@ -43,8 +43,27 @@ internal static class ValidationCharts
             chart.Draw(new PointCurve(Closed(values), colour, look));
         }
 
-        if (curve.Measured != null)
-            chart.Draw(new PointCurve(Closed(curve.Measured), ChartSheet.Ink, CurveLook.Discs));
+        foreach (List<ChartPoint> piece in Pieces(curve.Measured ?? []))
+            chart.Draw(new PointCurve(piece, ChartSheet.Ink, CurveLook.Discs));
+    }
+
+    // Between the holes.
+    private static IEnumerable<List<ChartPoint>> Pieces(double[] values)
+    {
+        var piece = new List<ChartPoint>();
+        foreach (ChartPoint point in values.Length > 0 ? Closed(values) : [])
+        {
+            if (double.IsFinite(point.Y))
+                piece.Add(point);
+            else if (piece.Count > 0)
+            {
+                yield return piece;
+                piece = [];
+            }
+        }
+
+        if (piece.Count > 0)
+            yield return piece;
     }
 
     // The beat repeats.

@@ -16,9 +16,6 @@ internal sealed record ValidationRow(string Title, double Low, double High, stri
     /// <summary>Largest change to twice the substeps that counts as converged.</summary>
     public const double Converged = 0.03;
 
-    /// <summary>What is to be said of the value at twice the substeps; null for nothing.</summary>
-    public string Remark { get; init; }
-
     /// <summary>Best value there is.</summary>
     public double Value => double.IsNaN(Fine) ? Ours : Fine;
 

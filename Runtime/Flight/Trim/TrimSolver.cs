@@ -41,6 +41,9 @@ namespace Alate.Flight
         /// <summary>Trim that solutions stay near to, in place of the preferred beat and attitude; null for none.</summary>
         public TrimState Near { get; set; }
 
+        /// <summary>Whether the body is held still: its bob stays that of the start.</summary>
+        public bool HoldsStill { get; set; }
+
         /// <summary>Solves for a condition.</summary>
         /// <param name="condition">Steady flight.</param>
         /// <param name="start">Where to begin.</param>
@@ -59,7 +62,7 @@ namespace Alate.Flight
                 double[,] jacobian = Linearise(now, condition, out double[] r, out BeatLoads loads);
                 double norm = Norm(r);
                 bobs |= norm < k_Near || iteration >= k_Still;
-                double change = bobs ? Bob(now, loads) : double.PositiveInfinity;
+                double change = HoldsStill ? 0 : bobs ? Bob(now, loads) : double.PositiveInfinity;
                 if (norm >= Closed && (nearest == null || norm < Norm(nearest)))
                     nearest = r;
                 if (norm < bestNorm && change < 0.05)
