@@ -49,6 +49,7 @@ internal sealed class FlyOptions
             ["dickinson"] = CoefficientSet.Dickinson1999,
             ["paper"] = CoefficientSet.Paper,
             ["flatplate"] = CoefficientSet.FlatPlate,
+            ["dragonfly"] = CoefficientSet.Dragonfly,
         });
 
     private readonly Option<ModelReading?> m_Preset = Choice.Optional<ModelReading>(

@@ -18,7 +18,7 @@ internal static class ValidateCommand
     /// <summary>Part of the front page.</summary>
     internal const string Part = "validation";
 
-    private const int k_Stages = 22;
+    private const int k_Stages = 29;
 
     public static Command Create(TextWriter output)
     {

@@ -60,7 +60,8 @@ internal sealed class DragonflyRun
     /// <param name="substeps">Of a beat.</param>
     /// <param name="wake">Factor of the induced flow; 0 for none.</param>
     /// <param name="addedMass">Whether the air that the wings carry along counts.</param>
-    public static DragonflyRun Fly(MeasuredDragonfly measured, bool rigid, int substeps, double wake = 0, bool addedMass = false)
+    /// <param name="ownDrag">Whether the drag is that of a dragonfly's wing.</param>
+    public static DragonflyRun Fly(MeasuredDragonfly measured, bool rigid, int substeps, double wake = 0, bool addedMass = false, bool ownDrag = false)
     {
         var plan = new FlightPlan
         {
@@ -70,6 +71,7 @@ internal sealed class DragonflyRun
             Climb = measured.Climb,
             Induced = wake > 0 ? new InducedFlow(wake, k_Density) : null,
             AddedMass = addedMass,
+            Coefficients = ownDrag ? CoefficientSet.Dragonfly : null,
             RecordsAir = true,
             Substeps = substeps,
             Patches = 256,

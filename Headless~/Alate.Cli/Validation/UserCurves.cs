@@ -96,7 +96,7 @@ internal static partial class UserCurves
         if (rows[^1].Time < time + 1)
             rows.Add((time + 1, value));
         rows.Insert(0, (rows[^2].Time - 1, rows[^2].Value));
-        List<double> gaps = rows.Zip(rows.Skip(1), (a, b) => b.Time - a.Time).Order().ToList();
+        var gaps = rows.Zip(rows.Skip(1), (a, b) => b.Time - a.Time).Order().ToList();
         double hole = k_Hole * gaps[gaps.Count / 2];
         return Enumerable.Range(0, count).Select(n => At(rows, (double)n / count, hole)).ToArray();
     }

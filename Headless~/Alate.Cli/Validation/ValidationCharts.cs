@@ -54,7 +54,9 @@ internal static class ValidationCharts
         foreach (ChartPoint point in values.Length > 0 ? Closed(values) : [])
         {
             if (double.IsFinite(point.Y))
+            {
                 piece.Add(point);
+            }
             else if (piece.Count > 0)
             {
                 yield return piece;

@@ -27,6 +27,10 @@ namespace Alate
                 Angles(streams, count);
                 for (PatchStream* s = streams; s < streams + count; s++)
                     Dickinson(s->angle, out s->lift, out s->drag);
+                if (options.coefficients != CoefficientSet.Dragonfly)
+                    return;
+                for (PatchStream* s = streams; s < streams + count; s++)
+                    s->drag = DragonflyDrag(s->across, s->tangential);
             }
         }
 
@@ -66,6 +70,14 @@ namespace Alate
             float4 minusCos = b * (1f + b2 * -1.66666667e-1f
                 + b4 * (8.33333333e-3f + b2 * -1.98412698e-4f + b4 * (2.75573192e-6f + b2 * -2.50521084e-8f)));
             drag = 1.92f + 1.55f * minusCos;
+        }
+
+        /// <summary>Drag of a dragonfly's wing by Azuma and Watanabe 1988: C_D = 0.094 + 1.906 s + s (1 − s)(−0.388 + 0.168 s + 2.14 s²), s = sin²α.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static float4 DragonflyDrag(float4 normal, float4 tangential)
+        {
+            float4 s = normal * normal / math.max(normal * normal + tangential * tangential, 1e-24f);
+            return 0.094f + s * (1.906f + (1f - s) * (-0.388f + s * (0.168f + s * 2.14f)));
         }
 
         /// <summary>Flat plate: C_L = 1.8 sin 2α, C_D = 0.05 + 1.9 sin²α, without an angle.</summary>

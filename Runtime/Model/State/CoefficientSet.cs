@@ -20,5 +20,11 @@ namespace Alate
 
         /// <summary>C_L = 1.8 sin 2α, C_D = 0.05 + 1.9 sin²α: a thin flat plate after its stall; the one to take in water and for fins.</summary>
         FlatPlate,
+
+        /// <summary>
+        /// The lift of <see cref="Dickinson1999"/> and the drag that Azuma and Watanabe (1988) measured on a dragonfly's wing, mean of the stream from above and from below:
+        /// C_D = 0.094 + 1.906 s + s (1 − s)(−0.388 + 0.168 s + 2.14 s²), s = sin²α, fitted within 0.014. A quarter of the drag of a fly's wing at small angles: for larger insects.
+        /// </summary>
+        Dragonfly,
     }
 }

@@ -35,7 +35,7 @@ namespace Alate.Tests
             {
                 var random = new Random(seed);
                 ModelOptions options = ModelOptions.Physical;
-                options.coefficients = (CoefficientSet)random.NextInt(0, 3);
+                options.coefficients = (CoefficientSet)random.NextInt(0, 4);
                 float3 velocity = random.NextFloat3Direction() * math.pow(10f, random.NextFloat(-3f, 3f));
                 PatchLoad load = PatchLoads.Of(
                     options, new SoaFloat3(-velocity), new SoaFloat3(random.NextFloat3Direction()), 0f, random.NextFloat(1e-5f, 1f));

@@ -63,9 +63,23 @@ namespace Alate.Tests
             }
         }
 
+        // As digitised: mean of the stream from above and from below.
+        [TestCase(0, 0.094)]
+        [TestCase(10, 0.145)]
+        [TestCase(20, 0.293)]
+        [TestCase(45, 1.104)]
+        [TestCase(70, 1.922)]
+        [TestCase(90, 2.000)]
+        public void ADragonflysDrag_IsTheMeasuredOne(double degrees, double drag)
+        {
+            double angle = degrees * Math.PI / 180.0;
+            Assert.That(Coefficients.DragonflyDrag((float)Math.Sin(angle), (float)Math.Cos(angle)).x, Is.EqualTo(drag).Within(0.015));
+        }
+
         [TestCase(CoefficientSet.Paper)]
         [TestCase(CoefficientSet.FlatPlate)]
         [TestCase(CoefficientSet.Dickinson1999)]
+        [TestCase(CoefficientSet.Dragonfly)]
         public void ElementForce_IsThatOfEquation9(CoefficientSet set)
         {
             ElementInDouble expected = Element(set);
@@ -121,6 +135,9 @@ namespace Alate.Tests
 
         private static double DickinsonDrag(double angle) => 1.92 - 1.55 * Math.Cos((2.04 * angle - 9.82) * Math.PI / 180.0);
 
+        // Fit to Azuma and Watanabe (1988).
+        private static double DragonflyDrag(double s) => 0.094 + 1.906 * s + s * (1.0 - s) * (-0.388 + 0.168 * s + 2.14 * s * s);
+
         // Eq. 9 and 10 for the element of Load in double precision: V without its part along the span, drag along V, lift (not below 0) across
         // it on the side of the normal that the air blows to. Damping is (1 + s²) ½ρA|V| max(0, C_L cos α + C_D s) / s, s = sin α, at least 0.05.
         private static ElementInDouble Element(CoefficientSet set)
@@ -131,7 +148,7 @@ namespace Alate.Tests
             double speed = Math.Sqrt(Dot(wind, wind)), sine = Math.Abs(Dot(wind, normal)) / speed, angle = Math.Asin(sine) * 180.0 / Math.PI;
             (double lift, double drag) = set == CoefficientSet.Paper ? (Math.Max(0.0, PaperLift(angle)), PaperDrag(angle))
                 : set == CoefficientSet.FlatPlate ? (1.8 * Math.Sin(angle * Math.PI / 90.0), 0.05 + 1.9 * sine * sine)
-                : (DickinsonLift(angle), DickinsonDrag(angle));
+                : (DickinsonLift(angle), set == CoefficientSet.Dragonfly ? DragonflyDrag(sine * sine) : DickinsonDrag(angle));
             double[] along = Unit(wind[0], wind[1], wind[2]), across = Without(normal, along);
             across = Unit(across[0], across[1], across[2]);
             double half = 0.5 * 11.1 * 0.02, pressure = half * speed * speed;
