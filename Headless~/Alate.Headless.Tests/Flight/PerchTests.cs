@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using NUnit.Framework;
+using Unity.Mathematics;
 
 namespace Alate.Tests.Flight
 {
@@ -11,26 +12,25 @@ namespace Alate.Tests.Flight
         public void SpotsThatAreHardToReach_AreReached([Values(100, 138, 686, 984)] int seed) =>
             Assert.That(PerchFlights.Of("monarch").Fly(seed).Landed);
 
-        [TestCase("monarch", 4)]
+        [TestCase("monarch", 8)]
         [TestCase("swallowtail", 1)]
         [TestCase("firefly", 2)]
-        [TestCase("fishfly", 2)]
-        [TestCase("painted-lichen-moth", 2)]
+        [TestCase("fishfly", 3)]
+        [TestCase("painted-lichen-moth", 3)]
         [TestCase("dragonfly", 1)]
         public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 
-        // Some tumble on the way and fly on: flights are slow there, and without aid. Of the swallowtails some are not down in two minutes.
-        [TestCase("monarch", 1000, 0, 2)]
-        [TestCase("swallowtail", 200, 5, 30)]
-        [TestCase("firefly", 200, 0, 0)]
-        [TestCase("fishfly", 200, 1, 0)]
-        [TestCase("painted-lichen-moth", 200, 0, 0)]
-        [TestCase("dragonfly", 200, 0, 0)]
+        [TestCase("monarch", 1000)]
+        [TestCase("swallowtail", 200)]
+        [TestCase("firefly", 200)]
+        [TestCase("fishfly", 200)]
+        [TestCase("painted-lichen-moth", 200)]
+        [TestCase("dragonfly", 200)]
         [Explicit]
         [Category("Long")]
-        public void AThousandLandings(string name, int count, int mostAloft, int mostTumbled) => FlyAll(name, count, mostAloft, mostTumbled);
+        public void AThousandLandings(string name, int count) => FlyAll(name, count);
 
-        private static void FlyAll(string name, int count, int mostAloft = 0, int mostTumbled = 0)
+        private static void FlyAll(string name, int count)
         {
             var flights = PerchFlights.Of(name);
             var all = Enumerable.Range(1, count).Select(flights.Fly).ToList();
@@ -43,13 +43,13 @@ namespace Alate.Tests.Flight
                     $"  contact {down.Max(flight => flight.ContactSpeed):0.000} m/s at most, {down.Average(flight => flight.ContactSpeed):0.000} on average, reference {down.Max(flight => flight.MeanSpeed):0.000}; feet {down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and {down.Max(flight => flight.Beside) * 1000:0.0} mm beside the spot at most; lowest on the way {down.Min(flight => flight.Below) * 1000:0.0} mm; lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, {down.Min(flight => flight.LeftBehind):0.00} m away at least"));
             }
 
-            Assert.That(count - down.Count, Is.LessThanOrEqualTo(mostAloft));
-            Assert.That(all.Count(flight => flight.Tumbled), Is.LessThanOrEqualTo(mostTumbled));
+            Assert.That(down, Has.Count.EqualTo(count));
+            Assert.That(all.Where(flight => flight.Tumbled), Is.Empty);
             Assert.That(down.Max(flight => flight.ContactSpeed), Is.LessThan(0.3f));
             Assert.That(down.Max(flight => Math.Abs(flight.Gap)), Is.LessThan(0.25f * flights.WingLength), "what the legs reach");
             Assert.That(down.Max(flight => flight.Beside), Is.LessThan(0.25f * flights.WingLength), "what the legs reach");
             Assert.That(down.Min(flight => flight.LeastHeight), Is.GreaterThan(-flights.WingLength), "hovering insects sink before they climb: a flower has that room");
-            Assert.That(down.Min(flight => flight.LeftBehind), Is.GreaterThan(5f * flights.WingLength), "within three seconds");
+            Assert.That(down.Min(flight => flight.LeftBehind), Is.GreaterThan(math.max(0.3f, 5f * flights.WingLength)), "within three seconds");
         }
     }
 }

@@ -36,7 +36,7 @@ namespace Alate.Flight
         private const float k_LineRate = 2f;
 
         /// <summary>Rate at which a steady drift off the line is learned, 1/s², distance from the line within which it is, metres, and the fastest drift, m/s.</summary>
-        private const float k_DriftRate = 1f, k_DriftWithin = 0.03f, k_MostDrift = 0.05f;
+        private const float k_DriftRate = 1f, k_DriftWithin = 0.015f, k_MostDrift = 0.05f;
 
         /// <summary>Share of the difference between flown and followed velocity that is taken out at once, seconds over which it is averaged, and the most of it, m/s.</summary>
         private const float k_SlipShare = 0.5f, k_SlipTime = 0.1f, k_MostSlip = 0.12f;
@@ -55,6 +55,15 @@ namespace Alate.Flight
 
         /// <summary>Longest time, speed and way of flying on for another try: seconds, m/s, metres.</summary>
         private const float k_RoundTime = 1.6f, k_RoundSpeed = 0.65f, k_RoundWay = 0.6f;
+
+        /// <summary>
+        /// Change of the speed while flying on, m/s², and error of the velocity, m/s, up to which all of it is asked for, and from twice of which none: what was braked hard before still rocks, and
+        /// one that speeds up as it rocks tumbles.
+        /// </summary>
+        private const float k_RoundChange = 1f, k_Rocking = 0.12f;
+
+        /// <summary>Seconds within which the reference gets to what is asked for.</summary>
+        private const float k_Response = 0.1f;
 
         /// <summary>Seconds after which a line is flown again.</summary>
         private const float k_Patience = 6f;
@@ -118,7 +127,7 @@ namespace Alate.Flight
                 m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
             float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
-            m_Slip += (1f - math.exp(-situation.deltaTime / k_SlipTime)) * (situation.velocity - situation.referenceVelocity - m_Slip);
+            UpdateSlip(situation);
             float3 velocity = -speed * m_Line - back - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
             velocity -= math.min(math.dot(velocity, m_Spot.normal) + (gap > 0f ? k_SettleRate * gap + k_Settle : 0f), 0f) * m_Spot.normal;
             return Wish(FlightWish.Land, velocity, situation);
@@ -129,8 +138,9 @@ namespace Alate.Flight
             if (m_RoundTime > 0f)
             {
                 m_RoundTime -= situation.deltaTime;
+                UpdateSlip(situation);
                 if (m_RoundTime > 0f && math.length(off.xz) < k_RoundWay)
-                    return Wish(FlightWish.Land, m_Round, situation);
+                    return Wish(FlightWish.Land, Round(situation), situation);
                 m_RoundTime = 0f;
                 ChooseCourse(situation, off);
             }
@@ -185,6 +195,18 @@ namespace Alate.Flight
             m_Round = math.min(k_RoundSpeed, situation.limits.TopSpeed) * math.normalizesafe(ahead + m_Spot.normal * new float3(1f, 0f, 1f)) + new float3(0f, situation.limits.MostClimb, 0f);
             return Wish(FlightWish.Land, m_Round, situation);
         }
+
+        private float3 Round(in FlightSituation situation)
+        {
+            float calm = math.saturate(2f - math.length(m_Slip) / k_Rocking);
+            float most = math.length(situation.referenceVelocity.xz) + k_RoundChange * k_Response * calm;
+            float3 velocity = m_Round;
+            velocity.xz *= math.min(1f, most / math.max(math.length(velocity.xz), 1e-6f));
+            return velocity;
+        }
+
+        private void UpdateSlip(in FlightSituation situation) =>
+            m_Slip += (1f - math.exp(-situation.deltaTime / k_SlipTime)) * (situation.velocity - situation.referenceVelocity - m_Slip);
 
         private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation)
         {

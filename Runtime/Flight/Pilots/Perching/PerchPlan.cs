@@ -124,9 +124,12 @@ namespace Alate.Flight
             float3 from = isThreatened ? math.normalizesafe((situation.position - threat) * new float3(1f, 0f, 1f)) : default;
             float3 away = ahead + 0.7f * from;
 
-            // Not into the slope: along it, and a little down.
+            // Not into the slope: along it, and a little down, but not straight back: a slow insect takes seconds to turn round.
             float3 down = math.normalizesafe(downhill);
-            away += (k_Downhill * math.length(downhill) - math.min(math.dot(away, down), 0f)) * down;
+            float uphill = math.min(math.dot(away, down), 0f);
+            if (uphill < 0f)
+                away = math.length(away) * math.normalizesafe(away - uphill * down, new float3(down.z, 0f, -down.x));
+            away += k_Downhill * math.length(downhill) * down;
             m_Away = math.normalizesafe(away, ahead);
             TakeOff(settings);
             return Leave(situation, settings);
