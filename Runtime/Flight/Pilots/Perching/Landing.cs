@@ -21,13 +21,13 @@ namespace Alate.Flight
         private const float k_LineLength = 0.45f;
 
         /// <summary>Fastest flight along the line, m/s, and growth of the speed with the distance, 1/s.</summary>
-        private const float k_LineSpeed = 0.25f, k_FlareRate = 0.8f;
+        private const float k_LineSpeed = 0.12f, k_FlareRate = 0.8f;
 
         /// <summary>Way before the spot that is flown at the speed of the contact, metres: what braking throws off the line is flown out there.</summary>
         private const float k_Steady = 0.05f;
 
         /// <summary>Speed at the spot: wing lengths a second, and its bounds, m/s. What has a short reach comes slower.</summary>
-        private const float k_Touch = 5f, k_LeastTouch = 0.05f, k_MostTouch = 0.16f;
+        private const float k_Touch = 5f, k_LeastTouch = 0.05f, k_MostTouch = 0.12f;
 
         /// <summary>Fastest approach to the surface: over the height above it, 1/s, and what is added to it, m/s.</summary>
         private const float k_SettleRate = 3f, k_Settle = 0.02f;
