@@ -32,6 +32,9 @@ namespace Alate.Flight
         /// <summary>Fastest approach to the surface: over the height above it, 1/s, and what is added to it, m/s.</summary>
         private const float k_SettleRate = 3f, k_Settle = 0.02f;
 
+        /// <summary>How much faster an insect is asked to sink than it does, m/s: one that rises while ever more is asked for rocks, and tumbles.</summary>
+        private const float k_Sink = 0.1f;
+
         /// <summary>Rate at which the insect gets back to the line, 1/s.</summary>
         private const float k_LineRate = 2f;
 
@@ -100,6 +103,7 @@ namespace Alate.Flight
             float3 off = (situation.position - seat) / unit;
             if (!m_HasCourse)
                 ChooseCourse(situation, off);
+            UpdateSlip(situation);
             return IsFlaring ? Flare(situation, off) : Approach(situation, seat, off);
         }
 
@@ -127,7 +131,6 @@ namespace Alate.Flight
                 m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
             float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
-            UpdateSlip(situation);
             float3 velocity = -speed * m_Line - back - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
             velocity -= math.min(math.dot(velocity, m_Spot.normal) + (gap > 0f ? k_SettleRate * gap + k_Settle : 0f), 0f) * m_Spot.normal;
             return Wish(FlightWish.Land, velocity, situation);
@@ -138,7 +141,6 @@ namespace Alate.Flight
             if (m_RoundTime > 0f)
             {
                 m_RoundTime -= situation.deltaTime;
-                UpdateSlip(situation);
                 if (m_RoundTime > 0f && math.length(off.xz) < k_RoundWay)
                     return Wish(FlightWish.Land, Round(situation), situation);
                 m_RoundTime = 0f;
@@ -210,8 +212,10 @@ namespace Alate.Flight
 
         private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation)
         {
-            var command = new FlightCommand { velocity = velocity, heading = m_Heading, wish = wish, spot = m_Spot };
-            return NoseFirst.Limit(command, situation);
+            FlightCommand command = NoseFirst.Limit(new FlightCommand { velocity = velocity, heading = m_Heading, wish = wish, spot = m_Spot }, situation);
+            float sinks = math.max(-(situation.referenceVelocity.y + m_Slip.y), 0f);
+            command.velocity.y = math.max(command.velocity.y, -k_Sink - sinks);
+            return command;
         }
 
         private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
