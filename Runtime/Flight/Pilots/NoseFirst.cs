@@ -26,9 +26,6 @@ namespace Alate.Flight
         /// <summary>Speed wanted aside from which the nose is turned, m/s, and the angle of it, radians.</summary>
         private const float k_Turning = 0.2f, k_TurningAngle = 0.5f;
 
-        /// <summary>Speed below and above that of turning within which the nose goes over from the wanted heading to the way, m/s: it would swing where speeds are about that.</summary>
-        private const float k_Between = 0.1f;
-
         /// <summary>Angle by which the wanted heading of a slow insect is ahead of its heading, radians: it turns at little more than 1 rad/s.</summary>
         private const float k_Ahead = 0.3f;
 
@@ -82,10 +79,7 @@ namespace Alate.Flight
             aside = math.clamp(aside, -most, most);
             velocity.x = ahead * sin + aside * cos;
             velocity.z = ahead * cos - aside * sin;
-            if (!math.isfinite(wantedHeading))
-                return speed > k_Turning ? course : wantedHeading;
-            float share = math.smoothstep(k_Turning - k_Between, k_Turning + k_Between, speed);
-            return heading + Wrap(wantedHeading - heading) + share * Wrap(course - wantedHeading);
+            return speed > k_Turning ? course : wantedHeading;
         }
 
         private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
