@@ -22,7 +22,7 @@ namespace Alate.Flight
 
         private static uint KeyOf(FlightWing wing)
         {
-            FlightKey key = FlightKey.Empty;
+            FlightKey key = FlightKey.Exact;
             key.Add(wing);
             for (int joint = 0; joint < wing.Rig.JointCount; joint++)
             {

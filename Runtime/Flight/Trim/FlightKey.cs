@@ -6,6 +6,7 @@ namespace Alate.Flight
     internal struct FlightKey
     {
         private uint m_Hash;
+        private bool m_IsExact;
 
         /// <summary>Key so far.</summary>
         public readonly uint Value => m_Hash;
@@ -13,9 +14,12 @@ namespace Alate.Flight
         /// <summary>Key without anything.</summary>
         public static FlightKey Empty => new FlightKey { m_Hash = 2166136261 };
 
+        /// <summary>Key without anything that takes in all bits of numbers.</summary>
+        public static FlightKey Exact => new FlightKey { m_Hash = Empty.m_Hash, m_IsExact = true };
+
         /// <summary>Takes in a number.</summary>
-        /// <remarks>Less its last bits: libraries of mathematics differ there.</remarks>
-        public void Add(float value) => Add((math.asuint(value) + 128) >> 8);
+        /// <remarks>Unless the key is exact, less its last bits: libraries of mathematics differ there.</remarks>
+        public void Add(float value) => Add(m_IsExact ? math.asuint(value) : (math.asuint(value) + 128) >> 8);
 
         /// <summary>Takes in a number.</summary>
         public void Add(uint value)

@@ -20,6 +20,10 @@ namespace Alate.Tests.Play
 
         private IEnumerator Wander(string name)
         {
+            // A fixed step begins with the frame, as in a game that has just started: a flight depends on it.
+            do
+                yield return null;
+            while (Time.time - Time.fixedTime > 1e-3f);
             InsectFlight flight = Keep(new InsectPlacing().Place(name, null, true)).GetComponent<InsectFlight>();
             flight.GetComponent<InsectWings>().Quality.culling = WingCulling.AlwaysSimulate;
             flight.GetComponent<WanderPilot>().Seed = 3;
