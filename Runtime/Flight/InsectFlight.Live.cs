@@ -142,7 +142,7 @@ namespace Alate.Flight
                 return;
             }
 
-            body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, m_Table, dt);
+            body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, body.velocityError, m_Table, dt);
             State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
         }
 

@@ -23,8 +23,14 @@ namespace Alate.Flight
         /// <summary>Speed above which the insect looks along its way and turns on an arc: m/s, and at most a share of the top speed.</summary>
         private const float k_Cruising = 0.3f, k_CruisingShare = 0.25f;
 
-        /// <summary>Fastest turn of the heading, rad/s, and rate at which it is approached, 1/s.</summary>
+        /// <summary>Fastest turn of a slow insect's heading, rad/s, and rate at which it is approached, 1/s.</summary>
         private const float k_MostTurning = 3f, k_Turning = 4f;
+
+        /// <summary>Fastest change of the wanted climb of a cruising insect, m/s²: with it pitch, beat and bob change more than a monarch can follow in a turn.</summary>
+        private const float k_ClimbChange = 0.7f;
+
+        /// <summary>Velocity error from which the reference of a cruising insect comes towards it, m/s, and its rate, 1/s: a monarch that has lost its speed does not get it back at once.</summary>
+        private const float k_Lost = 0.15f, k_Yield = 6f;
 
         /// <summary>Fastest turn into a gust, rad/s, and seconds in which the heading of a fast insect gets to its course.</summary>
         private const float k_MostCrabbing = 10f, k_Course = 0.03f;
@@ -36,7 +42,7 @@ namespace Alate.Flight
         private const float k_Beyond = 1.1f;
 
         private float3 m_Velocity, m_Rate;
-        private float m_Turning, m_Aim, m_Cruising, m_Acceleration;
+        private float m_Turning, m_Aim, m_Cruising, m_Acceleration, m_Climb;
 
         /// <summary>Velocity over ground, m/s.</summary>
         public float3 Velocity => m_Velocity;
@@ -52,6 +58,7 @@ namespace Alate.Flight
         {
             m_Velocity = velocity;
             m_Rate = default;
+            m_Climb = velocity.y;
             m_Turning = 0f;
             m_Aim = float.NaN;
             m_Cruising = k_Cruising;
@@ -75,18 +82,20 @@ namespace Alate.Flight
         /// <param name="wanted">Velocity over ground, m/s.</param>
         /// <param name="heading">Wanted heading, radians; not a number follows the way.</param>
         /// <param name="wind">Velocity of the air, m/s.</param>
+        /// <param name="error">Velocity of the insect relative to the reference at its last beat, less the bob, m/s along the heading's axes.</param>
         /// <param name="table">Bounds of speed and climb.</param>
         /// <param name="dt">Seconds.</param>
         /// <returns>What the bodies' feedback follows within the step.</returns>
-        internal BodyReference Step(float3 wanted, float heading, float3 wind, TrimTable table, float dt)
+        internal BodyReference Step(float3 wanted, float heading, float3 wind, float3 error, TrimTable table, float dt)
         {
             if (!math.all(math.isfinite(wanted)))
                 wanted = default;
             m_Cruising = math.min(k_Cruising, k_CruisingShare * table.TopSpeed);
             m_Acceleration = table.Acceleration;
             Wind += (1f - math.exp(-dt / k_WindFilter)) * (wind - Wind);
+            wanted.y = Climb(wanted.y, table, dt);
             float3 target = Bounded(wanted, table);
-            target = OnAnArc(target);
+            target = OnAnArc(target, table);
             float3 rate = (target - m_Velocity) * (1f / k_Filter);
             rate = Followed(rate, table.TopSpeed);
             m_Rate = rate;
@@ -95,13 +104,30 @@ namespace Alate.Flight
             reference.heading = Heading;
             reference.turning = m_Turning;
             Heading += m_Turning * dt;
-            m_Velocity += rate * dt;
+            m_Velocity += rate * dt + Lost(error) * (1f - math.exp(-k_Yield * dt));
 
             float3 air = m_Velocity - Wind;
             math.sincos(Heading, out float sin, out float cos);
             reference.airSpeed = air.x * sin + air.z * cos;
             reference.climb = air.y;
             return reference;
+        }
+
+        private float Climb(float wanted, TrimTable table, float dt)
+        {
+            float[] climbs = table.ClimbRates;
+            wanted = math.clamp(wanted, Wind.y + climbs[0], Wind.y + climbs[climbs.Length - 1]);
+            float most = math.length((m_Velocity - Wind).xz) > m_Cruising ? k_ClimbChange * dt : float.PositiveInfinity;
+            m_Climb += math.clamp(wanted - m_Climb, -most, most);
+            return m_Climb;
+        }
+
+        private float3 Lost(float3 error)
+        {
+            float size = math.length(error);
+            if (!(size > k_Lost) || math.length((m_Velocity - Wind).xz) < m_Cruising)
+                return default;
+            return math.rotate(quaternion.AxisAngle(new float3(0f, 1f, 0f), Heading), error * (1f - k_Lost / size));
         }
 
         // Ahead and up a slow insect follows less, across its nose it goes with the air at once.
@@ -130,7 +156,7 @@ namespace Alate.Flight
         }
 
         // A fast insect does not fly sideways or backwards: its course turns no faster than its acceleration allows.
-        private float3 OnAnArc(float3 target)
+        private float3 OnAnArc(float3 target, TrimTable table)
         {
             float2 from = (m_Velocity - Wind).xz, to = (target - Wind).xz;
             float speed = math.length(from), wanted = math.length(to);
@@ -149,7 +175,7 @@ namespace Alate.Flight
             if (speed < m_Cruising || wanted < 1e-3f)
                 return target;
             float angle = math.atan2(from.y * to.x - from.x * to.y, math.dot(from, to));
-            float most = math.min(m_Acceleration / speed, k_MostTurning) * k_Filter;
+            float most = table.Limits.TurnRate(speed) * k_Filter;
             if (math.abs(angle) <= most)
                 return target;
             math.sincos(math.clamp(angle, -most, most), out float sin, out float cos);

@@ -118,7 +118,7 @@ namespace Alate.Flight
             ref FlyingBody body = ref Body;
             body.wind = Wind;
             body.aid = math.saturate(Aid);
-            body.reference = m_Reference.Step(command.velocity, command.heading, Wind, m_Table, dt);
+            body.reference = m_Reference.Step(command.velocity, command.heading, Wind, body.velocityError, m_Table, dt);
             m_World.Step(dt);
             Time += dt;
         }

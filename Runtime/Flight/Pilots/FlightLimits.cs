@@ -42,7 +42,10 @@ namespace Alate.Flight
             return distance > 0f ? math.sqrt(answer * answer + 2f * Acceleration * distance) - answer : 0f;
         }
 
-        /// <summary>Metres of the tightest turn at a speed: v²/a; 0.7 m at 1.3 m/s for a monarch.</summary>
-        public float TurnRadius(float speed) => speed * speed / Acceleration;
+        /// <summary>Fastest turn of the course at a speed, rad/s: a/v, and no faster than at the top speed, as a slow monarch that does loses its speed; 1.9 for a monarch.</summary>
+        public float TurnRate(float speed) => Acceleration / math.max(math.abs(speed), TopSpeed);
+
+        /// <summary>Metres of the tightest turn at a speed: v over <see cref="TurnRate"/>; 0.7 m at 1.3 m/s for a monarch.</summary>
+        public float TurnRadius(float speed) => math.abs(speed) / TurnRate(speed);
     }
 }

@@ -9,8 +9,16 @@ namespace Alate.Flight
     /// </summary>
     public sealed class ErraticCourse
     {
-        /// <summary>Part of the tightest turn that is asked for, so that the insect follows.</summary>
-        private const float k_TurnShare = 0.8f;
+        /// <summary>Parts of the fastest turn that are asked for: at random, and back from the rim.</summary>
+        private const float k_TurnShare = 0.4f, k_BackShare = 0.8f;
+
+        /// <summary>
+        /// Part of the acceleration that is asked for, and part with which the insect counts on its way to the rim: a monarch that uses all of it again and again tumbles.
+        /// </summary>
+        private const float k_Acceleration = 0.45f, k_Rim = 0.3f;
+
+        /// <summary>Part of the speed that is kept at the rim: an insect that stops there stalls.</summary>
+        private const float k_Least = 0.2f;
 
         /// <summary>Room before the rim in turn radii, at which the insect turns back.</summary>
         private const float k_Room = 1.5f;
@@ -22,6 +30,7 @@ namespace Alate.Flight
         private const float k_SpeedSpread = 0.3f;
 
         private Random m_Random;
+        private float3 m_Wanted;
         private float m_Course, m_WantedCourse, m_Left, m_Pace, m_Climb;
         private bool m_Begun, m_TurnsBack;
 
@@ -41,13 +50,20 @@ namespace Alate.Flight
             float dt = situation.deltaTime;
             Begin(situation);
             float speed = math.min(m_Pace * settings.speed, situation.limits.TopSpeed);
-            Turn(situation, volume, settings, speed);
+            FlightLimits all = situation.limits;
+            var limits = new FlightLimits(all.TopSpeed, all.LeastClimb, all.MostClimb, k_Rim * all.Acceleration);
+            Turn(situation, limits, volume, settings, speed);
             Climb(situation.limits, settings, dt);
 
-            float rate = k_TurnShare * situation.limits.Acceleration / math.max(speed, 0.1f);
+            float rate = (m_TurnsBack ? k_BackShare : k_TurnShare) * all.TurnRate(speed);
             m_Course = Wrap(m_Course + math.clamp(Wrap(m_WantedCourse - m_Course), -rate * dt, rate * dt));
             float3 wanted = speed * Along(m_Course) + new float3(0f, m_Climb, 0f);
-            return volume.Hold(wanted, situation.position, situation.limits, situation.unitsPerMetre);
+            wanted = volume.Hold(wanted, situation.position, limits, situation.unitsPerMetre);
+            if (math.length(wanted.xz) < k_Least * speed)
+                wanted.xz = k_Least * speed * Along(m_Course).xz;
+            float3 change = wanted - m_Wanted;
+            m_Wanted += change * math.min(1f, k_Acceleration * all.Acceleration * dt / math.max(math.length(change), 1e-6f));
+            return m_Wanted;
         }
 
         /// <summary>Forgets where the insect was; the random numbers go on.</summary>
@@ -62,15 +78,16 @@ namespace Alate.Flight
             m_Left = 0f;
             m_Pace = 1f;
             m_Climb = 0f;
+            m_Wanted = situation.referenceVelocity;
         }
 
         // At the end of a stretch, or where the way leads out: once, until the insect is on its new way.
-        private void Turn(in FlightSituation situation, in FlightVolume volume, in WanderSettings settings, float speed)
+        private void Turn(in FlightSituation situation, in FlightLimits limits, in FlightVolume volume, in WanderSettings settings, float speed)
         {
             m_Left -= situation.deltaTime;
             float3 home = (float3)volume.centre - situation.position;
             float homeward = math.atan2(home.x, home.z);
-            float room = (k_Room * situation.limits.TurnRadius(speed) + situation.limits.StoppingDistance(speed)) * situation.unitsPerMetre;
+            float room = (k_Room * limits.TurnRadius(speed) + limits.StoppingDistance(speed)) * situation.unitsPerMetre;
             float3 ahead = situation.position + room * Along(m_WantedCourse);
             ahead.y = volume.centre.y;
             bool leadsOut = !volume.Contains(ahead);

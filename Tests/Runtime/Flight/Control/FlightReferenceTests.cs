@@ -1,0 +1,113 @@
+using Alate.Flight;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests.Flight
+{
+    /// <summary>What the feedback follows, on its own.</summary>
+    public sealed class FlightReferenceTests
+    {
+        private const float k_Step = 0.01f, k_Top = 1.3f;
+
+        private TrimTable m_Table;
+
+        [SetUp]
+        public void SetUp()
+        {
+            m_Table = new TrimTable(new[] { 0f, k_Top }, new[] { -0.3f, 0.3f });
+            for (int point = 0; point < 4; point++)
+                m_Table.Set(point / 2, point % 2, new float[TrimPoint.Floats]);
+        }
+
+        [TearDown]
+        public void TearDown() => m_Table.Dispose();
+
+        // v̇ = a across the way and a turn of the course by a/v: one law for fast insects, and none turns faster than at its top speed.
+        [TestCase(0.7f)]
+        [TestCase(1f)]
+        [TestCase(1.3f)]
+        public void ACourse_TurnsNoFasterThanTheLimit(float speed)
+        {
+            var reference = new FlightReference(new float3(0f, 0f, speed), 0f, default);
+            float fastest = 0f, course = 0f;
+            for (int step = 0; step < 200; step++)
+            {
+                reference.Step(new float3(speed, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
+                float now = math.atan2(reference.Velocity.x, reference.Velocity.z);
+                fastest = math.max(fastest, (now - course) / k_Step);
+                course = now;
+            }
+
+            Assert.That(course, Is.EqualTo(0.5f * math.PI).Within(0.01f), "it gets there");
+            Assert.That(fastest, Is.LessThanOrEqualTo(1.05f * m_Table.Limits.TurnRate(speed)));
+            Assert.That(fastest, Is.GreaterThan(0.8f * m_Table.Limits.TurnRate(speed)));
+        }
+
+        [Test]
+        public void TurnRadius_IsSpeedOverTurnRate()
+        {
+            var limits = new FlightLimits(1.25f, -0.3f, 0.3f, 2.5f);
+            Assert.That(limits.TurnRate(0f), Is.EqualTo(2f));
+            Assert.That(limits.TurnRate(1.25f), Is.EqualTo(2f));
+            Assert.That(limits.TurnRate(-2.5f), Is.EqualTo(1f));
+            Assert.That(limits.TurnRadius(0.5f), Is.EqualTo(0.25f));
+            Assert.That(limits.TurnRadius(2.5f), Is.EqualTo(2.5f));
+        }
+
+        [TestCase(0f, 5f)]
+        [TestCase(1f, 0.7f)]
+        public void AClimb_ChangesSlowlyOnlyWhereTheInsectCruises(float speed, float fastest)
+        {
+            var reference = new FlightReference(new float3(0f, 0f, speed), 0f, default);
+            float most = 0f, before = 0f;
+            for (int step = 0; step < 200; step++)
+            {
+                reference.Step(new float3(0f, 9f, speed), 0f, default, default, m_Table, k_Step);
+                most = math.max(most, (reference.Velocity.y - before) / k_Step);
+                before = reference.Velocity.y;
+            }
+
+            Assert.That(before, Is.EqualTo(0.3f).Within(1e-3f), "the table's fastest climb");
+            Assert.That(most, Is.LessThan(1.01f * fastest));
+            Assert.That(most, Is.GreaterThan(0.1f * fastest));
+        }
+
+        // The stream's change is met at once: a filter of 0.07 s, not 0.7 m/s².
+        [Test]
+        public void AnUpdraft_DoesNotChangeTheWantedClimb()
+        {
+            var reference = new FlightReference(new float3(0f, 0f, 1f), 0f, default);
+            for (int step = 0; step < 100; step++)
+                reference.Step(new float3(0f, 0f, 1f), 0f, new float3(0f, 0.2f, 0f), default, m_Table, k_Step);
+            Assert.That(reference.Velocity.y, Is.Zero.Within(1e-4f));
+        }
+
+        [Test]
+        public void AnInsectThatHasLostItsSpeed_IsWaitedFor()
+        {
+            var error = new float3(0f, -0.1f, -0.6f);
+            var reference = new FlightReference(new float3(1f, 0f, 0f), 0.5f * math.PI, default);
+            for (int step = 0; step < 30; step++)
+                reference.Step(new float3(1f, 0f, 0f), float.NaN, default, error, m_Table, k_Step);
+            Assert.That(reference.Velocity.x, Is.InRange(0.3f, 0.8f));
+            for (int step = 0; step < 200; step++)
+                reference.Step(new float3(1f, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
+            Assert.That(reference.Velocity.x, Is.EqualTo(1f).Within(1e-3f), "and gets its speed back");
+        }
+
+        [TestCase(1f, 0.15f)]
+        [TestCase(0.2f, 0.6f)]
+        public void SmallErrors_AndThoseOfASlowInsect_ChangeNothing(float speed, float error)
+        {
+            var one = new FlightReference(new float3(0f, 0f, speed), 0f, default);
+            FlightReference other = one;
+            for (int step = 0; step < 100; step++)
+            {
+                one.Step(new float3(0f, 0f, speed), 0f, default, default, m_Table, k_Step);
+                other.Step(new float3(0f, 0f, speed), 0f, default, new float3(0f, 0f, -error), m_Table, k_Step);
+            }
+
+            Assert.That(other.Velocity, Is.EqualTo(one.Velocity));
+        }
+    }
+}
