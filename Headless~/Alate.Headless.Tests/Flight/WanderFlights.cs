@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Alate.Flight;
 using NUnit.Framework;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Tests.FreeFlights
@@ -44,10 +45,10 @@ namespace Alate.Tests.FreeFlights
                 while (flight.Time < k_Seconds && flight.State != FlightState.Tumbling)
                 {
                     FlightSituation situation = flight.Situation(step);
-                    FlightCommand command = FlightCommand.Fly(course.Next(situation, s_Volume, WanderSettings.Default));
+                    var command = FlightCommand.Fly(course.Next(situation, s_Volume, WanderSettings.Default));
                     flight.Step(NoseFirst.Limit(command, situation), step);
                     worst = Math.Max(worst, flight.Tilt);
-                    path += Unity.Mathematics.math.length(flight.Velocity) * step;
+                    path += math.length(flight.Velocity) * step;
                 }
 
                 seconds += flight.Time;
