@@ -42,7 +42,7 @@ namespace Alate.Flight
         private const float k_Beyond = 1.1f;
 
         private float3 m_Velocity, m_Rate;
-        private float m_Turning, m_Aim, m_Cruising, m_Acceleration, m_Climb;
+        private float m_Turning, m_Aim, m_Cruising, m_Climb;
 
         /// <summary>Velocity over ground, m/s.</summary>
         public float3 Velocity => m_Velocity;
@@ -53,6 +53,9 @@ namespace Alate.Flight
         /// <summary>Smoothed velocity of the air, m/s.</summary>
         public float3 Wind { get; private set; }
 
+        // Level, as the speeds of the table are.
+        private readonly float AirSpeed => math.length((m_Velocity - Wind).xz);
+
         /// <summary>Starts at a motion.</summary>
         public FlightReference(float3 velocity, float heading, float3 wind)
         {
@@ -62,7 +65,6 @@ namespace Alate.Flight
             m_Turning = 0f;
             m_Aim = float.NaN;
             m_Cruising = k_Cruising;
-            m_Acceleration = Acceleration;
             Heading = heading;
             Wind = wind;
         }
@@ -90,14 +92,12 @@ namespace Alate.Flight
         {
             if (!math.all(math.isfinite(wanted)))
                 wanted = default;
-            m_Cruising = math.min(k_Cruising, k_CruisingShare * table.TopSpeed);
-            m_Acceleration = table.Acceleration;
+            FlightLimits limits = table.Limits;
+            m_Cruising = math.min(k_Cruising, k_CruisingShare * limits.TopSpeed);
             Wind += (1f - math.exp(-dt / k_WindFilter)) * (wind - Wind);
-            wanted.y = Climb(wanted.y, table, dt);
-            float3 target = Bounded(wanted, table);
-            target = OnAnArc(target, table);
-            float3 rate = (target - m_Velocity) * (1f / k_Filter);
-            rate = Followed(rate, table.TopSpeed);
+            wanted.y = Climb(wanted.y, limits, dt);
+            float3 target = OnAnArc(Bounded(wanted, table, limits.TopSpeed), limits);
+            float3 rate = Followed((target - m_Velocity) * (1f / k_Filter), limits);
             m_Rate = rate;
             var reference = new BodyReference { velocity = m_Velocity, acceleration = rate };
             Turn(heading, dt);
@@ -113,11 +113,10 @@ namespace Alate.Flight
             return reference;
         }
 
-        private float Climb(float wanted, TrimTable table, float dt)
+        private float Climb(float wanted, in FlightLimits limits, float dt)
         {
-            float[] climbs = table.ClimbRates;
-            wanted = math.clamp(wanted, Wind.y + climbs[0], Wind.y + climbs[climbs.Length - 1]);
-            float most = math.length((m_Velocity - Wind).xz) > m_Cruising ? k_ClimbChange * dt : float.PositiveInfinity;
+            wanted = math.clamp(wanted, Wind.y + limits.LeastClimb, Wind.y + limits.MostClimb);
+            float most = AirSpeed > m_Cruising ? k_ClimbChange * dt : float.PositiveInfinity;
             m_Climb += math.clamp(wanted - m_Climb, -most, most);
             return m_Climb;
         }
@@ -125,29 +124,29 @@ namespace Alate.Flight
         private float3 Lost(float3 error)
         {
             float size = math.length(error);
-            if (!(size > k_Lost) || math.length((m_Velocity - Wind).xz) < m_Cruising)
+            if (!(size > k_Lost) || AirSpeed < m_Cruising)
                 return default;
             return math.rotate(quaternion.AxisAngle(new float3(0f, 1f, 0f), Heading), error * (1f - k_Lost / size));
         }
 
         // Ahead and up a slow insect follows less, across its nose it goes with the air at once.
-        private float3 Followed(float3 rate, float topSpeed)
+        private float3 Followed(float3 rate, in FlightLimits limits)
         {
-            float most = m_Acceleration * math.lerp(k_SlowShare, 1f, math.saturate(math.length((m_Velocity - Wind).xz) / (k_Nimble * topSpeed)));
+            float most = limits.Acceleration * math.lerp(k_SlowShare, 1f, math.saturate(AirSpeed / (k_Nimble * limits.TopSpeed)));
             math.sincos(Heading, out float sin, out float cos);
             var right = new float3(cos, 0f, -sin);
             float3 aside = math.dot(rate, right) * right, ahead = rate - aside;
             ahead *= math.min(1f, most / math.max(math.length(ahead), 1e-6f));
             rate = ahead + aside;
-            return rate * math.min(1f, m_Acceleration / math.max(math.length(rate), 1e-6f));
+            return rate * math.min(1f, limits.Acceleration / math.max(math.length(rate), 1e-6f));
         }
 
         // Through the air the insect is not faster than its table, more wind carries it; climbs as far as the table closes.
-        private float3 Bounded(float3 wanted, TrimTable table)
+        private float3 Bounded(float3 wanted, TrimTable table, float topSpeed)
         {
             float3 air = wanted - Wind;
             float speed = math.length(air.xz);
-            float most = k_Beyond * table.TopSpeed;
+            float most = k_Beyond * topSpeed;
             if (speed > most)
                 air.xz *= most / speed;
             table.Climbs(math.min(speed, most), out float least, out float fastest);
@@ -156,7 +155,7 @@ namespace Alate.Flight
         }
 
         // A fast insect does not fly sideways or backwards: its course turns no faster than its acceleration allows.
-        private float3 OnAnArc(float3 target, TrimTable table)
+        private float3 OnAnArc(float3 target, in FlightLimits limits)
         {
             float2 from = (m_Velocity - Wind).xz, to = (target - Wind).xz;
             float speed = math.length(from), wanted = math.length(to);
@@ -175,7 +174,7 @@ namespace Alate.Flight
             if (speed < m_Cruising || wanted < 1e-3f)
                 return target;
             float angle = math.atan2(from.y * to.x - from.x * to.y, math.dot(from, to));
-            float most = table.Limits.TurnRate(speed) * k_Filter;
+            float most = limits.TurnRate(speed) * k_Filter;
             if (math.abs(angle) <= most)
                 return target;
             math.sincos(math.clamp(angle, -most, most), out float sin, out float cos);

@@ -9,7 +9,12 @@ namespace Unity.Jobs;
 /// <summary>The threads that execute jobs: they look for work for a short while, then sleep until there is some.</summary>
 internal static class JobWorkers
 {
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+    // Tests run in several processes side by side: a thread that looks for work takes the core of another process.
+    private const double k_SpinMicroseconds = 0.0;
+#else
     private const double k_SpinMicroseconds = 50.0;
+#endif
 
     public static readonly int Maximum = Math.Clamp(Environment.ProcessorCount - 1, 1, JobsUtility.MaxJobThreadCount - 1);
 
