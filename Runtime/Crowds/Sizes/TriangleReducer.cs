@@ -23,6 +23,11 @@ namespace Alate.Crowds
         private readonly bool[] m_Locked;
         private readonly (double Cost, int To)[] m_Best;
         private readonly SortedSet<(double Cost, int Vertex)> m_Queue = new SortedSet<(double, int)>();
+
+        // Of the vertex that moves, of the one it moves onto, and of both after a move; [vertex] the last search that met it.
+        private readonly List<int> m_Neighbours = new List<int>(), m_Others = new List<int>(), m_Touched = new List<int>();
+        private readonly int[] m_Met;
+        private int m_Search;
         private int m_Count;
 
         /// <param name="surface">The surface at rest.</param>
@@ -33,6 +38,7 @@ namespace Alate.Crowds
             m_Quadrics = new Quadric[m_Places.Length];
             m_Locked = Doubles(surface.Positions);
             m_Best = new (double, int)[m_Places.Length];
+            m_Met = new int[m_Places.Length];
             for (int vertex = 0; vertex < m_Around.Length; vertex++)
                 m_Around[vertex] = new List<int>();
             for (int part = 0; part < surface.Parts.Count; part++)
@@ -53,6 +59,7 @@ namespace Alate.Crowds
             {
                 (double _, int vertex) = m_Queue.Min;
                 int to = m_Best[vertex].To;
+                FindNeighbours(vertex, m_Neighbours);
                 if (CanMove(vertex, to))
                     Move(vertex, to);
                 else
@@ -169,17 +176,28 @@ namespace Alate.Crowds
             return count;
         }
 
-        private HashSet<int> Neighbours(int vertex)
+        private void FindNeighbours(int vertex, List<int> found)
         {
-            var around = new HashSet<int>();
+            found.Clear();
+            m_Met[vertex] = ++m_Search;
+            AddNeighbours(vertex, found);
+        }
+
+        // Those that the search has not met yet.
+        private void AddNeighbours(int vertex, List<int> found)
+        {
             foreach (int triangle in m_Around[vertex])
             {
+                int3 corners = m_Triangles[triangle];
                 for (int c = 0; c < 3; c++)
-                    around.Add(m_Triangles[triangle][c]);
+                {
+                    int neighbour = corners[c];
+                    if (m_Met[neighbour] == m_Search)
+                        continue;
+                    m_Met[neighbour] = m_Search;
+                    found.Add(neighbour);
+                }
             }
-
-            around.Remove(vertex);
-            return around;
         }
 
         private void Unlist(int vertex) => m_Queue.Remove((m_Best[vertex].Cost, vertex));
@@ -190,7 +208,8 @@ namespace Alate.Crowds
             if (m_Locked[vertex] || m_Around[vertex].Count == 0)
                 return;
             (double Cost, int To) best = (Cost: double.PositiveInfinity, To: -1);
-            foreach (int to in Neighbours(vertex))
+            FindNeighbours(vertex, m_Neighbours);
+            foreach (int to in m_Neighbours)
             {
                 float3 place = m_Places[to];
                 double cost = m_Quadrics[vertex].At(place.x, place.y, place.z) + k_Way * math.pow((double)math.lengthsq(place - m_Places[vertex]), 2.0);
@@ -203,18 +222,19 @@ namespace Alate.Crowds
                 m_Queue.Add((best.Cost, vertex));
         }
 
+        // The neighbours of the vertex have been found.
         private bool CanMove(int vertex, int to)
         {
             int shared = Shared(vertex, to);
             if (shared == 0 || shared > 2)
                 return false;
-            HashSet<int> around = Neighbours(vertex), others = Neighbours(to);
+            FindNeighbours(to, m_Others);
             bool onMargin = false;
             int common = 0;
-            foreach (int neighbour in around)
+            foreach (int neighbour in m_Neighbours)
             {
                 onMargin |= Shared(vertex, neighbour) == 1;
-                common += others.Contains(neighbour) ? 1 : 0;
+                common += neighbour != to && m_Met[neighbour] == m_Search ? 1 : 0;
             }
 
             if (common != shared || (onMargin && shared != 1))
@@ -234,7 +254,7 @@ namespace Alate.Crowds
 
         private void Move(int vertex, int to)
         {
-            HashSet<int> touched = Neighbours(vertex);
+            FindNeighbours(vertex, m_Touched);
             Unlist(vertex);
             foreach (int index in m_Around[vertex].ToArray())
             {
@@ -251,8 +271,11 @@ namespace Alate.Crowds
 
             m_Around[vertex].Clear();
             m_Quadrics[to].Add(m_Quadrics[vertex]);
-            touched.UnionWith(Neighbours(to));
-            foreach (int neighbour in touched)
+            m_Search++;
+            foreach (int neighbour in m_Touched)
+                m_Met[neighbour] = m_Search;
+            AddNeighbours(to, m_Touched);
+            foreach (int neighbour in m_Touched)
                 Update(neighbour);
         }
 
