@@ -20,6 +20,7 @@ namespace Alate.Flight
         private TrimTable m_Table;
         private FlightReference m_Reference;
         private Perching m_Perching;
+        private bool m_IsHeld;
         private double m_Time;
         private float m_Units;
         private Vector3 m_ShownPosition;
@@ -41,7 +42,7 @@ namespace Alate.Flight
 
             FlightState before = State;
             m_Units = live.insect.MotionSettings.metresPerUnit > 0f ? 1f / live.insect.MotionSettings.metresPerUnit : placed.length / live.wings[0].values.size.wingLength;
-            TakeOver(ref body);
+            TakeOver(ref body, dt);
             body.wind = wind / m_Units;
             body.weight = gravity * m_Model.GravityShare;
             body.gravity = gravity;
@@ -63,7 +64,7 @@ namespace Alate.Flight
         }
 
         // Between steps: where the body has got to becomes where the next step starts; whoever moved the object meanwhile has moved the body.
-        private void TakeOver(ref FlyingBody body)
+        private void TakeOver(ref FlyingBody body, float dt)
         {
             var moved = (Vector3)(body.position * m_Units);
             m_From += moved;
@@ -76,7 +77,7 @@ namespace Alate.Flight
                 Teleported(ref body, m_ShownPosition, m_ShownRotation, transform.position, transform.rotation);
             m_FromRotation = body.rotation;
             Position = m_From;
-            BodyVelocity = body.velocity;
+            BodyVelocity = m_IsHeld ? moved / (m_Units * math.max(dt, 1e-6f)) : (Vector3)body.velocity;
             AidPower = body.aidPower;
             Force = body.force / math.max(m_Model.Weight, 1e-12f);
         }
@@ -87,11 +88,11 @@ namespace Alate.Flight
             Vector3 before = m_ShownPosition, position = m_Carried.Position;
             float turn = Quaternion.Angle(Quaternion.identity, m_Carried.Turned);
             bool jumped = (position - before).magnitude > m_Model.Length * m_Units;
-            if (turn > k_MostPushed || State == FlightState.Perched && jumped)
+            if (turn > k_MostPushed || m_IsHeld && jumped)
             {
                 Teleported(ref body, before, m_ShownRotation, position, m_Carried.Rotation);
             }
-            else if (State != FlightState.Perched)
+            else if (!m_IsHeld)
             {
                 m_From = position + m_Carried.Rotation * (Vector3)(m_Model.Centre * m_Units) + moved;
                 body.rotation = math.normalize(math.mul(m_Carried.Turned, body.rotation));
@@ -112,8 +113,8 @@ namespace Alate.Flight
                 m_Reference = m_Reference.Turned(turn);
             }
 
-            if (State == FlightState.Perched)
-                m_Perching.Carry(from, to, turned, turn);
+            if (m_IsHeld)
+                m_Perching.Carry(from, to, turned);
             m_From = to + (Vector3)math.rotate(toRotation, m_Model.Centre * m_Units);
             Show(body.rotation, m_From);
         }
@@ -125,22 +126,10 @@ namespace Alate.Flight
             if (m_World == null)
                 return;
             bool sits = command.wish == FlightWish.Perch && command.spot.IsFinite;
-            if (State == FlightState.Perched)
-            {
-                if (sits)
-                    m_Perching.Sit(ref body, dt);
-                else if (m_Perching.Start(ref body, m_World, m_Body, m_Table.DriveNear(0f, 0f), m_Live, dt))
-                    TakeOff(ref body);
-                m_From = m_Perching.Centre(body.rotation, Legs);
-                Show(body.rotation, m_From);
-                if (State == FlightState.Perched)
-                    return;
-            }
-            else if (sits)
-            {
+            if (sits && !m_IsHeld)
                 Perch(ref body, command.spot);
+            if (m_IsHeld && Hold(ref body, sits, command.heading, dt))
                 return;
-            }
 
             body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, body.velocityError, m_Table, dt);
             State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
@@ -155,18 +144,37 @@ namespace Alate.Flight
             deltaTime = dt,
             wingLength = m_Model.Length,
             unitsPerMetre = m_Units,
+            heading = m_IsHeld ? HeadingOf(body.rotation) : m_Reference.Heading,
         };
 
         private float3 Legs => ((float3)m_Live.wings[0].values.Feet - m_Model.Centre) * m_Units;
 
         private void Perch(ref FlyingBody body, in PerchSpot spot)
         {
-            m_Perching = new Perching(ref body, spot, m_From, Legs);
-            m_FromRotation = body.rotation;
-            foreach (LiveWing wing in m_Live.wings)
-                m_World.SetDrive(wing.handle, new WingDrive { frequency = m_Model.Frequency, amplitude = 0f });
-            State = FlightState.Perched;
-            Show(body.rotation, m_From);
+            m_Perching = new Perching(ref body, spot, m_From, Legs, Landing.Clearance * m_Model.Length, m_Units);
+            m_IsHeld = true;
+        }
+
+        // Where the perch moves the body, the way goes into its position, as in flight, and is drawn between steps.
+        private bool Hold(ref FlyingBody body, bool sits, float heading, float dt)
+        {
+            var wings = new HeldWings(m_World, m_Body, m_Live, m_Model, m_Table.DriveNear(0f, 0f));
+            m_Perching.Units = m_Units;
+            if (sits)
+                m_Perching.Sit(ref body, wings, dt);
+            else
+                m_IsHeld = !m_Perching.Start(ref body, wings, heading, dt);
+            float3 centre = m_Perching.Centre(body.rotation, Legs);
+            State = m_Perching.IsSeated ? FlightState.Perched : sits ? FlightState.Landing : FlightState.Flying;
+            if (m_IsHeld)
+            {
+                body.position = (centre - (float3)m_From) / m_Units;
+                return true;
+            }
+
+            m_From = centre;
+            TakeOff(ref body);
+            return false;
         }
 
         private void TakeOff(ref FlyingBody body)
@@ -179,7 +187,6 @@ namespace Alate.Flight
             body.latched = 0;
             m_World.PlaceOnBob(m_Body);
             m_FromRotation = body.rotation;
-            State = FlightState.Flying;
         }
 
         private void Raise(Action<InsectFlight> told)

@@ -64,6 +64,7 @@ namespace Alate.Flight
                 m_Reference = new FlightReference(default, heading, default);
                 body.reference.heading = heading;
                 State = FlightState.Flying;
+                m_IsHeld = false;
             }
 
             m_Body = world.AddBody(body);

@@ -6,11 +6,11 @@ namespace Alate.Tests.Flight
         public bool Landed { get; set; }
         public bool Tumbled { get; set; }
 
-        /// <summary>Speed of the centre of mass at the contact, and of the reference.</summary>
-        public float ContactSpeed { get; set; }
+        /// <summary>Speed of the centre of mass where it is held, and of the reference.</summary>
+        public float HeldSpeed { get; set; }
         public float MeanSpeed { get; set; }
 
-        /// <summary>Height of the feet over the surface at the contact, and distance beside the spot: what the legs reach.</summary>
+        /// <summary>Height of the feet over where they should be held, a wing's clearance above the spot, and distance beside it.</summary>
         public float Gap { get; set; }
         public float Beside { get; set; }
 

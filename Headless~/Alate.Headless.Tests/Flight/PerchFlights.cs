@@ -58,9 +58,9 @@ namespace Alate.Tests.Flight
                 if (command.wish == FlightWish.Perch)
                 {
                     record.Landed = true;
-                    record.ContactSpeed = math.length(situation.velocity);
+                    record.HeldSpeed = math.length(situation.velocity);
                     record.MeanSpeed = math.length(situation.referenceVelocity);
-                    record.Gap = math.dot(place, spot.normal) - m_Stand;
+                    record.Gap = math.dot(place, spot.normal) - m_Stand - Landing.Clearance * WingLength;
                     record.Beside = math.length(place - math.dot(place, spot.normal) * spot.normal);
                     break;
                 }
@@ -75,13 +75,13 @@ namespace Alate.Tests.Flight
             return landing.Spot.heading;
         }
 
-        // As a legged start: the wings beat in the trim of hovering.
+        // From where the legs have pushed the insect to: the wings beat in the trim of hovering.
         private void Leave(in PerchSpot spot, float heading, PerchFlight record)
         {
             using var flight = new FreeFlight(m_Model, m_Table, default, heading);
             var plan = new PerchPlan(1);
             PerchSettings settings = PerchSettings.Default;
-            var seat = new PerchSpot { position = flight.Position - m_Stand * spot.normal, normal = spot.normal, heading = heading };
+            var seat = new PerchSpot { position = flight.Position - (m_Stand + Landing.Clearance * WingLength) * spot.normal, normal = spot.normal, heading = heading };
             plan.Sit(seat);
             float least = float.PositiveInfinity;
             while (flight.Time < k_LeavingTime)

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -40,15 +41,15 @@ namespace Alate.Tests.Flight
             if (down.Count > 0)
             {
                 TestContext.Progress.WriteLine(FormattableString.Invariant(
-                    $"  contact {down.Max(flight => flight.ContactSpeed):0.000} m/s at most, {down.Average(flight => flight.ContactSpeed):0.000} on average, reference {down.Max(flight => flight.MeanSpeed):0.000}; feet {down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and {down.Max(flight => flight.Beside) * 1000:0.0} mm beside the spot at most; lowest on the way {down.Min(flight => flight.Below) * 1000:0.0} mm; lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, {down.Min(flight => flight.LeftBehind):0.00} m away at least"));
+                    $"  held at {down.Max(flight => flight.HeldSpeed):0.000} m/s at most, {down.Average(flight => flight.HeldSpeed):0.000} on average, reference {down.Max(flight => flight.MeanSpeed):0.000}, {down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed)} too low to fly on; {down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and {down.Max(flight => flight.Beside) * 1000:0.0} mm beside the place above the spot at most; lowest on the way {down.Min(flight => flight.Below) * 1000:0.0} mm; lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, {down.Min(flight => flight.LeftBehind):0.00} m away at least"));
             }
 
             Assert.That(down, Has.Count.EqualTo(count));
             Assert.That(all.Where(flight => flight.Tumbled), Is.Empty);
-            Assert.That(down.Max(flight => flight.ContactSpeed), Is.LessThan(0.3f));
-            Assert.That(down.Max(flight => Math.Abs(flight.Gap)), Is.LessThan(0.25f * flights.WingLength), "what the legs reach");
-            Assert.That(down.Max(flight => flight.Beside), Is.LessThan(0.25f * flights.WingLength), "what the legs reach");
-            Assert.That(down.Min(flight => flight.LeastHeight), Is.GreaterThan(-flights.WingLength), "hovering insects sink before they climb: a flower has that room");
+            Assert.That(down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed), Is.LessThanOrEqualTo(0.06 * count), "too low to fly on");
+            Assert.That(down.Max(flight => Math.Abs(flight.Gap)), Is.LessThan(0.5f * flights.WingLength), "wings clear the spot");
+            Assert.That(down.Max(flight => flight.Beside), Is.LessThan(0.8f * flights.WingLength));
+            Assert.That(down.Min(flight => flight.LeastHeight), Is.GreaterThan(0f), "hovering insects sink before they climb");
             Assert.That(down.Min(flight => flight.LeftBehind), Is.GreaterThan(math.max(0.3f, 5f * flights.WingLength)), "within three seconds");
         }
     }

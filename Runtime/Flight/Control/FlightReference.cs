@@ -26,8 +26,11 @@ namespace Alate.Flight
         /// <summary>Fastest turn of a slow insect's heading, rad/s, and rate at which it is approached, 1/s.</summary>
         private const float k_MostTurning = 3f, k_Turning = 4f;
 
-        /// <summary>Fastest change of the wanted climb of a cruising insect, m/s²: with it pitch, beat and bob change more than a monarch can follow in a turn.</summary>
-        private const float k_ClimbChange = 0.7f;
+        /// <summary>
+        /// Share of the largest change of velocity by which the wanted climb of a cruising insect changes, 0.7 m/s² of what flies: with it pitch, beat and bob change more than a
+        /// monarch can follow in a turn.
+        /// </summary>
+        private const float k_ClimbShare = 0.28f;
 
         /// <summary>Velocity error from which the reference of a cruising insect comes towards it, m/s, and its rate, 1/s: a monarch that has lost its speed does not get it back at once.</summary>
         private const float k_Lost = 0.15f, k_Yield = 6f;
@@ -116,7 +119,7 @@ namespace Alate.Flight
         private float Climb(float wanted, in FlightLimits limits, float dt)
         {
             wanted = math.clamp(wanted, Wind.y + limits.LeastClimb, Wind.y + limits.MostClimb);
-            float most = AirSpeed > m_Cruising ? k_ClimbChange * dt : float.PositiveInfinity;
+            float most = AirSpeed > m_Cruising ? k_ClimbShare * limits.Acceleration * dt : float.PositiveInfinity;
             m_Climb += math.clamp(wanted - m_Climb, -most, most);
             return m_Climb;
         }

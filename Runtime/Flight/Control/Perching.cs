@@ -3,104 +3,222 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Body of an insect that sits: from the contact on the feet glide to the spot and the body onto the surface and to the wanted heading; before a start the wings beat
-    /// themselves up to a hover while the legs hold on, then the legs push the insect off as the wings are about to beat down.
+    /// Body of an insect that a perch holds. From where a whole downstroke just clears the surface the body glides down with raised beats, turning onto the surface and to the
+    /// wanted heading, and sits; before a start the raised wings beat while the legs hold on, then the legs push the body up to where the wings can beat wholly.
     /// </summary>
     internal struct Perching
     {
-        /// <summary>Seconds in which the body settles, and rate of its turn on the feet, rad/s.</summary>
-        private const float k_SettleTime = 0.2f, k_Turning = 6f;
+        /// <summary>Fastest way down, m/s; shortest and longest time of it, seconds; rate of the body's turn, rad/s.</summary>
+        private const float k_Gliding = 0.25f, k_SettleTime = 0.2f, k_MostTime = 1.5f, k_Turning = 6f;
 
-        /// <summary>Beats before the legs let go.</summary>
-        private const float k_StartBeats = 3f;
+        /// <summary>Fastest part of a smooth step over its mean.</summary>
+        private const float k_MostSlope = 1.5f;
 
-        /// <summary>Share of a beat from which on the wings are raised enough to let go, and beats after which the legs let go anyhow.</summary>
-        private const float k_Raised = 0.7f, k_MostBeats = 5f;
+        /// <summary>Share of the way down in which the body turns onto the surface: the tails of a butterfly that is pitched up hang low.</summary>
+        private const float k_TurnShare = 0.7f;
 
-        /// <summary>Speed with which the legs push off, m/s. Chosen below the jumps of moths.</summary>
-        private const float k_Jump = 0.2f;
+        /// <summary>Beats before the legs push off, and longest time in which the insect turns on its feet before it, seconds.</summary>
+        private const float k_StartBeats = 3f, k_MostStanding = 1f;
 
-        private quaternion m_Contact, m_Seat;
-        private float3 m_ContactFeet, m_Spot, m_Up, m_Feet;
-        private float m_Heading, m_SettleTime;
-        private float m_Time, m_Started;
+        /// <summary>Speed at the start and the end of the push, m/s, and its shortest time, seconds. Chosen within the jumps of moths.</summary>
+        private const float k_Push = 0.6f, k_Jump = 0.2f, k_PushTime = 0.12f;
 
-        /// <summary>The contact: the body moves no more by itself.</summary>
+        /// <summary>Height of the push over that in which a downstroke clears the surface: most insects sink a little before they climb.</summary>
+        private const float k_PushShare = 1.45f;
+
+        /// <summary>Share of a beat from which on the wings are raised enough to fly, and beats after the push within which they must be.</summary>
+        private const float k_Raised = 0.7f, k_MostBeats = 4f;
+
+        private Stage m_Stage;
+        private quaternion m_FromRotation, m_Seat;
+        private float3 m_FromFeet, m_FromVelocity, m_Spot, m_Normal, m_Up, m_Feet;
+        private float m_Clearance, m_Time, m_WayTime, m_FromSpeed;
+        private int m_WholeAfter;
+        private bool m_StandsStill;
+
+        /// <summary>Takes hold of an insect: the body moves no more by itself.</summary>
         /// <param name="body">The body.</param>
-        /// <param name="spot">Where it sits.</param>
+        /// <param name="spot">Where it is to sit.</param>
         /// <param name="centre">Its centre of mass, world units.</param>
         /// <param name="legs">From the centre of mass to the feet in body axes, world units.</param>
-        public Perching(ref FlyingBody body, in PerchSpot spot, float3 centre, float3 legs)
+        /// <param name="clearance">Height of the feet in which a whole downstroke clears the surface, metres.</param>
+        /// <param name="units">World units of a metre.</param>
+        public Perching(ref FlyingBody body, in PerchSpot spot, float3 centre, float3 legs, float clearance, float units)
         {
-            float3 up = math.normalizesafe(spot.normal, new float3(0f, 1f, 0f));
-            math.sincos(spot.heading, out float sin, out float cos);
-            var ahead = new float3(sin, 0f, cos);
-            ahead = math.normalizesafe(ahead - up * math.dot(ahead, up), math.normalizesafe(math.cross(new float3(1f, 0f, 0f), up), new float3(0f, 0f, 1f)));
-            m_Seat = quaternion.LookRotation(ahead, up);
-            m_Heading = math.atan2(ahead.x, ahead.z);
+            this = default;
+            m_Normal = math.normalizesafe(spot.normal, new float3(0f, 1f, 0f));
+            m_Seat = Facing(spot.heading);
             m_Spot = spot.position;
-            m_Up = math.normalizesafe(up + new float3(0f, 1f, 0f), up);
-            m_Contact = body.rotation;
-            m_SettleTime = k_SettleTime + math.length(BodyMotion.Log(math.mul(m_Seat, math.conjugate(m_Contact)))) / k_Turning;
-            m_ContactFeet = m_Feet = centre + math.rotate(body.rotation, legs);
-            m_Time = m_Started = 0f;
-            Hold(ref body);
+            m_Up = math.normalizesafe(m_Normal + new float3(0f, 1f, 0f), m_Normal);
+            m_Clearance = clearance;
+            Units = units;
+            m_Feet = centre + math.rotate(body.rotation, legs);
+            ComeDown(ref body, body.velocity * units);
         }
+
+        private enum Stage
+        {
+            ComingDown,
+            Seated,
+            Standing,
+            Pushing,
+        }
+
+        /// <summary>World units of a metre.</summary>
+        public float Units { private get; set; }
+
+        /// <summary>Whether the feet are on the spot.</summary>
+        public readonly bool IsSeated => m_Stage == Stage.Seated || m_Stage == Stage.Standing;
+
+        /// <summary>Velocity with which the insect flies off, m/s.</summary>
+        public readonly float3 Jump => k_Jump * m_Up;
 
         /// <summary>Takes the spot along with whoever moves the insect.</summary>
         /// <param name="from">A point that goes along, world units.</param>
         /// <param name="to">Where it goes.</param>
         /// <param name="turn">Turn about the vertical.</param>
-        /// <param name="angle">Its angle, radians.</param>
-        public void Carry(float3 from, float3 to, quaternion turn, float angle)
+        public void Carry(float3 from, float3 to, quaternion turn)
         {
-            m_Contact = math.mul(turn, m_Contact);
+            m_FromRotation = math.mul(turn, m_FromRotation);
+            m_FromVelocity = math.rotate(turn, m_FromVelocity);
             m_Seat = math.mul(turn, m_Seat);
+            m_Normal = math.rotate(turn, m_Normal);
             m_Up = math.rotate(turn, m_Up);
-            m_Heading += angle;
-            m_ContactFeet = to + math.rotate(turn, m_ContactFeet - from);
+            m_FromFeet = to + math.rotate(turn, m_FromFeet - from);
             m_Spot = to + math.rotate(turn, m_Spot - from);
             m_Feet = to + math.rotate(turn, m_Feet - from);
         }
 
-        /// <summary>Sits on.</summary>
-        public void Sit(ref FlyingBody body, float dt)
+        /// <summary>Comes down to the spot and sits there.</summary>
+        public void Sit(ref FlyingBody body, in HeldWings wings, float dt)
         {
+            if (m_Stage > Stage.Seated)
+                ComeDown(ref body, default);
+            if (m_Stage == Stage.Seated)
+                return;
+            if (m_Time == 0f)
+                wings.BeatRaised();
             m_Time += dt;
-            m_Started = 0f;
-            float share = Smooth(m_Time / m_SettleTime);
-            body.rotation = math.slerp(m_Contact, m_Seat, share);
-            m_Feet = math.lerp(m_ContactFeet, m_Spot, share);
+            float share = math.saturate(m_Time / m_WayTime);
+            body.rotation = math.slerp(m_FromRotation, m_Seat, Smooth(share / k_TurnShare));
+            m_Feet = math.lerp(m_FromFeet, m_Spot, Smooth(share)) + m_FromVelocity * (m_WayTime * share * (1f - share) * (1f - share));
+            if (share < 1f)
+                return;
+            m_Stage = Stage.Seated;
+            wings.Rest();
         }
 
-        /// <summary>Velocity with which the legs push the insect off, m/s.</summary>
-        public readonly float3 Jump => k_Jump * m_Up;
-
-        /// <summary>Beats the wings up.</summary>
-        /// <returns>Whether the legs may let go.</returns>
-        public bool Start(ref FlyingBody body, WingWorld world, BodyHandle handle, in WingDrive hover, LiveInsect live, float dt)
+        /// <summary>Leaves the spot, or the way down to it.</summary>
+        /// <param name="body">The body.</param>
+        /// <param name="wings">Its wings.</param>
+        /// <param name="heading">Where the insect is to fly, radians; while its wings get going it turns there on its feet. Not a number leaves it as it sits.</param>
+        /// <param name="dt">Seconds.</param>
+        /// <returns>Whether the insect flies from now on.</returns>
+        public bool Start(ref FlyingBody body, in HeldWings wings, float heading, float dt)
         {
-            if (m_Started == 0f)
+            if (m_Stage < Stage.Standing)
+                Stand(body.rotation, wings);
+            m_Time += dt;
+            if (m_Stage == Stage.Standing)
             {
-                body.reference = new BodyReference { heading = m_Heading };
-                foreach (LiveWing wing in live.wings)
-                    world.SetDrive(wing.handle, hover);
+                bool isTurned = Turn(heading, dt) || m_Time > k_MostStanding;
+                if (m_Time > m_WayTime && isTurned)
+                    Push(ref body, math.min(m_Time - m_WayTime, dt), 2f / wings.Frequency);
             }
 
-            m_Started += dt;
-            float share = m_Started * hover.frequency / k_StartBeats;
-            world.PlaceOnBob(handle);
-            m_Feet = m_Spot;
-            bool isRaised = world.Read(live.wings[0].handle).Phase > k_Raised * 2f * math.PI || hover.frequency * dt > 1f - k_Raised;
-            if (share >= 1f && (isRaised || share > k_MostBeats / k_StartBeats))
+            if (m_Stage == Stage.Standing)
+            {
+                body.rotation = m_Seat;
+                Hold(ref body);
+                return false;
+            }
+
+            wings.PlaceOnBob();
+            float pushed = math.min(m_Time, m_WayTime), beyond = m_Time - pushed;
+            m_Feet = m_FromFeet + (m_FromSpeed * pushed + 0.5f * (k_Jump - m_FromSpeed) * pushed * pushed / m_WayTime + k_Jump * beyond) * Units * m_Up;
+            if (m_WholeAfter < 0 && (m_WayTime - m_Time) * wings.Frequency < 0.5f)
+            {
+                m_WholeAfter = wings.Beats;
+                wings.BeatWhole();
+            }
+
+            bool isWhole = m_WholeAfter >= 0 && wings.Beats > m_WholeAfter + 1 && beyond > 0f;
+            bool isRaised = wings.Phase > k_Raised || wings.Frequency * dt > 1f - k_Raised;
+            if (isWhole && isRaised || beyond * wings.Frequency > k_MostBeats)
                 return true;
-            body.rotation = math.slerp(m_Seat, body.rotation, Smooth(share));
+            body.rotation = math.slerp(m_FromRotation, body.rotation, Smooth(m_Time / m_WayTime));
             Hold(ref body);
             return false;
         }
 
         /// <summary>Centre of mass with the feet where they are, world units.</summary>
         public readonly float3 Centre(quaternion rotation, float3 legs) => m_Feet - math.rotate(rotation, legs);
+
+        private void ComeDown(ref FlyingBody body, float3 velocity)
+        {
+            m_Stage = Stage.ComingDown;
+            m_FromRotation = body.rotation;
+            m_FromFeet = m_Feet;
+            float way = math.distance(m_Feet, m_Spot);
+            float speed = math.max(k_Gliding * Units, math.length(velocity));
+            m_WayTime = math.clamp(k_MostSlope * way / speed, k_SettleTime, k_MostTime) + Angle(m_FromRotation, m_Seat) / k_Turning;
+
+            // What the insect brings along carries it no farther than the way is long.
+            m_FromVelocity = velocity * math.min(1f, k_MostSlope * way / math.max(math.length(velocity) * m_WayTime, 1e-6f * Units));
+            m_Time = 0f;
+            Hold(ref body);
+        }
+
+        // What is on its way down has beating wings already.
+        private void Stand(quaternion rotation, in HeldWings wings)
+        {
+            m_WayTime = m_Stage == Stage.Seated ? k_StartBeats / wings.Frequency : 0f;
+            m_StandsStill = m_Stage != Stage.Seated;
+            m_Seat = rotation;
+            m_Stage = Stage.Standing;
+            m_Time = 0f;
+            wings.BeatRaised();
+        }
+
+        private bool Turn(float heading, float dt)
+        {
+            if (m_StandsStill || !math.isfinite(heading))
+                return true;
+            float angle = heading - HeadingOf(m_Seat);
+            angle -= 2f * math.PI * math.round(angle / (2f * math.PI));
+            m_Seat = Facing(HeadingOf(m_Seat) + math.clamp(angle, -k_Turning * dt, k_Turning * dt));
+            return math.abs(angle) < k_Turning * dt;
+        }
+
+        private void Push(ref FlyingBody body, float time, float leastTime)
+        {
+            body.reference = new BodyReference { heading = HeadingOf(m_Seat) };
+            float way = math.max(k_PushShare * m_Clearance * Units - math.dot(m_Feet - m_Spot, m_Normal), 0f) / math.max(math.dot(m_Up, m_Normal), 0.1f) / Units;
+            m_Stage = Stage.Pushing;
+            m_FromRotation = m_Seat;
+            m_FromFeet = m_Feet;
+            m_WayTime = math.max(math.max(2f * way / (k_Push + k_Jump), k_PushTime), leastTime);
+            m_FromSpeed = 2f * way / m_WayTime - k_Jump;
+            m_Time = time;
+            m_WholeAfter = -1;
+        }
+
+        // On the surface, looking along a heading.
+        private readonly quaternion Facing(float heading)
+        {
+            math.sincos(heading, out float sin, out float cos);
+            var ahead = new float3(sin, 0f, cos);
+            ahead = math.normalizesafe(ahead - m_Normal * math.dot(ahead, m_Normal), math.normalizesafe(math.cross(new float3(1f, 0f, 0f), m_Normal), new float3(0f, 0f, 1f)));
+            return quaternion.LookRotation(ahead, m_Normal);
+        }
+
+        private static float HeadingOf(quaternion rotation)
+        {
+            float3 ahead = math.rotate(rotation, new float3(0f, 0f, 1f));
+            return math.atan2(ahead.x, ahead.z);
+        }
+
+        private static float Angle(quaternion from, quaternion to) => math.length(BodyMotion.Log(math.mul(to, math.conjugate(from))));
 
         private static void Hold(ref FlyingBody body)
         {

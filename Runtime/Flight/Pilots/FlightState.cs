@@ -9,7 +9,7 @@ namespace Alate.Flight
         /// <summary>The body is more than 70° off the attitude that it should have; the wings turn it back.</summary>
         Tumbling,
 
-        /// <summary>The insect approaches the spot on which it is to perch.</summary>
+        /// <summary>The insect approaches the spot on which it is to perch, or glides down to it.</summary>
         Landing,
 
         /// <summary>The insect sits; its wings carry nothing.</summary>

@@ -9,7 +9,7 @@ namespace Alate.Flight
         /// <summary>To come down on <see cref="FlightCommand.spot"/>: the state becomes <see cref="FlightState.Landing"/>, the pilot still says the velocity.</summary>
         Land,
 
-        /// <summary>To sit on <see cref="FlightCommand.spot"/> from now on: the body is placed there and the state becomes <see cref="FlightState.Perched"/>.</summary>
+        /// <summary>To sit on <see cref="FlightCommand.spot"/> from now on: the body glides there, not flown by its wings, and then the state becomes <see cref="FlightState.Perched"/>.</summary>
         Perch,
     }
 }

@@ -125,7 +125,7 @@ namespace Alate.Tests.Play
             InsectFlight flight = Hatch();
             var pilot = new Steerer { sits = true, spot = new float3(1f, 2f, 3f) };
             flight.Pilot = pilot;
-            yield return Frames(60);
+            yield return Frames(150);
             Vector3 place = flight.transform.position;
             flight.transform.SetPositionAndRotation(place + new Vector3(5f, 1f, 0f), Quaternion.Euler(0f, 90f, 0f) * flight.transform.rotation);
             Quaternion turned = flight.transform.rotation;

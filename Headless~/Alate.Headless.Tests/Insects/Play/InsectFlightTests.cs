@@ -50,7 +50,7 @@ namespace Alate.Tests.Play
             flight.TookOff += _ => off++;
             yield return Frames(30);
             pilot.sits = true;
-            yield return Frames(60);
+            yield return Frames(150);
             Assert.That(flight.State, Is.EqualTo(FlightState.Perched));
             Vector3 place = flight.transform.position;
             yield return Frames(30);
@@ -59,6 +59,37 @@ namespace Alate.Tests.Play
             yield return Frames(60);
             Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
             Assert.That((landed, off), Is.EqualTo((1, 1)));
+        }
+
+        [UnityTest]
+        public IEnumerator OnTheWayDownAndUp_AnInsectMayTurnRound()
+        {
+            InsectFlight flight = Hatch();
+            var pilot = new Percher();
+            flight.Pilot = pilot;
+            int landed = 0, off = 0;
+            flight.Landed += _ => landed++;
+            flight.TookOff += _ => off++;
+            yield return Frames(30);
+            pilot.sits = true;
+            yield return Frames(30);
+            Assert.That(flight.State, Is.EqualTo(FlightState.Landing));
+            pilot.sits = false;
+            yield return Frames(60);
+            Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
+            Assert.That((landed, off), Is.EqualTo((0, 0)));
+            pilot.sits = true;
+            yield return Frames(150);
+            Assert.That((flight.State, landed), Is.EqualTo((FlightState.Perched, 1)));
+            Vector3 place = flight.transform.position;
+            pilot.sits = false;
+            for (int frame = 0; frame < 60 && flight.State == FlightState.Perched; frame++)
+                yield return null;
+            yield return Frames(5);
+            pilot.sits = true;
+            yield return Frames(100);
+            Assert.That((flight.State, landed, off), Is.EqualTo((FlightState.Perched, 2, 1)));
+            Assert.That((flight.transform.position - place).magnitude, Is.LessThan(1e-3f));
         }
 
         [UnityTest]

@@ -3,16 +3,22 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// The way down to one spot: to the top of a line that slopes down to it, then along the line, slower and slower, until the feet reach the spot; on, up and once more where
-    /// the insect missed it. Comes in from where the insect is, turned towards the wanted heading and away from a slope that would be in the way.
+    /// The way down to one spot: to the top of a line that slopes down to a place above the spot, then along the line, slower and slower, until the insect is held there; on, up and
+    /// once more where it missed that place. Comes in from where the insect is, turned towards the wanted heading and away from a slope that would be in the way.
     /// </summary>
     public sealed class Landing
     {
-        /// <summary>Fastest contact, m/s.</summary>
-        public const float ContactSpeed = 0.28f;
+        /// <summary>Fastest flight, m/s, at which an insect is held; one that is too low to fly on is held at any speed.</summary>
+        public const float HoldSpeed = 0.28f;
 
-        /// <summary>What the legs reach from where the feet belong, and within which they do not wait for a nearer place, wing lengths.</summary>
-        private const float k_Reach = 0.24f, k_Close = 0.19f;
+        /// <summary>Height of the feet over the spot, wing lengths, in which the insect is held: any lower a downstroke of its flight would pass through what it lands on.</summary>
+        public const float Clearance = 1.2f;
+
+        /// <summary>Distance from there within which it is held, and within which it does not wait for a nearer place, wing lengths.</summary>
+        private const float k_Reach = 0.4f, k_Close = 0.3f;
+
+        /// <summary>Reach aside of one that is too low to fly on, over the reach of the others.</summary>
+        private const float k_LowReach = 2f;
 
         /// <summary>Height of the line over its length on the ground: as slow insects sink.</summary>
         private const float k_Rise = 0.45f;
@@ -23,10 +29,13 @@ namespace Alate.Flight
         /// <summary>Fastest flight along the line, m/s, and growth of the speed with the distance, 1/s.</summary>
         private const float k_LineSpeed = 0.12f, k_FlareRate = 0.8f;
 
-        /// <summary>Way before the spot that is flown at the speed of the contact, metres: what braking throws off the line is flown out there.</summary>
+        /// <summary>Fastest braking where the line is long enough, m/s²: one that brakes as it gets going tumbles.</summary>
+        private const float k_Brake = 1f;
+
+        /// <summary>Way before the spot that is flown at the speed of its end, metres: what braking throws off the line is flown out there.</summary>
         private const float k_Steady = 0.05f;
 
-        /// <summary>Speed at the spot: wing lengths a second, and its bounds, m/s. What has a short reach comes slower.</summary>
+        /// <summary>Speed at the end of the line: wing lengths a second, and its bounds, m/s. What has a short reach comes slower.</summary>
         private const float k_Touch = 5f, k_LeastTouch = 0.05f, k_MostTouch = 0.12f;
 
         /// <summary>Fastest approach to the surface: over the height above it, 1/s, and what is added to it, m/s.</summary>
@@ -99,7 +108,7 @@ namespace Alate.Flight
         public FlightCommand Next(in FlightSituation situation)
         {
             float unit = situation.unitsPerMetre;
-            float3 seat = m_Spot.position + m_Stand * unit * m_Spot.normal;
+            float3 seat = m_Spot.position + (m_Stand + Clearance * situation.wingLength) * unit * m_Spot.normal;
             float3 off = (situation.position - seat) / unit;
             if (!m_HasCourse)
                 ChooseCourse(situation, off);
@@ -114,7 +123,8 @@ namespace Alate.Flight
             float distance = math.length(off);
             bool isNearest = distance < k_Close * situation.wingLength || distance > m_Distance;
             m_Distance = distance;
-            if (distance < reach && isNearest && gap > -0.5f * reach && math.length(situation.velocity) < ContactSpeed)
+            bool isLow = gap < -0.5f * reach && math.length(off - gap * m_Spot.normal) < k_LowReach * reach;
+            if (isLow || distance < reach && isNearest && gap > -0.5f * reach && math.length(situation.velocity) < HoldSpeed)
             {
                 if (!math.isfinite(m_Spot.heading))
                     m_Spot.heading = situation.heading;
@@ -127,6 +137,8 @@ namespace Alate.Flight
 
             float touch = math.clamp(k_Touch * situation.wingLength, k_LeastTouch, k_MostTouch);
             float speed = along > 0f ? math.min(touch + k_FlareRate * math.max(along - math.max(reach, k_Steady), 0f), k_LineSpeed) : 0f;
+            if (along > k_LineLength)
+                speed = math.max(speed, math.length(situation.referenceVelocity) - k_Brake * k_Response);
             if (math.length(beside) < k_DriftWithin)
                 m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));

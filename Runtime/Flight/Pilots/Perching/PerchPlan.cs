@@ -54,18 +54,13 @@ namespace Alate.Flight
             m_Left = float.PositiveInfinity;
         }
 
-        /// <summary>Leaves the spot, or gives up landing.</summary>
+        /// <summary>Leaves the spot with the next step, or gives up landing.</summary>
         public void TakeOff(in PerchSettings settings)
         {
             if (Stage == PerchStage.Perched)
-            {
-                Stage = PerchStage.TakingOff;
-                m_Left = k_TakeOffTime;
-            }
+                m_Left = 0f;
             else if (Stage != PerchStage.TakingOff)
-            {
                 FlyOn(settings);
-            }
         }
 
         /// <summary>Command for the next step.</summary>
@@ -116,7 +111,9 @@ namespace Alate.Flight
 
         private FlightCommand Sit(in FlightSituation situation, in PerchSettings settings, float3 threat, bool isThreatened)
         {
-            m_Left -= situation.deltaTime;
+            // On its last way down it does not sit yet.
+            if (situation.state != FlightState.Landing)
+                m_Left -= situation.deltaTime;
             if (m_Left > 0f && !isThreatened)
                 return new FlightCommand { wish = FlightWish.Perch, spot = Landing.Spot, heading = Landing.Spot.heading };
             var ahead = new float3(math.sin(situation.heading), 0f, math.cos(situation.heading));
@@ -131,7 +128,8 @@ namespace Alate.Flight
                 away = math.length(away) * math.normalizesafe(away - uphill * down, new float3(down.z, 0f, -down.x));
             away += k_Downhill * math.length(downhill) * down;
             m_Away = math.normalizesafe(away, ahead);
-            TakeOff(settings);
+            Stage = PerchStage.TakingOff;
+            m_Left = k_TakeOffTime;
             return Leave(situation, settings);
         }
 

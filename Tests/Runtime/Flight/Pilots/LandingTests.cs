@@ -27,7 +27,8 @@ namespace Alate.Tests.Flight
                 {
                     float3 off = (flyer.situation.position - spot.position) / 10f;
                     Assert.That(math.length(flyer.situation.velocity), Is.LessThan(0.3f));
-                    Assert.That(math.length(off - k_Stand * spot.normal), Is.LessThan(0.2f * flyer.situation.wingLength), "the feet reach the spot");
+                    float height = k_Stand + Landing.Clearance * flyer.situation.wingLength;
+                    Assert.That(math.length(off - height * spot.normal), Is.LessThan(0.4f * flyer.situation.wingLength), "where the wings clear the spot");
                     return;
                 }
 

@@ -1,0 +1,73 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>Wings of an insect that a perch holds: they rest, beat raised above the body, or beat as in a hover.</summary>
+    internal readonly struct HeldWings
+    {
+        /// <summary>Share of the amplitude of hovering that is left to raised wings: their stroke's lower half.</summary>
+        private const float k_RaisedShare = 0.5f;
+
+        private readonly WingWorld m_World;
+        private readonly BodyHandle m_Body;
+        private readonly LiveInsect m_Live;
+        private readonly FlightModel m_Model;
+        private readonly WingDrive m_Hover;
+
+        /// <param name="world">Where the wings are.</param>
+        /// <param name="body">The body that they carry.</param>
+        /// <param name="live">The insect.</param>
+        /// <param name="model">Its model, with the same wings in the same order.</param>
+        /// <param name="hover">The beat of hovering.</param>
+        public HeldWings(WingWorld world, BodyHandle body, LiveInsect live, FlightModel model, in WingDrive hover)
+        {
+            m_World = world;
+            m_Body = body;
+            m_Live = live;
+            m_Model = model;
+            m_Hover = hover;
+        }
+
+        /// <summary>Of the beat of hovering, hertz.</summary>
+        public float Frequency => m_Hover.frequency;
+
+        /// <summary>Share of the beat that is over.</summary>
+        public float Phase => m_World.Read(m_Live.wings[0].handle).Phase / (2f * math.PI);
+
+        /// <summary>Beats completed.</summary>
+        public int Beats => m_World.Read(m_Live.wings[0].handle).Beats;
+
+        /// <summary>Turns the body as it hovers at this phase of the beat.</summary>
+        public void PlaceOnBob() => m_World.PlaceOnBob(m_Body);
+
+        /// <summary>Lets the wings come to rest.</summary>
+        public void Rest()
+        {
+            foreach (LiveWing wing in m_Live.wings)
+                m_World.SetDrive(wing.handle, new WingDrive { frequency = m_Model.Frequency, amplitude = 0f });
+        }
+
+        /// <summary>Beats as in a hover.</summary>
+        public void BeatWhole()
+        {
+            foreach (LiveWing wing in m_Live.wings)
+                m_World.SetDrive(wing.handle, m_Hover);
+        }
+
+        /// <summary>Beats from level wings up to where they turn in a hover, straight up and down: no wing gets below the body.</summary>
+        public void BeatRaised()
+        {
+            for (int k = 0; k < m_Live.wings.Length; k++)
+            {
+                WingParameters parameters = m_Model.Wings[k].Parameters;
+                float flap = m_Hover.amplitude * parameters.amplitude.x * parameters.amplitudeScale;
+                m_World.SetDrive(m_Live.wings[k].handle, new WingDrive
+                {
+                    frequency = m_Hover.frequency,
+                    amplitude = k_RaisedShare * m_Hover.amplitude,
+                    meanFlap = math.min((1f - k_RaisedShare) * flap, math.PI),
+                });
+            }
+        }
+    }
+}
