@@ -118,6 +118,12 @@ namespace Alate.Flight
         {
             if (m_Stage < Stage.Standing)
                 Stand(body.rotation, wings);
+            if (m_Stage == Stage.Pushing && IsUp(wings, dt))
+            {
+                wings.PlaceOnBob();
+                return true;
+            }
+
             m_Time += dt;
             if (m_Stage == Stage.Standing)
             {
@@ -142,10 +148,6 @@ namespace Alate.Flight
                 wings.BeatWhole();
             }
 
-            bool isWhole = m_WholeAfter >= 0 && wings.Beats > m_WholeAfter + 1 && beyond > 0f;
-            bool isRaised = wings.Phase > k_Raised || wings.Frequency * dt > 1f - k_Raised;
-            if (isWhole && isRaised || beyond * wings.Frequency > k_MostBeats)
-                return true;
             body.rotation = math.slerp(m_FromRotation, body.rotation, Smooth(m_Time / m_WayTime));
             Hold(ref body);
             return false;
@@ -178,6 +180,15 @@ namespace Alate.Flight
             m_Stage = Stage.Standing;
             m_Time = 0f;
             wings.BeatRaised();
+        }
+
+        // The wings have beaten wholly, and are about to beat down; wings that nobody computes do not beat.
+        private readonly bool IsUp(in HeldWings wings, float dt)
+        {
+            float beyond = m_Time - m_WayTime;
+            bool isWhole = m_WholeAfter >= 0 && wings.Beats > m_WholeAfter + 1 && beyond > 0f;
+            bool isRaised = wings.Phase > k_Raised || wings.Frequency * dt > 1f - k_Raised;
+            return isWhole && isRaised || beyond * wings.Frequency > k_MostBeats;
         }
 
         private bool Turn(float heading, float dt)
