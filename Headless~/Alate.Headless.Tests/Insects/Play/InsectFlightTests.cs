@@ -43,11 +43,7 @@ namespace Alate.Tests.Play
         public IEnumerator APerchedInsect_Sits_UntilItTakesOff()
         {
             InsectFlight flight = Hatch();
-            var pilot = new Percher();
-            flight.Pilot = pilot;
-            int landed = 0, off = 0;
-            flight.Landed += _ => landed++;
-            flight.TookOff += _ => off++;
+            var pilot = new Percher(flight);
             yield return Frames(30);
             pilot.sits = true;
             yield return Frames(150);
@@ -58,18 +54,14 @@ namespace Alate.Tests.Play
             pilot.sits = false;
             yield return Frames(60);
             Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
-            Assert.That((landed, off), Is.EqualTo((1, 1)));
+            Assert.That((pilot.Landed, pilot.TakenOff), Is.EqualTo((1, 1)));
         }
 
         [UnityTest]
         public IEnumerator OnTheWayDownAndUp_AnInsectMayTurnRound()
         {
             InsectFlight flight = Hatch();
-            var pilot = new Percher();
-            flight.Pilot = pilot;
-            int landed = 0, off = 0;
-            flight.Landed += _ => landed++;
-            flight.TookOff += _ => off++;
+            var pilot = new Percher(flight);
             yield return Frames(30);
             pilot.sits = true;
             yield return Frames(30);
@@ -77,10 +69,10 @@ namespace Alate.Tests.Play
             pilot.sits = false;
             yield return Frames(60);
             Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
-            Assert.That((landed, off), Is.EqualTo((0, 0)));
+            Assert.That((pilot.Landed, pilot.TakenOff), Is.EqualTo((0, 0)));
             pilot.sits = true;
             yield return Frames(150);
-            Assert.That((flight.State, landed), Is.EqualTo((FlightState.Perched, 1)));
+            Assert.That((flight.State, pilot.Landed), Is.EqualTo((FlightState.Perched, 1)));
             Vector3 place = flight.transform.position;
             pilot.sits = false;
             for (int frame = 0; frame < 60 && flight.State == FlightState.Perched; frame++)
@@ -88,7 +80,7 @@ namespace Alate.Tests.Play
             yield return Frames(5);
             pilot.sits = true;
             yield return Frames(100);
-            Assert.That((flight.State, landed, off), Is.EqualTo((FlightState.Perched, 2, 1)));
+            Assert.That((flight.State, pilot.Landed, pilot.TakenOff), Is.EqualTo((FlightState.Perched, 2, 1)));
             Assert.That((flight.transform.position - place).magnitude, Is.LessThan(1e-3f));
         }
 
@@ -151,6 +143,17 @@ namespace Alate.Tests.Play
         private sealed class Percher : IFlightPilot
         {
             public bool sits;
+
+            public Percher(InsectFlight flight)
+            {
+                flight.Pilot = this;
+                flight.Landed += _ => Landed++;
+                flight.TookOff += _ => TakenOff++;
+            }
+
+            public int Landed { get; private set; }
+
+            public int TakenOff { get; private set; }
 
             public FlightCommand Command(in FlightSituation situation)
             {
