@@ -42,7 +42,7 @@ namespace Alate.Tests.Play
             for (int k = 1; k <= count; k++)
             {
                 InsectFlight flight = Hatch(species);
-                var pilot = flight.GetComponent<PerchPilot>();
+                PerchPilot pilot = flight.GetComponent<PerchPilot>();
                 yield return Frames(20);
                 PerchSpot spot = SlopeBelow(flight, Random.CreateFromIndex((uint)k));
                 Assert.That(pilot.LandOn(spot));
