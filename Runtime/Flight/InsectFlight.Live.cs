@@ -20,7 +20,6 @@ namespace Alate.Flight
         private TrimTable m_Table;
         private FlightReference m_Reference;
         private Perching m_Perching;
-        private bool m_IsHeld;
         private double m_Time;
         private float m_Units;
         private Vector3 m_ShownPosition;
@@ -77,7 +76,7 @@ namespace Alate.Flight
                 Teleported(ref body, m_ShownPosition, m_ShownRotation, transform.position, transform.rotation);
             m_FromRotation = body.rotation;
             Position = m_From;
-            BodyVelocity = m_IsHeld ? moved / (m_Units * math.max(dt, 1e-6f)) : (Vector3)body.velocity;
+            BodyVelocity = m_Perching.Holds ? moved / (m_Units * math.max(dt, 1e-6f)) : (Vector3)body.velocity;
             AidPower = body.aidPower;
             Force = body.force / math.max(m_Model.Weight, 1e-12f);
         }
@@ -88,11 +87,11 @@ namespace Alate.Flight
             Vector3 before = m_ShownPosition, position = m_Carried.Position;
             float turn = Quaternion.Angle(Quaternion.identity, m_Carried.Turned);
             bool jumped = (position - before).magnitude > m_Model.Length * m_Units;
-            if (turn > k_MostPushed || m_IsHeld && jumped)
+            if (turn > k_MostPushed || m_Perching.Holds && jumped)
             {
                 Teleported(ref body, before, m_ShownRotation, position, m_Carried.Rotation);
             }
-            else if (!m_IsHeld)
+            else if (!m_Perching.Holds)
             {
                 m_From = position + m_Carried.Rotation * (Vector3)(m_Model.Centre * m_Units) + moved;
                 body.rotation = math.normalize(math.mul(m_Carried.Turned, body.rotation));
@@ -104,7 +103,7 @@ namespace Alate.Flight
         private void Teleported(ref FlyingBody body, Vector3 from, Quaternion fromRotation, Vector3 to, Quaternion toRotation)
         {
             // The turn about the vertical is taken over; pitch and roll are the flight's own.
-            float turn = HeadingOf(toRotation) - HeadingOf(fromRotation);
+            float turn = Headings.Of(toRotation) - Headings.Of(fromRotation);
             var turned = quaternion.AxisAngle(new float3(0f, 1f, 0f), turn);
             if (math.abs(turn) > 1e-3f)
             {
@@ -113,7 +112,7 @@ namespace Alate.Flight
                 m_Reference = m_Reference.Turned(turn);
             }
 
-            if (m_IsHeld)
+            if (m_Perching.Holds)
                 m_Perching.Carry(from, to, turned);
             m_From = to + (Vector3)math.rotate(toRotation, m_Model.Centre * m_Units);
             Show(body.rotation, m_From);
@@ -126,9 +125,9 @@ namespace Alate.Flight
             if (m_World == null)
                 return;
             bool sits = command.wish == FlightWish.Perch && command.spot.IsFinite;
-            if (sits && !m_IsHeld)
+            if (sits && !m_Perching.Holds)
                 Perch(ref body, command.spot);
-            if (m_IsHeld && Hold(ref body, sits, command.heading, dt))
+            if (m_Perching.Holds && Hold(ref body, sits, command.heading, dt))
                 return;
 
             body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, body.velocityError, m_Table, dt);
@@ -144,7 +143,7 @@ namespace Alate.Flight
             deltaTime = dt,
             wingLength = m_Model.Length,
             unitsPerMetre = m_Units,
-            heading = m_IsHeld ? HeadingOf(body.rotation) : m_Reference.Heading,
+            heading = m_Perching.Holds ? Headings.Of(body.rotation) : m_Reference.Heading,
         };
 
         private float3 Legs => ((float3)m_Live.wings[0].values.Feet - m_Model.Centre) * m_Units;
@@ -152,21 +151,20 @@ namespace Alate.Flight
         private void Perch(ref FlyingBody body, in PerchSpot spot)
         {
             m_Perching = new Perching(ref body, spot, m_From, Legs, Landing.Clearance * m_Model.Length, m_Units);
-            m_IsHeld = true;
         }
 
         // Where the perch moves the body, the way goes into its position, as in flight, and is drawn between steps.
         private bool Hold(ref FlyingBody body, bool sits, float heading, float dt)
         {
-            var wings = new HeldWings(m_World, m_Body, m_Live, m_Model, m_Table.DriveNear(0f, 0f));
+            var wings = new HeldWings(m_World, m_Body, m_Live, m_Model, m_Table);
             m_Perching.Units = m_Units;
             if (sits)
                 m_Perching.Sit(ref body, wings, dt);
             else
-                m_IsHeld = !m_Perching.Start(ref body, wings, heading, dt);
+                m_Perching.Start(ref body, wings, heading, dt);
             float3 centre = m_Perching.Centre(body.rotation, Legs);
             State = m_Perching.IsSeated ? FlightState.Perched : sits ? FlightState.Landing : FlightState.Flying;
-            if (m_IsHeld)
+            if (m_Perching.Holds)
             {
                 body.position = (centre - (float3)m_From) / m_Units;
                 return true;
@@ -179,7 +177,7 @@ namespace Alate.Flight
 
         private void TakeOff(ref FlyingBody body)
         {
-            float heading = HeadingOf(body.rotation);
+            float heading = Headings.Of(body.rotation);
             m_Reference = new FlightReference(m_Perching.Jump, heading, body.wind);
             body.reference = new BodyReference { velocity = m_Perching.Jump, heading = heading };
             body.mode = BodyMode.Free;
@@ -225,12 +223,6 @@ namespace Alate.Flight
         }
 
         private Vector3 Origin(Quaternion rotation, Vector3 centre) => centre - rotation * (Vector3)(m_Model.Centre * m_Units);
-
-        private static float HeadingOf(Quaternion rotation)
-        {
-            Vector3 ahead = rotation * Vector3.forward;
-            return math.atan2(ahead.x, ahead.z);
-        }
 
         private sealed class Link : IFlyingInsect
         {

@@ -60,11 +60,11 @@ namespace Alate.Flight
             }
             else
             {
-                float heading = HeadingOf(transform.rotation);
+                float heading = Headings.Of(transform.rotation);
                 m_Reference = new FlightReference(default, heading, default);
                 body.reference.heading = heading;
                 State = FlightState.Flying;
-                m_IsHeld = false;
+                m_Perching = default;
             }
 
             m_Body = world.AddBody(body);

@@ -107,7 +107,7 @@ namespace Alate.Flight
         {
             drive = default;
             wanted = m_Reference.Velocity;
-            if (m_Table == null || m_IsHeld)
+            if (m_Table == null || m_Perching.Holds)
                 return false;
             float3 air = m_Reference.Velocity - m_Reference.Wind;
             drive = m_Table.DriveNear(math.length(air.xz), air.y);

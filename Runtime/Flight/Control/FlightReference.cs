@@ -99,7 +99,7 @@ namespace Alate.Flight
             m_Cruising = math.min(k_Cruising, k_CruisingShare * limits.TopSpeed);
             Wind += (1f - math.exp(-dt / k_WindFilter)) * (wind - Wind);
             wanted.y = Climb(wanted.y, limits, dt);
-            float3 target = OnAnArc(Bounded(wanted, table, limits.TopSpeed), limits);
+            float3 target = OnAnArc(Bounded(wanted, table, limits), limits);
             float3 rate = Followed((target - m_Velocity) * (1f / k_Filter), limits);
             m_Rate = rate;
             var reference = new BodyReference { velocity = m_Velocity, acceleration = rate };
@@ -145,11 +145,11 @@ namespace Alate.Flight
         }
 
         // Through the air the insect is not faster than its table, more wind carries it; climbs as far as the table closes.
-        private float3 Bounded(float3 wanted, TrimTable table, float topSpeed)
+        private float3 Bounded(float3 wanted, TrimTable table, in FlightLimits limits)
         {
             float3 air = wanted - Wind;
             float speed = math.length(air.xz);
-            float most = k_Beyond * topSpeed;
+            float most = k_Beyond * limits.TopSpeed;
             if (speed > most)
                 air.xz *= most / speed;
             table.Climbs(math.min(speed, most), out float least, out float fastest);
@@ -167,7 +167,7 @@ namespace Alate.Flight
             {
                 // From hovering it turns first, then goes.
                 float aim = math.atan2(to.x, to.y);
-                if (math.abs(Wrapped(aim - Heading)) < k_Aligned)
+                if (math.abs(Headings.Wrap(aim - Heading)) < k_Aligned)
                     return target;
                 m_Aim = aim;
                 float2 slow = to * (m_Cruising * k_Slow / wanted);
@@ -196,7 +196,7 @@ namespace Alate.Flight
                 wanted = m_Aim;
             else if (speed > m_Cruising || (!math.isfinite(wanted) && speed > 0.5f * m_Cruising))
                 wanted = course;
-            float error = math.isfinite(wanted) ? Wrapped(wanted - Heading) : 0f;
+            float error = math.isfinite(wanted) ? Headings.Wrap(wanted - Heading) : 0f;
             if (speed > m_Cruising)
             {
                 // The course is smooth already: a heading that lagged behind it would fly sideways through a gust.
@@ -207,7 +207,5 @@ namespace Alate.Flight
             float turning = math.clamp(k_Turning * error, -k_MostTurning, k_MostTurning);
             m_Turning += (1f - math.exp(-dt / k_Filter)) * (turning - m_Turning);
         }
-
-        private static float Wrapped(float angle) => angle - 2f * math.PI * math.floor((angle + math.PI) / (2f * math.PI));
     }
 }

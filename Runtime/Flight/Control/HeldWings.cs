@@ -12,30 +12,32 @@ namespace Alate.Flight
         private readonly BodyHandle m_Body;
         private readonly LiveInsect m_Live;
         private readonly FlightModel m_Model;
-        private readonly WingDrive m_Hover;
+        private readonly TrimTable m_Table;
 
         /// <param name="world">Where the wings are.</param>
         /// <param name="body">The body that they carry.</param>
         /// <param name="live">The insect.</param>
         /// <param name="model">Its model, with the same wings in the same order.</param>
-        /// <param name="hover">The beat of hovering.</param>
-        public HeldWings(WingWorld world, BodyHandle body, LiveInsect live, FlightModel model, in WingDrive hover)
+        /// <param name="table">Its trims.</param>
+        public HeldWings(WingWorld world, BodyHandle body, LiveInsect live, FlightModel model, TrimTable table)
         {
             m_World = world;
             m_Body = body;
             m_Live = live;
             m_Model = model;
-            m_Hover = hover;
+            m_Table = table;
         }
 
         /// <summary>Of the beat of hovering, hertz.</summary>
-        public float Frequency => m_Hover.frequency;
+        public float Frequency => Hover.frequency;
 
         /// <summary>Share of the beat that is over.</summary>
         public float Phase => m_World.Read(m_Live.wings[0].handle).Phase / (2f * math.PI);
 
         /// <summary>Beats completed.</summary>
         public int Beats => m_World.Read(m_Live.wings[0].handle).Beats;
+
+        private WingDrive Hover => m_Table.DriveNear(0f, 0f);
 
         /// <summary>Turns the body as it hovers at this phase of the beat.</summary>
         public void PlaceOnBob() => m_World.PlaceOnBob(m_Body);
@@ -50,21 +52,23 @@ namespace Alate.Flight
         /// <summary>Beats as in a hover.</summary>
         public void BeatWhole()
         {
+            WingDrive hover = Hover;
             foreach (LiveWing wing in m_Live.wings)
-                m_World.SetDrive(wing.handle, m_Hover);
+                m_World.SetDrive(wing.handle, hover);
         }
 
         /// <summary>Beats from level wings up to where they turn in a hover, straight up and down: no wing gets below the body.</summary>
         public void BeatRaised()
         {
+            WingDrive hover = Hover;
             for (int k = 0; k < m_Live.wings.Length; k++)
             {
                 WingParameters parameters = m_Model.Wings[k].Parameters;
-                float flap = m_Hover.amplitude * parameters.amplitude.x * parameters.amplitudeScale;
+                float flap = hover.amplitude * parameters.amplitude.x * parameters.amplitudeScale;
                 m_World.SetDrive(m_Live.wings[k].handle, new WingDrive
                 {
-                    frequency = m_Hover.frequency,
-                    amplitude = k_RaisedShare * m_Hover.amplitude,
+                    frequency = hover.frequency,
+                    amplitude = k_RaisedShare * hover.amplitude,
                     meanFlap = math.min((1f - k_RaisedShare) * flap, math.PI),
                 });
             }

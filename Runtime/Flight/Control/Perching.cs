@@ -34,7 +34,6 @@ namespace Alate.Flight
         private float3 m_FromFeet, m_FromVelocity, m_Spot, m_Normal, m_Up, m_Feet;
         private float m_Clearance, m_Time, m_WayTime, m_FromSpeed;
         private int m_WholeAfter;
-        private bool m_StandsStill;
 
         /// <summary>Takes hold of an insect: the body moves no more by itself.</summary>
         /// <param name="body">The body.</param>
@@ -58,6 +57,7 @@ namespace Alate.Flight
 
         private enum Stage
         {
+            Free,
             ComingDown,
             Seated,
             Standing,
@@ -66,6 +66,9 @@ namespace Alate.Flight
 
         /// <summary>World units of a metre.</summary>
         public float Units { private get; set; }
+
+        /// <summary>Whether the perch moves the body.</summary>
+        public readonly bool Holds => m_Stage != Stage.Free;
 
         /// <summary>Whether the feet are on the spot.</summary>
         public readonly bool IsSeated => m_Stage == Stage.Seated || m_Stage == Stage.Standing;
@@ -120,6 +123,7 @@ namespace Alate.Flight
                 Stand(body.rotation, wings);
             if (m_Stage == Stage.Pushing && IsUp(wings, dt))
             {
+                m_Stage = Stage.Free;
                 wings.PlaceOnBob();
                 return true;
             }
@@ -171,11 +175,10 @@ namespace Alate.Flight
             Hold(ref body);
         }
 
-        // What is on its way down has beating wings already.
+        // What is on its way down has beating wings already, and no feet on the ground to turn on.
         private void Stand(quaternion rotation, in HeldWings wings)
         {
             m_WayTime = m_Stage == Stage.Seated ? k_StartBeats / wings.Frequency : 0f;
-            m_StandsStill = m_Stage != Stage.Seated;
             m_Seat = rotation;
             m_Stage = Stage.Standing;
             m_Time = 0f;
@@ -193,17 +196,16 @@ namespace Alate.Flight
 
         private bool Turn(float heading, float dt)
         {
-            if (m_StandsStill || !math.isfinite(heading))
+            if (m_WayTime == 0f || !math.isfinite(heading))
                 return true;
-            float angle = heading - HeadingOf(m_Seat);
-            angle -= 2f * math.PI * math.round(angle / (2f * math.PI));
-            m_Seat = Facing(HeadingOf(m_Seat) + math.clamp(angle, -k_Turning * dt, k_Turning * dt));
+            float angle = Headings.Wrap(heading - Headings.Of(m_Seat));
+            m_Seat = Facing(Headings.Of(m_Seat) + math.clamp(angle, -k_Turning * dt, k_Turning * dt));
             return math.abs(angle) < k_Turning * dt;
         }
 
         private void Push(ref FlyingBody body, float time, float leastTime)
         {
-            body.reference = new BodyReference { heading = HeadingOf(m_Seat) };
+            body.reference = new BodyReference { heading = Headings.Of(m_Seat) };
             float way = math.max(k_PushShare * m_Clearance * Units - math.dot(m_Feet - m_Spot, m_Normal), 0f) / math.max(math.dot(m_Up, m_Normal), 0.1f) / Units;
             m_Stage = Stage.Pushing;
             m_FromRotation = m_Seat;
@@ -221,12 +223,6 @@ namespace Alate.Flight
             var ahead = new float3(sin, 0f, cos);
             ahead = math.normalizesafe(ahead - m_Normal * math.dot(ahead, m_Normal), math.normalizesafe(math.cross(new float3(1f, 0f, 0f), m_Normal), new float3(0f, 0f, 1f)));
             return quaternion.LookRotation(ahead, m_Normal);
-        }
-
-        private static float HeadingOf(quaternion rotation)
-        {
-            float3 ahead = math.rotate(rotation, new float3(0f, 0f, 1f));
-            return math.atan2(ahead.x, ahead.z);
         }
 
         private static float Angle(quaternion from, quaternion to) => math.length(BodyMotion.Log(math.mul(to, math.conjugate(from))));

@@ -43,10 +43,10 @@ namespace Alate.Flight
                 velocity.xz = OnTheWay(velocity.xz, situation.referenceVelocity.xz, speed, flown);
             else if (speed > 0.02f)
                 command.heading = Turn(ref velocity, command.heading, situation.heading, speed);
-            bool turns = flown <= k_Slow && math.abs(Wrap(command.heading - situation.heading)) > k_TurningAngle;
+            bool turns = flown <= k_Slow && math.abs(Headings.Wrap(command.heading - situation.heading)) > k_TurningAngle;
             if (turns)
                 velocity.xz *= math.min(1f, k_TurningSpeed / math.max(math.length(velocity.xz), 1e-6f));
-            float turn = Wrap(command.heading - situation.heading);
+            float turn = Headings.Wrap(command.heading - situation.heading);
             if (flown <= k_Slow && math.abs(turn) > k_Ahead)
                 command.heading = situation.heading + k_Ahead * math.sign(turn);
             velocity.y = math.clamp(velocity.y, -Sink(flown, turns), k_SlowClimb + k_MoreClimb * math.max(flown - k_Slow, 0f));
@@ -58,7 +58,7 @@ namespace Alate.Flight
 
         private static float2 OnTheWay(float2 wanted, float2 way, float speed, float flown)
         {
-            float course = math.atan2(way.x, way.y), off = Wrap(math.atan2(wanted.x, wanted.y) - course);
+            float course = math.atan2(way.x, way.y), off = Headings.Wrap(math.atan2(wanted.x, wanted.y) - course);
             if (math.abs(off) > k_Brake)
                 return default;
             if (math.abs(off) <= k_Arc)
@@ -71,7 +71,7 @@ namespace Alate.Flight
         {
             math.sincos(heading, out float sin, out float cos);
             float ahead = velocity.x * sin + velocity.z * cos, aside = velocity.x * cos - velocity.z * sin;
-            float off = Wrap(math.atan2(velocity.x, velocity.z) - heading);
+            float off = Headings.Wrap(math.atan2(velocity.x, velocity.z) - heading);
             float course = math.atan2(velocity.x, velocity.z);
             bool turns = speed > k_Turning && math.abs(off) > k_TurningAngle;
             float most = turns ? k_TurningSpeed : MostAside;
@@ -81,7 +81,5 @@ namespace Alate.Flight
             velocity.z = ahead * cos - aside * sin;
             return speed > k_Turning ? course : wantedHeading;
         }
-
-        private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
     }
 }

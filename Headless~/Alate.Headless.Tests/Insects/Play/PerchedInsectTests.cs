@@ -50,7 +50,7 @@ namespace Alate.Tests.Play
                 Vector3 before = flight.Position;
                 for (int frame = 0; frame < k_Landing / step && flight.State != FlightState.Perched; frame++)
                 {
-                    measure.Add(k_Near);
+                    measure.Add();
                     before = flight.Position;
                     yield return null;
                 }
@@ -60,7 +60,7 @@ namespace Alate.Tests.Play
                 for (int frame = 0; frame < k_Sitting / step; frame++)
                 {
                     yield return null;
-                    measure.Add(k_Near);
+                    measure.Add();
                     if (frame < k_Folding / step)
                         continue;
                     offSpot = math.max(offSpot, measure.FeetOffSpot());
@@ -72,7 +72,7 @@ namespace Alate.Tests.Play
                 for (int frame = 0; frame < k_Leaving / step; frame++)
                 {
                     yield return null;
-                    measure.Add(k_Near);
+                    measure.Add();
                 }
 
                 Assert.That(flight.State, Is.EqualTo(FlightState.Flying), $"spot {k}");
@@ -144,9 +144,9 @@ namespace Alate.Tests.Play
                 LowestOfWings = float.PositiveInfinity;
             }
 
-            public void Add(float near)
+            public void Add()
             {
-                if (math.distance(m_Flight.Position, m_Spot.position) > near * m_WingLength)
+                if (math.distance(m_Flight.Position, m_Spot.position) > k_Near * m_WingLength)
                     return;
                 for (int k = 0; k < m_Wings.Wings.Count; k++)
                 {

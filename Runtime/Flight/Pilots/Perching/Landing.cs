@@ -162,7 +162,7 @@ namespace Alate.Flight
             float along = math.dot(off, m_Line);
             if (math.length(off.xz) < k_Near && math.dot(off, m_Spot.normal) < 0f)
                 return GoRound(situation);
-            if (along > 0.5f * k_LineLength && math.length(off - along * m_Line) < k_Begin * along && math.abs(Wrap(situation.heading - m_Heading)) < k_Aligned)
+            if (along > 0.5f * k_LineLength && math.length(off - along * m_Line) < k_Begin * along && math.abs(Headings.Wrap(situation.heading - m_Heading)) < k_Aligned)
             {
                 IsFlaring = true;
                 m_LineTime = -along / (0.5f * k_LineSpeed);
@@ -181,7 +181,7 @@ namespace Alate.Flight
             bool isNear = math.length(off.xz) < k_Near;
             m_Heading = isNear ? situation.heading + math.PI : math.atan2(-off.x, -off.z);
             if (math.isfinite(m_Spot.heading))
-                m_Heading += math.clamp(Wrap(m_Spot.heading - m_Heading), -k_MostTurn, k_MostTurn);
+                m_Heading += math.clamp(Headings.Wrap(m_Spot.heading - m_Heading), -k_MostTurn, k_MostTurn);
             math.sincos(m_Heading, out float sin, out float cos);
             var course = new float2(sin, cos);
             float2 down = m_Spot.normal.xz;
@@ -229,7 +229,5 @@ namespace Alate.Flight
             command.velocity.y = math.max(command.velocity.y, -k_Sink - sinks);
             return command;
         }
-
-        private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
     }
 }

@@ -56,7 +56,7 @@ namespace Alate.Flight
             Climb(situation.limits, settings, dt);
 
             float rate = (m_TurnsBack ? k_BackShare : k_TurnShare) * all.TurnRate(speed);
-            m_Course = Wrap(m_Course + math.clamp(Wrap(m_WantedCourse - m_Course), -rate * dt, rate * dt));
+            m_Course = Headings.Wrap(m_Course + math.clamp(Headings.Wrap(m_WantedCourse - m_Course), -rate * dt, rate * dt));
             float3 wanted = speed * Along(m_Course) + new float3(0f, m_Climb, 0f);
             wanted = volume.Hold(wanted, situation.position, limits, situation.unitsPerMetre);
             if (math.length(wanted.xz) < k_Least * speed)
@@ -91,11 +91,11 @@ namespace Alate.Flight
             float3 ahead = situation.position + room * Along(m_WantedCourse);
             ahead.y = volume.centre.y;
             bool leadsOut = !volume.Contains(ahead);
-            m_TurnsBack &= leadsOut && math.abs(Wrap(m_WantedCourse - homeward)) <= k_Homeward + 0.5f;
+            m_TurnsBack &= leadsOut && math.abs(Headings.Wrap(m_WantedCourse - homeward)) <= k_Homeward + 0.5f;
             if (leadsOut && !m_TurnsBack)
             {
                 m_TurnsBack = true;
-                m_WantedCourse = Wrap(homeward + m_Random.NextFloat(-k_Homeward, k_Homeward));
+                m_WantedCourse = Headings.Wrap(homeward + m_Random.NextFloat(-k_Homeward, k_Homeward));
                 Stretch(settings);
             }
             else if (m_Left <= 0f)
@@ -129,7 +129,5 @@ namespace Alate.Flight
             math.sincos(course, out float sin, out float cos);
             return new float3(sin, 0f, cos);
         }
-
-        private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
     }
 }

@@ -1,0 +1,18 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>Headings: radians about the world's up, 0 along +Z, π/2 along +X.</summary>
+    internal static class Headings
+    {
+        /// <summary>The heading of a rotation's forward direction.</summary>
+        public static float Of(quaternion rotation)
+        {
+            float3 ahead = math.rotate(rotation, new float3(0f, 0f, 1f));
+            return math.atan2(ahead.x, ahead.z);
+        }
+
+        /// <summary>The same angle between −π and π.</summary>
+        public static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
+    }
+}
