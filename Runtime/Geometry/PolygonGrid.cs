@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Alate.Geometry
 {
@@ -13,7 +14,7 @@ namespace Alate.Geometry
 
         public readonly PlanBounds bounds;
 
-        private readonly IReadOnlyList<PlanPoint> m_Corners;
+        private readonly PlanPoint[] m_Corners;
         private readonly double m_Cell;
         private readonly int m_Columns;
         private readonly List<int>[] m_Rows;
@@ -23,14 +24,14 @@ namespace Alate.Geometry
         /// <param name="cell">Side of a cell; by default a small share of the polygon's extent.</param>
         public PolygonGrid(IReadOnlyList<PlanPoint> corners, double cell = 0.0)
         {
-            m_Corners = corners;
+            m_Corners = corners.ToArray();
             bounds = new PlanBounds(corners);
             m_Cell = cell > 0.0 ? Math.Max(cell, bounds.Extent / k_MostCells) : Math.Max(bounds.Extent / k_Cells, double.Epsilon);
             m_Columns = 1 + (int)((bounds.right - bounds.left) / m_Cell);
             m_Rows = new List<int>[1 + (int)((bounds.high - bounds.low) / m_Cell)];
-            for (int side = 0; side < corners.Count; side++)
+            for (int side = 0; side < m_Corners.Length; side++)
             {
-                for (int row = Row(Math.Min(corners[side].z, End(side).z)); row <= Row(Math.Max(corners[side].z, End(side).z)); row++)
+                for (int row = Row(Math.Min(m_Corners[side].z, End(side).z)); row <= Row(Math.Max(m_Corners[side].z, End(side).z)); row++)
                     (m_Rows[row] ??= new List<int>()).Add(side);
             }
         }
@@ -101,7 +102,7 @@ namespace Alate.Geometry
             return cells;
         }
 
-        private PlanPoint End(int side) => m_Corners[side + 1 < m_Corners.Count ? side + 1 : 0];
+        private PlanPoint End(int side) => m_Corners[side + 1 < m_Corners.Length ? side + 1 : 0];
 
         private List<int> SidesAt(double z) => z < bounds.low || z > bounds.high ? s_None : m_Rows[Row(z)] ?? s_None;
 

@@ -33,13 +33,13 @@ namespace Alate.Authoring
         private const double k_LeastContrast = 8.0;
 
         private readonly PixelPlane[] m_Channels;
-        private readonly SmoothSurface[] m_Surfaces;
+        private readonly SmoothSurface m_Surface;
 
         private PlainGround(PixelPlane[] channels)
         {
             m_Channels = channels;
             Distance = new PixelPlane(channels[0].width, channels[0].height);
-            m_Surfaces = Array.ConvertAll(channels, channel => new SmoothSurface(channel.width, channel.height));
+            m_Surface = new SmoothSurface(Distance.width, Distance.height, channels.Length);
         }
 
         /// <summary>
@@ -90,38 +90,34 @@ namespace Alate.Authoring
 
         private void Fit(List<(int Column, int Row)> samples)
         {
-            double[] residuals = new double[samples.Count];
+            double[] residuals = new double[samples.Count], values = new double[m_Channels.Length];
             StartFromMedians(samples);
             for (int round = 0; round < k_Rounds; round++)
             {
                 for (int k = 0; k < residuals.Length; k++)
                     residuals[k] = DistanceAt(samples[k].Column, samples[k].Row);
                 double reach = k_TukeyReach * Math.Max(k_LeastSpread, k_SpreadOverMedian * Median(residuals));
-                for (int c = 0; c < m_Channels.Length; c++)
+                for (int k = 0; k < residuals.Length; k++)
                 {
-                    for (int k = 0; k < residuals.Length; k++)
-                    {
-                        (int column, int row) = samples[k];
-                        m_Surfaces[c].Add(column, row, m_Channels[c][column, row], Biweight(residuals[k] / reach));
-                    }
-
-                    m_Surfaces[c].Fit();
+                    double weight = Biweight(residuals[k] / reach);
+                    if (weight == 0.0)
+                        continue;
+                    (int column, int row) = samples[k];
+                    for (int c = 0; c < values.Length; c++)
+                        values[c] = m_Channels[c][column, row];
+                    m_Surface.Add(column, row, values, weight);
                 }
+
+                m_Surface.Fit();
             }
         }
 
         private void StartFromMedians(List<(int Column, int Row)> samples)
         {
-            for (int c = 0; c < m_Channels.Length; c++)
-            {
-                double[] values = new double[samples.Count];
-                for (int k = 0; k < values.Length; k++)
-                    values[k] = m_Channels[c][samples[k].Column, samples[k].Row];
-                double median = Median(values);
-                foreach ((int column, int row) in samples)
-                    m_Surfaces[c].Add(column, row, median, 1.0);
-                m_Surfaces[c].Fit();
-            }
+            double[] medians = Array.ConvertAll(m_Channels, channel => Median(samples.ConvertAll(sample => (double)channel[sample.Column, sample.Row]).ToArray()));
+            foreach ((int column, int row) in samples)
+                m_Surface.Add(column, row, medians, 1.0);
+            m_Surface.Fit();
         }
 
         private void MeasureDistances()
@@ -146,7 +142,7 @@ namespace Alate.Authoring
             double sum = 0.0;
             for (int c = 0; c < m_Channels.Length; c++)
             {
-                double difference = m_Channels[c][column, row] - m_Surfaces[c].At(column, row);
+                double difference = m_Channels[c][column, row] - m_Surface.At(c, column, row);
                 sum += difference * difference;
             }
 

@@ -81,6 +81,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void TheFileIsTheSame_EachTimeAndWhateverTheCulture()
         {
             using (new CommaCulture())

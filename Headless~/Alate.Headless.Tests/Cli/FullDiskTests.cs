@@ -119,10 +119,10 @@ namespace Alate.Tests.Cli
             }
         }
 
-        [TestCase("species > /dev/full")]
+        [TestCase("species > /dev/full", Explicit = true, Category = "Long")]
         [TestCase("species monarch > /dev/full")]
-        [TestCase("--help > /dev/full")]
-        [TestCase("--version > /dev/full")]
+        [TestCase("--help > /dev/full", Explicit = true, Category = "Long")]
+        [TestCase("--version > /dev/full", Explicit = true, Category = "Long")]
         [TestCase("swim 2> /dev/full")]
         public void StandardOutputOnAFullDisk_IsOneLine(string command)
         {

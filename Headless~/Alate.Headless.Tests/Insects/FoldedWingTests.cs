@@ -43,7 +43,13 @@ namespace Alate.Tests.Insects
             }
         }
 
-        [TestCaseSource(nameof(All))]
+        [TestCase("monarch")]
+        [TestCase("swallowtail", Explicit = true, Category = "Long")]
+        [TestCase("firefly")]
+        [TestCase("fishfly", Explicit = true, Category = "Long")]
+        [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]
+        [TestCase("snailfish", Explicit = true, Category = "Long")]
+        [TestCase("dragonfly", Explicit = true, Category = "Long")]
         public void HardlyAnyOfAWing_IsWithinTheBody(string name)
         {
             var folded = FoldedSpecies.Of(name);

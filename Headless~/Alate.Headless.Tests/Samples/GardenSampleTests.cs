@@ -42,26 +42,12 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
     }
 
     [UnityTest]
-    public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins()
-    {
-        yield return Begin();
-        DrawnScreen.Slide("Butterflies", 0f);
-        InsectFlight fish = Sample.GetComponentsInChildren<InsectFlight>().Single(flight => flight.name == "Snailfish");
-        yield return Frames(20 * 60);
-        float turned = 0f;
-        Vector3 before = fish.Position;
-        for (int frame = 0; frame < 60 * 60; frame++)
-        {
-            yield return null;
-            Assert.That((fish.Problem, fish.State), Is.EqualTo((FlightProblem.None, FlightState.Flying)), $"frame {frame}");
-            Assert.That(new Vector2(fish.Position.x, fish.Position.z).magnitude, Is.EqualTo(20f).Within(3f), $"frame {frame}");
-            Assert.That(fish.Position.y, Is.EqualTo(-3f).Within(1.5f), $"frame {frame}");
-            turned += Vector3.SignedAngle(before, fish.Position, Vector3.up);
-            before = fish.Position;
-        }
+    public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins() => Swim(15);
 
-        Assert.That(Mathf.Abs(turned), Is.EqualTo(Mathf.Rad2Deg * 60f * 0.2f * 10f / 20f).Within(60f));
-    }
+    [UnityTest]
+    [Explicit]
+    [Category("Long")]
+    public IEnumerator TheSnailfish_SwimsForAMinute() => Swim(60);
 
     [UnityTest]
     public IEnumerator TheSlider_MakesAndEndsButterflies([Values(0, 5)] int count)
@@ -86,5 +72,26 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         }
 
         Assert.That(brightest, dusk > 0f ? Is.GreaterThan(1f) : Is.Zero);
+    }
+
+    private IEnumerator Swim(int seconds)
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 0f);
+        InsectFlight fish = Sample.GetComponentsInChildren<InsectFlight>().Single(flight => flight.name == "Snailfish");
+        yield return Frames(20 * 60);
+        float turned = 0f;
+        Vector3 before = fish.Position;
+        for (int frame = 0; frame < 60 * seconds; frame++)
+        {
+            yield return null;
+            Assert.That((fish.Problem, fish.State), Is.EqualTo((FlightProblem.None, FlightState.Flying)), $"frame {frame}");
+            Assert.That(new Vector2(fish.Position.x, fish.Position.z).magnitude, Is.EqualTo(20f).Within(3f), $"frame {frame}");
+            Assert.That(fish.Position.y, Is.EqualTo(-3f).Within(1.5f), $"frame {frame}");
+            turned += Vector3.SignedAngle(before, fish.Position, Vector3.up);
+            before = fish.Position;
+        }
+
+        Assert.That(Mathf.Abs(turned), Is.EqualTo(Mathf.Rad2Deg * seconds * 0.2f * 10f / 20f).Within(seconds));
     }
 }

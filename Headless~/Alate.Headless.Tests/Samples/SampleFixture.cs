@@ -14,11 +14,16 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
     /// <summary>The sample's script, on an object of its own.</summary>
     protected T Sample { get; private set; }
 
+    /// <inheritdoc/>
+    protected override bool KeepsParts => true;
+
     protected IEnumerable<InsectWings> Insects => Sample.GetComponentsInChildren<InsectWings>();
 
     [UnityTest]
     public IEnumerator RunsHundredsOfFrames_WithBeatingWings_LeavesNothing_AndBeginsAgain()
     {
+        GiveBackParts();
+        yield return Frames(2);
         int before = Count();
         yield return Begin();
         Shrink();

@@ -8,8 +8,8 @@ namespace Alate.Catalogue
     {
         private static readonly Dictionary<string, SharedAssets> s_Kits = new Dictionary<string, SharedAssets>();
 
-        /// <summary>Number of species in use.</summary>
-        public static int Count => s_Kits.Count;
+        /// <summary>Names of the species in use.</summary>
+        public static IReadOnlyCollection<string> InUse => s_Kits.Keys;
 
         /// <summary>Finds or makes the parts of a species and adds one user.</summary>
         /// <param name="species">Its name in the catalogue.</param>

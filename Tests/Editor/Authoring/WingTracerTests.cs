@@ -7,10 +7,10 @@ namespace Alate.Editor.Tests
 {
     public sealed class WingTracerTests
     {
-        [TestCase(false, 0f)]
+        [TestCase(false, 0f, Explicit = true, Category = "Long")]
         [TestCase(false, 25f)]
         [TestCase(true, 0f)]
-        [TestCase(true, 25f)]
+        [TestCase(true, 25f, Explicit = true, Category = "Long")]
         public void Mesh_HasTheHingeAtItsOrigin_TheLeadingEdgeAhead_AndTheSideOfThePicture(bool isLeft, float degrees)
         {
             WingTrace trace = Trace(DrawnWing.Monarch(), isLeft, degrees);
@@ -54,7 +54,7 @@ namespace Alate.Editor.Tests
         }
 
         [TestCase(50)]
-        [TestCase(333)]
+        [TestCase(333, Explicit = true, Category = "Long")]
         [TestCase(5000)]
         public void Mesh_HasTheTrianglesAskedFor(int triangles)
         {
@@ -80,7 +80,7 @@ namespace Alate.Editor.Tests
         }
 
         [TestCase(false, 0f, Explicit = true, Category = "Long")]
-        [TestCase(false, 25f)]
+        [TestCase(false, 25f, Explicit = true, Category = "Long")]
         [TestCase(false, -20f, Explicit = true, Category = "Long")]
         [TestCase(true, 0f, Explicit = true, Category = "Long")]
         [TestCase(true, 25f, Explicit = true, Category = "Long")]

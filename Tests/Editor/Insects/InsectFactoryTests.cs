@@ -12,7 +12,7 @@ namespace Alate.Editor.Tests
             InsectWings one = InsectFactory.Create("firefly"), two = InsectFactory.Create("firefly");
             Mesh mesh = MeshOf(one), other = MeshOf(two);
 
-            Assert.That(GeneratedAssets.Count, Is.Zero);
+            Assert.That(GeneratedAssets.InUse, Is.Empty);
             Assert.That(mesh.hideFlags, Is.EqualTo(HideFlags.None), "the mesh would not be saved with the scene");
             Assert.That(one.Preset.hideFlags, Is.EqualTo(HideFlags.None));
             Assert.That(other, Is.Not.SameAs(mesh));

@@ -31,7 +31,7 @@ namespace Alate.Editor.Tests
         }
 
         [TestCase("monarch", Explicit = true, Category = "Long")]
-        [TestCase("swallowtail")]
+        [TestCase("swallowtail", Explicit = true, Category = "Long")]
         [TestCase("firefly", Explicit = true, Category = "Long")]
         [TestCase("fishfly", Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]

@@ -7,6 +7,9 @@ namespace Alate.Tests.Play.Headless
     {
         internal CrowdScene Scene { get; set; }
 
+        /// <inheritdoc/>
+        protected override bool KeepsParts => true;
+
         [TearDown]
         public void ClearScene()
         {

@@ -6,6 +6,9 @@ namespace Alate.Tests.Play
     /// <summary>Play-mode tests of insects that fly by their own wings.</summary>
     public abstract class FlightFixture : PlayFixture
     {
+        /// <inheritdoc/>
+        protected override bool KeepsParts => true;
+
         /// <summary>Insect of the catalogue that flies, computed also out of the sight of cameras.</summary>
         protected InsectFlight Hatch(string name = "monarch")
         {

@@ -40,7 +40,7 @@ namespace Alate.Tests.PlaySessions
             Object.Destroy(young.gameObject);
             yield return null;
             yield return null;
-            Assert.That(GeneratedAssets.Count, Is.Zero);
+            Assert.That(GeneratedAssets.InUse, Is.Empty);
             Assert.That(Count(), Is.EqualTo(before));
             yield return new ExitPlayMode();
         }

@@ -10,7 +10,7 @@ namespace Alate.Tests
 {
     public sealed unsafe class NewtonAgainstDenseTests
     {
-        private const int k_Few = 15, k_Many = 200;
+        private const int k_Few = 8, k_Many = 200;
 
         /// <summary>f_ref and substep of the species' presets lie about here: 12 Hz, 24 substeps of a beat of 10 Hz.</summary>
         private const float k_BeatRate = 2f * math.PI * 12f, k_Dt = 1f / 240f;

@@ -51,9 +51,14 @@ public static class TestSession
         }
     }
 
-    /// <summary>Enters or leaves play mode if the next test needs it; that goes with an empty scene.</summary>
+    /// <summary>
+    /// Enters or leaves play mode if the next test needs it; that goes with an empty scene. In play a frame passes between two tests, with what the tear-down of a
+    /// class has destroyed.
+    /// </summary>
     private static void SetMode(bool plays)
     {
+        if (PlayerLoop.IsPlaying)
+            PlayerLoop.Tick(FrameTime);
         if (plays == PlayerLoop.IsPlaying)
             return;
         if (plays)

@@ -43,7 +43,7 @@ namespace Alate.Tests.Play
         public IEnumerator InsectsOfOneSpecies_ShareEverythingButTheirLivingMeshes()
         {
             InsectWings one = Made("swallowtail"), two = Made("swallowtail");
-            Assert.That(GeneratedAssets.Count, Is.EqualTo(1));
+            Assert.That(GeneratedAssets.InUse, Has.Count.EqualTo(1));
             for (int wing = 0; wing < one.Wings.Count; wing++)
             {
                 Assert.That(two.Wings[wing].Skeleton, Is.SameAs(one.Wings[wing].Skeleton));

@@ -18,9 +18,9 @@ namespace Alate.Tests
             yield return new TestCaseData("swallowtail", 1, 0.105, 2.0).Explicit("Long").SetCategory("Long");
             yield return new TestCaseData("firefly", 0, 0.185, 1.0);
             yield return new TestCaseData("fishfly", 0, 0.43, 1.5).Explicit("Long").SetCategory("Long");
-            yield return new TestCaseData("fishfly", 1, 0.325, 1.5);
+            yield return new TestCaseData("fishfly", 1, 0.325, 1.5).Explicit("Long").SetCategory("Long");
             yield return new TestCaseData("painted-lichen-moth", 0, 0.136, 1.5).Explicit("Long").SetCategory("Long");
-            yield return new TestCaseData("snailfish", 0, 0.39, 1.0);
+            yield return new TestCaseData("snailfish", 0, 0.39, 1.0).Explicit("Long").SetCategory("Long");
         }
 
         [TestCaseSource(nameof(Bounds))]
