@@ -49,6 +49,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void StretchMap_IsPaleWhereNothingStretches_AndDarkWhereItDoes()
         {
             FlightRecord flight = MonarchFlight.Level;

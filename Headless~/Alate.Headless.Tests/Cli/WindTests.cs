@@ -79,6 +79,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void Gusts_AreSaidInTheTable()
         {
             using var run = new CommandRun();

@@ -38,17 +38,24 @@ internal static class KeywordSets
 
     /// <summary>Macros of so many variants of a stage that any two lines of the pragmas meet in every two of their keywords.</summary>
     /// <inheritdoc cref="Of"/>
-    public static IEnumerable<string[]> PairsOf(string program, string stage, string mentioned)
+    public static IEnumerable<string[]> PairsOf(string program, string stage, string mentioned) => Covering(program, stage, mentioned, Pairs);
+
+    /// <summary>Macros of so many variants of a stage that each keyword is in one of them.</summary>
+    /// <inheritdoc cref="Of"/>
+    public static IEnumerable<string[]> EachOf(string program, string stage, string mentioned) =>
+        Covering(program, stage, mentioned, set => set.Select((words, line) => (line, words, line, words)));
+
+    private static IEnumerable<string[]> Covering(string program, string stage, string mentioned, Func<string[], IEnumerable<(int, string, int, string)>> parts)
     {
         List<string[]> left = Product(program, stage, mentioned), taken = [];
         HashSet<(int, string, int, string)> met = [];
         while (true)
         {
-            string[] best = left.MaxBy(set => Pairs(set).Count(pair => !met.Contains(pair)));
-            if (taken.Count > 0 && Pairs(best).All(met.Contains))
+            string[] best = left.MaxBy(set => parts(set).Count(part => !met.Contains(part)));
+            if (taken.Count > 0 && parts(best).All(met.Contains))
                 return Macros(program, stage, taken);
             taken.Add(best);
-            met.UnionWith(Pairs(best));
+            met.UnionWith(parts(best));
         }
     }
 

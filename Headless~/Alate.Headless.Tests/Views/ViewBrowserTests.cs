@@ -38,9 +38,6 @@ namespace Alate.Tests.Views
                 Assert.That("sha384-" + Convert.ToBase64String(SHA384.HashData(File.ReadAllBytes(Path.Combine(WebTools.Three, name)))), Is.EqualTo(hash), name);
         }
 
-        [Test]
-        public void Insect_BeatsInTheBrowser() => Try("beats");
-
         [Test, Explicit, Category("Long")]
         public void Page_DoesWhatItSays() => Try(
             "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause", "comparison", "overlays", "species", "files",
