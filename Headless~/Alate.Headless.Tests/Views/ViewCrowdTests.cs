@@ -15,6 +15,7 @@ namespace Alate.Tests.Views
         [Test]
         public void PagesBeyondTheLastOne_AreRefused_UntilOneLeaves() => Fly(async () =>
         {
+            await AllHaveLeft();
             var pages = new List<ViewClient>();
             for (int k = 0; k < ViewServer.MostPages; k++)
                 pages.Add(await ViewClient.Open(Server));
@@ -22,8 +23,7 @@ namespace Alate.Tests.Views
 
             foreach (ViewClient page in pages)
                 await page.DisposeAsync();
-            for (int wait = 0; Server.Pages > 0 && wait < 500; wait++)
-                await Task.Delay(10);
+            await AllHaveLeft();
             await using ViewClient next = await ViewClient.Open(Server);
             Assert.That((await next.ReadState()).Columns, Is.EqualTo(1));
         });
@@ -60,5 +60,12 @@ namespace Alate.Tests.Views
 
             Assert.Fail("Nobody is served afterwards.");
         });
+
+        // The server notices a little later that a page has gone.
+        private async Task AllHaveLeft()
+        {
+            for (int wait = 0; Server.Pages > 0 && wait < 500; wait++)
+                await Task.Delay(10);
+        }
     }
 }

@@ -50,10 +50,7 @@ public struct JobHandle : IEquatable<JobHandle>
 
     public static JobHandle CombineDependencies(NativeArray<JobHandle> jobs) => JobFence.Combine(jobs.AsReadOnlySpan());
 
-    /// <summary>Nothing to do: here a job starts when it is scheduled.</summary>
-    public static void ScheduleBatchedJobs()
-    {
-    }
+    public static void ScheduleBatchedJobs() => JobTable.Wake();
 
     /// <summary>Returns true where the first job is complete, or the second waits for it.</summary>
     public static bool CheckFenceIsDependencyOrDidSyncFence(JobHandle jobHandle, JobHandle dependsOn) =>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using StandIns;
+using Unity.Jobs;
 using UnityEngine;
 using UnityEngine.SceneManagement;
 
@@ -109,6 +110,7 @@ public static class PlayerLoop
         if (IsPlaying && (DrawnScreen.IsExpectingActs || BehaviourList.AnyHears(s_OnGui)))
             DrawnScreen.Draw(s_DrawAll);
         CoroutineSet.ResumeAll(FramePoint.EndOfFrame);
+        JobHandle.ScheduleBatchedJobs();
         FrameEnding?.Invoke();
         Visibility.Update();
         Doomed.End();

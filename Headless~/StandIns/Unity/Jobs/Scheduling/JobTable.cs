@@ -49,6 +49,7 @@ internal static class JobTable
                 return true;
         }
 
+        Wake();
         if (JobWorkers.Count == 0)
             ExecuteOne();
         return false;
@@ -102,8 +103,20 @@ internal static class JobTable
             Array.Resize(ref s_Ready, 2 * s_ReadyCount);
         s_Ready[s_ReadyCount] = record;
         s_ReadyCount++;
-        if (s_Sleeping > 0)
+
+        // A job of one batch waits until it is sent off or somebody asks for it; then often he executes it himself.
+        if (record.BatchCount > 1 && s_Sleeping > 0)
             Monitor.PulseAll(Gate);
+    }
+
+    /// <summary>Wakes the workers if there is a job that can run.</summary>
+    public static void Wake()
+    {
+        lock (Gate)
+        {
+            if (s_ReadyCount > 0 && s_Sleeping > 0)
+                Monitor.PulseAll(Gate);
+        }
     }
 
     public static void Finish(JobRecord record)
