@@ -104,7 +104,7 @@ internal static class JobTable
         s_Ready[s_ReadyCount] = record;
         s_ReadyCount++;
 
-        // A job of one batch waits until it is sent off or somebody asks for it; then often he executes it himself.
+        // A job of one batch waits until jobs are sent off, or its handle is asked for: the main thread that completes it executes it.
         if (record.BatchCount > 1 && s_Sleeping > 0)
             Monitor.PulseAll(Gate);
     }
