@@ -39,7 +39,9 @@ namespace Alate.Catalogue
             double across = (m_Outline.LeadingAt(Math.Clamp(span, 0, k_TipStart)) - forward) / width;
             double blend = softness / Math.Max(width, 0.05);
             float hind = span < k_Tornus ? Ink.Within(-across, -1, blend) : 0f;
-            var colour = Color.Lerp(ForeWing(span, across, blend), HindWing(span, forward, softness), hind);
+            Color colour = ForeWing(span, across, blend);
+            if (hind > 0f)
+                colour = Color.Lerp(colour, HindWing(span, forward, softness), hind);
             float seamLine = span < k_Tornus ? Ink.Within(Math.Abs(forward - seam), k_SeamHalfWidth, softness) : 0f;
             return Color.Lerp(colour, s_Grey, seamLine);
         }

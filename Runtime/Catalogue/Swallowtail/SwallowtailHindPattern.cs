@@ -47,31 +47,20 @@ namespace Alate.Catalogue
             float dark = m_Veins.Veins(span, forward, vein, softness);
             dark = Math.Max(dark, m_Veins.CrossVeins(span, forward, vein, softness));
             colour = Color.Lerp(colour, SwallowtailColours.Dusk, m_InnerMargin.Line(span, forward, 0.055, 0.05));
-            colour = Color.Lerp(colour, SwallowtailColours.Black, Math.Max(dark, Border(span, forward, softness)));
-            double belt = m_Belt.Distance(span, forward, out double onBelt, k_BeltWidth + softness);
+            double belt = m_Belt.Distance(span, forward, out double onBelt, k_BeltWidth + k_Scallop + softness);
+            double edge = m_Border.Distance(span, forward, out double onEdge, k_BorderWidth + softness);
+            double foot = m_Foot.Distance(span, forward, out double onFoot, k_BorderWidth + softness);
+            double inner = k_BeltWidth + k_Scallop * Math.Cos(2 * Math.PI * onBelt / k_SpotSpacing);
+            dark = Math.Max(dark, Math.Max(Ink.Within(belt, inner, softness), Ink.Within(Math.Min(edge, foot), k_BorderWidth, softness)));
+            colour = Color.Lerp(colour, SwallowtailColours.Black, dark);
             float blue = Ink.Row(onBelt, belt, k_SpotSpacing, 0, 0.047, 0.036, softness + 0.02) * Ink.Between(onBelt, 0, k_BeltLength, softness);
             colour = Color.Lerp(colour, SwallowtailColours.Blue, 0.85f * blue);
-            colour = Color.Lerp(colour, SwallowtailColours.Yellow, Crescents(span, forward, softness));
+            float outer = Ink.Row(onEdge, edge, k_CrescentSpacing, 0.066, 0.042, 0.025, softness) * Ink.Between(onEdge, k_CrescentSpacing, 6 * k_CrescentSpacing, softness);
+            float lower = Ink.Row(onFoot, foot, k_CrescentSpacing, 0.062, 0.045, 0.022, softness) * Ink.Between(onFoot, k_CrescentSpacing, 2 * k_CrescentSpacing, softness);
+            colour = Color.Lerp(colour, SwallowtailColours.Yellow, Math.Max(outer, lower));
             colour = Eye(colour, span, forward, softness);
             float rim = Math.Max(m_Rim.Line(span, forward, k_RimWidth, softness), Ink.Within(forward, k_TailRoot, softness));
             return Color.Lerp(colour, SwallowtailColours.Black, rim);
-        }
-
-        private float Border(double span, double forward, double softness)
-        {
-            double belt = m_Belt.Distance(span, forward, out double along, k_BeltWidth + k_Scallop + softness);
-            double inner = k_BeltWidth + k_Scallop * Math.Cos(2 * Math.PI * along / k_SpotSpacing);
-            float margin = Math.Max(m_Border.Line(span, forward, k_BorderWidth, softness), m_Foot.Line(span, forward, k_BorderWidth, softness));
-            return Math.Max(Ink.Within(belt, inner, softness), margin);
-        }
-
-        private float Crescents(double span, double forward, double softness)
-        {
-            double edge = m_Border.Distance(span, forward, out double along, k_BorderWidth + softness);
-            double foot = m_Foot.Distance(span, forward, out double onFoot, k_BorderWidth + softness);
-            float outer = Ink.Row(along, edge, k_CrescentSpacing, 0.066, 0.042, 0.025, softness) * Ink.Between(along, k_CrescentSpacing, 6 * k_CrescentSpacing, softness);
-            float lower = Ink.Row(onFoot, foot, k_CrescentSpacing, 0.062, 0.045, 0.022, softness) * Ink.Between(onFoot, k_CrescentSpacing, 2 * k_CrescentSpacing, softness);
-            return Math.Max(outer, lower);
         }
 
         private static Color Eye(Color colour, double span, double forward, double softness)
