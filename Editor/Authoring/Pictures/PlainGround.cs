@@ -33,13 +33,13 @@ namespace Alate.Authoring
         private const double k_LeastContrast = 8.0;
 
         private readonly PixelPlane[] m_Channels;
-        private readonly SmoothSurface m_Surface;
+        private readonly SmoothSurfaces m_Surfaces;
 
         private PlainGround(PixelPlane[] channels)
         {
             m_Channels = channels;
             Distance = new PixelPlane(channels[0].width, channels[0].height);
-            m_Surface = new SmoothSurface(Distance.width, Distance.height, channels.Length);
+            m_Surfaces = new SmoothSurfaces(Distance.width, Distance.height, channels.Length);
         }
 
         /// <summary>
@@ -105,10 +105,10 @@ namespace Alate.Authoring
                     (int column, int row) = samples[k];
                     for (int c = 0; c < values.Length; c++)
                         values[c] = m_Channels[c][column, row];
-                    m_Surface.Add(column, row, values, weight);
+                    m_Surfaces.Add(column, row, values, weight);
                 }
 
-                m_Surface.Fit();
+                m_Surfaces.Fit();
             }
         }
 
@@ -116,8 +116,8 @@ namespace Alate.Authoring
         {
             double[] medians = Array.ConvertAll(m_Channels, channel => Median(samples.ConvertAll(sample => (double)channel[sample.Column, sample.Row]).ToArray()));
             foreach ((int column, int row) in samples)
-                m_Surface.Add(column, row, medians, 1.0);
-            m_Surface.Fit();
+                m_Surfaces.Add(column, row, medians, 1.0);
+            m_Surfaces.Fit();
         }
 
         private void MeasureDistances()
@@ -142,7 +142,7 @@ namespace Alate.Authoring
             double sum = 0.0;
             for (int c = 0; c < m_Channels.Length; c++)
             {
-                double difference = m_Channels[c][column, row] - m_Surface.At(c, column, row);
+                double difference = m_Channels[c][column, row] - m_Surfaces.At(c, column, row);
                 sum += difference * difference;
             }
 

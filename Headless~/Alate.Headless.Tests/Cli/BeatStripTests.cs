@@ -90,6 +90,13 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void ItsTexts_AreTheSame_WhateverTheCulture()
+        {
+            using (new CommaCulture())
+                Assert.That(BeatStrip.Compose(MonarchFlight.Level, out _).Texts, Is.EqualTo(m_Page.Texts));
+        }
+
+        [Test]
         public void AWingWithoutColours_IsDrawnToo()
         {
             using var run = new CommandRun();

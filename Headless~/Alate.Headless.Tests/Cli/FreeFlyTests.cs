@@ -1,9 +1,11 @@
 using System;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
+using Alate.Cli.Commands;
 using Alate.Cli.FreeFlights;
 using Alate.Flight;
 using NUnit.Framework;
@@ -93,6 +95,18 @@ namespace Alate.Tests.Cli
 
             Assert.That(Track(7), Is.EqualTo(flown));
             Assert.That(Track(8), Is.Not.EqualTo(flown));
+        }
+
+        [Test]
+        public void Seed_IsThatOfTheTrack()
+        {
+            var command = new Command("fly");
+            var options = new FreeOptions();
+            options.AddTo(command);
+
+            FreePlan plan = options.Plan(command.Parse("--free --pilot wander --seed 7"), "monarch", 1, "out");
+
+            Assert.That(plan.WanderSeed, Is.EqualTo(7));
         }
 
         [Test]

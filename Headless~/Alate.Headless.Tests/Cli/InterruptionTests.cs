@@ -20,7 +20,7 @@ namespace Alate.Tests.Cli
         public void RemoveFolder() => m_Folder.Dispose();
 
         [TestCase("INT", 130)]
-        [TestCase("TERM", 143)]
+        [TestCase("TERM", 143, Explicit = true, Category = "Long")]
         public void StoppedRun_LeavesNoFile_NoFolder_AndItsExitCode(string signal, int expected)
         {
             NeedsFile("/bin/kill", "/usr/bin/kill");
@@ -52,8 +52,6 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
-        [Explicit]
-        [Category("Long")]
         public void CtrlC_ShowsTheCursorAgain()
         {
             const string hide = "\u001b[?25l", show = "\u001b[?25h";

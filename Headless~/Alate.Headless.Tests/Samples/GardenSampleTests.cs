@@ -92,7 +92,7 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
             before = fish.Position;
         }
 
-        // To a degree a second.
+        // Within one degree for each second.
         Assert.That(Mathf.Abs(turned), Is.EqualTo(Mathf.Rad2Deg * seconds * 0.2f * 10f / 20f).Within(seconds));
     }
 }

@@ -40,15 +40,15 @@ internal static class KeywordSets
     /// <inheritdoc cref="Of"/>
     public static IEnumerable<string[]> PairsOf(string program, string stage, string mentioned) => Covering(program, stage, mentioned, Pairs);
 
-    /// <summary>Macros of so many variants of a stage that each keyword is in one of them.</summary>
+    /// <summary>Macros of variants of a stage that together set every keyword.</summary>
     /// <inheritdoc cref="Of"/>
     public static IEnumerable<string[]> EachOf(string program, string stage, string mentioned) =>
-        Covering(program, stage, mentioned, set => set.Select((words, line) => (line, words, line, words)));
+        Covering(program, stage, mentioned, set => set.Select((words, line) => (line, words)));
 
-    private static IEnumerable<string[]> Covering(string program, string stage, string mentioned, Func<string[], IEnumerable<(int, string, int, string)>> parts)
+    private static IEnumerable<string[]> Covering<T>(string program, string stage, string mentioned, Func<string[], IEnumerable<T>> parts)
     {
         List<string[]> left = Product(program, stage, mentioned), taken = [];
-        HashSet<(int, string, int, string)> met = [];
+        HashSet<T> met = [];
         while (true)
         {
             string[] best = left.MaxBy(set => parts(set).Count(part => !met.Contains(part)));

@@ -59,7 +59,11 @@ public sealed class WingShaderCompileTests
             {
                 string text = IncludedText.Of(pass.Program, ShaderFolder, [includes]);
                 foreach (string stage in s_Stages)
-                    Assert.That(Meeting(KeywordSets.PairsOf(pass.Program, stage, text)), Is.EquivalentTo(Meeting(KeywordSets.Of(pass.Program, stage, text))), pass.Name);
+                {
+                    List<string[]> all = [.. KeywordSets.Of(pass.Program, stage, text)];
+                    Assert.That(Meeting(KeywordSets.PairsOf(pass.Program, stage, text)), Is.EquivalentTo(Meeting(all)), pass.Name);
+                    Assert.That(KeywordSets.EachOf(pass.Program, stage, text).SelectMany(set => set).Distinct(), Is.EquivalentTo(all.SelectMany(set => set).Distinct()), pass.Name);
+                }
             }
         }
     }

@@ -35,6 +35,14 @@ namespace Alate.Tests.Views
                 Assert.That((await Client.GetAsync(file)).StatusCode, Is.EqualTo(HttpStatusCode.OK), file);
         }
 
+        [Test]
+        public void HashesOfThePage_AreThoseOfThePackage()
+        {
+            WebTools.NeedThree();
+            foreach ((string name, string hash) in ThreeSource.Hashes)
+                Assert.That("sha384-" + Convert.ToBase64String(SHA384.HashData(File.ReadAllBytes(Path.Combine(WebTools.Three, name)))), Is.EqualTo(hash), name);
+        }
+
         [TestCase("/../../../../etc/passwd")]
         [TestCase("/%2e%2e/%2e%2e/etc/passwd")]
         [TestCase("/..%5c..%5cwindows%5cwin.ini")]

@@ -29,11 +29,17 @@ namespace Alate.Tests.Views
                 Assert.Ignore("chromium is not installed.");
         }
 
-        /// <summary>Skips the test where Node or its packages are missing.</summary>
-        public static void NeedNode()
+        /// <summary>Skips the test where the packages of npm are missing.</summary>
+        public static void NeedThree()
         {
             if (!Directory.Exists(Three))
                 Assert.Ignore("The packages of Headless~/Web are not installed (npm ci).");
+        }
+
+        /// <summary>Skips the test where Node or its packages are missing.</summary>
+        public static void NeedNode()
+        {
+            NeedThree();
             string path = Environment.GetEnvironmentVariable("PATH") ?? "";
             if (!path.Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, "node")) || File.Exists(Path.Combine(folder, "node.exe"))))
                 Assert.Ignore("node is not installed.");

@@ -8,8 +8,8 @@ namespace Alate.Catalogue
     {
         private static readonly Dictionary<string, SharedAssets> s_Kits = new Dictionary<string, SharedAssets>();
 
-        /// <summary>Names of the species in use.</summary>
-        public static IReadOnlyCollection<string> InUse => s_Kits.Keys;
+        /// <summary>The parts in use, one kit for each species.</summary>
+        public static IReadOnlyCollection<SharedAssets> InUse => s_Kits.Values;
 
         /// <summary>Finds or makes the parts of a species and adds one user.</summary>
         /// <param name="species">Its name in the catalogue.</param>

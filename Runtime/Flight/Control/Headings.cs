@@ -12,7 +12,7 @@ namespace Alate.Flight
             return math.atan2(ahead.x, ahead.z);
         }
 
-        /// <summary>The same angle between −π and π.</summary>
+        /// <summary>Angle less whole turns, −π to π.</summary>
         public static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
     }
 }

@@ -4,7 +4,8 @@ namespace Alate.Flight
 {
     /// <summary>
     /// Body of an insect that a perch holds. From where a whole downstroke just clears the surface the body glides down with raised beats, turning onto the surface and to the
-    /// wanted heading, and sits; before a start the raised wings beat while the legs hold on, then the legs push the body up to where the wings can beat wholly.
+    /// wanted heading, and sits; before a start the raised wings beat while the legs hold on, then the legs push the body up to where the wings can beat wholly. The default value
+    /// holds no insect.
     /// </summary>
     internal struct Perching
     {
@@ -116,8 +117,7 @@ namespace Alate.Flight
         /// <param name="wings">Its wings.</param>
         /// <param name="heading">Where the insect is to fly, radians; while its wings get going it turns there on its feet. Not a number leaves it as it sits.</param>
         /// <param name="dt">Seconds.</param>
-        /// <returns>Whether the insect flies from now on.</returns>
-        public bool Start(ref FlyingBody body, in HeldWings wings, float heading, float dt)
+        public void Start(ref FlyingBody body, in HeldWings wings, float heading, float dt)
         {
             if (m_Stage < Stage.Standing)
                 Stand(body.rotation, wings);
@@ -125,7 +125,7 @@ namespace Alate.Flight
             {
                 m_Stage = Stage.Free;
                 wings.PlaceOnBob();
-                return true;
+                return;
             }
 
             m_Time += dt;
@@ -140,7 +140,7 @@ namespace Alate.Flight
             {
                 body.rotation = m_Seat;
                 Hold(ref body);
-                return false;
+                return;
             }
 
             wings.PlaceOnBob();
@@ -154,7 +154,6 @@ namespace Alate.Flight
 
             body.rotation = math.slerp(m_FromRotation, body.rotation, Smooth(m_Time / m_WayTime));
             Hold(ref body);
-            return false;
         }
 
         /// <summary>Centre of mass with the feet where they are, world units.</summary>

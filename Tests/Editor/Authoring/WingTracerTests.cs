@@ -80,7 +80,7 @@ namespace Alate.Editor.Tests
         }
 
         [TestCase(false, 0f, Explicit = true, Category = "Long")]
-        [TestCase(false, 25f, Explicit = true, Category = "Long")]
+        [TestCase(false, 25f)]
         [TestCase(false, -20f, Explicit = true, Category = "Long")]
         [TestCase(true, 0f, Explicit = true, Category = "Long")]
         [TestCase(true, 25f, Explicit = true, Category = "Long")]

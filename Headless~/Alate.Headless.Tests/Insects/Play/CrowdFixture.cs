@@ -13,6 +13,7 @@ namespace Alate.Tests.Play.Headless
         [TearDown]
         public void ClearScene()
         {
+            KeepParts();
             Scene?.Clear();
             Scene = null;
         }

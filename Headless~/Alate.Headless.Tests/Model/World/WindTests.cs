@@ -68,8 +68,8 @@ namespace Alate.Tests
         public void InStillAir_NeitherSoftnessNorTopSpeedTearsAnyOtherWing(string species, int wing, InsectVariant variant) => AssertSoft(species, wing, variant);
 
         // Flutter is chaotic: wings that are hardly softer or stiffer than the species' own meet other moments of it.
-        [TestCase("fishfly", Explicit = true, Category = "Long")]
-        public void ALittleSofterOrStiffer_AGaleTearsNoExpressiveWing(string species) => AssertJittered(species, 0.02f);
+        [TestCase("fishfly")]
+        public void ALittleSofterOrStiffer_AGaleTearsNoExpressiveWing(string species) => AssertJittered(species, 0.1f);
 
         [TestCase("monarch")]
         [TestCase("swallowtail")]

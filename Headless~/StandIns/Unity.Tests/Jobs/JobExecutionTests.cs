@@ -79,6 +79,13 @@ public sealed class JobExecutionTests : SafetyFixture
         public void Execute() => value[0] = 2 * value[0] + 1;
     }
 
+    private struct SetFlag : IJob
+    {
+        public static volatile bool s_IsSet;
+
+        public readonly void Execute() => s_IsSet = true;
+    }
+
     private struct CountInField : IJobFor
     {
         public int count;
@@ -113,6 +120,24 @@ public sealed class JobExecutionTests : SafetyFixture
         Assert.That(RunAccumulate(job => job.ScheduleParallel(k_Length, 64, default)), Is.EqualTo(expected));
         JobsUtility.JobWorkerCount = 0;
         Assert.That(RunAccumulate(job => job.ScheduleParallel(k_Length, 64, default)), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void AJob_RunsOnAWorker_WhenJobsAreSentOff_OrAFrameEnds([Values] bool byFrame)
+    {
+        if (JobsUtility.JobWorkerCount == 0)
+            Assert.Ignore("There is no worker.");
+        new SetFlag().Schedule().Complete();
+        Thread.Sleep(50);
+        SetFlag.s_IsSet = false;
+        JobHandle job = new SetFlag().Schedule();
+        if (byFrame)
+            PlayerLoop.Tick(0.02f);
+        else
+            JobHandle.ScheduleBatchedJobs();
+
+        Assert.That(SpinWait.SpinUntil(() => SetFlag.s_IsSet, 5000), Is.True);
+        job.Complete();
     }
 
     [Test]

@@ -18,14 +18,7 @@ namespace Alate.Flight
         public bool IsFree => Guest == null || !Guest.isActiveAndEnabled;
 
         /// <summary>The place.</summary>
-        public PerchSpot Spot
-        {
-            get
-            {
-                float3 ahead = transform.forward;
-                return new PerchSpot { position = transform.position, normal = transform.up, heading = math.atan2(ahead.x, ahead.z) };
-            }
-        }
+        public PerchSpot Spot => new PerchSpot { position = transform.position, normal = transform.up, heading = Headings.Of(transform.rotation) };
 
         /// <summary>The nearest mark that is free, and not farther than a distance, world units; null for none.</summary>
         /// <param name="from">World units.</param>

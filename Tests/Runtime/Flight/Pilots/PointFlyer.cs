@@ -51,7 +51,7 @@ namespace Alate.Tests
             float speed = math.length(reference.xz);
             if (speed > k_SlowSpeed && math.length(wanted.xz) > 1e-3f)
             {
-                float course = math.atan2(reference.x, reference.z), turn = Wrap(math.atan2(wanted.x, wanted.z) - course);
+                float course = math.atan2(reference.x, reference.z), turn = Headings.Wrap(math.atan2(wanted.x, wanted.z) - course);
                 float most = limits.Acceleration / speed * dt;
                 if (math.abs(turn) > most)
                 {
@@ -70,10 +70,8 @@ namespace Alate.Tests
             float heading = math.length(situation.referenceVelocity.xz) > k_SlowSpeed || !math.isfinite(command.heading) && math.length(situation.referenceVelocity.xz) > 0.1f
                 ? math.atan2(situation.referenceVelocity.x, situation.referenceVelocity.z) : command.heading;
             if (math.isfinite(heading))
-                situation.heading += math.clamp(k_TurnRate * Wrap(heading - situation.heading), -k_MostTurning, k_MostTurning) * dt;
+                situation.heading += math.clamp(k_TurnRate * Headings.Wrap(heading - situation.heading), -k_MostTurning, k_MostTurning) * dt;
             situation.time += dt;
         }
-
-        private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));
     }
 }

@@ -47,9 +47,9 @@ internal static class JobTable
             JobRecord record = Find(handle);
             if (record == null || record.IsFinished)
                 return true;
+            Wake();
         }
 
-        Wake();
         if (JobWorkers.Count == 0)
             ExecuteOne();
         return false;
@@ -104,7 +104,7 @@ internal static class JobTable
         s_Ready[s_ReadyCount] = record;
         s_ReadyCount++;
 
-        // A job of one batch waits until jobs are sent off, or its handle is asked for: the main thread that completes it executes it.
+        // A job of one batch wakes nobody: a worker that is awake takes it, or the thread that completes it.
         if (record.BatchCount > 1 && s_Sleeping > 0)
             Monitor.PulseAll(Gate);
     }
@@ -170,7 +170,11 @@ internal static class JobTable
         Wait(handle);
         Exception error = null;
         lock (Gate)
+        {
             Sync(handle, ref error);
+            Wake();
+        }
+
         if (error != null)
             ExceptionDispatchInfo.Throw(error);
     }
@@ -202,6 +206,10 @@ internal static class JobTable
                 JobRecord record = Find(handle);
                 if (record == null || record.IsFinished)
                     return;
+
+                // This thread takes one job; the others are for the workers.
+                if (s_ReadyCount > 1)
+                    Wake();
             }
 
             if (ExecuteOne())

@@ -6,7 +6,7 @@ using Unity.StandIns;
 
 namespace Unity.Jobs;
 
-/// <summary>The threads that execute jobs: they look for work for a short while, then sleep until there is some.</summary>
+/// <summary>The threads that execute jobs: they look for work for a short while, then sleep until they are woken.</summary>
 internal static class JobWorkers
 {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS

@@ -3,7 +3,7 @@ using System;
 namespace Alate.Authoring
 {
     /// <summary>Quadratic polynomials over a picture, one for each channel, fitted to some of its pixels by least squares with weights.</summary>
-    internal sealed class SmoothSurface
+    internal sealed class SmoothSurfaces
     {
         private const int k_Terms = 6;
 
@@ -24,7 +24,7 @@ namespace Alate.Authoring
         /// <param name="width">Of the picture.</param>
         /// <param name="height">Of the picture.</param>
         /// <param name="channels">Number of polynomials.</param>
-        public SmoothSurface(int width, int height, int channels)
+        public SmoothSurfaces(int width, int height, int channels)
         {
             m_ScaleX = 2.0 / width;
             m_ScaleY = 2.0 / height;
