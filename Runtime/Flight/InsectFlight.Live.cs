@@ -181,8 +181,7 @@ namespace Alate.Flight
             m_Reference = new FlightReference(m_Perching.Jump, heading, body.wind);
             body.reference = new BodyReference { velocity = m_Perching.Jump, heading = heading };
             body.mode = BodyMode.Free;
-            body.integral = default;
-            body.latched = 0;
+            body.Forget();
             m_World.PlaceOnBob(m_Body);
             m_FromRotation = body.rotation;
         }

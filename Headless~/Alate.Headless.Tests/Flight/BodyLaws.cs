@@ -38,6 +38,35 @@ namespace Alate.Tests.FreeFlights
         }
 
         [Test]
+        public unsafe void FeedbackOfABodyThatForgot_IsThatOfANewOne([Values(0.1f, 30f)] float unsampled)
+        {
+            FlyingBody fresh = m_Insect.Model.CreateBody();
+            fresh.rotation = quaternion.identity;
+            FlyingBody flown = fresh;
+            float* point = stackalloc float[TrimPoint.Floats];
+            m_Insect.Table.View.Read(0.3f, 0f, point);
+            for (int beat = 0; beat < 3; beat++)
+            {
+                flown.velocity = new float3(0.1f, -0.2f, 0.2f) * beat;
+                flown.sinceSample += 0.1f;
+                BodyFeedback.Sample(ref flown, 0f, point);
+            }
+
+            flown.sinceSample = unsampled;
+            flown.Forget();
+            flown.velocity = fresh.velocity = new float3(0.02f, 0.01f, -0.03f);
+            for (int beat = 0; beat < 3; beat++)
+            {
+                flown.sinceSample += 0.1f;
+                fresh.sinceSample += 0.1f;
+                BodyFeedback.Sample(ref flown, 0f, point);
+                BodyFeedback.Sample(ref fresh, 0f, point);
+                for (int command = 0; command < FlightCommands.Count; command++)
+                    Assert.That(flown.Last(command), Is.EqualTo(fresh.Last(command)), $"command {command} of beat {beat}");
+            }
+        }
+
+        [Test]
         public void ForceAndMomentOnAHeldBody_AreThoseOfItsPatchesAndItsHull()
         {
             using var tunnel = new FlightTunnel(m_Insect.Model, 1);

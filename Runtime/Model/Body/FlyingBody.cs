@@ -110,7 +110,7 @@ namespace Alate
             for (int k = 0; k < FlightCommands.Count; k++)
                 last[k] = 0f;
             integral = velocityError = turnError = rateError = force = moment = default;
-            tilt = aidPower = power = 0f;
+            tilt = aidPower = power = sinceSample = 0f;
             latched = clipped = 0;
         }
 
