@@ -29,6 +29,9 @@ namespace Alate.Flight
         /// <summary>Fastest flight along the line, m/s, and growth of the speed with the distance, 1/s.</summary>
         private const float k_LineSpeed = 0.12f, k_FlareRate = 0.8f;
 
+        /// <summary>Slowest flight ahead along the line, m/s, where it is not slower itself, and distance along it, wing lengths, up to which the slip may take it below.</summary>
+        private const float k_LeastAhead = 0.1f, k_Far = 4f;
+
         /// <summary>Fastest braking where the line is long enough, m/s²: one that brakes as it gets going tumbles.</summary>
         private const float k_Brake = 1f;
 
@@ -73,6 +76,9 @@ namespace Alate.Flight
         /// one that speeds up as it rocks tumbles.
         /// </summary>
         private const float k_RoundChange = 1f, k_Rocking = 0.12f;
+
+        /// <summary>Error of the velocity, m/s, from which an insect that is near enough is held at any speed.</summary>
+        private const float k_MostRocking = 0.14f;
 
         /// <summary>Seconds within which the reference gets to what is asked for.</summary>
         private const float k_Response = 0.1f;
@@ -124,7 +130,8 @@ namespace Alate.Flight
             bool isNearest = distance < k_Close * situation.wingLength || distance > m_Distance;
             m_Distance = distance;
             bool isLow = gap < -0.5f * reach && math.length(off - gap * m_Spot.normal) < k_LowReach * reach;
-            if (isLow || distance < reach && isNearest && gap > -0.5f * reach && math.length(situation.velocity) < HoldSpeed)
+            bool isRocking = distance < k_LowReach * reach && math.length(m_Slip) > k_MostRocking;
+            if (isLow || isRocking || distance < reach && isNearest && gap > -0.5f * reach && math.length(situation.velocity) < HoldSpeed)
             {
                 if (!math.isfinite(m_Spot.heading))
                     m_Spot.heading = situation.heading;
@@ -143,9 +150,22 @@ namespace Alate.Flight
                 m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
             float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
-            float3 velocity = -speed * m_Line - back - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
+            float3 velocity = OnCourse(-speed * m_Line - back, speed) - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
+            if (along > k_Far * situation.wingLength)
+                velocity = OnCourse(velocity, speed);
             velocity -= math.min(math.dot(velocity, m_Spot.normal) + (gap > 0f ? k_SettleRate * gap + k_Settle : 0f), 0f) * m_Spot.normal;
             return Wish(FlightWish.Land, velocity, situation);
+        }
+
+        // An insect over the line sinks to it and is not slowed down, nor is one asked for less that still brakes: where it is slow its trims change most, and it rocks. Bounded aside
+        // it flies on ahead, and does not stop to turn its nose.
+        private float3 OnCourse(float3 velocity, float speed)
+        {
+            float3 course = math.normalizesafe(new float3(-m_Line.x, 0f, -m_Line.z));
+            var right = new float3(course.z, 0f, -course.x);
+            float ahead = math.dot(velocity, course), aside = math.dot(velocity, right);
+            float least = math.min(speed * math.length(m_Line.xz), k_LeastAhead);
+            return math.max(ahead, least) * course + math.clamp(aside, -NoseFirst.MostAside, NoseFirst.MostAside) * right + new float3(0f, velocity.y, 0f);
         }
 
         private FlightCommand Approach(in FlightSituation situation, float3 seat, float3 off)

@@ -41,6 +41,26 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
+        public void APointAboveTheLine_SinksToIt_AndFliesOnAhead([Values(0.02f, 0.05f, 0.08f)] float above)
+        {
+            var spot = new PerchSpot { position = new float3(1f, 2f, 3f), normal = new float3(0f, 1f, 0f), heading = 0f };
+            var landing = new Landing(spot, k_Stand);
+            var flyer = new PointFlyer();
+            float height = k_Stand + Landing.Clearance * flyer.situation.wingLength;
+            flyer.situation.position = spot.position + 10f * new float3(0f, height + 0.45f * 0.5f + above, -0.5f);
+            flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, 0f, 0.12f);
+            FlightCommand command = landing.Next(flyer.situation);
+            for (int step = 0; step < 20; step++)
+            {
+                command = landing.Next(flyer.situation);
+                Assert.That(landing.IsFlaring);
+                Assert.That(command.velocity.z, Is.GreaterThan(0.099f), "m/s ahead");
+            }
+
+            Assert.That(command.velocity.y, Is.LessThan(-0.06f), "steeper than the line");
+        }
+
+        [Test]
         public void AnInsect_LandsSitsAndLeaves_WhenItsTimeIsUp()
         {
             PerchSettings settings = PerchSettings.Default;
