@@ -150,7 +150,7 @@ namespace Alate.Flight
 
         private void Perch(ref FlyingBody body, in PerchSpot spot)
         {
-            m_Perching = new Perching(ref body, spot, m_From, Legs, Landing.Clearance * m_Model.Length, m_Units);
+            m_Perching = new Perching(ref body, spot, m_From, Legs, Landing.Clearance * m_Model.Length, m_Model.Frequency, m_Units);
         }
 
         // Where the perch moves the body, the way goes into its position, as in flight, and is drawn between steps.

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Body of an insect that a perch holds. From where a whole downstroke just clears the surface the body glides down with raised beats, turning onto the surface and to the
+    /// Body of an insect that a perch holds. Once its beat is raised, the body glides down from where a whole downstroke just clears the surface, turning onto the surface and to the
     /// wanted heading, and sits; before a start the raised wings beat while the legs hold on, then the legs push the body up to where the wings can beat wholly. The default value
     /// holds no insect.
     /// </summary>
@@ -17,6 +17,9 @@ namespace Alate.Flight
 
         /// <summary>Share of the way down in which the body turns onto the surface: the tails of a butterfly that is pitched up hang low.</summary>
         private const float k_TurnShare = 0.7f;
+
+        /// <summary>Beats until the wings beat raised, and longest time in which a body that is held too low rises, seconds.</summary>
+        private const float k_RaiseBeats = 1f, k_MostRaise = 0.3f;
 
         /// <summary>Beats before the legs push off, and longest time in which the insect turns on its feet before it, seconds.</summary>
         private const float k_StartBeats = 3f, k_MostStanding = 1f;
@@ -33,7 +36,7 @@ namespace Alate.Flight
         private Stage m_Stage;
         private quaternion m_FromRotation, m_Seat;
         private float3 m_FromFeet, m_FromVelocity, m_Spot, m_Normal, m_Up, m_Feet;
-        private float m_Clearance, m_Time, m_WayTime, m_FromSpeed;
+        private float m_Clearance, m_Time, m_WayTime, m_RaiseTime, m_Top, m_FromSpeed;
         private int m_WholeAfter;
 
         /// <summary>Takes hold of an insect: the body moves no more by itself.</summary>
@@ -42,8 +45,9 @@ namespace Alate.Flight
         /// <param name="centre">Its centre of mass, world units.</param>
         /// <param name="legs">From the centre of mass to the feet in body axes, world units.</param>
         /// <param name="clearance">Height of the feet in which a whole downstroke clears the surface, metres.</param>
+        /// <param name="frequency">Of its wings' beat, hertz.</param>
         /// <param name="units">World units of a metre.</param>
-        public Perching(ref FlyingBody body, in PerchSpot spot, float3 centre, float3 legs, float clearance, float units)
+        public Perching(ref FlyingBody body, in PerchSpot spot, float3 centre, float3 legs, float clearance, float frequency, float units)
         {
             this = default;
             m_Normal = math.normalizesafe(spot.normal, new float3(0f, 1f, 0f));
@@ -53,7 +57,7 @@ namespace Alate.Flight
             m_Clearance = clearance;
             Units = units;
             m_Feet = centre + math.rotate(body.rotation, legs);
-            ComeDown(ref body, body.velocity * units);
+            ComeDown(ref body, body.velocity * units, clearance * units, frequency);
         }
 
         private enum Stage
@@ -70,6 +74,10 @@ namespace Alate.Flight
 
         /// <summary>Whether the perch moves the body.</summary>
         public readonly bool Holds => m_Stage != Stage.Free;
+
+        private readonly float FromHeight => math.dot(m_FromFeet - m_Spot, m_Normal);
+
+        private readonly bool BeatsWhole => m_Stage == Stage.Pushing && m_WholeAfter >= 0;
 
         /// <summary>Whether the feet are on the spot.</summary>
         public readonly bool IsSeated => m_Stage == Stage.Seated || m_Stage == Stage.Standing;
@@ -97,7 +105,7 @@ namespace Alate.Flight
         public void Sit(ref FlyingBody body, in HeldWings wings, float dt)
         {
             if (m_Stage > Stage.Seated)
-                ComeDown(ref body, default);
+                ComeDown(ref body, default, BeatsWhole ? m_Clearance * Units : 0f, wings.Frequency);
             if (m_Stage == Stage.Seated)
                 return;
             if (m_Time == 0f)
@@ -106,6 +114,7 @@ namespace Alate.Flight
             float share = math.saturate(m_Time / m_WayTime);
             body.rotation = math.slerp(m_FromRotation, m_Seat, Smooth(share / k_TurnShare));
             m_Feet = math.lerp(m_FromFeet, m_Spot, Smooth(share)) + m_FromVelocity * (m_WayTime * share * (1f - share) * (1f - share));
+            m_Feet += (Height(m_Time) - FromHeight * (1f - Smooth(share))) * m_Normal;
             if (share < 1f)
                 return;
             m_Stage = Stage.Seated;
@@ -159,19 +168,33 @@ namespace Alate.Flight
         /// <summary>Centre of mass with the feet where they are, world units.</summary>
         public readonly float3 Centre(quaternion rotation, float3 legs) => m_Feet - math.rotate(rotation, legs);
 
-        private void ComeDown(ref FlyingBody body, float3 velocity)
+        private void ComeDown(ref FlyingBody body, float3 velocity, float least, float frequency)
         {
             m_Stage = Stage.ComingDown;
             m_FromRotation = body.rotation;
             m_FromFeet = m_Feet;
-            float way = math.distance(m_Feet, m_Spot);
+
+            // The beat under way is still whole: until the wings are raised the body does not sink, and one that is too low rises.
+            m_Top = math.max(FromHeight, least);
+            float rise = m_Top - FromHeight;
+            m_RaiseTime = math.min(math.max(least > 0f ? k_RaiseBeats / frequency : 0f, k_MostSlope * rise / (k_Gliding * Units)), k_MostRaise);
+            velocity -= math.min(math.dot(velocity, m_Normal), 0f) * m_Normal;
+            float way = math.distance(m_Feet + rise * m_Normal, m_Spot);
             float speed = math.max(k_Gliding * Units, math.length(velocity));
-            m_WayTime = math.clamp(k_MostSlope * way / speed, k_SettleTime, k_MostTime) + Angle(m_FromRotation, m_Seat) / k_Turning;
+            m_WayTime = m_RaiseTime + math.clamp(k_MostSlope * way / speed, k_SettleTime, k_MostTime) + Angle(m_FromRotation, m_Seat) / k_Turning;
 
             // What the insect brings along carries it no farther than the way is long.
             m_FromVelocity = velocity * math.min(1f, k_MostSlope * way / math.max(math.length(velocity) * m_WayTime, 1e-6f * Units));
             m_Time = 0f;
             Hold(ref body);
+        }
+
+        // Over the surface on the way down: up to the top, then down.
+        private readonly float Height(float time)
+        {
+            if (time >= m_RaiseTime)
+                return m_Top * (1f - Smooth((time - m_RaiseTime) / (m_WayTime - m_RaiseTime)));
+            return math.lerp(FromHeight, m_Top, Smooth(time / m_RaiseTime));
         }
 
         // What is on its way down has beating wings already, and no feet on the ground to turn on.
