@@ -17,7 +17,7 @@ namespace Alate.Editor
 
         private InsectBake m_Bake;
 
-        /// <summary>What was made and is not saved; null where nothing is.</summary>
+        /// <summary>Bake that was made and is not saved; null where there is none.</summary>
         public BakedInsect Made { get; private set; }
 
         /// <summary>Picture of what was made; null where nothing is.</summary>
@@ -26,7 +26,7 @@ namespace Alate.Editor
         /// <summary>Names of the clips that were made.</summary>
         public string[] Clips => m_Bake == null ? Array.Empty<string>() : m_Bake.Clips.Select(clip => clip.Name).ToArray();
 
-        /// <summary>What keeps the insect from being baked, one line; null when all is well.</summary>
+        /// <summary>Reason why the insect cannot be baked, one line; null when all is well.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Bakes an insect, and forgets what was baked before.</summary>

@@ -1,6 +1,6 @@
 namespace Alate.Editor
 {
-    /// <summary>What keeps an insect from flying, or from flying where it should.</summary>
+    /// <summary>Faults that keep an insect from flying, or from flying where it should.</summary>
     internal enum FlightFault
     {
         None,

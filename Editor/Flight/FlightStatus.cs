@@ -14,7 +14,7 @@ namespace Alate.Editor
             Message = message;
         }
 
-        /// <summary>What is the matter.</summary>
+        /// <summary>Fault that was found.</summary>
         public FlightFault Fault { get; }
 
         /// <summary>Line for the user; empty where there is nothing to say.</summary>

@@ -2,5 +2,5 @@ using System;
 
 namespace Alate.Cli;
 
-/// <summary>Something the user can mend: its message is the one line that they see.</summary>
+/// <summary>Error that the user can mend: its message is the one line that they see.</summary>
 public sealed class UserException(string message) : Exception(message);

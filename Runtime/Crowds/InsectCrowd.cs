@@ -94,7 +94,7 @@ namespace Alate.Crowds
             set => m_LivePrefab = value;
         }
 
-        /// <summary>How many of the nearest are live, 0 to 64 (clamped).</summary>
+        /// <summary>Number of the nearest insects that are live, 0 to 64 (clamped).</summary>
         public int LiveCount
         {
             get => m_LiveCount;

@@ -1,12 +1,12 @@
 namespace Alate.Flight
 {
-    /// <summary>Why an insect does not fly.</summary>
+    /// <summary>Reasons why an insect does not fly.</summary>
     public enum FlightProblem
     {
-        /// <summary>It flies, or waits for its wings.</summary>
+        /// <summary>No problem: the insect flies, or waits for its wings.</summary>
         None,
 
-        /// <summary>There are no trims.</summary>
+        /// <summary>No trims: the insect has no trim table.</summary>
         NoTrims,
 
         /// <summary>The trims were made for other numbers of the preset or the body.</summary>

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>How a flight starts and ends.</summary>
+    /// <summary>Start and end of a flight.</summary>
     public sealed partial class InsectFlight
     {
         private Start m_Start;
@@ -161,7 +161,7 @@ namespace Alate.Flight
             m_Live = null;
         }
 
-        /// <summary>What a flight was started with; it is started again when that changes.</summary>
+        /// <summary>Inputs that a flight was started with; a change of one starts the flight again.</summary>
         private readonly struct Start
         {
             private readonly LiveInsect m_Live;

@@ -47,7 +47,7 @@ namespace Alate.Flight
         }
 
         /// <summary>
-        /// Who says where to fly: the pilot that was set, or else the first <see cref="FlightPilot"/> on this object, looked for four times a second; null where there is none, and then
+        /// Pilot that says where to fly: the one that was set, or else the first <see cref="FlightPilot"/> on this object, looked for four times a second; null where there is none, and then
         /// <see cref="Velocity"/> counts. Pilots that are disabled or destroyed are not asked. One that throws an exception is asked no more until it is disabled and enabled, or a
         /// pilot is set; the insect hovers.
         /// </summary>
@@ -63,10 +63,10 @@ namespace Alate.Flight
         /// <summary>Wanted heading without a pilot, radians about the world's up; not a number follows the way.</summary>
         public float Heading { get; set; } = float.NaN;
 
-        /// <summary>What the insect does.</summary>
+        /// <summary>State of the flight: flying, tumbling, landing or perched.</summary>
         public FlightState State { get; private set; }
 
-        /// <summary>Why it does not fly as it should.</summary>
+        /// <summary>Reason why the insect does not fly as it should.</summary>
         public FlightProblem Problem { get; private set; }
 
         /// <summary>Whether the pilot has thrown an exception and is asked no more.</summary>
@@ -74,7 +74,7 @@ namespace Alate.Flight
 
         private PilotSeat Seat => m_Seat ??= new PilotSeat(this);
 
-        /// <summary>What the insect can do; all 0 until it flies.</summary>
+        /// <summary>Limits of the insect's flight; all 0 until it flies.</summary>
         public FlightLimits Limits { get; private set; }
 
         /// <summary>Centre of mass, world units.</summary>

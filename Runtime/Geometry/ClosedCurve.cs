@@ -25,7 +25,7 @@ namespace Alate.Geometry
         /// <summary>Points evenly round the curve; the first lies at 0.</summary>
         public IReadOnlyList<PlanPoint> Samples => m_Samples;
 
-        /// <summary>Once round.</summary>
+        /// <summary>Length once round.</summary>
         public double Length { get; }
 
         /// <summary>Arc length between two samples.</summary>

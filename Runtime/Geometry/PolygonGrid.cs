@@ -65,7 +65,7 @@ namespace Alate.Geometry
             return inside;
         }
 
-        /// <summary>Where the polygon crosses the line of this z, from left to right.</summary>
+        /// <summary>Finds the places where the polygon crosses the line of this z, from left to right.</summary>
         public void FindCrossings(double z, List<double> found)
         {
             found.Clear();

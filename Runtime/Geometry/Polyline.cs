@@ -21,7 +21,7 @@ namespace Alate.Geometry
 
         public IReadOnlyList<PlanPoint> Points => m_Points;
 
-        /// <summary>From end to end, or all around.</summary>
+        /// <summary>Length from end to end, or all around.</summary>
         public double Length => m_Lengths[m_Lengths.Length - 1];
 
         /// <summary>A point; behind the last the first comes again.</summary>
@@ -103,7 +103,7 @@ namespace Alate.Geometry
             return at;
         }
 
-        /// <summary>How far a ray goes until it first meets the line, leaving out one segment; <see cref="double.MaxValue"/> when it never does.</summary>
+        /// <summary>Distance along a ray to where it first meets the line, leaving out one segment; <see cref="double.MaxValue"/> when it never does.</summary>
         /// <param name="from">Where it begins.</param>
         /// <param name="direction">A unit vector.</param>
         /// <param name="skipped">The segment on which the ray begins, or −1.</param>

@@ -100,7 +100,7 @@ namespace Alate
 
         internal LiveInsect Live { get; set; }
 
-        /// <summary>What carries the insect by its wings; null where something else moves it.</summary>
+        /// <summary>Flight that carries the insect by its wings; null where something else moves it.</summary>
         internal IFlyingInsect Flyer { get; set; }
 
         internal InsectMotion MotionSettings => m_Motion.Clamped();

@@ -19,7 +19,7 @@ namespace Alate.Samples
             m_Place = place;
         }
 
-        /// <summary>From left to right.</summary>
+        /// <summary>Stands from left to right.</summary>
         public IReadOnlyList<Stand> Stands => m_Stands;
 
         /// <summary>Shows a species in some columns, from left to right.</summary>

@@ -36,7 +36,7 @@ namespace Alate.Samples
             Crowd.LiveCount = live;
         }
 
-        /// <summary>What is drawn.</summary>
+        /// <summary>Crowd that is drawn.</summary>
         public InsectCrowd Crowd { get; }
 
         /// <summary>Moves all insects to where they are at a time, seconds.</summary>

@@ -6,7 +6,7 @@ namespace Alate.Editor
     [Flags]
     internal enum GizmoLayers
     {
-        /// <summary>Nothing.</summary>
+        /// <summary>No layer.</summary>
         None = 0,
 
         /// <summary>The chains, coloured by delay.</summary>

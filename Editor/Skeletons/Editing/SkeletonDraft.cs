@@ -114,7 +114,7 @@ namespace Alate.Editor
             m_Measured[chain] = measured;
         }
 
-        /// <summary>What was measured of a chain; its joints do not count.</summary>
+        /// <summary>Measured values of a chain; its joints do not count.</summary>
         public JointChain Measured(int chain) => m_Measured[chain];
 
         /// <summary>Returns true where the same was measured of a chain as of one of another draft.</summary>

@@ -32,7 +32,7 @@ internal sealed class PlainSurface
         Array.Clear(m_OwnVelocities);
     }
 
-    /// <summary>After a substep.</summary>
+    /// <summary>Follows the joints after a substep.</summary>
     public void Follow(Vector3[] joints, Quaternion[] rotations, float h)
     {
         Array.Copy(m_Current, m_Previous, m_Current.Length);
@@ -41,7 +41,7 @@ internal sealed class PlainSurface
             m_OwnVelocities[v] = (m_Current[v] - m_Previous[v]) / h;
     }
 
-    /// <summary>Before the next: moved by what the driven pose has moved since.</summary>
+    /// <summary>Moves the surface, before the next substep, as the driven pose has moved since.</summary>
     public void Carry(PlainMotion driven, Vector3[] oldPositions, Vector3[] oldVelocities)
     {
         for (int v = 0; v < m_Current.Length; v++)

@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// What a crowd of baked monarchs costs a frame, its job on the calling thread included, what it allocates, and how large its meshes are. Drawing itself is a stand-in.
+/// Cost of a crowd of baked monarchs a frame, its job on the calling thread included, its allocations, and the size of its meshes. Drawing itself is a stand-in.
 /// </summary>
 internal static class BakedFigures
 {

@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// What the main thread writes into the meshes of 400 monarchs, and what their skinning costs: normals and tangents as signed bytes against floats, as version 0.1 had them.
+/// Bytes that the main thread writes into the meshes of 400 monarchs, and the cost of their skinning: normals and tangents as signed bytes against floats, as version 0.1 had them.
 /// Setting a mesh's data is a stand-in that copies; Unity copies as well, and hands the bytes to the graphics card.
 /// </summary>
 internal static class UploadComparison

@@ -1,6 +1,6 @@
 namespace Alate.Cli.Bakes;
 
-/// <summary>What a baked insect is written as.</summary>
+/// <summary>File formats of baked insects.</summary>
 internal enum BakeFormat
 {
     /// <summary>A folder of textures that hold where each vertex is, with a mesh.</summary>

@@ -1,6 +1,6 @@
 namespace Alate.Cli.Bakes;
 
-/// <summary>Where a texture of a baked insect has its normals.</summary>
+/// <summary>Places of the normals in a texture of a baked insect.</summary>
 internal enum BakeNormals
 {
     /// <summary>In a texture of their own.</summary>

@@ -4,7 +4,7 @@ using Alate.Crowds;
 
 namespace Alate.Cli.Bakes;
 
-/// <summary>What to bake, how finely, and what to write.</summary>
+/// <summary>Plan of a bake: the insect, how finely, and the files to write.</summary>
 internal sealed record BakePlan
 {
     public InsectDefinition Species { get; init; }
@@ -25,7 +25,7 @@ internal sealed record BakePlan
     /// <inheritdoc cref="MeshFile"/>
     public string SkeletonFile { get; init; }
 
-    /// <summary>What is baked, for people.</summary>
+    /// <summary>Name of the bake for people.</summary>
     public string DisplayName => MeshFile == null ? Species.DisplayName : System.IO.Path.GetFileName(MeshFile);
 
     /// <summary>Bakes the insect.</summary>

@@ -112,7 +112,7 @@ internal sealed class FlyOptions
             throw new UserException($"{given.Name} is for flights on the spot; it does not go with --free.");
     }
 
-    /// <summary>Where the files go; null is the default.</summary>
+    /// <summary>Folder of the files; null for the default.</summary>
     public string Folder(ParseResult parsed) => parsed.GetValue(m_Out);
 
     /// <summary>Makes the plan that the user asked for.</summary>

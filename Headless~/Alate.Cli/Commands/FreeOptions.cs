@@ -42,7 +42,7 @@ internal sealed class FreeOptions
         return given == null ? false : throw new UserException($"{given.Name} needs --free.");
     }
 
-    /// <summary>What the user asked for.</summary>
+    /// <summary>Makes the plan of the flight that the user asked for.</summary>
     /// <exception cref="UserException">Options that exclude or need each other, or a file that has no places.</exception>
     public FreePlan Plan(ParseResult parsed, string species, double? seconds, string folder)
     {

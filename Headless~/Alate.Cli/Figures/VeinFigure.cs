@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Figures;
 
-/// <summary>What veins do to a wing: the monarch's twist and camber over the beat with all chains alike, with thick veins in front, and with thick veins behind.</summary>
+/// <summary>Effect of veins on a wing: the monarch's twist and camber over the beat with all chains alike, with thick veins in front, and with thick veins behind.</summary>
 internal static class VeinFigure
 {
     private const float k_Width = 1000f, k_Height = 366f, k_ChartWidth = 480f, k_ChartHeight = 250f, k_Top = 108f;

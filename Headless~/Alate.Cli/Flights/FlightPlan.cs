@@ -138,7 +138,7 @@ internal sealed record FlightPlan
         return problem == null ? parameters : throw new UserException(problem);
     }
 
-    /// <summary>This flight by version 0.1 at its defaults.</summary>
+    /// <summary>Returns this flight by version 0.1 at its defaults.</summary>
     public FlightPlan AsVersion01() => this with
     {
         IsVersion01 = true,

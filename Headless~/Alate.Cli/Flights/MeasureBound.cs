@@ -20,7 +20,7 @@ internal sealed record MeasureBound(string Key, string Title, string Unit, doubl
     /// <summary>Mark of a number that lies outside.</summary>
     public const string Mark = " †";
 
-    /// <summary>What tables with ranges say below them.</summary>
+    /// <summary>Note below tables with ranges.</summary>
     public const string Note = "† outside the range. * expected here: no published range is known.";
 
     /// <summary>An edge of an expressive wing may stretch by so much, per cent.</summary>

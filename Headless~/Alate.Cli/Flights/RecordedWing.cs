@@ -23,7 +23,7 @@ internal sealed class RecordedWing
     public int ChainCount { get; init; }
     public int JointsPerChain { get; init; }
 
-    /// <summary>What its joints amount to.</summary>
+    /// <summary>Summary of the wing's joints.</summary>
     public WingStiffness Stiffness { get; init; }
 
     /// <summary>True for the mesh of a left wing, whose triangles wind the other way in the wing frame.</summary>

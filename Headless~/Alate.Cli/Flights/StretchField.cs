@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>How far the membrane around each vertex of a wing is stretched: the largest |l/l₀ − 1| of the edges that meet there.</summary>
+/// <summary>Stretch of the membrane around each vertex of a wing: the largest |l/l₀ − 1| of the edges that meet there.</summary>
 internal sealed class StretchField
 {
     private readonly (int A, int B, float Length)[] m_Edges;

@@ -7,7 +7,7 @@ namespace Alate.Cli.Flights;
 /// <summary>Flies an insect: bakes its rigs, steps its wings substep by substep and records the last beat.</summary>
 internal sealed class TetheredFlight : IDisposable
 {
-    /// <summary>After so many beats a beat is like the one before, so that its animation loops.</summary>
+    /// <summary>Number of beats after which a beat is like the one before, so that its animation loops.</summary>
     private const int k_SettledBeats = 8;
     private const int k_StepsPerBeat = 4;
 

@@ -62,7 +62,7 @@ internal sealed class TetheredWings : IDisposable
         }
     }
 
-    /// <summary>What a wing did in the last step.</summary>
+    /// <summary>Values of a wing in the last step.</summary>
     /// <param name="wing">Its number.</param>
     /// <param name="time">Seconds since the start of the flight.</param>
     public RecordedFrame FrameOf(int wing, double time) => FrameOf(Read(wing), Vertices(wing), m_Frames[wing], time);

@@ -16,7 +16,7 @@ internal sealed record WingSummary(
     double EdgeStretchMaxPct,
     double EdgeStretchP99Pct)
 {
-    /// <summary>What the wing's joints amount to.</summary>
+    /// <summary>Summary of the wing's joints.</summary>
     public WingStiffness Stiffness { get; init; }
 
     /// <summary>Measures the right wing of a kind.</summary>

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.FreeFlights;
 
-/// <summary>What a free flight left behind.</summary>
+/// <summary>Record of a free flight.</summary>
 /// <param name="Insect">Who flew.</param>
 /// <param name="Moments">Each step.</param>
 /// <param name="Centre">Centre of mass from the middle of the thorax, metres.</param>

@@ -22,7 +22,7 @@ internal sealed class PixelPage
     /// <summary>The paper, sRGB.</summary>
     public static float3 Paper { get; } = Colour(0xf7f4ec);
 
-    /// <summary>What is written, in order.</summary>
+    /// <summary>Texts that are written, in order.</summary>
     public IReadOnlyList<string> Texts => m_Texts;
 
     /// <summary>An sRGB colour from 0 to 1.</summary>

@@ -31,7 +31,7 @@ internal static class BladeElements
     /// <param name="Power">Over the mass, W/kg.</param>
     internal readonly record struct Moment(double Lift, double Thrust, double Attack, double Power);
 
-    /// <summary>Where the stream is met.</summary>
+    /// <summary>Places at which the stream is met.</summary>
     internal enum Point
     {
         /// <summary>On the axis about which the wing is pitched.</summary>

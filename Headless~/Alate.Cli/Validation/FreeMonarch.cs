@@ -9,7 +9,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Validation;
 
-/// <summary>What the catalogue's monarch does when its own wings carry it level at 1.3 m/s. Degrees and per cent.</summary>
+/// <summary>Free flight of the catalogue's monarch, level at 1.3 m/s. Degrees and per cent.</summary>
 /// <param name="UpForce">Share of the upstroke in the mean size of the force.</param>
 /// <param name="UpSupport">Share of the upstroke in the upward impulse.</param>
 /// <param name="Power">To the air, W/kg.</param>

@@ -35,7 +35,7 @@ internal sealed class PageFiles
             + "connect-src 'self' ws://127.0.0.1:* ws://localhost:*; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
     }
 
-    /// <summary>What the page may load, as the header of an answer.</summary>
+    /// <summary>Sources that the page may load from, as the header of an answer.</summary>
     public string SecurityPolicy { get; }
 
     public IEnumerable<string> Names => m_Files.Keys;

@@ -12,7 +12,7 @@ using UnityEngine;
 
 namespace Alate.Cli.Views;
 
-/// <summary>What the page must know once: which insects there are, and the meshes and colours of the one that flies. Axes and winding are glTF's.</summary>
+/// <summary>Message that the page gets once: the insects there are, and the meshes and colours of the one that flies. Axes and winding are glTF's.</summary>
 internal static class SceneMessage
 {
     /// <summary>Species with their variants, and sliders.</summary>

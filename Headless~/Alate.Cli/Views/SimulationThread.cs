@@ -9,7 +9,7 @@ internal sealed class SimulationThread
 {
     private readonly BlockingCollection<Action> m_Work = [];
 
-    /// <summary>Has work done by the simulation's thread.</summary>
+    /// <summary>Queues work for the simulation's thread.</summary>
     /// <returns>Ends when it is done, with its exception if there is one.</returns>
     public Task<T> Do<T>(Func<T> work)
     {

@@ -10,7 +10,7 @@ internal sealed class StateBuffer
 {
     private byte[] m_Bytes = new byte[1 << 16];
 
-    /// <summary>What was added since <see cref="Clear"/>.</summary>
+    /// <summary>Bytes that were added since <see cref="Clear"/>.</summary>
     public ReadOnlyMemory<byte> Content => m_Bytes.AsMemory(0, Length);
 
     public int Length { get; private set; }

@@ -5,7 +5,7 @@ using System.Text.Json.Nodes;
 
 namespace Alate.Cli.Views;
 
-/// <summary>Where the page loads three.js from: a public server, whose files must have the hashes named here, or a folder of the user's.</summary>
+/// <summary>Source that the page loads three.js from: a public server, whose files must have the hashes named here, or a folder of the user's.</summary>
 internal sealed class ThreeSource
 {
     /// <summary>Version of the files on the public server.</summary>

@@ -5,7 +5,7 @@ using Alate.Cli.Flights;
 
 namespace Alate.Cli.Views;
 
-/// <summary>What a page shows: an insect and how it flies.</summary>
+/// <summary>Settings of what a page shows: an insect and how it flies.</summary>
 internal sealed record ViewSettings
 {
     public string Species { get; init; }

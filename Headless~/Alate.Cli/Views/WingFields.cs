@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Alate.Cli.Views;
 
-/// <summary>What is shown on the mesh of one wing: how far it is stretched, and at which angle it meets the air.</summary>
+/// <summary>Fields on the mesh of one wing: its stretch, and the angle at which it meets the air.</summary>
 internal sealed class WingFields
 {
     private readonly StretchField m_Stretch;

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
-    /// <summary>What <c>bake</c> says of input that it cannot take: one line, exit code 2, nothing written.</summary>
+    /// <summary>Answers of <c>bake</c> to input that it cannot take: one line, exit code 2, nothing written.</summary>
     public sealed class BakeCommandTests
     {
         [TestCase("monarch --clips cruise,dive", "There is no clip 'dive'. Known: cruise, hover, climb, turn-left, turn-right, glide, rest.")]

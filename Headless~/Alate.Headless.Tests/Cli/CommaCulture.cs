@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>While it lives, this thread writes numbers as much of Europe does: 1.234,5.</summary>
+    /// <summary>Makes this thread write numbers as much of Europe does, 1.234,5, until it is disposed.</summary>
     internal sealed class CommaCulture : IDisposable
     {
         private readonly CultureInfo m_Before = CultureInfo.CurrentCulture;

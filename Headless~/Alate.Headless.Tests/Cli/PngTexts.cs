@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>What a picture says of the texts in it, for those who do not see it.</summary>
+    /// <summary>Texts that a picture names in its metadata, for readers who do not see it.</summary>
     internal static class PngTexts
     {
         public static string[] Of(string path)

@@ -15,7 +15,7 @@ namespace Alate.Tests.Cli
 
         public string Root { get; }
 
-        /// <summary>Everything within it, paths from the folder on, in order.</summary>
+        /// <summary>All files and folders within it, paths from the folder on, in order.</summary>
         public string[] Content =>
             Directory.EnumerateFileSystemEntries(Root, "*", SearchOption.AllDirectories)
                 .Select(path => Path.GetRelativePath(Root, path).Replace('\\', '/'))

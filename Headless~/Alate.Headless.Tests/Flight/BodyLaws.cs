@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.FreeFlights
 {
-    /// <summary>What holds for a body that its wings carry, whatever the numbers.</summary>
+    /// <summary>Laws of a body that its wings carry, whatever the numbers.</summary>
     public sealed class BodyLaws
     {
         private FlyingInsect m_Insect;

@@ -1,6 +1,6 @@
 namespace Alate.Tests.Flight
 {
-    /// <summary>What became of one landing and the start after it. Metres, seconds.</summary>
+    /// <summary>Result of one landing and the start after it. Metres, seconds.</summary>
     internal sealed class PerchFlight
     {
         public bool Landed { get; set; }

@@ -71,7 +71,7 @@ namespace Alate.Tests.Insects
 
         public FlightRecord Record { get; }
 
-        /// <summary>How often a wing fell back to its driven pose.</summary>
+        /// <summary>Number of times that a wing fell back to its driven pose.</summary>
         public int Resets { get; }
 
         public SurfaceMesh Body => Record.Insect.Body;

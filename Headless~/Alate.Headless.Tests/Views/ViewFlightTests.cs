@@ -11,7 +11,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Views
 {
-    /// <summary>What a page of the live view receives, against the same insect flown by itself.</summary>
+    /// <summary>States that a page of the live view receives, against the same insect flown by itself.</summary>
     public sealed class ViewFlightTests : ViewFixture
     {
         [Test]

@@ -25,7 +25,7 @@ namespace Alate.Catalogue
         /// <summary>Round the part: 0 on its upper line, 1 on its lower one.</summary>
         public float Around { get; }
 
-        /// <summary>Along the part: 0 at its beginning, 1 at its end.</summary>
+        /// <summary>Place along the part: 0 at its beginning, 1 at its end.</summary>
         public float Along { get; }
     }
 }

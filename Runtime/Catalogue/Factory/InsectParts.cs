@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Catalogue
 {
-    /// <summary>What the wings of one kind are made of, left and right alike: the left wing is the right one with its X axis turned round.</summary>
+    /// <summary>Parts of the wings of one kind, left and right alike: the left wing is the right one with its X axis turned round.</summary>
     [Serializable]
     internal sealed class GeneratedWing
     {
@@ -14,7 +14,7 @@ namespace Alate.Catalogue
         /// <summary>The right wing, its origin at the base.</summary>
         public Mesh mesh;
 
-        /// <summary>In the space of the mesh.</summary>
+        /// <summary>Skeleton in the space of the mesh.</summary>
         public WingSkeleton skeleton;
 
         /// <summary>Colours and light.</summary>

@@ -22,7 +22,7 @@ namespace Alate.Crowds
         /// <summary>Velocity of the body, units of the insect's space per second, in its own axes.</summary>
         public Vector3 velocity;
 
-        /// <summary>How the beat differs from the preset's.</summary>
+        /// <summary>Differences of the beat from the preset's.</summary>
         public InsectSteering steering;
 
         /// <summary>Difference of the amplitudes of both sides over their sum; positive beats the left side harder.</summary>

@@ -1,6 +1,6 @@
 namespace Alate.Crowds
 {
-    /// <summary>What a baked loop differs from the flown wings by: distances over the wing length, angles in degrees.</summary>
+    /// <summary>Differences of a baked loop from the flown wings: distances over the wing length, angles in degrees.</summary>
     public struct BakeError
     {
         /// <summary>Largest distance halfway between two frames.</summary>

@@ -61,7 +61,7 @@ namespace Alate.Crowds
         /// <summary>Difference of the amplitudes of both sides over their sum, −1 to 1, 0; positive beats the left side harder, which rolls to the right.</summary>
         public float Roll { get; set; }
 
-        /// <summary>How the beat differs from the preset's, instead of the insect's own steering.</summary>
+        /// <summary>Differences of the beat from the preset's, in place of the insect's own steering.</summary>
         public InsectSteering Steering { get; set; } = InsectSteering.Default;
 
         /// <summary>Finds a motion of <see cref="All"/> by its name.</summary>
@@ -88,7 +88,7 @@ namespace Alate.Crowds
         /// <param name="maxSpeed">Top speed of the preset, m/s.</param>
         internal float SpeedOf(float maxSpeed) => maxSpeed * math.length(new float2(Speed, Climb));
 
-        /// <summary>What the body does and feels, in the insect's own space.</summary>
+        /// <summary>Motion of the body and the air around it, in the insect's own space.</summary>
         /// <param name="maxSpeed">Top speed of the preset, m/s.</param>
         /// <param name="toldMetresPerUnit">What the insect is told; 0 takes each wing's own size for life size.</param>
         /// <param name="metresPerUnit">Metres of a unit of the insect's space.</param>

@@ -1,6 +1,6 @@
 namespace Alate.Crowds
 {
-    /// <summary>How finely an insect is baked.</summary>
+    /// <summary>Settings of how finely an insect is baked.</summary>
     public readonly struct BakeSettings
     {
         /// <summary>Bounds of the number of frames.</summary>

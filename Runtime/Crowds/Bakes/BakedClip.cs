@@ -6,7 +6,7 @@ namespace Alate.Crowds
     /// <summary>A loop of a baked insect: frames at even phases, the last of which is followed by the first.</summary>
     public sealed class BakedClip
     {
-        /// <summary>What was flown.</summary>
+        /// <summary>Motion that was flown.</summary>
         public BakeMotion Motion { get; internal set; }
 
         /// <summary>Name of the motion.</summary>
@@ -33,7 +33,7 @@ namespace Alate.Crowds
         /// <summary>[frame] The insect at phase frame / number of frames.</summary>
         public IReadOnlyList<BakedFrame> Frames { get; internal set; }
 
-        /// <summary>What the bake differs from the flown wings by.</summary>
+        /// <summary>Differences of the bake from the flown wings.</summary>
         public BakeError Error { get; internal set; }
 
         /// <summary>The insect at a phase, between the two frames that enclose it, as shaders blend them.</summary>

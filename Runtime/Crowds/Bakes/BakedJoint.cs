@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate.Crowds
 {
-    /// <summary>Where a joint of a wing is at one frame, in the insect's own space.</summary>
+    /// <summary>Pose of a joint of a wing at one frame, in the insect's own space.</summary>
     public readonly struct BakedJoint
     {
         /// <summary>Position.</summary>

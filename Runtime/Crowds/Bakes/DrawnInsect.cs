@@ -36,7 +36,7 @@ namespace Alate.Crowds
             }
         }
 
-        /// <summary>In the order of the insect's list.</summary>
+        /// <summary>Wings in the order of the insect's list.</summary>
         public List<DrawnWing> Wings { get; } = new List<DrawnWing>();
 
         /// <summary>The whole surface at rest.</summary>
@@ -58,7 +58,7 @@ namespace Alate.Crowds
         /// <summary>Vertices of the surface that a wing's rig moves, in the rig's order.</summary>
         public int[] VerticesOf(DrawnWing wing) => Array.ConvertAll(wing.Selection.vertices, vertex => m_Starts[wing.Renderer] + vertex);
 
-        /// <summary>Lets go of the rigs.</summary>
+        /// <summary>Frees the rigs.</summary>
         public void Dispose()
         {
             foreach (DrawnWing wing in Wings)

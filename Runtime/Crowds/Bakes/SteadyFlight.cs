@@ -61,7 +61,7 @@ namespace Alate.Crowds
             return steady;
         }
 
-        /// <summary>What the body does and feels, in the insect's own space.</summary>
+        /// <summary>Motion of the body and the air around it, in the insect's own space.</summary>
         /// <param name="toldMetresPerUnit">What the insect is told; 0 takes each wing's own size for life size.</param>
         /// <param name="metresPerUnit">Metres of a unit of the insect's space.</param>
         public BodyFlight FlightOf(float toldMetresPerUnit, float metresPerUnit)

@@ -39,7 +39,7 @@ namespace Alate.Crowds
         /// <summary>The live insect.</summary>
         public InsectWings Wings { get; }
 
-        /// <summary>For which of the crowd it stands; −1 for none.</summary>
+        /// <summary>Index of the crowd's insect that the twin stands for; −1 for none.</summary>
         public int Insect { get; private set; }
 
         /// <summary>Whether it is seen instead of the baked one.</summary>
@@ -54,7 +54,7 @@ namespace Alate.Crowds
             Wings.ResetState();
         }
 
-        /// <summary>Stands for none.</summary>
+        /// <summary>Leaves the insect that the twin stands for.</summary>
         public void Leave()
         {
             Insect = -1;

@@ -65,7 +65,7 @@ namespace Alate.Crowds
             }
         }
 
-        /// <summary>How much sizes differ, 0 to 0.9 (clamped); 0.15 is from 0.85 to 1.15.</summary>
+        /// <summary>Largest difference of a size from 1, 0 to 0.9 (clamped); 0.15 is from 0.85 to 1.15.</summary>
         public float SizeVariation
         {
             get => m_SizeVariation;
@@ -79,14 +79,14 @@ namespace Alate.Crowds
             set => m_Loop = value ?? "";
         }
 
-        /// <summary>Another number places all insects elsewhere.</summary>
+        /// <summary>Seed of the places; another one places all insects elsewhere.</summary>
         public int Seed
         {
             get => m_Seed;
             set => m_Seed = value;
         }
 
-        /// <summary>What keeps the spawner from placing insects; null when all is well.</summary>
+        /// <summary>Reason why the spawner places no insects; null when all is well.</summary>
         public string Problem
         {
             get

@@ -22,7 +22,7 @@ namespace Alate.Crowds
         public float speed;
         public float2 speeds;
 
-        /// <summary>How much sizes differ.</summary>
+        /// <summary>Largest difference of a size from 1.</summary>
         public float sizes;
 
         public int loop;

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Where a texture of a baked insect holds what: a column a vertex, its frames below one another; when the columns run out, the next block of rows begins. Normals
+    /// Layout of a texture of a baked insect: a column a vertex, its frames below one another; when the columns run out, the next block of rows begins. Normals
     /// lie in the lower half, in a place like that of the position, or in a texture of their own.
     /// </summary>
     public readonly struct BakeLayout

@@ -50,13 +50,13 @@ namespace Alate.Flight
         /// <summary>All wings.</summary>
         public IReadOnlyList<FlightWing> Wings { get; }
 
-        /// <summary>Of the whole insect, kilograms.</summary>
+        /// <summary>Mass of the whole insect, kilograms.</summary>
         public float Mass { get; }
 
         /// <summary>Share of its weight that the wings have to carry.</summary>
         public float GravityShare { get; }
 
-        /// <summary>Of the air or water, kg/m³.</summary>
+        /// <summary>Density of the air or water, kg/m³.</summary>
         public float FluidDensity { get; }
 
         /// <summary>Length of the longest wing, metres.</summary>
@@ -68,7 +68,7 @@ namespace Alate.Flight
         /// <summary>Centre of mass from the middle of the thorax, metres.</summary>
         public float3 Centre { get; }
 
-        /// <summary>About the centre of mass in body axes, kg m², wings at their mean places.</summary>
+        /// <summary>Inertia about the centre of mass in body axes, kg m², wings at their mean places.</summary>
         public float3x3 Inertia { get; }
 
         /// <summary>½ρA along each axis, kg/m.</summary>
@@ -131,7 +131,7 @@ namespace Alate.Flight
             return handle;
         }
 
-        /// <summary>How a wing sits on the body.</summary>
+        /// <summary>Returns the place of a wing on the body.</summary>
         internal BodyWing Place(FlightWing wing) => new BodyWing
         {
             axes = wing.Axes,

@@ -33,10 +33,10 @@ namespace Alate.Flight
         /// <summary>False once the Rigidbody was destroyed.</summary>
         public bool IsThere => m_Body != null;
 
-        /// <summary>Where the physics have put the body.</summary>
+        /// <summary>Position that the physics have given the body.</summary>
         public Vector3 Position => m_Body.position;
 
-        /// <summary>How the physics have turned the body.</summary>
+        /// <summary>Rotation that the physics have given the body.</summary>
         public Quaternion Rotation => m_Body.rotation;
 
         /// <summary>Turn that the body was not given.</summary>

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// What the feedback follows, made of what a pilot wants: bounded acceleration, a filter, turns on an arc, a heading that crabs into the wind, speeds and climbs of the
+    /// Reference of the feedback, made from a pilot's command: bounded acceleration, a filter, turns on an arc, a heading that crabs into the wind, speeds and climbs of the
     /// table. Once a fixed step.
     /// </summary>
     public struct FlightReference

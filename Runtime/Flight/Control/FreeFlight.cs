@@ -84,13 +84,13 @@ namespace Alate.Flight
         /// <summary>Commands that were clipped at the last beat.</summary>
         public int ClippedCommands => Body.clipped;
 
-        /// <summary>What the feedback follows.</summary>
+        /// <summary>Reference of the feedback.</summary>
         public FlightReference Reference => m_Reference;
 
-        /// <summary>What the insect does.</summary>
+        /// <summary>State of the flight.</summary>
         public FlightState State => Body.Tumbles ? FlightState.Tumbling : FlightState.Flying;
 
-        /// <summary>What the insect can do.</summary>
+        /// <summary>Limits of the insect's flight.</summary>
         public FlightLimits Limits => m_Table.Limits;
 
         /// <summary>The wings' world, to read them.</summary>
@@ -101,7 +101,7 @@ namespace Alate.Flight
 
         private ref FlyingBody Body => ref m_World.Body(m_Body);
 
-        /// <summary>What a pilot is told.</summary>
+        /// <summary>Situation that a pilot is told.</summary>
         /// <param name="dt">Seconds of the coming step.</param>
         public FlightSituation Situation(float dt) => new FlightSituation(Body, m_Reference)
         {

@@ -28,7 +28,7 @@ namespace Alate.Flight
             m_Table = table;
         }
 
-        /// <summary>Of the beat of hovering, hertz.</summary>
+        /// <summary>Frequency of the beat of hovering, hertz.</summary>
         public float Frequency => Hover.frequency;
 
         /// <summary>Share of the beat that is over.</summary>

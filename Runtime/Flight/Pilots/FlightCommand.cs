@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>What a pilot wants: a velocity, where to look, and whether to land. The wings alone act on it.</summary>
+    /// <summary>Command of a pilot: a velocity, where to look, and whether to land. The wings alone act on it.</summary>
     public struct FlightCommand
     {
         /// <summary>Wanted velocity over ground, m/s along the world's axes; limited to what the insect can do.</summary>
@@ -14,10 +14,10 @@ namespace Alate.Flight
         /// </summary>
         public float heading;
 
-        /// <summary>What is wanted besides flying on.</summary>
+        /// <summary>Wish besides flying on.</summary>
         public FlightWish wish;
 
-        /// <summary>Where to sit, with <see cref="FlightWish.Land"/>.</summary>
+        /// <summary>Spot to sit on, with <see cref="FlightWish.Land"/>.</summary>
         public PerchSpot spot;
 
         /// <summary>Flight at a velocity over ground, m/s along the world's axes; the heading follows the way.</summary>

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>What an insect can do by its trim table and its reference model: what a pilot may ask for. Metres and seconds of the real insect.</summary>
+    /// <summary>Limits of an insect's flight by its trim table and its reference model, within which a pilot may ask. Metres and seconds of the real insect.</summary>
     public readonly struct FlightLimits
     {
         /// <summary>Seconds until the body follows a change of the wanted velocity.</summary>

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>What a pilot knows when it is asked for a command: the body in the world, the air, the time and the insect's limits.</summary>
+    /// <summary>Situation of an insect whose pilot is asked for a command: the body in the world, the air, the time and the insect's limits.</summary>
     /// <remarks>Lengths are metres of the real insect along the world's axes, times its scale in the scene: <see cref="unitsPerMetre"/> turns metres into world units.</remarks>
     public struct FlightSituation
     {
@@ -44,7 +44,7 @@ namespace Alate.Flight
         /// <summary>State of the flight.</summary>
         public FlightState state;
 
-        /// <summary>What the insect can do.</summary>
+        /// <summary>Limits of the insect's flight.</summary>
         public FlightLimits limits;
 
         /// <summary>Seconds since the flight began.</summary>

@@ -1,6 +1,6 @@
 namespace Alate.Flight
 {
-    /// <summary>What an insect that flies by its own wings does now.</summary>
+    /// <summary>State of an insect that flies by its own wings.</summary>
     public enum FlightState
     {
         /// <summary>The wings carry the insect where its pilot asks.</summary>

@@ -22,7 +22,7 @@ namespace Alate.Flight
         /// <param name="model">The insect.</param>
         public TrimBake(FlightModel model) => m_Model = model;
 
-        /// <summary>What is told while the table is made, a line a point; null tells nobody.</summary>
+        /// <summary>Receiver of the progress, a line a point; null for none.</summary>
         public Action<string> Log { get; set; }
 
         /// <summary>Makes the table.</summary>
@@ -128,7 +128,7 @@ namespace Alate.Flight
         /// <summary>[speed, climb] What is missing at each point of the last trims; null where it closes.</summary>
         internal string[,] Problems { get; private set; }
 
-        /// <summary>What is missing at a point that did not close; null where all did.</summary>
+        /// <summary>Description of what is missing at a point that did not close; null where all did.</summary>
         public string Problem { get; private set; }
 
         private void Add(TrimTable table, int s, int c, in FlightCondition condition, TrimState trim, FlightTunnel tunnel)

@@ -99,7 +99,7 @@ namespace Alate.Flight
         /// <summary>Largest part of a residual.</summary>
         public static double Norm(double[] r) => r == null ? double.PositiveInfinity : Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
 
-        /// <summary>What is missing at a condition that does not close.</summary>
+        /// <summary>Names what is missing at a condition that does not close.</summary>
         public string Missing(in FlightCondition condition, double[] r)
         {
             if (r == null)
@@ -109,7 +109,7 @@ namespace Alate.Flight
                 : FormattableString.Invariant($"{condition}: does not close; lift is {1 + r[0]:0.00} of the weight, thrust {r[1]:0.00}, pitching moment {r[2]:0.000} of weight times wing length.");
         }
 
-        /// <summary>Where a solution begins: level in a fluid that carries the body, else nose up.</summary>
+        /// <summary>First guess of a solution: level in a fluid that carries the body, else nose up.</summary>
         public TrimState Start()
         {
             var start = new TrimState();
@@ -118,7 +118,7 @@ namespace Alate.Flight
             return start;
         }
 
-        /// <summary>How far a state is from the preferred ones, in their scales, squared.</summary>
+        /// <summary>Squared distance of a state from the preferred ones, in their scales.</summary>
         public double Cost(TrimState state, in FlightCondition condition)
         {
             double[] preferred = Preferred(condition);

@@ -58,7 +58,7 @@ namespace Alate.Flight
             most = math.lerp(most0, most1, blend);
         }
 
-        /// <summary>What the insect can do.</summary>
+        /// <summary>Limits of the insect's flight by this table.</summary>
         public FlightLimits Limits => new FlightLimits(TopSpeed, ClimbRates[0], ClimbRates[ClimbRates.Length - 1], Acceleration);
 
         /// <summary>Largest change of velocity that the insect follows, m/s²; <see cref="FlightModel.AccelerationAt"/>.</summary>

@@ -56,7 +56,7 @@ namespace Alate
         }
     }
 
-    /// <summary>What is read of an asset, kept while somebody looks at it.</summary>
+    /// <summary>Values that are read from an asset, kept while it has users.</summary>
     internal abstract class WatchedValue
     {
         /// <summary>Frames without a look after which a value is let go: in slow motion steps are many frames apart, and insects may be disabled for a moment.</summary>

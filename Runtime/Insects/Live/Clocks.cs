@@ -13,7 +13,7 @@ namespace Alate
         /// <summary>Most steps of one frame: a quarter of a second. The rest of a longer hitch is dropped.</summary>
         public const int MostSteps = 15;
 
-        /// <summary>What the jobs are told.</summary>
+        /// <summary>Values of the clocks that the jobs read.</summary>
         public ClockTimes times = ClockTimes.All(new ClockTime { alpha = 1f });
 
         private StepAccumulator m_Frame = new StepAccumulator(FrameStep, MostSteps);

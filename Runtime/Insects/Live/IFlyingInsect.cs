@@ -2,10 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What carries an insect by its own wings, as the frame loop sees it: told before each step and each picture, with no jobs under way.</summary>
+    /// <summary>Flight that carries an insect by its own wings, as the frame loop sees it: told before each step and each picture, with no jobs under way.</summary>
     internal interface IFlyingInsect
     {
-        /// <summary>Before a step of the insect's clock.</summary>
+        /// <summary>Prepares a step of the insect's clock.</summary>
         /// <param name="live">The wings.</param>
         /// <param name="world">Where they are.</param>
         /// <param name="wind">Air, world units per second.</param>

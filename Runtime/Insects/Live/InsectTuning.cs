@@ -21,7 +21,7 @@ namespace Alate
             m_Steering.fold = 0f;
         }
 
-        /// <summary>How far the wings are folded, 0 to 1; they are commanded so, no parameter changes.</summary>
+        /// <summary>Share to which the wings are folded, 0 to 1; a command, no parameter changes.</summary>
         public float Fold { get; }
 
         /// <summary>Returns true where two change parameters alike.</summary>

@@ -13,7 +13,7 @@ namespace Alate
         /// <summary>Index of the first vertex in the deformed mesh.</summary>
         public readonly int start;
 
-        /// <summary>What is computed of the wing's vertices.</summary>
+        /// <summary>Parts of the wing's vertices that are computed.</summary>
         public readonly VertexPacking packing;
 
         public WingHandle handle;

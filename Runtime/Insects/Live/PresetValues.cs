@@ -23,7 +23,7 @@ namespace Alate
         /// <summary>The preset's sizes, in their ranges.</summary>
         public PresetSize size = PresetSize.Default;
 
-        /// <summary>How the insect sits, degrees.</summary>
+        /// <summary>Posture of the insect that sits, degrees.</summary>
         private PresetRest m_Rest = PresetRest.Default;
 
         /// <summary>Number of changes of <see cref="parameters"/> and of the folded wing.</summary>

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>How the insect sits: where its feet are, and how the wing is held when it is folded. Angles of the drive, with no beat.</summary>
+    /// <summary>Posture of an insect that sits: the place of its feet, and the angles of the folded wing. Angles of the drive, with no beat.</summary>
     [Serializable]
     public struct PresetRest : IEquatable<PresetRest>
     {

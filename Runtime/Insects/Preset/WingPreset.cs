@@ -57,7 +57,7 @@ namespace Alate
         /// <summary>A motion that is prescribed in place of the drive; by default none.</summary>
         public ref PresetKinematics Kinematics => ref m_Kinematics;
 
-        /// <summary>How the insect sits, with its wings folded.</summary>
+        /// <summary>Posture of the insect that sits, with its wings folded.</summary>
         public ref PresetRest Rest => ref m_Rest;
 
         /// <summary>Substeps of one beat, 12 to 480.</summary>

@@ -33,7 +33,7 @@ namespace Alate
         [Tooltip("Degrees by which the plane of the stroke is tilted, nose up positive, -60 to 60; 0 is the preset's. Tilts the force forwards and back.")]
         public float tilt;
 
-        /// <summary>How far the wings are folded, 0 to 1; 0. 1 holds them still as the preset's rest has them. Followed over the next beats.</summary>
+        /// <summary>Share to which the wings are folded, 0 to 1, default 0. 1 holds them still as the preset's rest has them. Followed over the next beats.</summary>
         [Range(0f, 1f)]
         [Tooltip("How far the wings are folded, 0 to 1; 0 beats. Above 0 they are held still, at 1 as the preset's rest has them.")]
         public float fold;

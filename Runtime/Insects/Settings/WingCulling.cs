@@ -4,14 +4,14 @@ namespace Alate
     public enum WingCulling
     {
         /// <summary>
-        /// Nothing is computed: the beat stands still and is made up for when the wings come into view. Forces keep their last values.
+        /// No computation: the beat stands still and is made up for when the wings come into view. Forces keep their last values.
         /// </summary>
         CullCompletely,
 
         /// <summary>Forces and joints are computed; the mesh is not deformed.</summary>
         CullSkinning,
 
-        /// <summary>Everything is computed.</summary>
+        /// <summary>Full computation out of sight too.</summary>
         AlwaysSimulate,
     }
 }

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What the air does to a body through its wings and upon its own hull in one substep, in body axes.</summary>
+    /// <summary>Force and moment of the air on a body, through its wings and on its own hull, in one substep and in body axes.</summary>
     internal struct BodyAir
     {
         /// <summary>Force, N, and moment about the centre of mass, N m, of the wings.</summary>

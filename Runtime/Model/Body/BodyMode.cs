@@ -1,15 +1,15 @@
 namespace Alate
 {
-    /// <summary>What moves a flying body.</summary>
+    /// <summary>Ways in which a flying body is moved.</summary>
     internal enum BodyMode
     {
-        /// <summary>Forces of wings, air and gravity.</summary>
+        /// <summary>Moved by the forces of wings, air and gravity.</summary>
         Free,
 
-        /// <summary>The table: the trim's motion with its bob, for measurements.</summary>
+        /// <summary>Moved by the table: the trim's motion with its bob, for measurements.</summary>
         Held,
 
-        /// <summary>Nothing.</summary>
+        /// <summary>Not moved.</summary>
         Resting,
     }
 }

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>What the feedback at the beat follows: set once a fixed step, carried on with its rates in between.</summary>
+    /// <summary>Reference of the feedback at the beat: set once a fixed step, carried on with its rates in between.</summary>
     internal struct BodyReference
     {
         /// <summary>Velocity over ground along the world's axes, m/s, and its rate, m/s².</summary>

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>How one wing sits on a flying body: its lane, and the way between its frame and the body's.</summary>
+    /// <summary>Place of one wing on a flying body: its lane, and the way between its frame and the body's.</summary>
     internal struct BodyWing
     {
         /// <summary>Index of the pack among those of the jobs.</summary>

@@ -13,10 +13,10 @@ namespace Alate
 
         public BodyMode mode;
 
-        /// <summary>Kilograms, wings and all.</summary>
+        /// <summary>Mass, wings and all, kilograms.</summary>
         public float mass;
 
-        /// <summary>About the centre of mass in body axes, kg m².</summary>
+        /// <summary>Inertia about the centre of mass in body axes, kg m².</summary>
         public float3x3 inertia;
 
         /// <summary>½ρA along each axis of the body, kg/m.</summary>
@@ -91,7 +91,7 @@ namespace Alate
         /// <summary>Mean power that the wings give to the air over the last step, W.</summary>
         public float power;
 
-        /// <summary>Of a held body: mean damping of velocities up and ahead and of turning about X over the last step; columns are what they are damped by.</summary>
+        /// <summary>Mean damping of a held body's velocities up and ahead and of turning about X over the last step; columns are what they are damped by.</summary>
         public float3x3 damping;
 
         /// <summary>Values of the substep: middle of it.</summary>

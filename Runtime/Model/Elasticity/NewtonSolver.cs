@@ -14,7 +14,7 @@ namespace Alate
             /// <summary>Largest number of Newton iterations.</summary>
             public int newton;
 
-            /// <summary>Done when no joint moves further in an iteration, wing lengths. What remains is at most some hundred times its square.</summary>
+            /// <summary>Movement of a joint in an iteration, wing lengths, below which the solver is done. The remaining error is at most some hundred times its square.</summary>
             public float tolerance;
 
             /// <summary>Limits of a substep: four iterations, the minimum to 1e-4 L.</summary>

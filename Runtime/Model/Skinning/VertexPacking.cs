@@ -1,6 +1,6 @@
 namespace Alate
 {
-    /// <summary>What the skinning job writes for a wing.</summary>
+    /// <summary>Format of the vertices that the skinning job writes for a wing.</summary>
     internal enum VertexPacking
     {
         /// <summary>Positions, normals and, where the mesh has them, tangents; all as floats.</summary>

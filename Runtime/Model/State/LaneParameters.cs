@@ -76,7 +76,7 @@ namespace Alate
         /// <summary>1 where delays act on the prescribed angles, else 0.</summary>
         public float4 prescribedWaves;
 
-        /// <summary>What a flight controller commands; no parameter changes it.</summary>
+        /// <summary>Commands of a flight controller; no parameter changes them.</summary>
         public LaneDrive drive;
 
         /// <summary>Writes one wing's parameters, which are in range.</summary>

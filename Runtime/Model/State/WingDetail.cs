@@ -21,7 +21,7 @@ namespace Alate
         /// <summary>Driven waves alone (Eq. 1–3, 6–7); bends and stretches fade within a quarter of a beat. Air force reads 0.</summary>
         WavesOnly,
 
-        /// <summary>Nothing is computed; the wing keeps its pose until its level changes.</summary>
+        /// <summary>No computation; the wing keeps its pose until its level changes.</summary>
         Frozen,
     }
 }

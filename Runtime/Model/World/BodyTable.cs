@@ -40,7 +40,7 @@ namespace Alate
             return new BodyHandle(index, m_Entries[index].version);
         }
 
-        /// <summary>Lets a wing carry a body.</summary>
+        /// <summary>Attaches a wing that carries a body.</summary>
         public void Attach(BodyHandle body, WingEntry wing, in BodyWing place)
         {
             m_Entries[body.index].wings.Add(wing);

@@ -28,7 +28,7 @@ namespace Alate.Samples
             P = StudentT.TwoTailed(T, DegreesOfFreedom);
         }
 
-        /// <summary>Of the sample.</summary>
+        /// <summary>Mean of the sample.</summary>
         public double Mean { get; }
 
         /// <summary>Values less one.</summary>

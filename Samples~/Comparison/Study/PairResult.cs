@@ -45,7 +45,7 @@ namespace Alate.Samples
         /// <summary>Test of whether the share of votes differs from a half; null with fewer than two votes.</summary>
         public OneSampleTTest? Test { get; }
 
-        /// <summary>In one line.</summary>
+        /// <summary>Returns the result in one line.</summary>
         public override string ToString()
         {
             string test = Test == null ? "" : Test.Value.P < k_SmallestShown ? ", p < 0.001" : FormattableString.Invariant($", p = {Test.Value.P:0.000}");

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>What the inspector of Insect Flight says, and its fixes.</summary>
+    /// <summary>Messages of the inspector of Insect Flight, and their fixes.</summary>
     public sealed class FlightFixesTests
     {
         private const string k_Home = "Assets/Alate Test Flights", k_Path = k_Home + "/Trims.asset";

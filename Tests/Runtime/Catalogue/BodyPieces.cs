@@ -7,7 +7,7 @@ namespace Alate.Tests
     /// <summary>The closed pieces of a mesh, and what lies inside them.</summary>
     internal static class BodyPieces
     {
-        /// <summary>For each piece the first corners of its triangles.</summary>
+        /// <summary>Finds, for each piece, the first corners of its triangles.</summary>
         public static List<List<int>> Of(SurfaceMesh mesh)
         {
             int[] parents = new int[mesh.VertexCount];

@@ -39,7 +39,7 @@ internal sealed class PhotoScene
     /// <summary>Linear light of the dots along a way.</summary>
     public static float3 TrailLight { get; } = new(0.3f, 0.27f, 0.22f);
 
-    /// <summary>This insect from another side.</summary>
+    /// <summary>Returns this insect from another side.</summary>
     public PhotoScene From(PictureView view) => new(m_Flight, view, m_Surfaces);
 
     /// <summary>The insect at a phase, 0 to 1 beats.</summary>

@@ -10,7 +10,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What users do to insects that fly.</summary>
+    /// <summary>Acts of users on insects that fly.</summary>
     public sealed class FlightActsTests : FlightFixture
     {
         private readonly Dictionary<string, FlightTrims> m_Trims = new Dictionary<string, FlightTrims>();

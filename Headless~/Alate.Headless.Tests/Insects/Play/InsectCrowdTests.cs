@@ -15,7 +15,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Play.Headless
 {
-    /// <summary>What crowds draw, for whom, and what it costs.</summary>
+    /// <summary>Drawing of crowds: for which cameras, and its allocations.</summary>
     public sealed class InsectCrowdTests : CrowdFixture
     {
         [TearDown]

@@ -15,7 +15,7 @@ public struct Random
         NextState();
     }
 
-    /// <summary>For seeds that count up from 0.</summary>
+    /// <summary>Makes a generator from a seed that may count up from 0.</summary>
     public static Random CreateFromIndex(uint index) => new(WangHash(index + 62u));
 
     public void InitState(uint seed = 0x6E624EB7u)

@@ -17,10 +17,10 @@ namespace Alate.Flight
         [SerializeField]
         private ObstacleSettings m_Obstacles = ObstacleSettings.Default;
 
-        /// <summary>How the insect flies among others.</summary>
+        /// <summary>Settings of the flight among others.</summary>
         public ref FlockSettings Settings => ref m_Settings;
 
-        /// <summary>How the insect avoids what is in its way.</summary>
+        /// <summary>Settings by which the insect avoids colliders in its way.</summary>
         public ref ObstacleSettings Obstacles => ref m_Obstacles;
 
         /// <summary>Neighbours of the same group that the insect sees.</summary>

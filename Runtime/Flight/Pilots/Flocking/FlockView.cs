@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>What a member of a flock sees of its neighbours.</summary>
+    /// <summary>View that a member of a flock has of its neighbours.</summary>
     internal struct FlockView
     {
         /// <summary>Middle of the neighbours, world units.</summary>

@@ -60,7 +60,7 @@ namespace Alate.Flight
             }
         }
 
-        /// <summary>Where the insect flies beside the target, world units.</summary>
+        /// <summary>Place of the insect beside the target, world units.</summary>
         public Vector3 Offset
         {
             get => m_Offset;
@@ -91,7 +91,7 @@ namespace Alate.Flight
             set => m_Speed = float.IsNaN(value) ? 1f : Mathf.Clamp(value, 0.05f, 5f);
         }
 
-        /// <summary>How the insect avoids what is in its way.</summary>
+        /// <summary>Settings by which the insect avoids colliders in its way.</summary>
         public ref ObstacleSettings Obstacles => ref m_Obstacles;
 
         /// <summary>Whether the insect has come to the last point.</summary>

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// What one insect's rays met: one along its way and four around it. A wanted velocity loses what would carry the insect into a surface before it can stop, and
+    /// Hits of one insect's rays: one along its way and four around it. A wanted velocity loses what would carry the insect into a surface before it can stop, and
     /// turns to the freest side.
     /// </summary>
     internal sealed class ObstacleSense
@@ -18,10 +18,10 @@ namespace Alate.Flight
         private readonly float3[] m_Directions = new float3[RayCount];
         private float3 m_Way = new float3(0f, 0f, 1f);
 
-        /// <summary>Where the rays start, world units.</summary>
+        /// <summary>Start of the rays, world units.</summary>
         public float3 From { get; private set; }
 
-        /// <summary>How far they reach, world units.</summary>
+        /// <summary>Reach of the rays, world units.</summary>
         public float Reach { get; private set; }
 
         /// <summary>Layers that they meet.</summary>

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>How a pilot avoids colliders in its way.</summary>
+    /// <summary>Settings by which a pilot avoids colliders in its way.</summary>
     [Serializable]
     public struct ObstacleSettings
     {

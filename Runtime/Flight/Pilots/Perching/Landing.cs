@@ -44,7 +44,7 @@ namespace Alate.Flight
         /// <summary>Fastest approach to the surface: over the height above it, 1/s, and what is added to it, m/s.</summary>
         private const float k_SettleRate = 3f, k_Settle = 0.02f;
 
-        /// <summary>How much faster an insect is asked to sink than it does, m/s: one that rises while ever more is asked for rocks, and tumbles.</summary>
+        /// <summary>Most by which the wanted sinking is faster than the flown one, m/s: one that rises while ever more is asked for rocks, and tumbles.</summary>
         private const float k_Sink = 0.1f;
 
         /// <summary>Rate at which the insect gets back to the line, 1/s.</summary>
@@ -107,7 +107,7 @@ namespace Alate.Flight
         /// <summary>Whether the insect is on the line.</summary>
         public bool IsFlaring { get; private set; }
 
-        /// <summary>How often the insect flew up again.</summary>
+        /// <summary>Number of times that the insect flew up again.</summary>
         public int Attempts { get; private set; }
 
         /// <summary>Command for the next step.</summary>

@@ -33,10 +33,10 @@ namespace Alate.Flight
         private float m_SinceLook;
         private float3 m_Threat = float.NaN;
 
-        /// <summary>When the insect lands and what it does there.</summary>
+        /// <summary>Settings of when the insect lands and what it does there.</summary>
         public ref PerchSettings Settings => ref m_Settings;
 
-        /// <summary>What the insect flees from.</summary>
+        /// <summary>Objects that the insect flees from.</summary>
         public List<Transform> Watched => m_Watched;
 
         /// <summary>Number that lengths of flights and stays are drawn with; 0 takes another for each insect.</summary>
@@ -46,10 +46,10 @@ namespace Alate.Flight
             set => m_Seed = value;
         }
 
-        /// <summary>What the insect does.</summary>
+        /// <summary>Stage of the insect.</summary>
         public PerchStage Stage => m_Plan?.Stage ?? PerchStage.Between;
 
-        /// <summary>How far the wings are folded, 0 to 1.</summary>
+        /// <summary>Share to which the wings are folded, 0 to 1.</summary>
         public float Fold => m_Rest.Fold;
 
         private PerchPlan Plan => m_Plan ??= new PerchPlan(m_Seed != 0 ? m_Seed : GetHashCode());

@@ -12,7 +12,7 @@ namespace Alate.Flight
         /// <summary>Speed of taking off ahead, m/s; many species cannot climb while they hover.</summary>
         private const float k_TakeOffSpeed = 0.65f;
 
-        /// <summary>How much a start from a slope goes down it.</summary>
+        /// <summary>Way of a start down a slope, over the slope's fall.</summary>
         private const float k_Downhill = 1.2f;
 
         /// <summary>Attempts before a spot is given up.</summary>
@@ -26,7 +26,7 @@ namespace Alate.Flight
         /// <param name="seed">Any number: lengths of stays and flights.</param>
         public PerchPlan(int seed) => m_Random = Random.CreateFromIndex((uint)(seed & int.MaxValue));
 
-        /// <summary>What the insect does.</summary>
+        /// <summary>Stage of the insect.</summary>
         public PerchStage Stage { get; private set; }
 
         /// <summary>The landing under way, or the last one; null before the first.</summary>

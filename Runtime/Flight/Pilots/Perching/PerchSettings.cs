@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>When an insect lands, how long it stays, and what it does there. Times are chosen; each stay and flight lasts between half and one and a half times as long.</summary>
+    /// <summary>Settings of when an insect lands, how long it stays, and what it does there. Times are chosen; each stay and flight lasts between half and one and a half times as long.</summary>
     [Serializable]
     public struct PerchSettings
     {

@@ -1,21 +1,21 @@
 namespace Alate.Flight
 {
-    /// <summary>What an insect that lands now and then does.</summary>
+    /// <summary>Stages of an insect that lands now and then.</summary>
     public enum PerchStage
     {
-        /// <summary>Another pilot flies.</summary>
+        /// <summary>Flight under another pilot.</summary>
         Between,
 
-        /// <summary>On the way to a place before the spot.</summary>
+        /// <summary>Way to a place before the spot.</summary>
         Approaching,
 
-        /// <summary>The last way down to the spot, slower and slower.</summary>
+        /// <summary>Last way down to the spot, slower and slower.</summary>
         Flaring,
 
-        /// <summary>The insect sits.</summary>
+        /// <summary>Stay on the spot.</summary>
         Perched,
 
-        /// <summary>Away from the spot, forward and up.</summary>
+        /// <summary>Way from the spot, forward and up.</summary>
         TakingOff,
     }
 }

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>How far the wings are folded while an insect sits: closed at first, then open and closed slowly, spread again before it flies.</summary>
+    /// <summary>Folding of the wings while an insect sits: closed at first, then open and closed slowly, spread again before it flies.</summary>
     public struct WingRest
     {
         private float m_Time;
@@ -10,7 +10,7 @@ namespace Alate.Flight
         /// <summary>Share of the folded posture, 0 (spread) to 1 (folded).</summary>
         public float Fold { get; private set; }
 
-        /// <summary>Lets time go by.</summary>
+        /// <summary>Advances the folding by a step.</summary>
         /// <param name="dt">Seconds.</param>
         /// <param name="sits">Whether the insect sits; otherwise the wings are spread at once: they beat.</param>
         /// <param name="settings">How it rests.</param>

@@ -35,7 +35,7 @@ namespace Alate.Flight
         private Vector3 m_Start;
         private bool m_HasStarted;
 
-        /// <summary>Where the insect stays, world units; relative to <see cref="Around"/> where there is one, or else to the start with <see cref="FromStart"/>.</summary>
+        /// <summary>Volume in which the insect stays, world units; relative to <see cref="Around"/> where there is one, or else to the start with <see cref="FromStart"/>.</summary>
         public FlightVolume Volume
         {
             get => m_Volume;
@@ -56,10 +56,10 @@ namespace Alate.Flight
             set => m_FromStart = value;
         }
 
-        /// <summary>How the insect wanders.</summary>
+        /// <summary>Settings of the track.</summary>
         public ref WanderSettings Settings => ref m_Settings;
 
-        /// <summary>How the insect avoids what is in its way.</summary>
+        /// <summary>Settings by which the insect avoids colliders in its way.</summary>
         public ref ObstacleSettings Obstacles => ref m_Obstacles;
 
         /// <summary>Number of the track; 0 takes another one for each insect. A new number starts a new track.</summary>

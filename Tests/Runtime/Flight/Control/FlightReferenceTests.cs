@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Flight
 {
-    /// <summary>What the feedback follows, on its own.</summary>
+    /// <summary>Reference of the feedback, on its own.</summary>
     public sealed class FlightReferenceTests
     {
         private const float k_Step = 0.01f, k_Top = 1.3f;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Does what a test wants done at some moment of the frame.</summary>
+    /// <summary>Runs a test's action at some moment of the frame.</summary>
     internal sealed class Deeds : MonoBehaviour
     {
         public Action inFixedUpdate, inUpdate, inLateUpdate, whenDisabled, whenDestroyed;

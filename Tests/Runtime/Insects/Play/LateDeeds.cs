@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Does something after the wings were stepped or drawn.</summary>
+    /// <summary>Runs a test's action after the wings were stepped or drawn.</summary>
     [DefaultExecutionOrder(32000)]
     internal sealed class LateDeeds : MonoBehaviour
     {

@@ -33,7 +33,7 @@ internal abstract class UndoStep
     }
 }
 
-/// <summary>Something was made.</summary>
+/// <summary>Creation of an object.</summary>
 internal sealed class MadeStep(Object made) : UndoStep
 {
     public override void Restore()
@@ -43,7 +43,7 @@ internal sealed class MadeStep(Object made) : UndoStep
     }
 }
 
-/// <summary>Something was destroyed, which this stand-in cannot bring back.</summary>
+/// <summary>Destruction of an object, which this stand-in cannot bring back.</summary>
 internal sealed class DestroyedStep : UndoStep
 {
     public override void Restore() => throw new NotSupportedException("The stand-in for Undo cannot bring destroyed objects back.");

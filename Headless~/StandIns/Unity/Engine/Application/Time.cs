@@ -34,7 +34,7 @@ public class Time
         set => s_MaximumDeltaTime = Math.Max(value, s_FixedDeltaTime);
     }
 
-    /// <summary>If above 0, each frame takes so many seconds, however long it took.</summary>
+    /// <summary>Seconds that each frame takes, however long it took; 0 or less for those of the clock.</summary>
     public static float captureDeltaTime { get; set; }
 
     public static int captureFramerate

@@ -21,7 +21,7 @@ public static class PlayerLoop
     private static readonly Action s_DrawAll = () => BehaviourList.Send(s_OnGui);
     private static bool s_Ticking;
 
-    /// <summary>After the frame's last coroutine, before what was destroyed ends.</summary>
+    /// <summary>Raised after the frame's last coroutine, before destroyed objects end.</summary>
     public static event Action FrameEnding;
 
     /// <summary>Value of Application.isPlaying.</summary>

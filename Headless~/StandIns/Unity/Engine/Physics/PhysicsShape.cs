@@ -9,7 +9,7 @@ internal readonly record struct PhysicsShape(int Collider, int Layer, bool IsTri
     public bool IsMet(int layerMask, QueryTriggerInteraction triggers) =>
         (layerMask & (1 << Layer)) != 0 && (!IsTrigger || triggers != QueryTriggerInteraction.Ignore);
 
-    /// <summary>Where a ray enters; one that starts within does not.</summary>
+    /// <summary>Finds the place where a ray enters; one that starts within does not.</summary>
     public bool Raycast(Vector3 from, Vector3 direction, float distance, out RaycastHit hit)
     {
         var back = Quaternion.Inverse(Rotation);

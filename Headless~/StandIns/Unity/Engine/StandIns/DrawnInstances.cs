@@ -8,7 +8,7 @@ namespace Unity.StandIns;
 [StandInExtension]
 public sealed record DrawnBatch(Mesh Mesh, int Submesh, Material Material, Matrix4x4[] Matrices, IReadOnlyDictionary<string, Vector4[]> Properties);
 
-/// <summary>What is drawn by instances, kept while a test looks.</summary>
+/// <summary>Instances that were drawn, kept while a test looks.</summary>
 [StandInExtension]
 public static class DrawnInstances
 {

@@ -2,7 +2,7 @@ using System;
 
 namespace Unity.Jobs;
 
-/// <summary>Nothing to do but to wait for several jobs.</summary>
+/// <summary>Empty job that waits for several others.</summary>
 internal sealed class JobFence : JobRecord
 {
     public override string Name => "CombineDependencies";

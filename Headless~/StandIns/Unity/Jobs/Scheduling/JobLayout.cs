@@ -92,7 +92,7 @@ internal sealed unsafe class JobLayout
 #endif
     }
 
-    /// <summary>Before an index of a parallel job: the containers that it writes are open at that index only.</summary>
+    /// <summary>Opens the containers that a parallel job writes at the next index only.</summary>
     [Conditional("ENABLE_UNITY_COLLECTIONS_CHECKS")]
     public void Restrict<T>(ref T job, int index, bool parallel)
     {
