@@ -11,9 +11,9 @@ namespace Alate.Editor
         /// <summary>Saves an object that is no asset yet.</summary>
         /// <param name="made">Becomes the asset, or is destroyed when its content has gone into the one that was there.</param>
         /// <param name="path">Has been checked by <see cref="AssetPath"/>.</param>
-        /// <param name="act">What the undo menu calls writing over.</param>
+        /// <param name="undoName">Name in the undo menu.</param>
         /// <returns>The asset.</returns>
-        public static T Save<T>(T made, string path, string act) where T : ScriptableObject
+        public static T Save<T>(T made, string path, string undoName) where T : ScriptableObject
         {
             T existing = AssetDatabase.LoadAssetAtPath<T>(path);
             if (existing == null)
@@ -25,7 +25,7 @@ namespace Alate.Editor
 
             made.name = existing.name;
             made.hideFlags = existing.hideFlags;
-            Undo.RecordObject(existing, act);
+            Undo.RecordObject(existing, undoName);
             EditorUtility.CopySerialized(made, existing);
             EditorUtility.SetDirty(existing);
             AssetDatabase.SaveAssetIfDirty(existing);

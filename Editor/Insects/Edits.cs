@@ -9,11 +9,11 @@ namespace Alate.Editor
     {
         /// <summary>Changes one object.</summary>
         /// <param name="target">What is about to be changed.</param>
-        /// <param name="act">What the undo menu calls it.</param>
+        /// <param name="undoName">Name in the undo menu.</param>
         /// <param name="change">Changes nothing but the target.</param>
-        public static void Change<T>(T target, string act, Action<T> change) where T : Object
+        public static void Change<T>(T target, string undoName, Action<T> change) where T : Object
         {
-            Undo.RecordObject(target, act);
+            Undo.RecordObject(target, undoName);
             change(target);
             KeepOverrides(target);
         }
@@ -26,10 +26,10 @@ namespace Alate.Editor
         }
 
         /// <summary>Makes one step for undo of several changes.</summary>
-        public static void InOneStep(string act, Action changes)
+        public static void InOneStep(string undoName, Action changes)
         {
             Undo.IncrementCurrentGroup();
-            Undo.SetCurrentGroupName(act);
+            Undo.SetCurrentGroupName(undoName);
             int group = Undo.GetCurrentGroup();
             changes();
             Undo.CollapseUndoOperations(group);

@@ -24,11 +24,11 @@ namespace Alate.Editor
             return null;
         });
 
-        private static string Try(Func<string> act)
+        private static string Try(Func<string> action)
         {
             try
             {
-                return act();
+                return action();
             }
             catch (Exception failed) when (failed is IOException || failed is UnauthorizedAccessException || failed is ArgumentException)
             {

@@ -22,8 +22,8 @@ namespace Alate.Editor
 
         /// <summary>Imports the models of some meshes again, each once, so that scripts can read them.</summary>
         /// <param name="meshes">None has an obstacle.</param>
-        /// <param name="act">What the undo menu calls it.</param>
-        public static void MakeReadable(IEnumerable<Mesh> meshes, string act)
+        /// <param name="undoName">Name in the undo menu.</param>
+        public static void MakeReadable(IEnumerable<Mesh> meshes, string undoName)
         {
             var models = new HashSet<string>();
             foreach (Mesh mesh in meshes)
@@ -31,7 +31,7 @@ namespace Alate.Editor
             foreach (string path in models)
             {
                 var importer = (ModelImporter)AssetImporter.GetAtPath(path);
-                Undo.RegisterImporterUndo(path, act);
+                Undo.RegisterImporterUndo(path, undoName);
                 importer.isReadable = true;
                 importer.SaveAndReimport();
             }

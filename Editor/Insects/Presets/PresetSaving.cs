@@ -3,7 +3,7 @@ namespace Alate.Editor
     /// <summary>Saves a tuned preset as an asset of the project and lets the wings beat by it.</summary>
     internal sealed class PresetSaving
     {
-        private const string k_Act = "Save Preset";
+        private const string k_UndoName = "Save Preset";
         private readonly AskForPath m_Ask;
 
         /// <param name="ask">Where to save it.</param>
@@ -21,8 +21,8 @@ namespace Alate.Editor
             string obstacle = AssetPath.FindProblem(path);
             if (obstacle != null)
                 return FixOutcome.Refused(obstacle);
-            WingPreset saved = AssetWriter.Save(preset.Copy(), path, k_Act);
-            Edits.Change(insect, k_Act, _ => preset.Use(saved));
+            WingPreset saved = AssetWriter.Save(preset.Copy(), path, k_UndoName);
+            Edits.Change(insect, k_UndoName, _ => preset.Use(saved));
             return FixOutcome.Done($"Saved as '{path}'; the wings beat by it now.");
         }
     }

@@ -36,13 +36,13 @@ namespace Alate.Editor
 
         /// <summary>Saves all skeletons and forgets them; the first lies at the path itself when it is the only one.</summary>
         /// <returns>[wing] The asset for each wing that was chosen and has one now.</returns>
-        public Dictionary<int, WingSkeleton> Save(string path, string act)
+        public Dictionary<int, WingSkeleton> Save(string path, string undoName)
         {
             var saved = new Dictionary<int, WingSkeleton>();
             foreach (Entry entry in m_Entries)
             {
                 string place = m_Entries.Count == 1 ? path : AssetPath.Beside(path, entry.name);
-                WingSkeleton asset = AssetWriter.Save(entry.skeleton, place, act);
+                WingSkeleton asset = AssetWriter.Save(entry.skeleton, place, undoName);
                 foreach (int wing in entry.wings)
                     saved.Add(wing, asset);
             }

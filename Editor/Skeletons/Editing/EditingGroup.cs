@@ -64,15 +64,15 @@ namespace Alate.Editor
 
         /// <summary>Runs a command on the <see cref="Acting"/> skeletons, in one step of undo.</summary>
         /// <returns>Why one of them refused, where one did.</returns>
-        public EditOutcome Do(EditCommand act)
+        public EditOutcome Do(EditCommand command)
         {
             if (Active == null)
                 return EditOutcome.Refused("There is no skeleton to edit.");
             EditOutcome outcome = EditOutcome.Success;
-            m_Undo.Begin(act.Name);
+            m_Undo.Begin(command.Name);
             foreach (SkeletonEditing editing in Acting())
             {
-                EditOutcome own = act.Run(editing);
+                EditOutcome own = command.Run(editing);
                 outcome = outcome.Done ? own : outcome;
             }
 

@@ -9,7 +9,7 @@ namespace Alate.Editor
     internal interface IUndoRecorder
     {
         /// <summary>Opens a step. One in which nothing is recorded leaves no trace.</summary>
-        void Begin(string act);
+        void Begin(string undoName);
 
         /// <summary>Records an object's state, before its first change in this step.</summary>
         void Record(Object target);

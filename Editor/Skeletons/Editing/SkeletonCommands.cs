@@ -11,9 +11,9 @@ namespace Alate.Editor
     internal static class SkeletonCommands
     {
         /// <summary>Commands in menu order, in groups.</summary>
-        public static readonly IReadOnlyList<SkeletonActGroup> Groups = new[]
+        public static readonly IReadOnlyList<SkeletonCommandGroup> Groups = new[]
         {
-            new SkeletonActGroup(
+            new SkeletonCommandGroup(
                 "Select",
                 Make("Select Chain", KeyCode.D, false, "Selects the whole chains of the selected joints.",
                     editing => Select(editing, SelectCommands.Chains)),
@@ -21,7 +21,7 @@ namespace Alate.Editor
                     editing => Select(editing, SelectCommands.Rows)),
                 Make("Invert Selection", KeyCode.I, true, "Selects the joints that are not selected.",
                     editing => Select(editing, SelectCommands.Others))),
-            new SkeletonActGroup(
+            new SkeletonCommandGroup(
                 "Chains and joints",
                 Make("Add Chain Behind", KeyCode.C, false,
                     "Adds a chain behind that of the selected joint, halfway to the next; behind the last one, beyond it.",
@@ -34,7 +34,7 @@ namespace Alate.Editor
                 Make("Remove Joint Row", KeyCode.J, true, "Removes the selected joint from every chain.", RowCommands.Remove),
                 Make("Reverse Chains", KeyCode.None, false,
                     "Turns the order of the chains round, where the first is not on the leading edge.", ChainCommands.Reverse)),
-            new SkeletonActGroup(
+            new SkeletonCommandGroup(
                 "Shape",
                 Make("Space Evenly", KeyCode.N, false, "Spaces joints evenly along the chains of the selected joints, or all chains.",
                     ResampleCommands.Evenly),
@@ -44,7 +44,7 @@ namespace Alate.Editor
                 Make("Smooth", KeyCode.S, true,
                     "Moves the selected joints, or all, halfway to the middle of those around them. Roots and tips stay.", LineCommands.Smooth),
                 Make("Snap To Surface", KeyCode.P, false, "Moves the selected joints to the closest points of the mesh.", Snap)),
-            new SkeletonActGroup(
+            new SkeletonCommandGroup(
                 "Hinge and axes",
                 Make("Set Hinge", KeyCode.O, false, "Puts the hinge at the selected joint; at the first root where none is selected.",
                     FrameCommands.SetHinge),
@@ -52,7 +52,7 @@ namespace Alate.Editor
                     "Turns the span axis from the hinge to the selected joint, or to the tip of the principal chain.", FrameCommands.SetSpan),
                 Make("Fit Axes", KeyCode.U, false, "Fits the span and up axis to the joints.", (draft, selected) => FrameCommands.FitAxes(draft)),
                 Make("Flip Up Axis", KeyCode.None, false, "Makes the upper side the lower one.", (draft, selected) => FrameCommands.FlipUp(draft))),
-            new SkeletonActGroup(
+            new SkeletonCommandGroup(
                 "Whole skeleton",
                 Make("Mirror Onto Other Side", KeyCode.M, false, "Makes the other wing's skeleton the mirror image of this one.",
                     editing => editing.MirrorOntoTwin()),
@@ -73,22 +73,22 @@ namespace Alate.Editor
         /// <exception cref="ArgumentException">There is none.</exception>
         public static EditCommand Find(string name)
         {
-            foreach (EditCommand act in All)
+            foreach (EditCommand command in All)
             {
-                if (act.Name == name)
-                    return act;
+                if (command.Name == name)
+                    return command;
             }
 
-            throw new ArgumentException($"There is no act '{name}'.", nameof(name));
+            throw new ArgumentException($"There is no command '{name}'.", nameof(name));
         }
 
         /// <summary>Finds the command of a key; null where it has none.</summary>
         public static EditCommand Find(KeyCode key, bool shift)
         {
-            foreach (EditCommand act in All)
+            foreach (EditCommand command in All)
             {
-                if (key != KeyCode.None && act.Key == key && act.Shift == shift)
-                    return act;
+                if (key != KeyCode.None && command.Key == key && command.Shift == shift)
+                    return command;
             }
 
             return null;
@@ -122,8 +122,8 @@ namespace Alate.Editor
         private static IReadOnlyList<EditCommand> Flatten()
         {
             var all = new List<EditCommand>();
-            foreach (SkeletonActGroup group in Groups)
-                all.AddRange(group.Acts);
+            foreach (SkeletonCommandGroup group in Groups)
+                all.AddRange(group.Commands);
             return all;
         }
 

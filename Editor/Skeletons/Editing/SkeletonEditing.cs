@@ -57,17 +57,17 @@ namespace Alate.Editor
         }
 
         /// <summary>Runs a command on a skeleton with complete chains.</summary>
-        public EditOutcome Do(string act, Func<SkeletonDraft, JointIndex[], Proposal> make)
+        public EditOutcome Do(string undoName, Func<SkeletonDraft, JointIndex[], Proposal> make)
         {
             string fault = Start(out EditStart start);
-            return fault != null ? EditOutcome.Refused(fault) : Commit(act, start, make(start.Own, Selection.Living()));
+            return fault != null ? EditOutcome.Refused(fault) : Commit(undoName, start, make(start.Own, Selection.Living()));
         }
 
         /// <summary>Checks, records and makes a change.</summary>
-        /// <param name="act">What undo calls it.</param>
-        /// <param name="start">What was there when the act began.</param>
+        /// <param name="undoName">Name in the undo menu.</param>
+        /// <param name="start">What was there when the command began.</param>
         /// <param name="proposal">What the skeleton shall become.</param>
-        public EditOutcome Commit(string act, in EditStart start, Proposal proposal)
+        public EditOutcome Commit(string undoName, in EditStart start, Proposal proposal)
         {
             string refusal = Lock ?? proposal.Refusal;
             if (refusal != null)
@@ -82,7 +82,7 @@ namespace Alate.Editor
             if (fault != null)
                 return EditOutcome.Refused(fault);
 
-            m_Undo.Begin(act);
+            m_Undo.Begin(undoName);
             Write(Skeleton, after);
             if (twin.Draft != null)
                 Write(Twin.Skeleton, twin.Draft);
@@ -135,7 +135,7 @@ namespace Alate.Editor
             Selection.Set(joints);
         }
 
-        // The wing frame begins at the hinge, which by default is the first root: where it was, it stays, unless the act moved it itself.
+        // The wing frame begins at the hinge, which by default is the first root: where it was, it stays, unless the command moved it itself.
         private static void KeepHingeOnRoot(SkeletonDraft before, SkeletonDraft after)
         {
             if (before != null && before.Hinge.Equals(before[0, 0]) && after.Hinge.Equals(before.Hinge))

@@ -14,7 +14,7 @@ namespace Alate.Editor
         private readonly Dictionary<SkeletonEditing, SkeletonTarget> m_TargetOf = new Dictionary<SkeletonEditing, SkeletonTarget>();
 
         /// <param name="targets">The skeletons, each once.</param>
-        /// <param name="undo">Where acts are recorded.</param>
+        /// <param name="undo">Where commands are recorded.</param>
         public SkeletonSession(IEnumerable<SkeletonTarget> targets, IUndoRecorder undo)
         {
             m_Targets = new List<SkeletonTarget>(targets);
@@ -77,7 +77,7 @@ namespace Alate.Editor
         }
 
         /// <summary>Runs a command.</summary>
-        public EditOutcome Do(EditCommand act) => Report(Group.Do(act));
+        public EditOutcome Do(EditCommand command) => Report(Group.Do(command));
 
         /// <summary>Records an outcome, for the panel.</summary>
         public EditOutcome Report(EditOutcome outcome)

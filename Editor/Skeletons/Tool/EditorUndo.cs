@@ -4,29 +4,29 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Records acts in the editor's own undo history, one group a step.</summary>
+    /// <summary>Records commands in the editor's own undo history, one group a step.</summary>
     internal sealed class EditorUndo : IUndoRecorder
     {
         private readonly HashSet<Object> m_Recorded = new HashSet<Object>();
-        private string m_Act;
+        private string m_UndoName;
         private int m_Group;
         private int m_Depth;
 
-        public void Begin(string act)
+        public void Begin(string undoName)
         {
             if (m_Depth++ > 0)
                 return;
-            m_Act = act;
+            m_UndoName = undoName;
             m_Recorded.Clear();
             Undo.IncrementCurrentGroup();
             m_Group = Undo.GetCurrentGroup();
         }
 
-        // Complete, not by differences: acts replace whole arrays within arrays.
+        // Complete, not by differences: commands replace whole arrays within arrays.
         public void Record(Object target)
         {
             if (m_Recorded.Add(target))
-                Undo.RegisterCompleteObjectUndo(target, m_Act);
+                Undo.RegisterCompleteObjectUndo(target, m_UndoName);
         }
 
         public void Changed(Object target) => EditorUtility.SetDirty(target);
@@ -35,7 +35,7 @@ namespace Alate.Editor
         {
             if (m_Depth == 0 || --m_Depth > 0 || m_Recorded.Count == 0)
                 return;
-            Undo.SetCurrentGroupName(m_Act);
+            Undo.SetCurrentGroupName(m_UndoName);
             Undo.CollapseUndoOperations(m_Group);
         }
 

@@ -74,10 +74,10 @@ namespace Alate.Editor
                 return true;
             }
 
-            EditCommand act = SkeletonCommands.Find(key, shift);
-            if (act != null && !session.Pointer.IsDown)
-                session.Do(act);
-            return act != null;
+            EditCommand command = SkeletonCommands.Find(key, shift);
+            if (command != null && !session.Pointer.IsDown)
+                session.Do(command);
+            return command != null;
         }
 
         // First what the mouse is doing, then the selection; with neither, the editor's own meaning of the key.

@@ -9,12 +9,12 @@ namespace Alate.Editor
         public static void Show(SkeletonSession session)
         {
             var menu = new GenericMenu();
-            foreach (SkeletonActGroup group in SkeletonCommands.Groups)
+            foreach (SkeletonCommandGroup group in SkeletonCommands.Groups)
             {
                 if (group != SkeletonCommands.Groups[0])
                     menu.AddSeparator("");
-                foreach (EditCommand act in group.Acts)
-                    menu.AddItem(new GUIContent(act.Title), false, () => session.Do(act));
+                foreach (EditCommand command in group.Commands)
+                    menu.AddItem(new GUIContent(command.Title), false, () => session.Do(command));
             }
 
             menu.ShowAsContext();

@@ -67,7 +67,7 @@ namespace Alate.Editor
             if (session.LastRefusal != null)
                 EditorGUILayout.HelpBox(session.LastRefusal, MessageType.Warning);
             Pictures(session.Overlay);
-            Acts(session);
+            DrawCommands(session);
         }
 
         // A click in the panel takes the focus from the scene: the keys go on working, but where text is being typed.
@@ -187,28 +187,28 @@ namespace Alate.Editor
             EditorGUILayout.LabelField(ends.Value.low, ends.Value.high, EditorStyles.miniLabel);
         }
 
-        private static void Acts(SkeletonSession session)
+        private static void DrawCommands(SkeletonSession session)
         {
-            foreach (SkeletonActGroup group in SkeletonCommands.Groups)
+            foreach (SkeletonCommandGroup group in SkeletonCommands.Groups)
             {
                 EditorGUILayout.LabelField(group.Name, EditorStyles.miniBoldLabel);
-                for (int k = 0; k < group.Acts.Count; k += 2)
+                for (int k = 0; k < group.Commands.Count; k += 2)
                 {
                     using (new EditorGUILayout.HorizontalScope())
                     {
-                        Act(session, group.Acts[k]);
-                        if (k + 1 < group.Acts.Count)
-                            Act(session, group.Acts[k + 1]);
+                        DrawCommand(session, group.Commands[k]);
+                        if (k + 1 < group.Commands.Count)
+                            DrawCommand(session, group.Commands[k + 1]);
                     }
                 }
             }
         }
 
-        private static void Act(SkeletonSession session, EditCommand act)
+        private static void DrawCommand(SkeletonSession session, EditCommand command)
         {
-            string tooltip = act.Key == KeyCode.None ? act.Tooltip : $"{act.Tooltip} ({act.Shortcut})";
-            if (GUILayout.Button(new GUIContent(act.Name, tooltip), EditorStyles.miniButton, GUILayout.Width(0.5f * k_Width)))
-                session.Do(act);
+            string tooltip = command.Key == KeyCode.None ? command.Tooltip : $"{command.Tooltip} ({command.Shortcut})";
+            if (GUILayout.Button(new GUIContent(command.Name, tooltip), EditorStyles.miniButton, GUILayout.Width(0.5f * k_Width)))
+                session.Do(command);
         }
     }
 }

@@ -10,7 +10,7 @@ namespace Alate.Editor
     /// </summary>
     internal sealed class JointDrag
     {
-        private const string k_Act = "Move Joints";
+        private const string k_UndoName = "Move Joints";
 
         private readonly IUndoRecorder m_Undo;
         private readonly SkeletonEditing m_Grabbed;
@@ -38,7 +38,7 @@ namespace Alate.Editor
                     m_Start = start.Own;
             }
 
-            m_Undo.Begin(k_Act);
+            m_Undo.Begin(k_UndoName);
         }
 
         /// <summary>Moves the joints so that the grabbed one is under the ray.</summary>
@@ -93,7 +93,7 @@ namespace Alate.Editor
                 Proposal moved = mode == DragMode.Surface && editing.Surface != null
                     ? MoveCommands.OnSurface(start.Own, joints, delta, editing.Surface)
                     : MoveCommands.By(start.Own, joints, delta);
-                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, moved));
+                outcome = FirstRefusal(outcome, editing.Commit(k_UndoName, start, moved));
             }
 
             return outcome;
@@ -108,7 +108,7 @@ namespace Alate.Editor
             foreach ((SkeletonEditing editing, EditStart start, JointIndex[] joints) in m_Parts)
             {
                 float own = distance * (editing == m_Grabbed ? 1f : scale / ScaleOf(editing.LocalToWorld));
-                outcome = FirstRefusal(outcome, editing.Commit(k_Act, start, SlideCommands.By(start.Own, joints, own)));
+                outcome = FirstRefusal(outcome, editing.Commit(k_UndoName, start, SlideCommands.By(start.Own, joints, own)));
             }
 
             return outcome;

@@ -56,6 +56,6 @@ namespace Alate.Editor.Tests
         private protected void Select(params (int chain, int joint)[] joints) =>
             Editing.Select(System.Array.ConvertAll(joints, at => new JointIndex(at.chain, at.joint)));
 
-        private protected EditOutcome Do(string act) => SkeletonCommands.Find(act).Run(Editing);
+        private protected EditOutcome Do(string command) => SkeletonCommands.Find(command).Run(Editing);
     }
 }

@@ -180,7 +180,7 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
-        public void EmptyGroup_RefusesActs()
+        public void EmptyGroup_RefusesCommands()
         {
             var none = new EditingGroup(new SkeletonEditing[0], Undo);
 

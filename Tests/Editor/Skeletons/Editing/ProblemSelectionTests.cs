@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Acts bring problems about and take them away again, and each problem knows which joints it is about.</summary>
+    /// <summary>Commands bring problems about and take them away again, and each problem knows which joints it is about.</summary>
     public sealed class ProblemSelectionTests : EditingFixture
     {
         [Test]

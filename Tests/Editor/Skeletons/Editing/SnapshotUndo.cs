@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Undo and redo by copies of what acts record, with Unity's rules: one step a group, a new step ends what could be redone.</summary>
+    /// <summary>Undo and redo by copies of what commands record, with Unity's rules: one step a group, a new step ends what could be redone.</summary>
     internal sealed class SnapshotUndo : IUndoRecorder
     {
         private readonly Stack<Step> m_Done = new Stack<Step>();
@@ -22,10 +22,10 @@ namespace Alate.Editor.Tests
         /// <summary>True where an object was marked as changed that had not been recorded before.</summary>
         public bool ChangedUnrecorded { get; private set; }
 
-        public void Begin(string act)
+        public void Begin(string command)
         {
             if (m_Depth++ == 0)
-                m_Open = new Step(act);
+                m_Open = new Step(command);
         }
 
         public void Record(Object target)

@@ -66,13 +66,13 @@ namespace Alate.Editor.Tests
             Assert.That(SkeletonText.Of(Left), Is.EqualTo(left));
         }
 
-        [TestCaseSource(nameof(EditingActs))]
-        public void EveryAct_KeepsThePairSymmetric(string act)
+        [TestCaseSource(nameof(EditingCommands))]
+        public void EveryCommand_KeepsThePairSymmetric(string command)
         {
             Select((1, 1), (1, 2), (2, 2));
             Move(new Vector3(0.01f, 0.005f, 0f));
 
-            Assert.That(Do(act).Done);
+            Assert.That(Do(command).Done);
 
             MirrorTests.AssertMirrored(Left, Skeleton, s_ToTwin);
         }
@@ -92,8 +92,8 @@ namespace Alate.Editor.Tests
             Assert.That(SkeletonText.Of(Left), Is.EqualTo(left));
         }
 
-        private static IEnumerable<string> EditingActs() =>
-            SkeletonCommands.All.Select(act => act.Name).Where(name => !name.Contains("Select"));
+        private static IEnumerable<string> EditingCommands() =>
+            SkeletonCommands.All.Select(command => command.Name).Where(name => !name.Contains("Select"));
 
         private EditOutcome Move(Vector3 delta) => Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, delta));
     }

@@ -7,20 +7,20 @@ namespace Alate.Editor.Tests
 {
     public sealed class UndoTests : EditingFixture
     {
-        [TestCaseSource(nameof(Acts))]
-        public void EveryAct_IsUndoneToTheIdenticalAsset_AndRedone(string act)
+        [TestCaseSource(nameof(Commands))]
+        public void EveryCommand_IsUndoneToTheIdenticalAsset_AndRedone(string command)
         {
-            Roughen(act);
+            Roughen(command);
             Select((1, 2), (2, 1), (2, 2));
             string before = State();
             int steps = Undo.DoneCount;
 
-            Assert.That(Do(act).Done, act);
+            Assert.That(Do(command).Done, command);
             string after = State();
 
-            Assert.That(after, Is.Not.EqualTo(before), "the act changes something");
+            Assert.That(after, Is.Not.EqualTo(before), "the command changes something");
             Assert.That(Undo.DoneCount, Is.EqualTo(steps + 1), "in one step");
-            Assert.That(Undo.LastName, Is.EqualTo(act.Contains("Select") ? "Select Joints" : act.Replace(" Onto Other Side", " Skeleton")));
+            Assert.That(Undo.LastName, Is.EqualTo(command.Contains("Select") ? "Select Joints" : command.Replace(" Onto Other Side", " Skeleton")));
             Assert.That(Undo.ChangedUnrecorded, Is.False);
             Undo.Undo();
             Assert.That(State(), Is.EqualTo(before));
@@ -76,16 +76,16 @@ namespace Alate.Editor.Tests
             Assert.That(Editing.Selection.Living(), Is.EqualTo(new[] { new JointIndex(4, 4) }));
         }
 
-        private static IEnumerable<string> Acts() => SkeletonCommands.All.Select(act => act.Name);
+        private static IEnumerable<string> Commands() => SkeletonCommands.All.Select(command => command.Name);
 
-        // So that no act has nothing to do.
-        private void Roughen(string act)
+        // So that no command has nothing to do.
+        private void Roughen(string command)
         {
             Skeleton.Chains[2].joints[2] += new Vector3(0.01f, 0.02f, 0.005f);
             Skeleton.Chains[1].joints[2] += new Vector3(0.01f, 0.02f, -0.005f);
             Skeleton.Chains[3].joints = Skeleton.Chains[3].joints.Select(p => p + new Vector3(0.001f, 0f, 0f)).ToArray();
             Skeleton.SpanAxis = new Vector3(1f, 0.1f, 0f);
-            if (act == "Mend")
+            if (command == "Mend")
                 Skeleton.Chains[4].joints[1] = Vector3.positiveInfinity;
         }
 

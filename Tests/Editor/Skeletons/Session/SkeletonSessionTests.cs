@@ -30,7 +30,7 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
-        public void SymmetricAct_ChangesBothWings()
+        public void SymmetricCommand_ChangesBothWings()
         {
             m_Session.IsSymmetric = true;
             m_Session.Place();

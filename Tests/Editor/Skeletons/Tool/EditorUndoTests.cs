@@ -35,14 +35,14 @@ namespace Alate.Editor.Tests
             Object.DestroyImmediate(m_Skeleton);
         }
 
-        [TestCaseSource(nameof(Acts))]
-        public void EveryAct_IsUndoneToTheIdenticalAsset_AndRedone(string act)
+        [TestCaseSource(nameof(Commands))]
+        public void EveryCommand_IsUndoneToTheIdenticalAsset_AndRedone(string command)
         {
             m_Skeleton.Chains[2].joints[2] += new Vector3(0.01f, 0.02f, 0.005f);
             m_Editing.Select(new[] { new JointIndex(1, 2), new JointIndex(2, 2) });
             string before = State();
 
-            Assert.That(SkeletonCommands.Find(act).Run(m_Editing).Done);
+            Assert.That(SkeletonCommands.Find(command).Run(m_Editing).Done);
             string after = State();
             Assert.That(after, Is.Not.EqualTo(before));
 
@@ -138,8 +138,8 @@ namespace Alate.Editor.Tests
             }
         }
 
-        private static IEnumerable<string> Acts() =>
-            SkeletonCommands.All.Select(act => act.Name).Where(name => name != "Mirror Onto Other Side" && name != "Mend");
+        private static IEnumerable<string> Commands() =>
+            SkeletonCommands.All.Select(command => command.Name).Where(name => name != "Mirror Onto Other Side" && name != "Mend");
 
         private string State() => SkeletonText.Of(m_Skeleton) + string.Join(" ", m_Selection.Joints.Select(joint => joint.ToString()));
     }

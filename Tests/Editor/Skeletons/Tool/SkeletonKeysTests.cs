@@ -23,16 +23,16 @@ namespace Alate.Editor.Tests
         [Test]
         public void EveryActWithAKey_IsDoneByIt()
         {
-            foreach (EditCommand act in SkeletonCommands.All.Where(act => act.Key != KeyCode.None && act.Name != "Mirror Onto Other Side"))
+            foreach (EditCommand command in SkeletonCommands.All.Where(command => command.Key != KeyCode.None && command.Name != "Mirror Onto Other Side"))
             {
                 Right.Skeleton.Chains[2].joints[2] += new Vector3(0.004f, 0.01f, 0.002f);
                 Right.Skeleton.SpanAxis = new Vector3(1f, 0f, 0.2f);
                 int steps = m_Undo.DoneCount;
 
-                Assert.That(SkeletonKeys.Press(m_Session, act.Key, act.Shift ? EventModifiers.Shift : EventModifiers.None), act.Name);
+                Assert.That(SkeletonKeys.Press(m_Session, command.Key, command.Shift ? EventModifiers.Shift : EventModifiers.None), command.Name);
 
-                Assert.That(m_Session.LastRefusal, Is.Null, act.Name);
-                Assert.That(m_Undo.DoneCount, Is.EqualTo(steps + 1), act.Name);
+                Assert.That(m_Session.LastRefusal, Is.Null, command.Name);
+                Assert.That(m_Undo.DoneCount, Is.EqualTo(steps + 1), command.Name);
                 m_Undo.Undo();
             }
         }
@@ -57,7 +57,7 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
-        public void SwitchesKeys_AreNoActs()
+        public void SwitchesKeys_AreNoCommands()
         {
             Assert.That(SkeletonCommands.Find(SkeletonKeys.Beat, shift: false), Is.Null);
             Assert.That(SkeletonCommands.Find(SkeletonKeys.Symmetry, shift: true), Is.Null);

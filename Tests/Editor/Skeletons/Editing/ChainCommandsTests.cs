@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class ChainActsTests : EditingFixture
+    public sealed class ChainCommandsTests : EditingFixture
     {
         [Test]
         public void ChainAddedBehind_LiesHalfwayToTheNext_AndIsSelected()
@@ -140,6 +140,6 @@ namespace Alate.Editor.Tests
         [TestCase("Add Chain Behind")]
         [TestCase("Add Chain Before")]
         [TestCase("Remove Chain")]
-        public void NothingSelected_IsRefused(string act) => Assert.That(Do(act).Message, Does.StartWith("Select a joint of the chain"));
+        public void NothingSelected_IsRefused(string command) => Assert.That(Do(command).Message, Does.StartWith("Select a joint of the chain"));
     }
 }

@@ -4,14 +4,14 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class SkeletonActsTests
+    public sealed class SkeletonCommandsTests
     {
         [Test]
-        public void Names_AreUnique() => Assert.That(SkeletonCommands.All.Select(act => act.Name), Is.Unique);
+        public void Names_AreUnique() => Assert.That(SkeletonCommands.All.Select(command => command.Name), Is.Unique);
 
         [Test]
         public void Shortcuts_AreUnique() =>
-            Assert.That(SkeletonCommands.All.Select(act => act.Shortcut).Where(shortcut => shortcut != ""), Is.Unique);
+            Assert.That(SkeletonCommands.All.Select(command => command.Shortcut).Where(shortcut => shortcut != ""), Is.Unique);
 
         [Test]
         public void Shortcuts_LeaveTheSceneViewItsOwn()
@@ -21,11 +21,11 @@ namespace Alate.Editor.Tests
                 KeyCode.Q, KeyCode.W, KeyCode.E, KeyCode.R, KeyCode.T, KeyCode.Y, KeyCode.F, KeyCode.Z, KeyCode.X, KeyCode.V, KeyCode.H, KeyCode.L,
             };
 
-            Assert.That(SkeletonCommands.All.Select(act => act.Key).Intersect(taken), Is.Empty);
+            Assert.That(SkeletonCommands.All.Select(command => command.Key).Intersect(taken), Is.Empty);
         }
 
         [Test]
-        public void Keys_FindTheirActs()
+        public void Keys_FindTheirCommands()
         {
             Assert.That(SkeletonCommands.Find(KeyCode.C, shift: true), Is.SameAs(SkeletonCommands.Find("Remove Chain")));
             Assert.That(SkeletonCommands.Find(KeyCode.C, shift: false), Is.SameAs(SkeletonCommands.Find("Add Chain Behind")));
@@ -36,12 +36,12 @@ namespace Alate.Editor.Tests
         [Test]
         public void Tooltips_AreSentences()
         {
-            foreach (EditCommand act in SkeletonCommands.All)
-                Assert.That(act.Tooltip, Does.Match("^[A-Z].*\\.$"), act.Name);
+            foreach (EditCommand command in SkeletonCommands.All)
+                Assert.That(command.Tooltip, Does.Match("^[A-Z].*\\.$"), command.Name);
         }
 
         [Test]
         public void UnknownNames_AreNamed() =>
-            Assert.That(() => SkeletonCommands.Find("Fly"), Throws.ArgumentException.With.Message.StartsWith("There is no act 'Fly'."));
+            Assert.That(() => SkeletonCommands.Find("Fly"), Throws.ArgumentException.With.Message.StartsWith("There is no command 'Fly'."));
     }
 }

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class LayOutActTests : EditingFixture
+    public sealed class LayOutCommandTests : EditingFixture
     {
         [Test]
         public void EmptySkeleton_GetsOneThatFits_AndUndoEmptiesItAgain()

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class MoveActsTests : EditingFixture
+    public sealed class MoveCommandsTests : EditingFixture
     {
         private static readonly Vector3 s_Delta = new Vector3(0.01f, 0.02f, -0.03f);
 

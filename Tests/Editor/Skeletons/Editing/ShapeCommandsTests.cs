@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class ShapeActsTests : EditingFixture
+    public sealed class ShapeCommandsTests : EditingFixture
     {
         [Test]
         public void EvenlySpacedChain_HasBonesOfOneLength_ItsOldEnds_AndItsOldLine()

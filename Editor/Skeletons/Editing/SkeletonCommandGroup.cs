@@ -3,16 +3,16 @@ using System.Collections.Generic;
 namespace Alate.Editor
 {
     /// <summary>Commands that belong together in menus and panels.</summary>
-    internal sealed class SkeletonActGroup
+    internal sealed class SkeletonCommandGroup
     {
-        public SkeletonActGroup(string name, params EditCommand[] acts)
+        public SkeletonCommandGroup(string name, params EditCommand[] commands)
         {
             Name = name;
-            Acts = acts;
+            Commands = commands;
         }
 
         public string Name { get; }
 
-        public IReadOnlyList<EditCommand> Acts { get; }
+        public IReadOnlyList<EditCommand> Commands { get; }
     }
 }

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class RowActsTests : EditingFixture
+    public sealed class RowCommandsTests : EditingFixture
     {
         [Test]
         public void AddedRow_LiesInTheMiddleOfTheBonesBeyond_InEveryChain()
@@ -89,6 +89,6 @@ namespace Alate.Editor.Tests
 
         [TestCase("Add Joint Row")]
         [TestCase("Remove Joint Row")]
-        public void NothingSelected_IsRefused(string act) => Assert.That(Do(act).Message, Does.StartWith("Select a joint of the row"));
+        public void NothingSelected_IsRefused(string command) => Assert.That(Do(command).Message, Does.StartWith("Select a joint of the row"));
     }
 }

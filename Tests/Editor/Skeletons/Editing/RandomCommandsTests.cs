@@ -7,10 +7,10 @@ using Random = System.Random;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Random acts on a pair of wings, five thousand in the long tests: whatever comes, counts stay equal and in range, joints stay finite.</summary>
-    public sealed class RandomActsTests : EditingFixture
+    /// <summary>Random commands on a pair of wings, five thousand in the long tests: whatever comes, counts stay equal and in range, joints stay finite.</summary>
+    public sealed class RandomCommandsTests : EditingFixture
     {
-        private const int k_Acts = 1500, k_ManyActs = 5000, k_Seed = 20240721;
+        private const int k_Commands = 1500, k_ManyCommands = 5000, k_Seed = 20240721;
 
         private readonly View m_View = View.FromAbove;
         private EditingGroup m_Group;
@@ -18,24 +18,24 @@ namespace Alate.Editor.Tests
         private Random m_Random;
 
         [Test]
-        public void RandomActs_WithAFixedSeed_NeverBreakASkeleton() => Play(k_Seed, k_Acts);
+        public void RandomCommands_WithAFixedSeed_NeverBreakASkeleton() => Play(k_Seed, k_Commands);
 
         [Test]
         [Explicit]
         [Category("Long")]
-        public void ManyRandomActs_WithAFixedSeed_NeverBreakASkeleton() => Play(k_Seed, k_ManyActs);
+        public void ManyRandomCommands_WithAFixedSeed_NeverBreakASkeleton() => Play(k_Seed, k_ManyCommands);
 
         [Test]
         [Explicit]
         [Category("Long")]
-        public void RandomActs_WithARandomSeed_NeverBreakASkeleton()
+        public void RandomCommands_WithARandomSeed_NeverBreakASkeleton()
         {
             int seed = Environment.TickCount;
             TestContext.WriteLine($"seed {seed}");
-            Play(seed, k_ManyActs);
+            Play(seed, k_ManyCommands);
         }
 
-        private void Play(int seed, int acts)
+        private void Play(int seed, int commands)
         {
             m_Random = new Random(seed);
             m_Group = new EditingGroup(new[] { Editing, Edit(Left) }, Undo);
@@ -43,18 +43,18 @@ namespace Alate.Editor.Tests
             string first = State();
             int changes = 0;
             string before = first;
-            for (int k = 0; k < acts; k++)
+            for (int k = 0; k < commands; k++)
             {
-                string act = Act();
+                string command = Command();
                 string fault = Fault(Skeleton) ?? Fault(Left);
-                Assert.That(fault, Is.Null, $"seed {seed}, act {k}: {act}");
-                Assert.That(Undo.ChangedUnrecorded, Is.False, $"seed {seed}, act {k}: {act}");
+                Assert.That(fault, Is.Null, $"seed {seed}, command {k}: {command}");
+                Assert.That(Undo.ChangedUnrecorded, Is.False, $"seed {seed}, command {k}: {command}");
                 string now = State();
                 changes += now != before ? 1 : 0;
                 before = now;
             }
 
-            Assert.That(changes, Is.GreaterThan(acts / 10), $"seed {seed}: many acts change something");
+            Assert.That(changes, Is.GreaterThan(commands / 10), $"seed {seed}: many commands change something");
             string last = State();
             int steps = Undo.UndoneCount;
             while (Undo.DoneCount > 0)
@@ -65,7 +65,7 @@ namespace Alate.Editor.Tests
             Assert.That(State(), Is.EqualTo(last), $"seed {seed}: all redone");
         }
 
-        private string Act()
+        private string Command()
         {
             switch (m_Random.Next(16))
             {
@@ -88,8 +88,8 @@ namespace Alate.Editor.Tests
                 case 8:
                     return Counted();
                 default:
-                    EditCommand act = SkeletonCommands.All[m_Random.Next(SkeletonCommands.All.Count)];
-                    return $"{act}: {m_Group.Do(act)}";
+                    EditCommand command = SkeletonCommands.All[m_Random.Next(SkeletonCommands.All.Count)];
+                    return $"{command}: {m_Group.Do(command)}";
             }
         }
 

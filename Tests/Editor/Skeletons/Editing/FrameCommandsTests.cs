@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class FrameActsTests : EditingFixture
+    public sealed class FrameCommandsTests : EditingFixture
     {
         [Test]
         public void Hinge_GoesToTheSelectedJoint_AndBackToTheFirstRoot()

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class ImportActTests : EditingFixture
+    public sealed class ImportCommandTests : EditingFixture
     {
         [Test]
         public void ExportedSkeleton_IsImportedToTheSameNumbers_AndUndone()

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class MendActTests : EditingFixture
+    public sealed class MendCommandTests : EditingFixture
     {
         [Test]
         public void UnequalChains_GetTheCountOfMost_AndTheOthersKeepTheirJoints()
@@ -87,7 +87,7 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
-        public void OtherActs_AskToMendFirst()
+        public void OtherCommands_AskToMendFirst()
         {
             Skeleton.Chains[1].joints = null;
 

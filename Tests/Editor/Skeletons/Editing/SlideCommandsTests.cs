@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    public sealed class SlideActsTests : EditingFixture
+    public sealed class SlideCommandsTests : EditingFixture
     {
         [Test]
         public void InnerJoint_SlidesAlongItsBones_ByTheDistance()
