@@ -134,17 +134,20 @@ namespace Alate.Flight
             State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
         }
 
-        private FlightSituation Situation(in FlyingBody body, float dt) => new FlightSituation(body, m_Reference)
+        private FlightSituation Situation(in FlyingBody body, float dt)
         {
-            position = m_From,
-            state = State,
-            limits = Limits,
-            time = m_Time,
-            deltaTime = dt,
-            wingLength = m_Model.Length,
-            unitsPerMetre = m_Units,
-            heading = m_Perching.Holds ? Headings.Of(body.rotation) : m_Reference.Heading,
-        };
+            FlightSituation situation = m_Reference.Situation(body);
+            situation.position = m_From;
+            situation.state = State;
+            situation.limits = Limits;
+            situation.time = m_Time;
+            situation.deltaTime = dt;
+            situation.wingLength = m_Model.Length;
+            situation.unitsPerMetre = m_Units;
+            if (m_Perching.Holds)
+                situation.heading = Headings.Of(body.rotation);
+            return situation;
+        }
 
         private float3 Legs => ((float3)m_Live.wings[0].values.Feet - m_Model.Centre) * m_Units;
 

@@ -145,7 +145,7 @@ namespace Alate.Flight
             m_Table = null;
             m_Model?.Dispose();
             m_Model = null;
-            if (m_World != null && ReferenceEquals(WingSystem.Crowd?.World, m_World))
+            if (m_World != null && ReferenceEquals(WingSystem.Loop?.World, m_World))
             {
                 m_World.RemoveBody(m_Body);
                 for (int k = 0; m_Live != null && k < m_Live.wings.Length; k++)

@@ -69,7 +69,7 @@ namespace Alate.Flight
         /// <summary>Reason why the insect does not fly as it should.</summary>
         public FlightProblem Problem { get; private set; }
 
-        /// <summary>Whether the pilot has thrown an exception and is asked no more.</summary>
+        /// <summary>True where the pilot has thrown an exception and is asked no more.</summary>
         internal bool HasPilotFailed => m_Seat != null && m_Seat.HasFailed;
 
         private PilotSeat Seat => m_Seat ??= new PilotSeat(this);

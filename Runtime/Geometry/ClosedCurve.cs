@@ -40,7 +40,7 @@ namespace Alate.Geometry
             return from + (to - from) * (at - before);
         }
 
-        /// <summary>Whether p lies inside.</summary>
+        /// <summary>Returns true where p lies inside.</summary>
         public bool Contains(PlanPoint p) => m_Grid.Contains(p);
 
         /// <summary>The arc length closest to p.</summary>

@@ -56,7 +56,7 @@ namespace Alate.Geometry
             return Math.Sqrt(least);
         }
 
-        /// <summary>Whether p lies inside.</summary>
+        /// <summary>Returns true where p lies inside.</summary>
         public bool Contains(PlanPoint p)
         {
             bool inside = false;

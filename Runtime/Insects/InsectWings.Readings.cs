@@ -128,7 +128,7 @@ namespace Alate
             CheckWing(wing);
             if (Live == null)
                 throw new InvalidOperationException($"The wings of '{name}' do not live: {State}.");
-            return WingSystem.Crowd.World.Read(Live.wings[wing].handle);
+            return WingSystem.Loop.World.Read(Live.wings[wing].handle);
         }
 
         /// <summary>
@@ -152,11 +152,11 @@ namespace Alate
         public Bounds BoundsOf(int wing)
         {
             CheckWing(wing);
-            return Live == null ? default : WingSystem.Crowd.World.Bounds(Live.wings[wing].handle);
+            return Live == null ? default : WingSystem.Loop.World.Bounds(Live.wings[wing].handle);
         }
 
         /// <summary>Time within the last step at which the wings were last drawn, 0 its start, 1 its end.</summary>
-        internal float DrawnAlpha => WingSystem.Crowd.DrawnAlpha(Live.Clock);
+        internal float DrawnAlpha => WingSystem.Loop.DrawnAlpha(Live.Clock);
 
         internal void TellBeat()
         {

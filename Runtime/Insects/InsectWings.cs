@@ -134,14 +134,14 @@ namespace Alate
             if (m_UpdateMode != WingUpdateMode.Manual)
                 throw new InvalidOperationException($"'{name}' is stepped by {m_UpdateMode}; set UpdateMode to Manual to step it by hand.");
             if (dt > 0f && isActiveAndEnabled)
-                WingSystem.Crowd?.StepByHand(this, dt);
+                WingSystem.Loop?.StepByHand(this, dt);
         }
 
         /// <summary>Puts the wings back to the start of their beat, unbent, at <see cref="StartPhase"/>.</summary>
         public void ResetState()
         {
             if (Live != null)
-                WingSystem.Crowd.Restart(Live);
+                WingSystem.Loop.Restart(Live);
         }
 
         /// <summary>

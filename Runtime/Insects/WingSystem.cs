@@ -15,19 +15,19 @@ namespace Alate
         private const float k_Patience = 10f;
 
         private static WingSystem s_Instance;
-        private FrameLoop m_Crowd;
+        private FrameLoop m_Loop;
         private double m_EmptySince = double.PositiveInfinity;
 
         /// <summary>Insects whose wings beat.</summary>
-        public static int InsectCount => Crowd?.Count ?? 0;
+        public static int InsectCount => Loop?.Count ?? 0;
 
         /// <summary>Steps since the first insect came: fixed steps, and frames in which the clocks of the frame had steps due.</summary>
-        public static long StepCount => Crowd?.StepCount ?? 0;
+        public static long StepCount => Loop?.StepCount ?? 0;
 
         /// <summary>
         /// Number of times that a living wing was put back into its driven pose because its state was not finite. Reads all wings.
         /// </summary>
-        public static int ResetCount => Crowd?.World.CountResets() ?? 0;
+        public static int ResetCount => Loop?.World.CountResets() ?? 0;
 
         /// <summary>
         /// Cameras by which levels of detail are chosen: an insect has the detail of the camera in which it is largest. Empty takes the
@@ -41,16 +41,16 @@ namespace Alate
         internal static float Patience { get; set; } = k_Patience;
 
         /// <summary>Searches for wind zones; done automatically when a scene is loaded or an insect starts.</summary>
-        public static void FindWindZones() => Crowd?.FindWindZones();
+        public static void FindWindZones() => Loop?.FindWindZones();
 
-        internal static FrameLoop Crowd => s_Instance is null ? null : s_Instance.m_Crowd;
+        internal static FrameLoop Loop => s_Instance is null ? null : s_Instance.m_Loop;
 
         /// <summary>Queues an insect to start.</summary>
         internal static void Enter(InsectWings insect)
         {
             if (PlayEnd.HasCome)
                 return;
-            if (Crowd == null)
+            if (Loop == null)
             {
                 var holder = new GameObject("Wing System") { hideFlags = HideFlags.HideInHierarchy };
                 DontDestroyOnLoad(holder);
@@ -58,24 +58,17 @@ namespace Alate
             }
 
             s_Instance.m_EmptySince = double.PositiveInfinity;
-            Crowd.Enter(insect);
+            Loop.Enter(insect);
         }
 
         /// <summary>Ends an insect: its meshes are restored now, its wings leave the world in the next frame.</summary>
         internal static void Leave(InsectWings insect)
         {
-            if (Crowd == null)
+            if (Loop == null)
                 return;
-            Crowd.Leave(insect);
-            if (Crowd.IsEmpty)
+            Loop.Leave(insect);
+            if (Loop.IsEmpty)
                 s_Instance.m_EmptySince = Time.realtimeSinceStartupAsDouble;
-        }
-
-        /// <summary>Restores all meshes and frees all memory before the scenes end.</summary>
-        internal static void EndWithPlay()
-        {
-            if (!(s_Instance is null))
-                s_Instance.End();
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
@@ -89,30 +82,34 @@ namespace Alate
         private void Begin()
         {
             s_Instance = this;
-            m_Crowd = new FrameLoop();
+            m_Loop = new FrameLoop();
+
+            // Restores all meshes and frees all memory before the scenes end.
+            PlayEnd.Ended += End;
             SceneManager.sceneLoaded += OnSceneLoaded;
         }
 
-        private void FixedUpdate() => m_Crowd?.FixedStep(Time.fixedDeltaTime);
+        private void FixedUpdate() => m_Loop?.FixedStep(Time.fixedDeltaTime);
 
         private void LateUpdate()
         {
-            // Without a crowd it was left over from before the scripts were compiled again, or was made by somebody else.
-            if (m_Crowd == null || Time.realtimeSinceStartupAsDouble - m_EmptySince >= Patience)
+            // Without a loop the system was left over from before the scripts were compiled again, or was made by somebody else.
+            if (m_Loop == null || Time.realtimeSinceStartupAsDouble - m_EmptySince >= Patience)
                 End();
             else
-                m_Crowd.Frame(Time.deltaTime, Time.unscaledDeltaTime);
+                m_Loop.Frame(Time.deltaTime, Time.unscaledDeltaTime);
         }
 
         private void OnDisable() => End();
 
-        private void OnSceneLoaded(Scene scene, LoadSceneMode mode) => m_Crowd?.FindWindZones();
+        private void OnSceneLoaded(Scene scene, LoadSceneMode mode) => m_Loop?.FindWindZones();
 
         private void End()
         {
+            PlayEnd.Ended -= End;
             SceneManager.sceneLoaded -= OnSceneLoaded;
-            m_Crowd?.Dispose();
-            m_Crowd = null;
+            m_Loop?.Dispose();
+            m_Loop = null;
             if (ReferenceEquals(s_Instance, this))
                 s_Instance = null;
             if (!PlayEnd.HasCome)

@@ -37,7 +37,7 @@ namespace Alate.Samples
             set => m_Wings.Air.wind = value;
         }
 
-        /// <summary>Whether the insect sits.</summary>
+        /// <summary>True where the insect sits.</summary>
         public bool Sits => m_Flight.State == FlightState.Perched;
 
         /// <summary>A butterfly that wanders, lands on flowers, basks, and flees from a camera.</summary>

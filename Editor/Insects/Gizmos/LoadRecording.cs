@@ -16,7 +16,7 @@ namespace Alate.Editor
         /// <summary>Starts or stops recording a wing's loads.</summary>
         public static void Set(InsectWings insect, int wing, bool on)
         {
-            WingSystem.Crowd.World.RecordPatches(insect.Live.wings[wing].handle, on);
+            WingSystem.Loop.World.RecordPatches(insect.Live.wings[wing].handle, on);
             if (on)
                 s_Recorded.Add(insect);
         }
@@ -28,7 +28,7 @@ namespace Alate.Editor
             {
                 bool stops = insect == null || !IsSelected(insect);
                 for (int wing = 0; stops && insect != null && insect.Live != null && wing < insect.Live.wings.Length; wing++)
-                    WingSystem.Crowd.World.RecordPatches(insect.Live.wings[wing].handle, false);
+                    WingSystem.Loop.World.RecordPatches(insect.Live.wings[wing].handle, false);
                 return stops;
             });
         }

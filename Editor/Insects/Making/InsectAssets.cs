@@ -49,10 +49,10 @@ namespace Alate.Editor
         private void Save(InsectDefinition species)
         {
             AssetFolder.Ensure(m_Folder);
-            var kit = InsectParts.Make(species, keepPixels: true);
-            kit.BodyMesh = Keep(kit.BodyMesh);
-            kit.BodyMaterial = Keep(kit.BodyMaterial);
-            foreach (GeneratedWing wing in kit.Wings)
+            var parts = InsectParts.Make(species, keepPixels: true);
+            parts.BodyMesh = Keep(parts.BodyMesh);
+            parts.BodyMaterial = Keep(parts.BodyMaterial);
+            foreach (GeneratedWing wing in parts.Wings)
             {
                 wing.mesh = Keep(wing.mesh);
                 wing.skeleton = Keep(wing.skeleton);
@@ -60,11 +60,11 @@ namespace Alate.Editor
             }
 
             // The presets that no prefab has lie beside them, to be dragged into the field Preset.
-            var presets = species.Variants.ToDictionary(variant => variant, variant => Array.ConvertAll(kit.CreatePresets(variant, ModelReading.Physical), Keep));
-            SavePrefab(kit.Assemble(presets[InsectVariant.Standard]), PrefabPath(species));
+            var presets = species.Variants.ToDictionary(variant => variant, variant => Array.ConvertAll(parts.CreatePresets(variant, ModelReading.Physical), Keep));
+            SavePrefab(parts.Assemble(presets[InsectVariant.Standard]), PrefabPath(species));
             if (CatalogueFlight.Flies(species))
             {
-                GameObject flying = kit.Assemble(presets[InsectVariant.Flight]);
+                GameObject flying = parts.Assemble(presets[InsectVariant.Flight]);
                 CatalogueFlight.AddTo(flying.GetComponent<InsectWings>(), species, Keep(CatalogueFlight.CreateTrims(species)));
                 flying.AddComponent<WanderPilot>().StayAroundStart();
                 SavePrefab(flying, PrefabPath(species, true));

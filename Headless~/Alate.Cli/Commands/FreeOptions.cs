@@ -32,7 +32,7 @@ internal sealed class FreeOptions
             command.Options.Add(option);
     }
 
-    /// <summary>Whether the flight is free.</summary>
+    /// <summary>Returns true where the flight is free.</summary>
     /// <exception cref="UserException">It is not, but options say how it is to be.</exception>
     public bool IsFree(ParseResult parsed)
     {

@@ -46,7 +46,7 @@ internal sealed record FlightPlan
     /// <summary>Air that the wings draw along; null for none.</summary>
     public InducedFlow Induced { get; init; }
 
-    /// <summary>Whether the air that the wings carry along across their surface counts.</summary>
+    /// <summary>True where the air that the wings carry along across their surface counts.</summary>
     public bool AddedMass { get; init; }
 
     /// <summary>λ; null is the species'.</summary>
@@ -80,7 +80,7 @@ internal sealed record FlightPlan
     /// <summary>A number of the species at another value; null changes none.</summary>
     public ParameterChange Change { get; init; }
 
-    /// <summary>Whether frames have the air's loads on the joints and its angle of attack.</summary>
+    /// <summary>True where frames have the air's loads on the joints and its angle of attack.</summary>
     public bool RecordsAir { get; init; }
 
     /// <summary>Joints that do not bend: what is left is the drive with its wave.</summary>
@@ -92,7 +92,7 @@ internal sealed record FlightPlan
     /// <summary>The side from which the pictures show the insect.</summary>
     public PictureView View { get; init; } = PictureView.FrontLeft;
 
-    /// <summary>Whether pictures are written.</summary>
+    /// <summary>True where pictures are written.</summary>
     public bool IsDrawn { get; init; } = true;
 
     /// <summary>Null is out/SPECIES.</summary>

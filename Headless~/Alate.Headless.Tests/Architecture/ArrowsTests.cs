@@ -12,29 +12,41 @@ namespace Alate.Tests.Architecture
     /// <summary>The rooms of the package and the arrows between them: each goes one way.</summary>
     public sealed class ArrowsTests
     {
+        /// <summary>[reference] Namespace of each assembly from outside the package that one of it may name.</summary>
+        private static readonly Dictionary<string, string> s_Outside = new Dictionary<string, string>
+        {
+            ["Unity.Burst"] = "Unity.Burst",
+            ["Unity.Mathematics"] = "Unity.Mathematics",
+            ["Unity.Splines"] = "UnityEngine.Splines",
+        };
+
         private static IEnumerable<string> Assemblies => Rooms.Assemblies.Keys;
+
+        private static IEnumerable<string> Divided => Rooms.Within.Keys;
 
         [Test]
         public void BetweenAssemblies_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenAssemblies(Rooms.Assemblies), Is.Empty);
 
-        [Test]
-        public void BetweenTheRoomsOfTheModel_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenRooms(Rooms.Model), Is.Empty);
+        [TestCaseSource(nameof(Divided))]
+        public void BetweenTheRoomsOfAnAssembly_ThereAreOnlyTheArrowsOfTheTable(string assembly) =>
+            Assert.That(Rooms.BetweenRooms(assembly, Rooms.Within[assembly]), Is.Empty);
 
         [Test]
         public void NoRoom_LiesOnACircle()
         {
             AssertNoCircle(Rooms.Assemblies);
-            AssertNoCircle(Rooms.Model);
+            foreach (IReadOnlyDictionary<string, string[]> rooms in Rooms.Within.Values)
+                AssertNoCircle(rooms);
         }
 
         [Test]
         public void AMissingArrow_IsToldWithFileTypeAndRule()
         {
-            var rooms = new Dictionary<string, string[]>(Rooms.Model) { ["State"] = ["Soa"] };
+            var rooms = new Dictionary<string, string[]>(Rooms.Within["Alate.Model"]) { ["State"] = ["Soa"] };
             var assemblies = new Dictionary<string, string[]>(Rooms.Assemblies) { ["Alate.Fitting"] = ["Alate.Model"] };
 
             Assert.That(
-                Rooms.BetweenRooms(rooms).Select(violation => violation.ToString()),
+                Rooms.BetweenRooms("Alate.Model", rooms).Select(violation => violation.ToString()),
                 Has.Member("Runtime/Model/State/WingPack.cs: WingPack uses RigView; there is no arrow State -> Rig"));
             Assert.That(
                 Rooms.BetweenAssemblies(assemblies).Select(violation => violation.ToString()),
@@ -64,6 +76,44 @@ namespace Alate.Tests.Architecture
             Assert.That(built, Is.EquivalentTo(Rooms.Assemblies[assembly]));
             Assert.That(project.Descendants("AllowUnsafeBlocks").Single().Value == "true", Is.EqualTo(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean()));
             Assert.That(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean(), Is.EqualTo(assembly == "Alate.Model"));
+        }
+
+        [TestCaseSource(nameof(Assemblies))]
+        public void FromOutsideThePackage_AnAssemblyNamesWhatItUses(string assembly)
+        {
+            using JsonDocument definition = Definition(assembly);
+            string root = PackageRoot.Find();
+            var project = XElement.Load(Path.Combine(root, "Headless~", assembly, assembly + ".csproj"));
+            IEnumerable<string> named = definition.RootElement.GetProperty("references").EnumerateArray().Select(reference => reference.GetString()).Where(name => !name.StartsWith("Alate"));
+            string[] sources = Rooms.Files(assembly).Values.Distinct().Select(file => File.ReadAllText(Path.Combine(root, file))).ToArray();
+            IEnumerable<string> used = s_Outside.Where(one => sources.Any(source => Regex.IsMatch(source, $@"^using (?:static )?{one.Value}\b", RegexOptions.Multiline))).Select(one => one.Key);
+            IEnumerable<string> standIns = project.Descendants("ProjectReference").Select(reference => reference.Attribute("Include").Value).Where(path => path.Contains("StandIns"));
+
+            Assert.That(named, Is.EquivalentTo(used));
+            Assert.That(
+                standIns.Select(Path.GetFileNameWithoutExtension),
+                Is.EquivalentTo(Rooms.Folders[assembly].StartsWith("Editor") ? new[] { "Unity", "Unity.Editor" } : new[] { "Unity" }));
+            Assert.That(project.Descendants("DisableTransitiveProjectReferences").Single().Value, Is.EqualTo("true"));
+        }
+
+        [Test]
+        public void EveryAssemblyDefinition_IsInTheTable()
+        {
+            string root = PackageRoot.Find();
+            IEnumerable<string> there = new[] { "Runtime", "Editor" }
+                .SelectMany(folder => Directory.EnumerateFiles(Path.Combine(root, folder), "*.asmdef", SearchOption.AllDirectories)).Select(Path.GetFileNameWithoutExtension);
+
+            Assert.That(there, Is.EquivalentTo(Rooms.Assemblies.Keys));
+        }
+
+        [Test]
+        public void AConstantOfAnotherRoom_IsSeen()
+        {
+            var rooms = new Dictionary<string, string[]>(Rooms.Within["Alate.Flight"]) { ["Trim"] = ["Body"] };
+
+            Assert.That(
+                Rooms.BetweenRooms("Alate.Flight", rooms).Select(violation => violation.ToString()),
+                Has.Member("Runtime/Flight/Trim/TrimTable.cs: TrimTable uses FlightLimits; there is no arrow Trim -> Commands"));
         }
 
         // One project builds the tests of both folders; Unity builds two assemblies, and the first is for players too.

@@ -64,7 +64,7 @@ namespace Alate.Tests.Insects
             Resets = handles.Sum(handle => world.Read(handle).Resets);
         }
 
-        /// <summary>[step] How far the wings were to be folded.</summary>
+        /// <summary>[step] Wanted folding of the wings, 0 to 1.</summary>
         public List<float> Folds { get; } = [];
 
         public IReadOnlyList<RecordedWing> Wings { get; }

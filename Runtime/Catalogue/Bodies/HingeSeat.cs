@@ -19,12 +19,13 @@ namespace Alate.Catalogue
         private readonly float m_Front, m_Rear, m_HalfHeight, m_Fade;
 
         /// <summary>Makes the seat of a wing: its root with a margin all round, and a fade as wide as half the root.</summary>
-        public HingeSeat(WingDefinition wing)
+        /// <param name="hinge">Hinge of the wing on the body, millimetres.</param>
+        /// <param name="leading">Front end of the root from the hinge, millimetres, ahead positive.</param>
+        /// <param name="trailing">Rear end of the root from the hinge, millimetres, ahead positive.</param>
+        public HingeSeat(Vector3 hinge, float leading, float trailing)
         {
-            float length = 1000f * (float)wing.Outline.Length;
-            m_Hinge = 1000f * wing.Hinge;
-            float front = m_Hinge.z + length * (float)wing.Outline.LeadingAt(0);
-            float rear = m_Hinge.z + length * (float)wing.Outline.TrailingAt(0);
+            m_Hinge = hinge;
+            float front = hinge.z + leading, rear = hinge.z + trailing;
             float root = front - rear;
             m_HalfHeight = k_Margin * root;
             m_Front = front + m_HalfHeight;

@@ -38,14 +38,14 @@ namespace Alate.Catalogue
                 throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
             if (Application.isPlaying)
                 return Share(species, variant, reading);
-            var kit = InsectParts.Make(species);
-            return Activated(kit.Assemble(kit.CreatePresets(variant, reading)));
+            var parts = InsectParts.Make(species);
+            return Activated(parts.Assemble(parts.CreatePresets(variant, reading)));
         }
 
         private static InsectWings Share(InsectDefinition species, InsectVariant variant, ModelReading reading)
         {
-            SharedAssets kit = GeneratedAssets.Take(species.Name);
-            GameObject made = kit.Assemble(variant, reading);
+            SharedAssets assets = GeneratedAssets.Take(species.Name);
+            GameObject made = assets.Assemble(variant, reading);
             made.AddComponent<GeneratedInsect>().Species = species.Name;
             InsectWings insect = Activated(made);
             GeneratedAssets.Return(species.Name);

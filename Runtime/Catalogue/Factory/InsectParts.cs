@@ -59,21 +59,21 @@ namespace Alate.Catalogue
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
         public static InsectParts Make(InsectDefinition species, bool keepPixels = false)
         {
-            var kit = new InsectParts(species, new List<GeneratedWing>());
+            var parts = new InsectParts(species, new List<GeneratedWing>());
             try
             {
-                kit.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);
-                kit.BodyMesh = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre).ToMesh($"{kit.Name} {k_Body} Mesh");
-                foreach (GeneratedWing wing in kit.Wings)
-                    Fill(wing, kit.NameOf(wing), keepPixels);
+                parts.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);
+                parts.BodyMesh = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre).ToMesh($"{parts.Name} {k_Body} Mesh");
+                foreach (GeneratedWing wing in parts.Wings)
+                    Fill(wing, parts.NameOf(wing), keepPixels);
             }
             catch
             {
-                kit.Destroy();
+                parts.Destroy();
                 throw;
             }
 
-            return kit;
+            return parts;
         }
 
         /// <summary>[wing] New presets of all kinds of wings.</summary>
@@ -150,21 +150,21 @@ namespace Alate.Catalogue
 
         private string NameOf(GeneratedWing wing) => $"{Name} {Title(wing.kind.Name)}";
 
-        private static void Fill(GeneratedWing kit, string name, bool keepPixels)
+        private static void Fill(GeneratedWing part, string name, bool keepPixels)
         {
-            kit.material = WingMaterial.ForWing(kit.kind, WingMaterial.DefaultTextureSize, keepPixels);
-            kit.material.name = name;
-            kit.skeleton = kit.kind.CreateSkeleton(WingSide.Right);
-            kit.skeleton.name = name + " Skeleton";
-            kit.mesh = kit.kind.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");
+            part.material = WingMaterial.ForWing(part.kind, WingMaterial.DefaultTextureSize, keepPixels);
+            part.material.name = name;
+            part.skeleton = part.kind.CreateSkeleton(WingSide.Right);
+            part.skeleton.name = name + " Skeleton";
+            part.mesh = part.kind.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");
         }
 
-        private static Wing Attach(Transform body, GeneratedWing kit, WingSide side)
+        private static Wing Attach(Transform body, GeneratedWing part, WingSide side)
         {
-            MeshRenderer renderer = Draw(body, $"{Title(kit.kind.Name)} {side}", kit.mesh, kit.material);
-            renderer.transform.localPosition = kit.kind.HingeOn(side);
+            MeshRenderer renderer = Draw(body, $"{Title(part.kind.Name)} {side}", part.mesh, part.material);
+            renderer.transform.localPosition = part.kind.HingeOn(side);
             renderer.transform.localScale = new Vector3(side == WingSide.Right ? 1f : -1f, 1f, 1f);
-            return new Wing { Renderer = renderer, Skeleton = kit.skeleton, Side = side };
+            return new Wing { Renderer = renderer, Skeleton = part.skeleton, Side = side };
         }
 
         private static MeshRenderer Draw(Transform parent, string name, Mesh mesh, Material material)

@@ -33,14 +33,14 @@ namespace Alate.Catalogue
         {
             var parts = InsectParts.Make(species);
             parts.Hide();
-            SharedAssets kit = CreateInstance<SharedAssets>();
-            kit.name = parts.Name + " Kit";
-            kit.hideFlags = HideFlags.HideAndDontSave;
-            kit.m_Species = species.Name;
-            kit.m_BodyMesh = parts.BodyMesh;
-            kit.m_BodyMaterial = parts.BodyMaterial;
-            kit.m_Wings.AddRange(parts.Wings);
-            return kit;
+            SharedAssets assets = CreateInstance<SharedAssets>();
+            assets.name = parts.Name + " Assets";
+            assets.hideFlags = HideFlags.HideAndDontSave;
+            assets.m_Species = species.Name;
+            assets.m_BodyMesh = parts.BodyMesh;
+            assets.m_BodyMaterial = parts.BodyMaterial;
+            assets.m_Wings.AddRange(parts.Wings);
+            return assets;
         }
 
         /// <summary>Puts an insect together, inactive, with presets that are shared and hidden as the other parts are.</summary>
@@ -63,7 +63,7 @@ namespace Alate.Catalogue
             ObjectEnd.Destroy(this);
         }
 
-        // Called after a recompile as well; a kit that is being made has no species yet.
+        // Called after a recompile as well; one that is being made has no species yet.
         private void OnEnable()
         {
             if (!string.IsNullOrEmpty(m_Species))

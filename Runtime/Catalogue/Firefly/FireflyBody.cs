@@ -68,7 +68,7 @@ namespace Alate.Catalogue
             },
         };
 
-        public static InsectBody Create(WingDefinition wing) => new InsectBody(parts => Build(parts, new HingeSeat(wing)));
+        public static InsectBody Create(WingDefinition wing) => new InsectBody(parts => Build(parts, wing.CreateSeat()));
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {

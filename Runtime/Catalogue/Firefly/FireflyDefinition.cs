@@ -78,10 +78,10 @@ namespace Alate.Catalogue
             preset.SubstepsPerBeat = 24;
         }
 
-        private static void Fly(WingPreset species)
+        private static void Fly(WingPreset preset)
         {
-            Quicken(species);
-            species.Size.insectMass = 17.5e-6f;
+            Quicken(preset);
+            preset.Size.insectMass = 17.5e-6f;
         }
 
         private static InsectSource[] Sources()

@@ -122,10 +122,10 @@ namespace Alate.Catalogue
             preset.Beat.phaseLead = -30f;
         }
 
-        private static void Fly(WingPreset species)
+        private static void Fly(WingPreset preset)
         {
-            species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
-            species.Beat.maxFrequency = 19.5f;
+            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            preset.Beat.maxFrequency = 19.5f;
         }
 
         private static InsectSource[] Sources()

@@ -64,7 +64,7 @@ namespace Alate.Catalogue
             new Vector3(0.75f, -0.7f, 5.9f), new Vector3(1.25f, 0.6f, 3.9f),
         };
 
-        public static InsectBody Create(WingDefinition wing) => new InsectBody(parts => Build(parts, new HingeSeat(wing)));
+        public static InsectBody Create(WingDefinition wing) => new InsectBody(parts => Build(parts, wing.CreateSeat()));
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {

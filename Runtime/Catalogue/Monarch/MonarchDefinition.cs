@@ -49,7 +49,7 @@ namespace Alate.Catalogue
             preset.SubstepsPerBeat = 24;
         }
 
-        private static void Fly(WingPreset species) => species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
+        private static void Fly(WingPreset preset) => preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
 
         private static InsectSource[] Sources()
         {

@@ -55,10 +55,10 @@ namespace Alate.Catalogue
             preset.SubstepsPerBeat = 24;
         }
 
-        private static void Fly(WingPreset species)
+        private static void Fly(WingPreset preset)
         {
-            species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
-            species.Beat.maxFrequency = 39f;
+            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            preset.Beat.maxFrequency = 39f;
         }
 
         private static InsectSource[] Sources()

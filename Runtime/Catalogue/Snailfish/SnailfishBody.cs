@@ -37,7 +37,7 @@ namespace Alate.Catalogue
 
         private static readonly Vector3 s_Eye = new Vector3(6.9f, 4.3f, 16.8f);
 
-        public static InsectBody Create(WingDefinition fin) => new InsectBody(parts => Build(parts, new HingeSeat(fin)));
+        public static InsectBody Create(WingDefinition fin) => new InsectBody(parts => Build(parts, fin.CreateSeat()));
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {

@@ -62,7 +62,7 @@ namespace Alate.Catalogue
         };
 
         public static InsectBody Create(WingDefinition fore, WingDefinition hind) =>
-            new InsectBody(parts => Build(parts, new HingeSeat(fore), new HingeSeat(hind)));
+            new InsectBody(parts => Build(parts, fore.CreateSeat(), hind.CreateSeat()));
 
         private static void Build(BodyParts parts, HingeSeat fore, HingeSeat hind)
         {

@@ -112,15 +112,15 @@ namespace Alate.Catalogue
             preset.Beat.phaseLead = -27f;
         }
 
-        private static void Fly(WingPreset species)
+        private static void Fly(WingPreset preset)
         {
             const float larger = 55f / 45f;
-            species.Beat.frequencyFloor = species.Beat.amplitudeFloor = 1f;
-            species.Beat.maxFrequency = 14f;
-            species.Size.wingLength *= larger;
-            species.Rest.feet *= larger;
-            species.Size.wingMass *= larger * larger;
-            species.Size.insectMass = 0.34e-3f;
+            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            preset.Beat.maxFrequency = 14f;
+            preset.Size.wingLength *= larger;
+            preset.Rest.feet *= larger;
+            preset.Size.wingMass *= larger * larger;
+            preset.Size.insectMass = 0.34e-3f;
         }
 
         private static InsectSource[] Sources()

@@ -41,7 +41,7 @@ namespace Alate.Crowds
         public string Name { get; }
 
         /// <summary>
-        /// Whether an insect with an <see cref="Alate.Flight.InsectFlight"/> flies it freely by its trims: its speeds are then shares of the table's top speed, its attitude and beat
+        /// True where an insect with an <see cref="Alate.Flight.InsectFlight"/> flies it freely by its trims: its speeds are then shares of the table's top speed, its attitude and beat
         /// are those that carry the insect. Otherwise, and without that component, the body is held and the air meets it.
         /// </summary>
         public bool IsFlown { get; set; }

@@ -19,7 +19,7 @@ namespace Alate.Crowds
         /// <summary>The material; null where there is none.</summary>
         public Material Material { get; }
 
-        /// <summary>Whether the vertices have colours of their own.</summary>
+        /// <summary>True where the vertices have colours of their own.</summary>
         public bool HasColours { get; }
 
         /// <summary>Three vertices a triangle, wound as Unity winds the side that is seen.</summary>

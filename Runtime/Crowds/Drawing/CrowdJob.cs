@@ -26,7 +26,7 @@ namespace Alate.Crowds
         /// <summary>World units of half the screen's height without perspective.</summary>
         public float flatHeight;
 
-        /// <summary>Whether there is a camera to cull for.</summary>
+        /// <summary>True where there is a camera to cull for.</summary>
         public bool culls;
 
         /// <summary>Heights on the screen down to which the meshes are drawn.</summary>

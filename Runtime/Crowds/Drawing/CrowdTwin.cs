@@ -42,7 +42,7 @@ namespace Alate.Crowds
         /// <summary>Index of the crowd's insect that the twin stands for; −1 for none.</summary>
         public int Insect { get; private set; }
 
-        /// <summary>Whether it is seen instead of the baked one.</summary>
+        /// <summary>True where it is seen instead of the baked one.</summary>
         public bool IsShown { get; private set; }
 
         /// <summary>Starts to stand for an insect of the crowd, unseen as yet.</summary>
@@ -86,7 +86,7 @@ namespace Alate.Crowds
                 return;
 
             // The picture of this frame is this frame's time ahead of the last one; the crowd's job adds its own.
-            float live = Wings.Phase / 360f + frequency * (seconds - Clocks.FrameStep * (1f - WingSystem.Crowd.DrawnAlpha(WingUpdateMode.Update))), own = seconds * pose.rate * math.lerp(baked.Loops[pose.loop].frequency, baked.Loops[pose.nextLoop].frequency, pose.blend);
+            float live = Wings.Phase / 360f + frequency * (seconds - Clocks.FrameStep * (1f - WingSystem.Loop.DrawnAlpha(WingUpdateMode.Update))), own = seconds * pose.rate * math.lerp(baked.Loops[pose.loop].frequency, baked.Loops[pose.nextLoop].frequency, pose.blend);
             pose.phase = live - own;
             poses[Insect] = pose;
             m_Beats += frequency * seconds;

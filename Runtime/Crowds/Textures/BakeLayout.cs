@@ -31,7 +31,7 @@ namespace Alate.Crowds
         /// <summary>Pixels from side to side.</summary>
         public int Width { get; }
 
-        /// <summary>Whether the lower half holds normals.</summary>
+        /// <summary>True where the lower half holds normals.</summary>
         public bool HoldsNormals { get; }
 
         /// <summary>Blocks of rows.</summary>

@@ -80,7 +80,7 @@ namespace Alate.Flight
         /// <summary>Weight, N, as it would be in air.</summary>
         public float Weight => Mass * k_Gravity;
 
-        /// <summary>Whether the fluid carries the body: its fins only balance its drag.</summary>
+        /// <summary>True where the fluid carries the body: its fins only balance its drag.</summary>
         public bool Floats => GravityShare <= 0f;
 
         /// <summary>Force by which residuals of a trim are measured, N: the weight, or the drag of a body that floats.</summary>
@@ -95,7 +95,7 @@ namespace Alate.Flight
         /// its own drag, for its fins push no harder.
         /// </summary>
         internal float AccelerationAt(float topSpeed) =>
-            Floats ? math.min(FlightReference.Acceleration, k_SwimShare * Drag.z * topSpeed * topSpeed / Mass) : FlightReference.Acceleration;
+            Floats ? math.min(FlightLimits.FlyersAcceleration, k_SwimShare * Drag.z * topSpeed * topSpeed / Mass) : FlightLimits.FlyersAcceleration;
 
         /// <summary>Releases the rigs.</summary>
         public void Dispose()

@@ -26,7 +26,7 @@ namespace Alate.Flight
         /// <summary>Share of gravity that the wing feels, 0 to 1.</summary>
         public float GravityShare { get; set; } = 1f;
 
-        /// <summary>Whether it is a left wing, a right one's mirror image.</summary>
+        /// <summary>True where it is a left wing, a right one's mirror image.</summary>
         public bool IsLeft { get; set; }
     }
 }

@@ -8,7 +8,7 @@ namespace Alate.Flight
         /// <summary>Beats until the mean places are steady, and beats that are averaged.</summary>
         private const int k_SettledBeats = 4, k_MeanBeats = 1;
 
-        /// <summary>[rig and parameters] What was measured before: all wings of a swarm, right and left, are alike.</summary>
+        /// <summary>[rig and parameters] Measurements kept from before: all wings of a swarm, right and left, are alike.</summary>
         private static readonly Dictionary<uint, MassSum> s_Measured = new Dictionary<uint, MassSum>();
 
         /// <summary>Sums the masses of the joints at their mean places, the wing's mass 1, in wing lengths in the wing's frame. Do not change it.</summary>

@@ -8,9 +8,6 @@ namespace Alate.Flight
     /// </summary>
     public struct FlightReference
     {
-        /// <summary>Largest change of velocity of what flies, m/s²; what swims has less.</summary>
-        public const float Acceleration = 2.5f;
-
         /// <summary>Seconds of the filters of velocity and wind: a gust is met before it has blown the insect off its way.</summary>
         private const float k_Filter = 0.1f, k_WindFilter = 0.07f;
 
@@ -71,6 +68,19 @@ namespace Alate.Flight
             Heading = heading;
             Wind = wind;
         }
+
+        /// <summary>Situation of a body that follows this reference, in a scene of life size.</summary>
+        internal readonly FlightSituation Situation(in FlyingBody body) => new FlightSituation
+        {
+            position = body.position,
+            rotation = body.rotation,
+            velocity = body.velocity,
+            angularVelocity = math.rotate(body.rotation, body.spin),
+            wind = Wind,
+            referenceVelocity = m_Velocity,
+            heading = Heading,
+            unitsPerMetre = 1f,
+        };
 
         /// <summary>Reference turned about the world's up, radians.</summary>
         internal FlightReference Turned(float by)

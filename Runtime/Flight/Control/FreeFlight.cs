@@ -103,14 +103,16 @@ namespace Alate.Flight
 
         /// <summary>Situation that a pilot is told.</summary>
         /// <param name="dt">Seconds of the coming step.</param>
-        public FlightSituation Situation(float dt) => new FlightSituation(Body, m_Reference)
+        public FlightSituation Situation(float dt)
         {
-            state = State,
-            limits = Limits,
-            time = Time,
-            deltaTime = dt,
-            wingLength = m_Model.Length,
-        };
+            FlightSituation situation = m_Reference.Situation(Body);
+            situation.state = State;
+            situation.limits = Limits;
+            situation.time = Time;
+            situation.deltaTime = dt;
+            situation.wingLength = m_Model.Length;
+            return situation;
+        }
 
         /// <summary>Flies a step towards a command.</summary>
         public void Step(in FlightCommand command, float dt)

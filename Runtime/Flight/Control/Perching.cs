@@ -72,14 +72,14 @@ namespace Alate.Flight
         /// <summary>World units of a metre.</summary>
         public float Units { private get; set; }
 
-        /// <summary>Whether the perch moves the body.</summary>
+        /// <summary>True where the perch moves the body.</summary>
         public readonly bool Holds => m_Stage != Stage.Free;
 
         private readonly float FromHeight => math.dot(m_FromFeet - m_Spot, m_Normal);
 
         private readonly bool BeatsWhole => m_Stage == Stage.Pushing && m_WholeAfter >= 0;
 
-        /// <summary>Whether the feet are on the spot.</summary>
+        /// <summary>True where the feet are on the spot.</summary>
         public readonly bool IsSeated => m_Stage == Stage.Seated || m_Stage == Stage.Standing;
 
         /// <summary>Velocity with which the insect flies off, m/s.</summary>

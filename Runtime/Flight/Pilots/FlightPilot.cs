@@ -16,7 +16,7 @@ namespace Alate.Flight
         private readonly ObstacleSense m_Sense = new ObstacleSense();
         private string m_LastWarning;
 
-        /// <summary>Whether colliders leave no way on.</summary>
+        /// <summary>True where colliders leave no way on.</summary>
         protected bool IsBlocked => m_Sense.IsBlocked;
 
         /// <inheritdoc/>

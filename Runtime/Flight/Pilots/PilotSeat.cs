@@ -21,7 +21,7 @@ namespace Alate.Flight
         /// <param name="insect">A component of the object on which pilots stand.</param>
         public PilotSeat(Component insect) => m_Insect = insect;
 
-        /// <summary>Whether the pilot has thrown and is asked no more.</summary>
+        /// <summary>True where the pilot has thrown and is asked no more.</summary>
         public bool HasFailed => m_Faulted != null;
 
         /// <summary>Pilot that steers: set by a script, or else found; null for none.</summary>

@@ -41,7 +41,7 @@ namespace Alate.Flight
         /// <summary>Trim that solutions stay near to, in place of the preferred beat and attitude; null for none.</summary>
         public TrimState Near { get; set; }
 
-        /// <summary>Whether the body is held still: its bob stays that of the start.</summary>
+        /// <summary>True where the body is held still: its bob stays that of the start.</summary>
         public bool HoldsStill { get; set; }
 
         /// <summary>Solves for a condition.</summary>

@@ -40,7 +40,7 @@ namespace Alate.Flight
             }
         }
 
-        /// <summary>Whether the insect flies at a point.</summary>
+        /// <summary>Returns true where the insect flies at a point.</summary>
         public bool IsClosed(int speed, int climb) => m_Closed[At(speed, climb)];
 
         /// <summary>Slowest and fastest climb at a speed, m/s.</summary>
@@ -62,7 +62,7 @@ namespace Alate.Flight
         public FlightLimits Limits => new FlightLimits(TopSpeed, ClimbRates[0], ClimbRates[ClimbRates.Length - 1], Acceleration);
 
         /// <summary>Largest change of velocity that the insect follows, m/s²; <see cref="FlightModel.AccelerationAt"/>.</summary>
-        internal float Acceleration { get; set; } = FlightReference.Acceleration;
+        internal float Acceleration { get; set; } = FlightLimits.FlyersAcceleration;
 
         /// <summary>The beat of the trim that is nearest to a speed and a climb.</summary>
         internal WingDrive DriveNear(float speed, float climb)

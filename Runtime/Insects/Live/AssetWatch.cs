@@ -64,7 +64,7 @@ namespace Alate
 
         private int m_FramesUnused;
 
-        /// <summary>Whether it was let go: then it is not read again, and has to be asked for again.</summary>
+        /// <summary>True where it was let go: then it is not read again, and has to be asked for again.</summary>
         public bool IsForgotten => m_FramesUnused > k_Patience;
 
         /// <summary>Reads the asset again. One that was destroyed keeps its last value.</summary>

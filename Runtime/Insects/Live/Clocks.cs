@@ -19,7 +19,7 @@ namespace Alate
         private StepAccumulator m_Frame = new StepAccumulator(FrameStep, MostSteps);
         private StepAccumulator m_Unscaled = new StepAccumulator(FrameStep, MostSteps);
 
-        /// <summary>Whether the fixed steps of the physics, or else the frames, advance a clock.</summary>
+        /// <summary>Returns true where the fixed steps of the physics, or else the frames, advance a clock.</summary>
         public static bool Advances(bool physics, WingUpdateMode clock) =>
             clock != WingUpdateMode.Manual && (clock == WingUpdateMode.FixedUpdate) == physics;
 

@@ -89,7 +89,7 @@ namespace Alate
                 m_Calls.RaiseBeatEvents(Insects, World);
             }
 
-            TellProfiler();
+            WriteCounters();
         }
 
         /// <summary>Steps one insect by hand; starts it now where it still waits.</summary>
@@ -259,7 +259,7 @@ namespace Alate
             m_Clocks.EndDrawing();
         }
 
-        private void TellProfiler()
+        private void WriteCounters()
         {
             SystemCounter.insects.Set(Count);
             SystemCounter.steps.Set((int)(StepCount - m_StepsTold));

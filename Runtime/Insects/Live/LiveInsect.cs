@@ -31,7 +31,7 @@ namespace Alate
         /// <summary>Number of completed beats at the last check.</summary>
         public int beats;
 
-        private PackKey m_Pacing;
+        private PackKey m_PackKey;
         private bool m_Resting, m_Seen, m_Skinned = true;
         private double m_RestingSince, m_AsleepSince;
 
@@ -43,7 +43,7 @@ namespace Alate
         }
 
         /// <summary>The level of detail now.</summary>
-        public WingDetail Detail => m_Pacing.detail;
+        public WingDetail Detail => m_PackKey.detail;
 
         /// <summary>Pitch of the body, radians, nose up positive.</summary>
         public float Pitch => flight.Pitch;
@@ -65,7 +65,7 @@ namespace Alate
         {
             if (leader.IsNone)
             {
-                m_Pacing = new PackKey(Clock, owner, WingDetail.Full);
+                m_PackKey = new PackKey(Clock, owner, WingDetail.Full);
                 UpdateSurroundings(Physics.gravity, default);
             }
 
@@ -76,7 +76,7 @@ namespace Alate
                 wing.ApplyParameters(presets, new InsectTuning(insect, Fade), out WingParameters parameters);
                 wing.Place();
                 WingSurroundings around = wing.Surroundings(flight);
-                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_Pacing, wing.packing);
+                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_PackKey, wing.packing);
                 world.SetSkinned(wing.handle, m_Skinned);
                 if (!leader.IsNone)
                     world.Follow(wing.handle, leader);
@@ -204,41 +204,41 @@ namespace Alate
         public void Pace(WingWorld world, WingDetail wanted, bool outOfSight, Clocks clocks)
         {
             WingUpdateMode clock = Clock;
-            double now = clocks.times[clock].time, shift = now - clocks.times[m_Pacing.clock].time;
+            double now = clocks.times[clock].time, shift = now - clocks.times[m_PackKey.clock].time;
             m_RestingSince += shift;
             m_AsleepSince += shift;
             bool resting = wanted == WingDetail.Frozen && !outOfSight;
             if (resting && !m_Resting)
                 m_RestingSince = now;
             m_Resting = resting;
-            if (resting && m_Pacing.detail != WingDetail.Frozen)
+            if (resting && m_PackKey.detail != WingDetail.Frozen)
             {
                 // Amplitudes die away first; then standing still cannot be told from beating.
                 float frequency = world.Read(wings[0].handle).Frequency;
                 wanted = (now - m_RestingSince) * frequency > k_BeatsToRest ? WingDetail.Frozen : WingDetail.WavesOnly;
             }
 
-            var pacing = new PackKey(clock, owner, outOfSight ? WingDetail.Frozen : wanted);
-            if (pacing.Equals(m_Pacing))
+            var packKey = new PackKey(clock, owner, outOfSight ? WingDetail.Frozen : wanted);
+            if (packKey.Equals(m_PackKey))
                 return;
-            bool wakes = m_Pacing.detail == WingDetail.Frozen && pacing.detail != WingDetail.Frozen;
-            bool sleeps = m_Pacing.detail != WingDetail.Frozen && pacing.detail == WingDetail.Frozen;
+            bool wakes = m_PackKey.detail == WingDetail.Frozen && packKey.detail != WingDetail.Frozen;
+            bool sleeps = m_PackKey.detail != WingDetail.Frozen && packKey.detail == WingDetail.Frozen;
             float slept = (float)math.max(now - m_AsleepSince, 0.0);
             foreach (LiveWing wing in wings)
             {
-                world.SetPacing(wing.handle, pacing);
+                world.SetPackKey(wing.handle, packKey);
                 if (wakes)
                     world.Resume(wing.handle, slept);
             }
 
-            m_Pacing = pacing;
+            m_PackKey = packKey;
             if (sleeps)
                 m_AsleepSince = now;
         }
 
         private bool SetSkinned(WingWorld world)
         {
-            bool skinned = m_Pacing.detail != WingDetail.Frozen && (visible || insect.Quality.culling == WingCulling.AlwaysSimulate);
+            bool skinned = m_PackKey.detail != WingDetail.Frozen && (visible || insect.Quality.culling == WingCulling.AlwaysSimulate);
             if (skinned != m_Skinned)
             {
                 foreach (LiveWing wing in wings)

@@ -60,10 +60,10 @@ namespace Alate
         /// <summary>Last commands, in units.</summary>
         public fixed float last[FlightCommands.Count];
 
-        /// <summary>Whether the command of the coming beat has been made.</summary>
+        /// <summary>1 where the command of the coming beat has been made.</summary>
         public int latched;
 
-        /// <summary>Whether the feedback makes commands; otherwise the trim holds.</summary>
+        /// <summary>1 where the feedback makes commands; otherwise the trim holds.</summary>
         public int steered;
 
         /// <summary>Above 0 while the body follows its reference, because its wings are not computed, or still settle: beats left and 1.</summary>
@@ -98,7 +98,7 @@ namespace Alate
         public quaternion middleRotation;
         public float3 middleVelocity, middleSpin;
 
-        /// <summary>Whether the body has turned so far that its wings must turn it back.</summary>
+        /// <summary>True where the body has turned so far that its wings must turn it back.</summary>
         public readonly bool Tumbles => tilt > k_TumblingTilt;
 
         /// <summary>Last command, in units.</summary>

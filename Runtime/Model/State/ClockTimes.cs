@@ -18,16 +18,16 @@ namespace Alate
         /// <summary>Time within the last step that is drawn, 0 its start, 1 its end.</summary>
         public float alpha;
 
-        /// <summary>Whether wings moved, or alpha did, since they were drawn.</summary>
+        /// <summary>True where wings moved, or alpha did, since they were drawn.</summary>
         public bool moved;
 
-        /// <summary>Whether a wing that is not frozen keeps the clock.</summary>
+        /// <summary>True where a wing that is not frozen keeps the clock.</summary>
         public bool inUse;
 
-        /// <summary>Whether wings have to be stepped.</summary>
+        /// <summary>True where wings have to be stepped.</summary>
         public readonly bool IsDue => inUse && count > 0 && length > 0f;
 
-        /// <summary>Whether wings have to be deformed.</summary>
+        /// <summary>True where wings have to be deformed.</summary>
         public readonly bool IsDrawn => inUse && moved;
     }
 
@@ -54,7 +54,7 @@ namespace Alate
         public static ClockTimes All(in ClockTime time) =>
             new ClockTimes { m_FixedUpdate = time, m_Update = time, m_UnscaledTime = time, m_Manual = time };
 
-        /// <summary>Whether any wing has to be stepped.</summary>
+        /// <summary>Returns true where any wing has to be stepped.</summary>
         public bool AnyDue()
         {
             bool due = false;
@@ -63,7 +63,7 @@ namespace Alate
             return due;
         }
 
-        /// <summary>Whether any wing has to be deformed.</summary>
+        /// <summary>Returns true where any wing has to be deformed.</summary>
         public bool AnyDrawn()
         {
             bool drawn = false;

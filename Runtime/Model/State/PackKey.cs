@@ -23,7 +23,7 @@ namespace Alate
 
         public bool Equals(PackKey other) => clock == other.clock && owner == other.owner && detail == other.detail;
 
-        public override bool Equals(object other) => other is PackKey pacing && Equals(pacing);
+        public override bool Equals(object other) => other is PackKey key && Equals(key);
 
         public override int GetHashCode() => (owner * 8 + (int)clock) * 8 + (int)detail;
     }

@@ -18,7 +18,7 @@ namespace Alate
         public WingPack view;
 
         /// <summary>Key of the wings that may share the pack.</summary>
-        public readonly PackKey pacing;
+        public readonly PackKey packKey;
 
         /// <summary>Position among the packs of the world.</summary>
         public int index;
@@ -27,16 +27,16 @@ namespace Alate
         public int Count { get; private set; }
 
         /// <summary>Allocates a pack for a rig, its lanes empty.</summary>
-        public PackMemory(in RigView rig, in ModelOptions options, in PackKey pacing = default)
+        public PackMemory(in RigView rig, in ModelOptions options, in PackKey packKey = default)
         {
             m_Bytes = Layout(rig, null, out _);
             m_Block = (byte*)UnsafeUtility.MallocTracked(m_Bytes, 64, Allocator.Persistent, 0);
             UnsafeUtility.MemClear(m_Block, m_Bytes);
             Layout(rig, m_Block, out view);
             view.options = options;
-            view.clock = pacing.clock;
-            view.detail = pacing.detail;
-            this.pacing = pacing;
+            view.clock = packKey.clock;
+            view.detail = packKey.detail;
+            this.packKey = packKey;
         }
 
         /// <summary>Puts a new wing into the next lane; the first one also fills the lanes that are empty.</summary>

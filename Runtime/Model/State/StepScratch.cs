@@ -59,7 +59,7 @@ namespace Alate
         /// <summary>[bone] Bend angle while chains are coupled.</summary>
         public float4* coupledAngles;
 
-        /// <summary>[strip] What a unit of the strip's force changes its slope by, the sum of that and 1/K, and the force.</summary>
+        /// <summary>[strip] Change of the strip's slope by a unit of its force, the sum of that and 1/K, and the force.</summary>
         public float4* stripCompliances;
         public float4* stripYields;
         public float4* stripForces;

@@ -25,7 +25,7 @@ namespace Alate
         /// <summary>Radians by which the stroke plane is tilted, nose up.</summary>
         public float tilt;
 
-        /// <summary>Whether the wing can beat so.</summary>
+        /// <summary>True where the wing can beat so.</summary>
         internal bool IsValid => frequency >= 0.1f && frequency <= 1000f && amplitude >= 0f && amplitude <= 2f
             && math.all(math.abs(new float4(meanFlap, meanSweep, meanFeather, tilt)) <= math.PI);
     }

@@ -19,7 +19,7 @@ namespace Alate
         public WingUpdateMode clock;
         public WingDetail detail;
 
-        /// <summary>Whether a wing of the pack carries a flying body.</summary>
+        /// <summary>True where a wing of the pack carries a flying body.</summary>
         public bool carries;
 
         public LaneParameters* parameters;

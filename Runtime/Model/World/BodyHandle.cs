@@ -12,7 +12,7 @@ namespace Alate
             this.version = version;
         }
 
-        /// <summary>Whether it names nothing.</summary>
+        /// <summary>True where it names nothing.</summary>
         public bool IsNone => version == 0;
     }
 }

@@ -73,7 +73,7 @@ namespace Alate
             wing.body = 0;
         }
 
-        /// <summary>Whether there is such a body.</summary>
+        /// <summary>Returns true where there is such a body.</summary>
         public bool Contains(BodyHandle body) => !body.IsNone && body.index < m_Entries.Count && m_Entries[body.index]?.version == body.version;
 
         /// <summary>A body; valid until the next one is added.</summary>

@@ -162,7 +162,7 @@ namespace Alate
             for (int k = 0; k < m_Bodies.GroupCount; k++)
             {
                 PackMemory pack = packs[lists.packList[m_Bodies.Groups[k].firstPack]];
-                if (pack.pacing.clock == WingUpdateMode.Manual && pack.pacing.owner == owner)
+                if (pack.packKey.clock == WingUpdateMode.Manual && pack.packKey.owner == owner)
                     GroupStep.Run(m_Bodies.Groups[k], lists, Scratch(pack), dt, 0);
             }
         }

@@ -19,13 +19,13 @@ namespace Alate
         /// <summary>Finds a lane for a wing.</summary>
         public PackMemory Add(WingEntry entry, int wing)
         {
-            (WingRig, ModelOptions, PackKey) key = (entry.rig, entry.parameters.options, entry.pacing);
+            (WingRig, ModelOptions, PackKey) key = (entry.rig, entry.parameters.options, entry.packKey);
             if (!m_Groups.TryGetValue(key, out List<PackMemory> group))
                 m_Groups.Add(key, group = new List<PackMemory>());
             PackMemory pack = group.Count > 0 ? group[group.Count - 1] : null;
             if (pack == null || pack.Count == WingPack.Lanes)
             {
-                pack = new PackMemory(entry.rig.ViewAt(entry.pacing.detail >= WingDetail.CoarsePatches), entry.parameters.options, entry.pacing);
+                pack = new PackMemory(entry.rig.ViewAt(entry.packKey.detail >= WingDetail.CoarsePatches), entry.parameters.options, entry.packKey);
                 group.Add(pack);
                 m_Packs.Add(pack);
             }
@@ -39,7 +39,7 @@ namespace Alate
         /// <returns>The wing that moved, or −1.</returns>
         public int Remove(WingEntry entry)
         {
-            (WingRig, ModelOptions, PackKey) key = (entry.rig, entry.pack.view.options, entry.pack.pacing);
+            (WingRig, ModelOptions, PackKey) key = (entry.rig, entry.pack.view.options, entry.pack.packKey);
             List<PackMemory> group = m_Groups[key];
             PackMemory last = group[group.Count - 1];
             int lastLane = last.Count - 1;

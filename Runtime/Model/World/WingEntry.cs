@@ -12,7 +12,7 @@ namespace Alate
         public PackMemory pack;
         public int lane;
         public WingParameters parameters;
-        public PackKey pacing;
+        public PackKey packKey;
         public WingSurroundings surroundings;
 
         /// <summary>Index of the body that the wing carries and 1; 0 for none.</summary>

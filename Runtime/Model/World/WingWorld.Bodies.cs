@@ -44,7 +44,7 @@ namespace Alate
             m_Bodies.Attach(body, entry, place);
         }
 
-        /// <summary>Whether there is such a body.</summary>
+        /// <summary>Returns true where there is such a body.</summary>
         internal bool Contains(BodyHandle body) => !m_Disposed && m_Bodies.Contains(body);
 
         /// <summary>Takes a body out; its wings stay, and beat as they were last commanded.</summary>

@@ -14,7 +14,7 @@ namespace Alate
     /// </summary>
     /// <example><code>
     /// using var world = new WingWorld();
-    /// WingHandle wing = world.Add(rig, species.ToParameters());
+    /// WingHandle wing = world.Add(rig, preset.ToParameters());
     /// world.Step(1f / 50f);
     /// world.Skin();
     /// NativeArray&lt;SkinnedVertex&gt; deformed = world.Vertices(wing);
@@ -54,7 +54,7 @@ namespace Alate
             Add(rig, parameters, surroundings, default);
 
         internal WingHandle Add(
-            WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey pacing, VertexPacking packing = VertexPacking.None)
+            WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey packKey, VertexPacking packing = VertexPacking.None)
         {
             if (rig == null)
                 throw new ArgumentNullException(nameof(rig));
@@ -67,7 +67,7 @@ namespace Alate
             int index = m_Free.Count > 0 ? m_Free.Pop() : m_Entries.Count;
             if (index == m_Entries.Count)
                 m_Entries.Add(null);
-            var entry = new WingEntry(rig, m_NextVersion++, parameters, packing) { surroundings = surroundings, pacing = pacing };
+            var entry = new WingEntry(rig, m_NextVersion++, parameters, packing) { surroundings = surroundings, packKey = packKey };
             m_Entries[index] = entry;
             Count++;
             m_Arrays.Download(m_Packs.Packs, m_Entries);
@@ -111,16 +111,16 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void SetDetail(WingHandle wing, WingDetail detail)
         {
-            PackKey pacing = Entry(wing).pacing;
-            SetPacing(wing, new PackKey(pacing.clock, pacing.owner, detail));
+            PackKey packKey = Entry(wing).packKey;
+            SetPackKey(wing, new PackKey(packKey.clock, packKey.owner, detail));
         }
 
-        internal void SetPacing(WingHandle wing, in PackKey pacing)
+        internal void SetPackKey(WingHandle wing, in PackKey packKey)
         {
             WingEntry entry = Entry(wing);
-            if (entry.pacing.Equals(pacing))
+            if (entry.packKey.Equals(packKey))
                 return;
-            entry.pacing = pacing;
+            entry.packKey = packKey;
             Regroup(entry, wing.index);
             Write(entry);
         }

@@ -62,7 +62,7 @@ namespace Alate.Tests
             foreach (float width in new[] { 0.8f, 1f, 1.2f })
             {
                 BodyPart ball = Ellipsoid.Around(middle, new Vector3(width * hinge.x, 8f, 8f), 40, 40);
-                BodyPart pressed = new HingeSeat(wing).Press(ball);
+                BodyPart pressed = wing.CreateSeat().Press(ball);
                 for (int vertex = 0; vertex < ball.Positions.Length; vertex++)
                 {
                     Vector3 before = ball.Positions[vertex];

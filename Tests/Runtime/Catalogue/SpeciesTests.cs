@@ -26,8 +26,8 @@ namespace Alate.Tests
         public void AnUnknownSpecies_IsRefused_WithTheNamesThereAre(string name)
         {
             Assert.That(InsectCatalogue.TryFind(name, out _), Is.False);
-            Assert.That(InsectCatalogue.TryCreate(name, out WingPreset species), Is.False);
-            Assert.That(species == null, Is.True);
+            Assert.That(InsectCatalogue.TryCreate(name, out WingPreset preset), Is.False);
+            Assert.That(preset == null, Is.True);
             Assert.That(() => InsectCatalogue.Find(name), Throws.ArgumentException.With.Message.Contains("monarch"));
         }
 

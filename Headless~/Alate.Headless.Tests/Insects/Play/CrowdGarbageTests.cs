@@ -27,20 +27,20 @@ namespace Alate.Tests.Play
             yield return Frames(60);
             Assert.That(WingSystem.InsectCount, Is.EqualTo(insects));
 
-            FrameLoop crowd = WingSystem.Crowd;
+            FrameLoop loop = WingSystem.Loop;
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int round = 0; round < 10; round++)
             {
-                crowd.FixedStep(0.02f);
-                crowd.Frame(0.02f, 0.02f);
+                loop.FixedStep(0.02f);
+                loop.Frame(0.02f, 0.02f);
             }
 
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
-            long steps = crowd.StepCount, jobs = crowd.World.JobCount;
-            crowd.FixedStep(0.02f);
-            crowd.Frame(0f, 0f);
-            Assert.That(crowd.World.JobCount - jobs, Is.EqualTo(2), "one step job and one skinning job, however many insects");
-            Assert.That(crowd.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
+            long steps = loop.StepCount, jobs = loop.World.JobCount;
+            loop.FixedStep(0.02f);
+            loop.Frame(0f, 0f);
+            Assert.That(loop.World.JobCount - jobs, Is.EqualTo(2), "one step job and one skinning job, however many insects");
+            Assert.That(loop.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
         }
 
         private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset preset)

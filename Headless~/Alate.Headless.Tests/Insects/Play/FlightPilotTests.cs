@@ -148,10 +148,10 @@ namespace Alate.Tests.Play
             LogAssert.Expect(LogType.Warning, new Regex("'Monarch' does not fly: its trims were made for other numbers"));
             yield return Frames(30);
             Assert.That(flight.Problem, Is.EqualTo(FlightProblem.OtherNumbers));
-            FrameLoop crowd = WingSystem.Crowd;
+            FrameLoop loop = WingSystem.Loop;
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int round = 0; round < 10; round++)
-                crowd.FixedStep(0.02f);
+                loop.FixedStep(0.02f);
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
 
             flight.Trims = trims;

@@ -200,7 +200,7 @@ namespace Alate.Tests.Play.Headless
             {
                 BakedWing wing = Scene.Bake.Wings[w];
                 LiveWing flown = live.Live.wings[w];
-                NativeArray<PackedVertex> vertices = WingSystem.Crowd.World.PackedVertices(flown.handle);
+                NativeArray<PackedVertex> vertices = WingSystem.Loop.World.PackedVertices(flown.handle);
                 Matrix4x4 toInsect = live.transform.worldToLocalMatrix * flown.transform.localToWorldMatrix;
                 for (int k = 0; k < wing.Vertices.Length; k++)
                     apart = math.max(apart, math.distance(positions[wing.Vertices[k]], toInsect.MultiplyPoint3x4(vertices[k].position)) / wing.Length);

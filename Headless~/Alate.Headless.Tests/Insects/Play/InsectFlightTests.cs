@@ -129,12 +129,12 @@ namespace Alate.Tests.Play
             for (int k = 0; k < 12; k++)
                 Hatch();
             yield return Frames(60);
-            FrameLoop crowd = WingSystem.Crowd;
+            FrameLoop loop = WingSystem.Loop;
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int round = 0; round < 10; round++)
             {
-                crowd.FixedStep(0.02f);
-                crowd.Frame(0.02f, 0.02f);
+                loop.FixedStep(0.02f);
+                loop.Frame(0.02f, 0.02f);
             }
 
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);

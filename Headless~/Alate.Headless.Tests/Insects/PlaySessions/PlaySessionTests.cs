@@ -47,7 +47,7 @@ namespace Alate.Tests.PlaySessions
                 insect.WingBeat += _ => { };
 
                 yield return new ExitPlayMode();
-                Assert.That(WingSystem.Crowd, Is.Null);
+                Assert.That(WingSystem.Loop, Is.Null);
                 Assert.That(WingSystem.InsectCount, Is.Zero);
                 Assert.That(LivingMeshes.Count, Is.Zero);
                 Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(memory), NativeMemoryLedger.Describe());
@@ -70,7 +70,7 @@ namespace Alate.Tests.PlaySessions
             broken.Wings[0].Renderer = null;
 
             yield return new ExitPlayMode();
-            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(WingSystem.Loop, Is.Null);
             Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(memory), NativeMemoryLedger.Describe());
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>().Where(m => m.name.Contains("(living)")), Is.Empty);
         }
@@ -89,7 +89,7 @@ namespace Alate.Tests.PlaySessions
             WingSystem.Patience = 0f;
             yield return null;
             yield return null;
-            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(WingSystem.Loop, Is.Null);
             Assert.That(Resources.FindObjectsOfTypeAll<WingSystem>(), Is.Empty);
             Assert.That(Hidden(), Is.GreaterThan(before));
 
@@ -104,7 +104,7 @@ namespace Alate.Tests.PlaySessions
             Application.quitting += StartLate;
             yield return new ExitPlayMode();
             Application.quitting -= StartLate;
-            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(WingSystem.Loop, Is.Null);
 
             // A new session is not at its end.
             yield return new EnterPlayMode(false);
@@ -117,7 +117,7 @@ namespace Alate.Tests.PlaySessions
         private void StartLate()
         {
             Make();
-            Assert.That(WingSystem.Crowd, Is.Null, "an insect started after the end of play");
+            Assert.That(WingSystem.Loop, Is.Null, "an insect started after the end of play");
         }
 
         private static int Hidden() => Resources.FindObjectsOfTypeAll<Object>().Count(o => o.hideFlags == HideFlags.HideAndDontSave);

@@ -77,7 +77,7 @@ namespace Alate.Flight
             set => m_Origin = value;
         }
 
-        /// <summary>Whether the first point follows the last.</summary>
+        /// <summary>True where the first point follows the last.</summary>
         public bool Loop
         {
             get => m_Loop;
@@ -94,7 +94,7 @@ namespace Alate.Flight
         /// <summary>Settings by which the insect avoids colliders in its way.</summary>
         public ref ObstacleSettings Obstacles => ref m_Obstacles;
 
-        /// <summary>Whether the insect has come to the last point.</summary>
+        /// <summary>True where the insect has come to the last point.</summary>
         public bool HasArrived => m_Path.HasArrived;
 
         /// <summary>Flies to a point, world units, and stays there.</summary>

@@ -27,7 +27,7 @@ namespace Alate.Flight
         /// <summary>Layers that they meet.</summary>
         public int Layers { get; private set; }
 
-        /// <summary>Whether the way is blocked so that hardly anything is left of the wanted velocity.</summary>
+        /// <summary>True where the way is blocked so that hardly anything is left of the wanted velocity.</summary>
         public bool IsBlocked { get; private set; }
 
         /// <summary>Direction of a ray, unit length.</summary>

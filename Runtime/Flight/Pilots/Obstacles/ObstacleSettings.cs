@@ -8,7 +8,7 @@ namespace Alate.Flight
     [Serializable]
     public struct ObstacleSettings
     {
-        /// <summary>Whether obstacles are avoided; needs colliders.</summary>
+        /// <summary>True where obstacles are avoided; needs colliders.</summary>
         [Tooltip("Whether the insect looks for colliders in its way and flies round them.")]
         public bool avoid;
 

@@ -104,7 +104,7 @@ namespace Alate.Flight
         /// <summary>The spot.</summary>
         public PerchSpot Spot => m_Spot;
 
-        /// <summary>Whether the insect is on the line.</summary>
+        /// <summary>True where the insect is on the line.</summary>
         public bool IsFlaring { get; private set; }
 
         /// <summary>Number of times that the insect flew up again.</summary>

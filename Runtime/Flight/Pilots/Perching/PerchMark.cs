@@ -13,7 +13,7 @@ namespace Alate.Flight
         /// <summary>The pilot whose insect sits here or comes here; null for none.</summary>
         public FlightPilot Guest { get; internal set; }
 
-        /// <summary>Whether no insect sits here or comes here.</summary>
+        /// <summary>True where no insect sits here or comes here.</summary>
         public bool IsFree => Guest == null || !Guest.isActiveAndEnabled;
 
         /// <summary>The place.</summary>

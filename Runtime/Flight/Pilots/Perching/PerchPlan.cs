@@ -32,7 +32,7 @@ namespace Alate.Flight
         /// <summary>The landing under way, or the last one; null before the first.</summary>
         public Landing Landing { get; private set; }
 
-        /// <summary>Whether the insect flies and it is time to look for a spot.</summary>
+        /// <summary>True where the insect flies and it is time to look for a spot.</summary>
         public bool WantsSpot { get; private set; }
 
         /// <summary>Goes for a spot.</summary>

@@ -38,7 +38,7 @@ namespace Alate.Flight
         [Tooltip("World units within which spots are looked for, 0.1 to 1000; 30.")]
         public float searchDistance;
 
-        /// <summary>Whether surfaces below are spots too, beside marked ones; needs colliders.</summary>
+        /// <summary>True where surfaces below are spots too, beside marked ones; needs colliders.</summary>
         [Tooltip("Whether the insect lands on colliders below it too, beside marked spots.")]
         public bool landsOnSurfaces;
 

@@ -41,7 +41,7 @@ namespace Alate.Flight
 
         private float3 Half => 0.5f * math.max(math.abs((float3)size), k_LeastSize);
 
-        /// <summary>Whether a point, world units, lies within.</summary>
+        /// <summary>Returns true where a point, world units, lies within.</summary>
         public bool Contains(float3 point)
         {
             float3 place = (point - (float3)centre) / Half;

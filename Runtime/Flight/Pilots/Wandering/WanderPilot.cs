@@ -49,7 +49,7 @@ namespace Alate.Flight
             set => m_Around = value;
         }
 
-        /// <summary>Whether the middle of the volume counts from where the insect is when the pilot, once enabled, steers for the first time.</summary>
+        /// <summary>True where the middle of the volume counts from where the insect is when the pilot, once enabled, steers for the first time.</summary>
         public bool FromStart
         {
             get => m_FromStart;

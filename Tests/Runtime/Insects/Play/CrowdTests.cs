@@ -39,7 +39,7 @@ namespace Alate.Tests.Play
             yield return Frames(2);
 
             Assert.That(WingSystem.InsectCount, Is.EqualTo(60));
-            Assert.That(WingSystem.Crowd.World.PackCount, Is.EqualTo(30), "four wings a pack");
+            Assert.That(WingSystem.Loop.World.PackCount, Is.EqualTo(30), "four wings a pack");
             Assert.That(swarm[59].Live.meshes[1].template, Is.SameAs(swarm[0].Live.meshes[0].template));
         }
 
@@ -58,7 +58,7 @@ namespace Alate.Tests.Play
 
             yield return Frames(3);
             Assert.That(WingSystem.InsectCount, Is.EqualTo(10));
-            Assert.That(WingSystem.Crowd.World.PackCount, Is.LessThanOrEqualTo(6));
+            Assert.That(WingSystem.Loop.World.PackCount, Is.LessThanOrEqualTo(6));
         }
 
         [UnityTest]

@@ -62,7 +62,7 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Hatch();
             yield return Frames(10);
-            Assert.That(WingSystem.Crowd, Is.Not.Null);
+            Assert.That(WingSystem.Loop, Is.Not.Null);
 
             Do(moment, () => End(insect, ending));
             yield return Frames(4);
@@ -71,7 +71,7 @@ namespace Alate.Tests.Play
             Assert.That(LivingMeshes.Count, Is.Zero);
             if (ending == Ending.DestroyWing)
                 yield break;
-            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(WingSystem.Loop, Is.Null);
             Assert.That(Object.FindAnyObjectByType<WingSystem>(), Is.Null);
         }
 
@@ -117,7 +117,7 @@ namespace Alate.Tests.Play
             for (int k = 0; k < 5; k++)
                 Object.DestroyImmediate(Hatch().gameObject);
             yield return Frames(4);
-            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(WingSystem.Loop, Is.Null);
             Assert.That(Object.FindAnyObjectByType<WingSystem>(), Is.Null);
         }
 

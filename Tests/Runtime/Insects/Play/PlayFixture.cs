@@ -15,7 +15,7 @@ namespace Alate.Tests.Play
         private readonly List<string> m_Kept = new List<string>();
 
         /// <summary>
-        /// Whether the parts of generated insects stay from one test of the class to the next: making them takes longer than most tests of insects.
+        /// True where the parts of generated insects stay from one test of the class to the next: making them takes longer than most tests of insects.
         /// </summary>
         protected virtual bool KeepsParts => false;
 
@@ -50,10 +50,10 @@ namespace Alate.Tests.Play
             Time.timeScale = 1f;
             Time.captureDeltaTime = 0f;
             yield return Frames(3);
-            Assert.That(WingSystem.Crowd, Is.Null, "the system has outlived its insects");
+            Assert.That(WingSystem.Loop, Is.Null, "the system has outlived its insects");
             Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
             Assert.That(
-                GeneratedAssets.InUse.Select(kit => (kit.Species, kit.Users)), Is.EquivalentTo(m_Kept.Select(species => (species, 1))), "parts of generated insects were left behind");
+                GeneratedAssets.InUse.Select(assets => (assets.Species, assets.Users)), Is.EquivalentTo(m_Kept.Select(species => (species, 1))), "parts of generated insects were left behind");
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
         }
 
@@ -115,7 +115,7 @@ namespace Alate.Tests.Play
         {
             if (!KeepsParts)
                 return;
-            foreach (string species in GeneratedAssets.InUse.Select(kit => kit.Species).Except(m_Kept).ToList())
+            foreach (string species in GeneratedAssets.InUse.Select(assets => assets.Species).Except(m_Kept).ToList())
             {
                 GeneratedAssets.Take(species);
                 m_Kept.Add(species);

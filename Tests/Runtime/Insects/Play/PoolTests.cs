@@ -15,7 +15,7 @@ namespace Alate.Tests.Play
             InsectWings insect = Hatch();
             yield return Frames(5);
             MeshTemplate baked = insect.Live.meshes[0].template;
-            FrameLoop crowd = WingSystem.Crowd;
+            FrameLoop loop = WingSystem.Loop;
 
             insect.gameObject.SetActive(false);
             yield return Frames(60);
@@ -24,7 +24,7 @@ namespace Alate.Tests.Play
             insect.gameObject.SetActive(true);
             yield return Frames(3);
 
-            Assert.That(WingSystem.Crowd, Is.SameAs(crowd));
+            Assert.That(WingSystem.Loop, Is.SameAs(loop));
             Assert.That(insect.Live.meshes[0].template, Is.SameAs(baked));
             WingSystem.Patience = 0f;
         }
@@ -37,9 +37,9 @@ namespace Alate.Tests.Play
             yield return Frames(5);
             insect.gameObject.SetActive(false);
             yield return Frames(20);
-            Assert.That(WingSystem.Crowd, Is.Not.Null);
+            Assert.That(WingSystem.Loop, Is.Not.Null);
             yield return Frames(30);
-            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(WingSystem.Loop, Is.Null);
             Assert.That(Object.FindAnyObjectByType<WingSystem>(), Is.Null);
         }
 
@@ -67,12 +67,12 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Hatch();
             yield return Frames(3);
-            FrameLoop crowd = WingSystem.Crowd;
+            FrameLoop loop = WingSystem.Loop;
             GameObject stray = Keep(new GameObject("stray", typeof(WingSystem)));
             yield return Frames(4);
 
             Assert.That(stray == null, Is.True, "two systems run");
-            Assert.That(WingSystem.Crowd, Is.SameAs(crowd));
+            Assert.That(WingSystem.Loop, Is.SameAs(loop));
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready));
         }
 

@@ -95,7 +95,7 @@ namespace Alate.Tests.Play
             yield return Frames(30);
 
             Assert.That(insect == null, Is.True);
-            Assert.That(WingSystem.Crowd, Is.Null);
+            Assert.That(WingSystem.Loop, Is.Null);
         }
 
         [UnityTest]

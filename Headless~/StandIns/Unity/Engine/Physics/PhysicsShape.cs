@@ -5,7 +5,7 @@ namespace UnityEngine;
 /// <summary>A box or a sphere in the world, as rays and spheres meet it.</summary>
 internal readonly record struct PhysicsShape(int Collider, int Layer, bool IsTrigger, Vector3 Centre, Quaternion Rotation, Vector3 Half, bool IsRound)
 {
-    /// <summary>Whether a query looks at it.</summary>
+    /// <summary>Returns true where a query looks at it.</summary>
     public bool IsMet(int layerMask, QueryTriggerInteraction triggers) =>
         (layerMask & (1 << Layer)) != 0 && (!IsTrigger || triggers != QueryTriggerInteraction.Ignore);
 
@@ -24,7 +24,7 @@ internal readonly record struct PhysicsShape(int Collider, int Layer, bool IsTri
         return true;
     }
 
-    /// <summary>Whether a sphere touches it.</summary>
+    /// <summary>Returns true where a sphere touches it.</summary>
     public bool Touches(Vector3 place, float radius)
     {
         Vector3 within = Quaternion.Inverse(Rotation) * (place - Centre);

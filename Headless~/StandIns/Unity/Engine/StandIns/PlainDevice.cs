@@ -4,6 +4,6 @@ namespace Unity.StandIns;
 [StandInExtension]
 public static class PlainDevice
 {
-    /// <summary>Whether the device is plain.</summary>
+    /// <summary>True where the device is plain.</summary>
     public static bool IsInUse { get; set; }
 }

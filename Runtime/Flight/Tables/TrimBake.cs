@@ -125,7 +125,7 @@ namespace Alate.Flight
             return trims[s, c] != null;
         }
 
-        /// <summary>[speed, climb] What is missing at each point of the last trims; null where it closes.</summary>
+        /// <summary>[speed, climb] Description of what is missing at each point of the last trims; null where it closes.</summary>
         internal string[,] Problems { get; private set; }
 
         /// <summary>Description of what is missing at a point that did not close; null where all did.</summary>

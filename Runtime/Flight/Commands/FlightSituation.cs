@@ -6,20 +6,6 @@ namespace Alate.Flight
     /// <remarks>Lengths are metres of the real insect along the world's axes, times its scale in the scene: <see cref="unitsPerMetre"/> turns metres into world units.</remarks>
     public struct FlightSituation
     {
-        /// <summary>Takes over how a body moves and what it follows, in a scene of life size.</summary>
-        internal FlightSituation(in FlyingBody body, in FlightReference reference)
-        {
-            this = default;
-            position = body.position;
-            rotation = body.rotation;
-            velocity = body.velocity;
-            angularVelocity = math.rotate(body.rotation, body.spin);
-            wind = reference.Wind;
-            referenceVelocity = reference.Velocity;
-            heading = reference.Heading;
-            unitsPerMetre = 1f;
-        }
-
         /// <summary>Centre of mass, world units.</summary>
         public float3 position;
 

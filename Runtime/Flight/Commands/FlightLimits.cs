@@ -5,6 +5,9 @@ namespace Alate.Flight
     /// <summary>Limits of an insect's flight by its trim table and its reference model, within which a pilot may ask. Metres and seconds of the real insect.</summary>
     public readonly struct FlightLimits
     {
+        /// <summary>Largest change of the wanted velocity of insects that fly, m/s²; those that swim have less.</summary>
+        internal const float FlyersAcceleration = 2.5f;
+
         /// <summary>Seconds until the body follows a change of the wanted velocity.</summary>
         private const float k_Response = 0.2f;
 

@@ -14,7 +14,7 @@ namespace Alate.Flight
         /// <summary>Direction in which the insect looks, radians about the world's up.</summary>
         public float heading;
 
-        /// <summary>Whether there is such a place.</summary>
+        /// <summary>True where there is such a place.</summary>
         internal readonly bool IsFinite => math.all(math.isfinite(position)) && math.all(math.isfinite(normal)) && math.isfinite(heading);
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Alate
@@ -9,6 +10,9 @@ namespace Alate
     internal static class PlayEnd
     {
         static PlayEnd() => Application.quitting += OnQuitting;
+
+        /// <summary>Raised when play ends, before the scenes end.</summary>
+        public static event Action Ended;
 
         /// <summary>True once play has ended.</summary>
         public static bool HasCome { get; private set; }
@@ -30,7 +34,7 @@ namespace Alate
         private static void OnQuitting()
         {
             HasCome = true;
-            WingSystem.EndWithPlay();
+            Ended?.Invoke();
         }
     }
 }

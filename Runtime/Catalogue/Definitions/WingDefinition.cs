@@ -50,7 +50,7 @@ namespace Alate.Catalogue
         public double LastTipSpan { get; internal set; }
 
         /// <summary>
-        /// [chain] Where each chain runs to the margin of <see cref="Contour"/>; null for tips that lie evenly on <see cref="Outline"/> from the wing's tip to
+        /// [chain] Place at which each chain runs to the margin of <see cref="Contour"/>; null for tips that lie evenly on <see cref="Outline"/> from the wing's tip to
         /// <see cref="LastTipSpan"/>.
         /// </summary>
         internal ChainPath[] ChainPaths { get; set; }
@@ -88,6 +88,13 @@ namespace Alate.Catalogue
             if (reading == ModelReading.Paper)
                 preset.ApplyReading(reading);
             return preset;
+        }
+
+        /// <summary>Makes the flat area of the body's side on which the wing sits.</summary>
+        internal HingeSeat CreateSeat()
+        {
+            float length = 1000f * (float)Outline.Length;
+            return new HingeSeat(1000f * Hinge, length * (float)Outline.LeadingAt(0), length * (float)Outline.TrailingAt(0));
         }
 
         /// <summary>The base of the wing on the body, in mesh units.</summary>
