@@ -54,11 +54,11 @@ namespace Alate
         /// <summary>Steering with every value moved into its range; a value that is no number becomes its default.</summary>
         internal InsectSteering Clamped() => new InsectSteering
         {
-            frequencyScale = Clamp(frequencyScale, k_LeastFrequency, k_MostFrequency, 1f),
-            amplitudeScale = Clamp(amplitudeScale, 0f, Wing.MostAmplitude, 1f),
-            meanFlap = Clamp(meanFlap, -k_MostTilt, k_MostTilt, 0f),
-            tilt = Clamp(tilt, -k_MostTilt, k_MostTilt, 0f),
-            fold = Clamp(fold, 0f, 1f, 0f),
+            frequencyScale = NumberRange.Clamp(frequencyScale, k_LeastFrequency, k_MostFrequency, 1f),
+            amplitudeScale = NumberRange.Clamp(amplitudeScale, 0f, Wing.MostAmplitude, 1f),
+            meanFlap = NumberRange.Clamp(meanFlap, -k_MostTilt, k_MostTilt, 0f),
+            tilt = NumberRange.Clamp(tilt, -k_MostTilt, k_MostTilt, 0f),
+            fold = NumberRange.Clamp(fold, 0f, 1f, 0f),
         };
 
         /// <summary>Changes a preset's parameters.</summary>
@@ -69,7 +69,5 @@ namespace Alate
             parameters.meanFlap += math.radians(meanFlap);
             parameters.tilt += math.radians(tilt);
         }
-
-        private static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Unity.Mathematics;
 using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
@@ -54,7 +53,7 @@ namespace Alate
         public bool Contains(float value) => value >= Minimum && value <= Maximum;
 
         /// <summary>The nearest value between the bounds; the default when the value is not a number.</summary>
-        public float Clamp(float value) => float.IsNaN(value) ? Default : math.clamp(value, Minimum, Maximum);
+        public float Clamp(float value) => NumberRange.Clamp(value, Minimum, Maximum, Default);
 
         /// <summary>Describes in one line why the value is refused.</summary>
         public string Describe(float value)

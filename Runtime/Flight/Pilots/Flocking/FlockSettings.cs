@@ -1,5 +1,4 @@
 using System;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Flight
@@ -57,15 +56,13 @@ namespace Alate.Flight
         internal FlockSettings Clamped()
         {
             FlockSettings none = Default, clamped = this;
-            clamped.speed = Clamp(speed, 0.05f, 5f, none.speed);
-            clamped.sight = Clamp(sight, 1f, 200f, none.sight);
-            clamped.room = Clamp(room, 0.5f, 100f, none.room);
-            clamped.separation = Clamp(separation, 0f, 4f, none.separation);
-            clamped.alignment = Clamp(alignment, 0f, 1f, none.alignment);
-            clamped.cohesion = Clamp(cohesion, 0f, 2f, none.cohesion);
+            clamped.speed = NumberRange.Clamp(speed, 0.05f, 5f, none.speed);
+            clamped.sight = NumberRange.Clamp(sight, 1f, 200f, none.sight);
+            clamped.room = NumberRange.Clamp(room, 0.5f, 100f, none.room);
+            clamped.separation = NumberRange.Clamp(separation, 0f, 4f, none.separation);
+            clamped.alignment = NumberRange.Clamp(alignment, 0f, 1f, none.alignment);
+            clamped.cohesion = NumberRange.Clamp(cohesion, 0f, 2f, none.cohesion);
             return clamped;
         }
-
-        private static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
     }
 }

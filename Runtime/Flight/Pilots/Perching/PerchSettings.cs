@@ -1,5 +1,4 @@
 using System;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Flight
@@ -74,17 +73,15 @@ namespace Alate.Flight
         internal PerchSettings Clamped()
         {
             PerchSettings none = Default, clamped = this;
-            clamped.flightTime = Clamp(flightTime, 0f, 600f, none.flightTime);
-            clamped.stayTime = Clamp(stayTime, 0.5f, 600f, none.stayTime);
-            clamped.foldTime = Clamp(foldTime, 0.1f, 5f, none.foldTime);
-            clamped.bask = Clamp(bask, 0f, 1f, none.bask);
-            clamped.fanRate = Clamp(fanRate, 0f, 60f, none.fanRate);
-            clamped.searchDistance = Clamp(searchDistance, 0.1f, 1000f, none.searchDistance);
-            clamped.steepest = Clamp(steepest, 0f, 90f, none.steepest);
-            clamped.fleeDistance = Clamp(fleeDistance, 0f, 1000f, none.fleeDistance);
+            clamped.flightTime = NumberRange.Clamp(flightTime, 0f, 600f, none.flightTime);
+            clamped.stayTime = NumberRange.Clamp(stayTime, 0.5f, 600f, none.stayTime);
+            clamped.foldTime = NumberRange.Clamp(foldTime, 0.1f, 5f, none.foldTime);
+            clamped.bask = NumberRange.Clamp(bask, 0f, 1f, none.bask);
+            clamped.fanRate = NumberRange.Clamp(fanRate, 0f, 60f, none.fanRate);
+            clamped.searchDistance = NumberRange.Clamp(searchDistance, 0.1f, 1000f, none.searchDistance);
+            clamped.steepest = NumberRange.Clamp(steepest, 0f, 90f, none.steepest);
+            clamped.fleeDistance = NumberRange.Clamp(fleeDistance, 0f, 1000f, none.fleeDistance);
             return clamped;
         }
-
-        private static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Flight
@@ -56,14 +55,12 @@ namespace Alate.Flight
         /// <summary>Settings with every value moved into its range; what is no number is the default.</summary>
         internal WanderSettings Clamped() => new WanderSettings
         {
-            speed = Clamp(speed, 0.05f, 5f, Default.speed),
-            straightTime = Clamp(straightTime, 0.1f, 20f, Default.straightTime),
-            turnSpread = Clamp(turnSpread, 0f, 180f, Default.turnSpread),
-            homing = Clamp(homing, 0f, 1f, Default.homing),
-            bob = Clamp(bob, 0f, 1f, Default.bob),
-            bobTime = Clamp(bobTime, 0.1f, 10f, Default.bobTime),
+            speed = NumberRange.Clamp(speed, 0.05f, 5f, Default.speed),
+            straightTime = NumberRange.Clamp(straightTime, 0.1f, 20f, Default.straightTime),
+            turnSpread = NumberRange.Clamp(turnSpread, 0f, 180f, Default.turnSpread),
+            homing = NumberRange.Clamp(homing, 0f, 1f, Default.homing),
+            bob = NumberRange.Clamp(bob, 0f, 1f, Default.bob),
+            bobTime = NumberRange.Clamp(bobTime, 0.1f, 10f, Default.bobTime),
         };
-
-        private static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
     }
 }
