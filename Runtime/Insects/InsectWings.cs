@@ -15,6 +15,8 @@ namespace Alate
     [DefaultExecutionOrder(ExecutionOrders.InsectWings)]
     public sealed partial class InsectWings : MonoBehaviour
     {
+        private const float k_LeastPhase = 0f, k_MostPhase = 360f;
+
         [SerializeField]
         [Tooltip("The preset: how the wings are driven and how stiff they are. None: a monarch's.")]
         [FormerlySerializedAs("m_Species")]
@@ -29,8 +31,8 @@ namespace Alate
         private WingUpdateMode m_UpdateMode;
 
         [SerializeField]
-        [Range(0f, 360f)]
-        [Tooltip("Degrees of the beat at which the wings start, 0 to 360; 0 is the top of the stroke. Give the insects of a swarm different ones.")]
+        [Range(k_LeastPhase, k_MostPhase)]
+        [Tooltip("Degrees of the beat at which the wings start; 0 is the top of the stroke. Give the insects of a swarm different ones.")]
         private float m_StartPhase;
 
         [SerializeField]
@@ -71,7 +73,7 @@ namespace Alate
         public float StartPhase
         {
             get => m_StartPhase;
-            set => m_StartPhase = float.IsNaN(value) ? 0f : Mathf.Clamp(value, 0f, 360f);
+            set => m_StartPhase = NumberRange.Clamp(value, k_LeastPhase, k_MostPhase, 0f);
         }
 
         /// <summary>Changes to the preset's beat; for flight controllers.</summary>

@@ -17,23 +17,25 @@ namespace Alate.Crowds
         /// <summary>Insects of one batch of the job.</summary>
         private const int k_Batch = 256;
 
+        private const float k_LeastSpeed = 0f, k_MostSpeed = 4f, k_LeastVariation = 0f, k_MostVariation = 0.9f;
+
         [SerializeField]
         [Tooltip("Size of the box in which the insects fly, world units from side to side.")]
         private Vector3 m_Area = new Vector3(20f, 4f, 20f);
 
         [SerializeField]
-        [Range(0f, 4f)]
-        [Tooltip("Slowest insect over the speed of its loop, 0 to 4; 0.8.")]
+        [Range(k_LeastSpeed, k_MostSpeed)]
+        [Tooltip("Slowest insect over the speed of its loop; 0.8.")]
         private float m_SlowestSpeed = 0.8f;
 
         [SerializeField]
-        [Range(0f, 4f)]
-        [Tooltip("Fastest insect over the speed of its loop, 0 to 4; 1.2.")]
+        [Range(k_LeastSpeed, k_MostSpeed)]
+        [Tooltip("Fastest insect over the speed of its loop; 1.2.")]
         private float m_FastestSpeed = 1.2f;
 
         [SerializeField]
-        [Range(0f, 0.9f)]
-        [Tooltip("How much sizes differ, 0 to 0.9; 0.15 is from 0.85 to 1.15.")]
+        [Range(k_LeastVariation, k_MostVariation)]
+        [Tooltip("How much sizes differ; 0.15 is from 0.85 to 1.15.")]
         private float m_SizeVariation = 0.15f;
 
         [SerializeField]
@@ -60,8 +62,8 @@ namespace Alate.Crowds
             get => new Vector2(Mathf.Min(m_SlowestSpeed, m_FastestSpeed), Mathf.Max(m_SlowestSpeed, m_FastestSpeed));
             set
             {
-                m_SlowestSpeed = Mathf.Clamp(value.x, 0f, 4f);
-                m_FastestSpeed = Mathf.Clamp(value.y, 0f, 4f);
+                m_SlowestSpeed = Mathf.Clamp(value.x, k_LeastSpeed, k_MostSpeed);
+                m_FastestSpeed = Mathf.Clamp(value.y, k_LeastSpeed, k_MostSpeed);
             }
         }
 
@@ -69,7 +71,7 @@ namespace Alate.Crowds
         public float SizeVariation
         {
             get => m_SizeVariation;
-            set => m_SizeVariation = Mathf.Clamp(value, 0f, 0.9f);
+            set => m_SizeVariation = Mathf.Clamp(value, k_LeastVariation, k_MostVariation);
         }
 
         /// <summary>Name of the loop that is shown; empty is the first one.</summary>

@@ -10,6 +10,9 @@ namespace Alate.Flight
     /// </summary>
     public abstract class FlightPilot : MonoBehaviour, IFlightPilot
     {
+        /// <summary>Bounds of the speed that a pilot is set to, m/s.</summary>
+        internal const float LeastSpeed = 0.05f, MostSpeed = 5f;
+
         private static readonly List<FlightPilot> s_Found = new List<FlightPilot>();
 
         private FlightPilot m_Below;

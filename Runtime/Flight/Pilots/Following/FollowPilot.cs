@@ -9,6 +9,9 @@ namespace Alate.Flight
     [DisallowMultipleComponent]
     public sealed class FollowPilot : FlightPilot
     {
+        /// <summary>Speed where none is set, m/s.</summary>
+        private const float k_Speed = 1f;
+
         /// <summary>Time over which the target's velocity is smoothed, seconds.</summary>
         private const float k_Smoothing = 0.2f;
 
@@ -36,9 +39,9 @@ namespace Alate.Flight
         private bool m_Loop;
 
         [SerializeField]
-        [Range(0.05f, 5f)]
-        [Tooltip("Metres per second of the insect, 0.05 to 5; 1. Its own limits hold besides.")]
-        private float m_Speed = 1f;
+        [Range(LeastSpeed, MostSpeed)]
+        [Tooltip("Metres per second of the insect; 1. Its own limits hold besides.")]
+        private float m_Speed = k_Speed;
 
         [SerializeField]
         private ObstacleSettings m_Obstacles = ObstacleSettings.Default;
@@ -88,7 +91,7 @@ namespace Alate.Flight
         public float Speed
         {
             get => m_Speed;
-            set => m_Speed = float.IsNaN(value) ? 1f : Mathf.Clamp(value, 0.05f, 5f);
+            set => m_Speed = NumberRange.Clamp(value, LeastSpeed, MostSpeed, k_Speed);
         }
 
         /// <summary>Settings by which the insect avoids colliders in its way.</summary>

@@ -1,5 +1,4 @@
 using System;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Flight
@@ -8,6 +7,8 @@ namespace Alate.Flight
     [Serializable]
     public struct ObstacleSettings
     {
+        private const float k_LeastClearance = 0f, k_Clearance = 1.5f, k_MostClearance = 20f;
+
         /// <summary>True where obstacles are avoided; needs colliders.</summary>
         [Tooltip("Whether the insect looks for colliders in its way and flies round them.")]
         public bool avoid;
@@ -17,14 +18,14 @@ namespace Alate.Flight
         public LayerMask layers;
 
         /// <summary>Distance to keep from a surface, wing lengths, 0 to 20; 1.5.</summary>
-        [Range(0f, 20f)]
-        [Tooltip("Wing lengths to keep from a surface, 0 to 20; 1.5.")]
+        [Range(k_LeastClearance, k_MostClearance)]
+        [Tooltip("Wing lengths to keep from a surface; 1.5.")]
         public float clearance;
 
         /// <summary>All layers that rays meet, 1.5 wing lengths away.</summary>
-        public static ObstacleSettings Default => new ObstacleSettings { avoid = true, layers = Physics.DefaultRaycastLayers, clearance = 1.5f };
+        public static ObstacleSettings Default => new ObstacleSettings { avoid = true, layers = Physics.DefaultRaycastLayers, clearance = k_Clearance };
 
         /// <summary>Distance to keep, metres of the insect.</summary>
-        internal float Metres(float wingLength) => (math.isnan(clearance) ? Default.clearance : math.clamp(clearance, 0f, 20f)) * wingLength;
+        internal float Metres(float wingLength) => NumberRange.Clamp(clearance, k_LeastClearance, k_MostClearance, k_Clearance) * wingLength;
     }
 }

@@ -8,33 +8,33 @@ namespace Alate.Flight
     public struct PerchSettings
     {
         /// <summary>Mean time between landings, seconds, 0 to 600; 10.</summary>
-        [Range(0f, 600f)]
-        [Tooltip("Seconds of flight between landings on average, 0 to 600; 10.")]
+        [Range(PerchBounds.FlightTime.Min, PerchBounds.FlightTime.Max)]
+        [Tooltip("Seconds of flight between landings on average; 10.")]
         public float flightTime;
 
         /// <summary>Mean time on a spot, seconds, 0.5 to 600; 8.</summary>
-        [Range(0.5f, 600f)]
-        [Tooltip("Seconds on a spot on average, 0.5 to 600; 8.")]
+        [Range(PerchBounds.StayTime.Min, PerchBounds.StayTime.Max)]
+        [Tooltip("Seconds on a spot on average; 8.")]
         public float stayTime;
 
         /// <summary>Seconds to fold the wings, 0.1 to 5; 0.5.</summary>
-        [Range(0.1f, 5f)]
-        [Tooltip("Seconds to fold or spread the wings, 0.1 to 5; 0.5.")]
+        [Range(PerchBounds.FoldTime.Min, PerchBounds.FoldTime.Max)]
+        [Tooltip("Seconds to fold or spread the wings; 0.5.")]
         public float foldTime;
 
         /// <summary>Share of the fold that the wings open while the insect basks, 0 to 1; 0.7. 0 keeps them folded.</summary>
-        [Range(0f, 1f)]
-        [Tooltip("How far the wings open while the insect basks, 0 to 1; 0.7. 0 keeps them folded.")]
+        [Range(PerchBounds.Bask.Min, PerchBounds.Bask.Max)]
+        [Tooltip("How far the wings open while the insect basks; 0.7. 0 keeps them folded.")]
         public float bask;
 
         /// <summary>Openings a minute, 0 to 60; 12. 0 keeps the wings still: folded, or open where the insect basks.</summary>
-        [Range(0f, 60f)]
-        [Tooltip("How often a minute the wings open and close slowly, 0 to 60; 12. 0 keeps them still.")]
+        [Range(PerchBounds.FanRate.Min, PerchBounds.FanRate.Max)]
+        [Tooltip("How often a minute the wings open and close slowly; 12. 0 keeps them still.")]
         public float fanRate;
 
         /// <summary>Distance within which a spot is looked for, world units, 0.1 to 1000; 30.</summary>
-        [Range(0.1f, 1000f)]
-        [Tooltip("World units within which spots are looked for, 0.1 to 1000; 30.")]
+        [Range(PerchBounds.SearchDistance.Min, PerchBounds.SearchDistance.Max)]
+        [Tooltip("World units within which spots are looked for; 30.")]
         public float searchDistance;
 
         /// <summary>True where surfaces below are spots too, beside marked ones; needs colliders.</summary>
@@ -46,42 +46,55 @@ namespace Alate.Flight
         public LayerMask surfaces;
 
         /// <summary>Steepest surface to land on, degrees, 0 to 90; 45.</summary>
-        [Range(0f, 90f)]
-        [Tooltip("Degrees of the steepest surface to land on, 0 to 90; 45.")]
+        [Range(PerchBounds.Steepest.Min, PerchBounds.Steepest.Max)]
+        [Tooltip("Degrees of the steepest surface to land on; 45.")]
         public float steepest;
 
         /// <summary>Distance of something watched at which the insect takes off, world units, 0 to 1000; 5. 0 watches nothing.</summary>
-        [Range(0f, 1000f)]
+        [Range(PerchBounds.FleeDistance.Min, PerchBounds.FleeDistance.Max)]
         [Tooltip("World units: the insect takes off when something watched comes nearer; 5. 0 watches nothing.")]
         public float fleeDistance;
 
         /// <summary>A butterfly on flowers.</summary>
         public static PerchSettings Default => new PerchSettings
         {
-            flightTime = 10f,
-            stayTime = 8f,
-            foldTime = 0.5f,
-            bask = 0.7f,
-            fanRate = 12f,
-            searchDistance = 30f,
+            flightTime = PerchBounds.FlightTime.Default,
+            stayTime = PerchBounds.StayTime.Default,
+            foldTime = PerchBounds.FoldTime.Default,
+            bask = PerchBounds.Bask.Default,
+            fanRate = PerchBounds.FanRate.Default,
+            searchDistance = PerchBounds.SearchDistance.Default,
             surfaces = Physics.DefaultRaycastLayers,
-            steepest = 45f,
-            fleeDistance = 5f,
+            steepest = PerchBounds.Steepest.Default,
+            fleeDistance = PerchBounds.FleeDistance.Default,
         };
 
         /// <summary>Settings with every value moved into its range; what is no number is the default.</summary>
         internal PerchSettings Clamped()
         {
             PerchSettings none = Default, clamped = this;
-            clamped.flightTime = NumberRange.Clamp(flightTime, 0f, 600f, none.flightTime);
-            clamped.stayTime = NumberRange.Clamp(stayTime, 0.5f, 600f, none.stayTime);
-            clamped.foldTime = NumberRange.Clamp(foldTime, 0.1f, 5f, none.foldTime);
-            clamped.bask = NumberRange.Clamp(bask, 0f, 1f, none.bask);
-            clamped.fanRate = NumberRange.Clamp(fanRate, 0f, 60f, none.fanRate);
-            clamped.searchDistance = NumberRange.Clamp(searchDistance, 0.1f, 1000f, none.searchDistance);
-            clamped.steepest = NumberRange.Clamp(steepest, 0f, 90f, none.steepest);
-            clamped.fleeDistance = NumberRange.Clamp(fleeDistance, 0f, 1000f, none.fleeDistance);
+            clamped.flightTime = NumberRange.Clamp(flightTime, PerchBounds.FlightTime.Min, PerchBounds.FlightTime.Max, none.flightTime);
+            clamped.stayTime = NumberRange.Clamp(stayTime, PerchBounds.StayTime.Min, PerchBounds.StayTime.Max, none.stayTime);
+            clamped.foldTime = NumberRange.Clamp(foldTime, PerchBounds.FoldTime.Min, PerchBounds.FoldTime.Max, none.foldTime);
+            clamped.bask = NumberRange.Clamp(bask, PerchBounds.Bask.Min, PerchBounds.Bask.Max, none.bask);
+            clamped.fanRate = NumberRange.Clamp(fanRate, PerchBounds.FanRate.Min, PerchBounds.FanRate.Max, none.fanRate);
+            clamped.searchDistance = NumberRange.Clamp(searchDistance, PerchBounds.SearchDistance.Min, PerchBounds.SearchDistance.Max, none.searchDistance);
+            clamped.steepest = NumberRange.Clamp(steepest, PerchBounds.Steepest.Min, PerchBounds.Steepest.Max, none.steepest);
+            clamped.fleeDistance = NumberRange.Clamp(fleeDistance, PerchBounds.FleeDistance.Min, PerchBounds.FleeDistance.Max, none.fleeDistance);
             return clamped;
         }
+    }
+
+    /// <summary>Bounds and default of each number of <see cref="PerchSettings"/>, in its units.</summary>
+    internal static class PerchBounds
+    {
+        public static class FlightTime { public const float Min = 0f, Default = 10f, Max = 600f; }
+        public static class StayTime { public const float Min = 0.5f, Default = 8f, Max = 600f; }
+        public static class FoldTime { public const float Min = 0.1f, Default = 0.5f, Max = 5f; }
+        public static class Bask { public const float Min = 0f, Default = 0.7f, Max = 1f; }
+        public static class FanRate { public const float Min = 0f, Default = 12f, Max = 60f; }
+        public static class SearchDistance { public const float Min = 0.1f, Default = 30f, Max = 1000f; }
+        public static class Steepest { public const float Min = 0f, Default = 45f, Max = 90f; }
+        public static class FleeDistance { public const float Min = 0f, Default = 5f, Max = 1000f; }
     }
 }

@@ -12,55 +12,66 @@ namespace Alate.Flight
     public struct WanderSettings
     {
         /// <summary>Mean speed, m/s, 0.05 to 5; 1. Limited by what the insect can do.</summary>
-        [Range(0.05f, 5f)]
-        [Tooltip("Metres per second on average, 0.05 to 5; 1. The insect's own limits hold besides.")]
+        [Range(WanderBounds.Speed.Min, WanderBounds.Speed.Max)]
+        [Tooltip("Metres per second on average; 1. The insect's own limits hold besides.")]
         public float speed;
 
         /// <summary>Mean time between turns, seconds, 0.1 to 20; 0.7.</summary>
-        [Range(0.1f, 20f)]
-        [Tooltip("Seconds between two turns on average, 0.1 to 20; 0.7. More flies straighter.")]
+        [Range(WanderBounds.StraightTime.Min, WanderBounds.StraightTime.Max)]
+        [Tooltip("Seconds between two turns on average; 0.7. More flies straighter.")]
         public float straightTime;
 
         /// <summary>Spread of the turns (standard deviation), degrees, 0 to 180; 55.</summary>
-        [Range(0f, 180f)]
-        [Tooltip("Degrees by which a turn differs from straight on (standard deviation), 0 to 180; 55. 0 flies straight on.")]
+        [Range(WanderBounds.TurnSpread.Min, WanderBounds.TurnSpread.Max)]
+        [Tooltip("Degrees by which a turn differs from straight on (standard deviation); 55. 0 flies straight on.")]
         public float turnSpread;
 
         /// <summary>Pull of the course towards the middle of the volume, 0 to 1; 0.25.</summary>
-        [Range(0f, 1f)]
-        [Tooltip("How much each turn favours the middle of the volume, 0 to 1; 0.25. 0 leaves it to the rim to turn the insect.")]
+        [Range(WanderBounds.Homing.Min, WanderBounds.Homing.Max)]
+        [Tooltip("How much each turn favours the middle of the volume; 0.25. 0 leaves it to the rim to turn the insect.")]
         public float homing;
 
         /// <summary>Climb and descent (standard deviation), m/s, 0 to 1; 0.25.</summary>
-        [Range(0f, 1f)]
-        [Tooltip("Metres per second of climbing and sinking (standard deviation), 0 to 1; 0.25.")]
+        [Range(WanderBounds.Bob.Min, WanderBounds.Bob.Max)]
+        [Tooltip("Metres per second of climbing and sinking (standard deviation); 0.25.")]
         public float bob;
 
         /// <summary>Time in which climbing changes to sinking, seconds, 0.1 to 10; 0.6: several beats.</summary>
-        [Range(0.1f, 10f)]
-        [Tooltip("Seconds in which climbing turns into sinking, 0.1 to 10; 0.6.")]
+        [Range(WanderBounds.BobTime.Min, WanderBounds.BobTime.Max)]
+        [Tooltip("Seconds in which climbing turns into sinking; 0.6.")]
         public float bobTime;
 
         /// <summary>A butterfly that looks for food.</summary>
         public static WanderSettings Default => new WanderSettings
         {
-            speed = 1f,
-            straightTime = 0.7f,
-            turnSpread = 55f,
-            homing = 0.25f,
-            bob = 0.25f,
-            bobTime = 0.6f,
+            speed = WanderBounds.Speed.Default,
+            straightTime = WanderBounds.StraightTime.Default,
+            turnSpread = WanderBounds.TurnSpread.Default,
+            homing = WanderBounds.Homing.Default,
+            bob = WanderBounds.Bob.Default,
+            bobTime = WanderBounds.BobTime.Default,
         };
 
         /// <summary>Settings with every value moved into its range; what is no number is the default.</summary>
         internal WanderSettings Clamped() => new WanderSettings
         {
-            speed = NumberRange.Clamp(speed, 0.05f, 5f, Default.speed),
-            straightTime = NumberRange.Clamp(straightTime, 0.1f, 20f, Default.straightTime),
-            turnSpread = NumberRange.Clamp(turnSpread, 0f, 180f, Default.turnSpread),
-            homing = NumberRange.Clamp(homing, 0f, 1f, Default.homing),
-            bob = NumberRange.Clamp(bob, 0f, 1f, Default.bob),
-            bobTime = NumberRange.Clamp(bobTime, 0.1f, 10f, Default.bobTime),
+            speed = NumberRange.Clamp(speed, WanderBounds.Speed.Min, WanderBounds.Speed.Max, Default.speed),
+            straightTime = NumberRange.Clamp(straightTime, WanderBounds.StraightTime.Min, WanderBounds.StraightTime.Max, Default.straightTime),
+            turnSpread = NumberRange.Clamp(turnSpread, WanderBounds.TurnSpread.Min, WanderBounds.TurnSpread.Max, Default.turnSpread),
+            homing = NumberRange.Clamp(homing, WanderBounds.Homing.Min, WanderBounds.Homing.Max, Default.homing),
+            bob = NumberRange.Clamp(bob, WanderBounds.Bob.Min, WanderBounds.Bob.Max, Default.bob),
+            bobTime = NumberRange.Clamp(bobTime, WanderBounds.BobTime.Min, WanderBounds.BobTime.Max, Default.bobTime),
         };
+    }
+
+    /// <summary>Bounds and default of each number of <see cref="WanderSettings"/>, in its units.</summary>
+    internal static class WanderBounds
+    {
+        public static class Speed { public const float Min = FlightPilot.LeastSpeed, Default = 1f, Max = FlightPilot.MostSpeed; }
+        public static class StraightTime { public const float Min = 0.1f, Default = 0.7f, Max = 20f; }
+        public static class TurnSpread { public const float Min = 0f, Default = 55f, Max = 180f; }
+        public static class Homing { public const float Min = 0f, Default = 0.25f, Max = 1f; }
+        public static class Bob { public const float Min = 0f, Default = 0.25f, Max = 1f; }
+        public static class BobTime { public const float Min = 0.1f, Default = 0.6f, Max = 10f; }
     }
 }
