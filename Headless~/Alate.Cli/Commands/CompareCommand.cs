@@ -26,7 +26,7 @@ internal static class CompareCommand
         };
         Option<double> elasticity = Numbers.Option(
             "--elasticity", "FACTOR", ComparisonColumn.OtherElasticity, PlanRange.LeastElasticity, PlanRange.MostElasticity,
-            "Factor on the elasticity in the last column, 0.001 to 1000000; below 1 is softer.");
+            $"Factor on the elasticity in the last column, {PlanRange.LeastElasticity} to {PlanRange.MostElasticity}; below 1 is softer.");
         Option<int?> phases = Numbers.OptionalCount(
             "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, "Rows of the pictures, 1 to 12. [default: 4]");
         Option<InsectVariant?> variant = FlightOptions.Variant();

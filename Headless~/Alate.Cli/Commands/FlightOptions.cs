@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Cli.Flights;
 using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Commands;
@@ -17,12 +18,12 @@ internal static class FlightOptions
     };
 
     public static Option<double?> Speed() => Numbers.Optional(
-        "--speed", "M/S", 0, 100,
-        "Speed of the body ahead, metres per second, 0 to 100. [default: 0.65 of the species' top speed, an insect's 1.3]");
+        "--speed", "M/S", 0, PlanRange.MostSpeed,
+        $"Speed of the body ahead, metres per second, 0 to {PlanRange.MostSpeed}. [default: 0.65 of the species' top speed, an insect's 1.3]");
 
     public static Option<int?> Substeps() => Numbers.OptionalCount(
         "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps,
-        "Substeps of a beat, 12 to 480. [default: the species']");
+        $"Substeps of a beat, {WingParameters.MinSubsteps} to {WingParameters.MaxSubsteps}. [default: the species']");
 
     public static Option<InsectVariant?> Variant() => Choice.Optional<InsectVariant>(
         "--variant", "Which numbers of the species: the tables', measured ones where there are any, softer ones, or those with which its wings carry it. [default: standard]", new()

@@ -12,27 +12,33 @@ internal sealed class FlyOptions
     private readonly Option<double?> m_Speed = FlightOptions.Speed();
 
     private readonly Option<double> m_Climb = Numbers.Option(
-        "--climb", "M/S", 0, -100, 100, "Speed of the body up, metres per second, -100 to 100; negative sinks.");
+        "--climb", "M/S", 0, -PlanRange.MostSpeed, PlanRange.MostSpeed,
+        $"Speed of the body up, metres per second, {-PlanRange.MostSpeed} to {PlanRange.MostSpeed}; negative sinks.");
 
     private readonly Option<double> m_Pitch = Numbers.Option(
-        "--pitch", "DEG", 0, -90, 90, "Pitch of the body, degrees, nose up positive, -90 to 90.");
+        "--pitch", "DEG", 0, -PlanRange.MostPitch, PlanRange.MostPitch,
+        $"Pitch of the body, degrees, nose up positive, {-PlanRange.MostPitch} to {PlanRange.MostPitch}.");
 
     private readonly Option<double?> m_Seconds = Numbers.Optional(
         "--seconds", "S", 0, 3600, "Simulated time, seconds, one beat to an hour; its last beat is reported. [default: 8 beats]");
 
     private readonly Option<double[]> m_Wind = Numbers.Vector(
-        "--wind", "X,Y,Z", 100, "Wind, metres per second, each -100 to 100: to the right, up, ahead. [default: 0,0,0]");
+        "--wind", "X,Y,Z", PlanRange.MostSpeed,
+        $"Wind, metres per second, each {-PlanRange.MostSpeed} to {PlanRange.MostSpeed}: to the right, up, ahead. [default: 0,0,0]");
 
     private readonly Option<double?> m_Induced = Numbers.Switch(
-        "--induced-flow", "FACTOR", 1, 0, InducedFlow.MostFactor, "Wings that meet the air which they draw along, by momentum theory, times a wake factor, 0 to 3. [default: none; 1 without FACTOR]");
+        "--induced-flow", "FACTOR", 1, 0, InducedFlow.MostFactor,
+        $"Wings that meet the air which they draw along, by momentum theory, times a wake factor, 0 to {InducedFlow.MostFactor}. [default: none; 1 without FACTOR]");
 
     private readonly Option<bool> m_AddedMass = new("--added-mass") { Description = "The air that the wings carry along where they are accelerated across their surface." };
 
     private readonly Option<double?> m_Lag = Numbers.Optional(
-        "--lag", "LAMBDA", 0, 2, "Delay of the trailing edge, half beats, 0 to 2. [default: the species']");
+        "--lag", "LAMBDA", WingBounds.ChordDelay.Min, WingBounds.ChordDelay.Max,
+        $"Delay of the trailing edge, half beats, {WingBounds.ChordDelay.Min} to {WingBounds.ChordDelay.Max}. [default: the species']");
 
     private readonly Option<double> m_Elasticity = Numbers.Option(
-        "--elasticity", "FACTOR", 1, PlanRange.LeastElasticity, PlanRange.MostElasticity, "Factor on the species' elasticity, 0.001 to 1000000; below 1 is softer.");
+        "--elasticity", "FACTOR", 1, PlanRange.LeastElasticity, PlanRange.MostElasticity,
+        $"Factor on the species' elasticity, {PlanRange.LeastElasticity} to {PlanRange.MostElasticity}; below 1 is softer.");
 
     private readonly Option<int?> m_Substeps = FlightOptions.Substeps();
 

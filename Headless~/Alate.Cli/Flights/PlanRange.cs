@@ -6,11 +6,17 @@ using Alate.Cli.Parameters;
 
 namespace Alate.Cli.Flights;
 
-/// <summary>Checks the numbers of a plan that the model takes as a product with the species' own.</summary>
+/// <summary>Bounds of a plan's numbers, and checks of those that the model takes as a product with the species' own.</summary>
 internal static class PlanRange
 {
     /// <summary>Range of the option <c>--elasticity</c>, a factor on the species' k_e, whatever the species.</summary>
     public const double LeastElasticity = 0.001, MostElasticity = 1e6;
+
+    /// <summary>Fastest a flight or its wind may be in any direction, m/s.</summary>
+    public const double MostSpeed = 100;
+
+    /// <summary>Steepest pitch up or down, degrees.</summary>
+    public const double MostPitch = 90;
 
     private static readonly WingParameterRange s_Elasticity = Range("elasticity"), s_Density = Range("airDensity"), s_Reference = Range("referenceFrequency");
 

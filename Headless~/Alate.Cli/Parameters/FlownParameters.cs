@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using System.Runtime.CompilerServices;
+using Alate.Cli.Flights;
 using UnityEngine;
 
 namespace Alate.Cli.Parameters;
@@ -23,13 +24,13 @@ internal static class FlownParameters
     /// <summary>Everything: first elasticity as a factor on the species', as <c>fly</c> takes it, then the species' sliders, then the flight's numbers.</summary>
     public static IReadOnlyList<FlownParameter> All { get; } =
     [
-        new("elasticity", "× the species'", 0.001, 1e6, (plan, value) => plan with { Elasticity = value }),
+        new("elasticity", "× the species'", PlanRange.LeastElasticity, PlanRange.MostElasticity, (plan, value) => plan with { Elasticity = value }),
         .. OfSpecies.Where(parameter => parameter.Name != "elasticity"),
         new("substeps-per-beat", "", WingParameters.MinSubsteps, WingParameters.MaxSubsteps, (plan, value) => plan with { Substeps = (int)value }, isWhole: true),
-        new("speed", "m/s", 0, 100, (plan, value) => plan with { Speed = value }),
-        new("climb", "m/s", -100, 100, (plan, value) => plan with { Climb = value }),
-        new("pitch", "°", -90, 90, (plan, value) => plan with { PitchDegrees = value }),
-        new("wind", "m/s from ahead", -100, 100, (plan, value) => plan with { Wind = [0, 0, -value] }),
+        new("speed", "m/s", 0, PlanRange.MostSpeed, (plan, value) => plan with { Speed = value }),
+        new("climb", "m/s", -PlanRange.MostSpeed, PlanRange.MostSpeed, (plan, value) => plan with { Climb = value }),
+        new("pitch", "°", -PlanRange.MostPitch, PlanRange.MostPitch, (plan, value) => plan with { PitchDegrees = value }),
+        new("wind", "m/s from ahead", -PlanRange.MostSpeed, PlanRange.MostSpeed, (plan, value) => plan with { Wind = [0, 0, -value] }),
     ];
 
     /// <summary>Finds a number by its name; capitals, hyphens and underscores do not matter.</summary>
