@@ -52,14 +52,18 @@ namespace Alate
         public override int GetHashCode() => HashCode.Combine(frequencyScale, amplitudeScale, meanFlap, tilt, fold);
 
         /// <summary>Steering with every value moved into its range; a value that is no number becomes its default.</summary>
-        internal InsectSteering Clamped() => new InsectSteering
+        internal InsectSteering Clamped()
         {
-            frequencyScale = NumberRange.Clamp(frequencyScale, k_LeastFrequency, k_MostFrequency, 1f),
-            amplitudeScale = NumberRange.Clamp(amplitudeScale, 0f, Wing.MostAmplitude, 1f),
-            meanFlap = NumberRange.Clamp(meanFlap, -k_MostTilt, k_MostTilt, 0f),
-            tilt = NumberRange.Clamp(tilt, -k_MostTilt, k_MostTilt, 0f),
-            fold = NumberRange.Clamp(fold, 0f, 1f, 0f),
-        };
+            InsectSteering none = Default;
+            return new InsectSteering
+            {
+                frequencyScale = NumberRange.Clamp(frequencyScale, k_LeastFrequency, k_MostFrequency, none.frequencyScale),
+                amplitudeScale = NumberRange.Clamp(amplitudeScale, 0f, Wing.MostAmplitude, none.amplitudeScale),
+                meanFlap = NumberRange.Clamp(meanFlap, -k_MostTilt, k_MostTilt, none.meanFlap),
+                tilt = NumberRange.Clamp(tilt, -k_MostTilt, k_MostTilt, none.tilt),
+                fold = NumberRange.Clamp(fold, 0f, 1f, none.fold),
+            };
+        }
 
         /// <summary>Changes a preset's parameters.</summary>
         internal void Apply(ref WingParameters parameters)
