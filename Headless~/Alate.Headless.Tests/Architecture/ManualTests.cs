@@ -48,10 +48,10 @@ namespace Alate.Tests.Architecture
         }
 
         [Test]
-        public void EveryPublicType_IsNamedInTheManual()
+        public void EveryPublicType_IsNamedInTheScriptingReference()
         {
-            string manual = string.Join("\n", Pages.Where(page => page.StartsWith("Documentation~", StringComparison.Ordinal)).Select(ManualPages.Text));
-            var named = Regex.Matches(manual, @"`([A-Za-z.]+)`").Select(match => match.Groups[1].Value).ToHashSet();
+            string reference = ManualPages.Text("Documentation~/scripting.md");
+            var named = Regex.Matches(reference, @"`([A-Za-z.]+)`").Select(match => match.Groups[1].Value).ToHashSet();
             IEnumerable<string> names = PublicTypes().Select(type => type.IsNested ? $"{type.DeclaringType.Name}.{type.Name}" : type.Name);
 
             Assert.That(names.Where(name => !named.Contains(name)), Is.Empty);
