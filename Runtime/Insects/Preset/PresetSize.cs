@@ -23,9 +23,12 @@ namespace Alate
         [Tooltip("Kilograms of one wing (of a fore and hind wing together when they move as one), 1e-9 to 1; a monarch's couple is 2.51e-5. Light wings are bent by air, heavy ones by their inertia.")]
         public float wingMass;
 
-        /// <summary>Mass of the whole insect, kilograms, 10⁻⁸ to 10. Compared with lift; does not change the wing.</summary>
+        /// <summary>
+        /// Mass of the whole insect, kilograms, 10⁻⁸ to 10: its weight is compared with lift, and a flight carries it (that of the first wing counts). Trims go with it. Does not
+        /// change how the wing bends.
+        /// </summary>
         [Unit("kg", WingBounds.InsectMass.Min, WingBounds.InsectMass.Max)]
-        [Tooltip("Kilograms of the whole insect, 1e-8 to 10; a monarch is 4.28e-4. Only used to compare lift with weight.")]
+        [Tooltip("Kilograms of the whole insect, 1e-8 to 10; a monarch is 4.28e-4. Its weight is compared with lift, and Insect Flight carries it: bake new trims after a change. The wing bends the same.")]
         public float insectMass;
 
         /// <summary>Density ρ of the fluid, kilograms per cubic metre, 0 to 2000; air 1.225, fresh water 998.</summary>
