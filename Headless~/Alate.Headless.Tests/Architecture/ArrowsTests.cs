@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -109,11 +110,23 @@ namespace Alate.Tests.Architecture
         [Test]
         public void AConstantOfAnotherRoom_IsSeen()
         {
-            var rooms = new Dictionary<string, string[]>(Rooms.Within["Alate.Flight"]) { ["Trim"] = ["Body"] };
+            var rooms = new Dictionary<string, string[]>(Rooms.Within["Alate.Flight"]) { ["Body"] = [] };
 
             Assert.That(
                 Rooms.BetweenRooms("Alate.Flight", rooms).Select(violation => violation.ToString()),
-                Has.Member("Runtime/Flight/Trim/TrimTable.cs: TrimTable uses FlightLimits; there is no arrow Trim -> Commands"));
+                Has.Member("Runtime/Flight/Body/FlightModel.cs: FlightModel uses FlightLimits; there is no arrow Body -> Commands"));
+        }
+
+        // Unity gives new scripts this namespace. An assembly whose types are all internal is judged by those.
+        [TestCaseSource(nameof(Assemblies))]
+        public void RootNamespace_IsThatOfTheTypes(string assembly)
+        {
+            using JsonDocument definition = Definition(assembly);
+            Type[] types = Rooms.Types(assembly).ToArray();
+            bool anyPublic = types.Any(type => type.IsPublic);
+            IEnumerable<string> namespaces = types.Where(type => type.IsPublic || !anyPublic).Select(type => type.Namespace).Distinct();
+
+            Assert.That(namespaces, Is.EqualTo(new[] { definition.RootElement.GetProperty("rootNamespace").GetString() }));
         }
 
         // One project builds the tests of both folders; Unity builds two assemblies, and the first is for players too.
