@@ -28,7 +28,7 @@ internal static class CompareCommand
             "--elasticity", "FACTOR", ComparisonColumn.OtherElasticity, PlanRange.LeastElasticity, PlanRange.MostElasticity,
             $"Factor on the elasticity in the last column, {PlanRange.LeastElasticity} to {PlanRange.MostElasticity}; below 1 is softer.");
         Option<int?> phases = Numbers.OptionalCount(
-            "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, "Rows of the pictures, 1 to 12. [default: 4]");
+            "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, $"Rows of the pictures, {ComparisonPlan.MinPhases} to {ComparisonPlan.MaxPhases}. [default: 4]");
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
         Option<PictureView?> view = FlightOptions.View();

@@ -25,12 +25,12 @@ internal static class SkeletonFromImageCommand
             Description = "A PNG of one wing on plain or transparent ground: silhouette, line drawing or photo.",
         };
         Option<int?> chains = Numbers.OptionalCount(
-            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains, "Chains of joints, 3 to 16. [default: 5]");
+            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains, $"Chains of joints, {WingSkeleton.MinChains} to {WingSkeleton.MaxChains}. [default: 5]");
         Option<int?> joints = Numbers.OptionalCount(
-            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints, "Joints of each chain, 3 to 16. [default: 5]");
+            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints, $"Joints of each chain, {WingSkeleton.MinJoints} to {WingSkeleton.MaxJoints}. [default: 5]");
         Option<int?> triangles = Numbers.OptionalCount(
             "--triangles", "N", WingTracingSettings.MinTriangles, WingTracingSettings.MaxTriangles,
-            "Triangles of the mesh, 50 to 200000; it gets exactly so many. [default: 1000]");
+            $"Triangles of the mesh, {WingTracingSettings.MinTriangles} to {WingTracingSettings.MaxTriangles}; it gets exactly so many. [default: 1000]");
         Option<double[]> hinge = Numbers.Pair(
             "--hinge", "X,Y", 0, WingPicture.MaxSide,
             "Where the wing turns, pixels from the picture's top left corner. [default: where veins meet, else guessed]");

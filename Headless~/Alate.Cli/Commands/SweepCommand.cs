@@ -35,7 +35,7 @@ internal static class SweepCommand
         var species = new Option<string>("--species") { HelpName = "NAME", Description = "The insect; the paper's Fig. 14 shows a fishfly. [default: fishfly]" };
         Option<int?> steps = Numbers.OptionalCount(
             "--steps", "N", SweepPlan.MinSteps, SweepPlan.MaxSteps,
-            "Values, 2 to 25: evenly spaced, or by equal ratios where they span a factor of ten or more. [default: 5]");
+            $"Values, {SweepPlan.MinSteps} to {SweepPlan.MaxSteps}: evenly spaced, or by equal ratios where they span a factor of ten or more. [default: 5]");
         Option<SweepWaves?> waves = Choice.Optional<SweepWaves>("--wave", "With the deformation wave, without it, or both. [default: on]", new()
         {
             ["on"] = SweepWaves.On,

@@ -22,11 +22,14 @@ internal static class TrimCommand
     /// <summary>Most speeds, and most climbs.</summary>
     private const int k_Most = 12;
 
+    /// <summary>Fastest speed and climb, either way, metres per second.</summary>
+    private const double k_Fastest = 20;
+
     public static Command Create(TextWriter output)
     {
         var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
-        Option<double[]> speeds = Numbers.List("--speeds", "M/S,…", k_Most, -20, 20, "Speeds ahead, metres per second, up to 12, each -20 to 20. [default: 0,0.15,0.3,0.65,1,1.3]");
-        Option<double[]> climbs = Numbers.List("--climbs", "M/S,…", k_Most, -20, 20, "Climbs, metres per second, up to 12, each -20 to 20. [default: -0.3,-0.15,0,0.3]");
+        Option<double[]> speeds = Numbers.List("--speeds", "M/S,…", k_Most, -k_Fastest, k_Fastest, $"Speeds ahead, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: 0,0.15,0.3,0.65,1,1.3]");
+        Option<double[]> climbs = Numbers.List("--climbs", "M/S,…", k_Most, -k_Fastest, k_Fastest, $"Climbs, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: -0.3,-0.15,0,0.3]");
         var bake = new Option<bool>("--bake") { Description = "Makes the table of the flight and writes it into the package's sources." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/trim]" };
         var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds, climbs, bake, folder };

@@ -20,7 +20,7 @@ internal static class WindCommand
         Argument<string[]> species = FlightOptions.AnySpecies();
         Option<double[]> speeds = Numbers.List(
             "--speeds", "V,V,...", WindPlan.MostSpeeds, WindPlan.MinSpeed, WindPlan.MaxSpeed,
-            $"Speeds of the wind, metres per second, up to {WindPlan.MostSpeeds} of them, each 0 to 100. [default: {string.Join(',', WindPlan.DefaultSpeeds)}]");
+            $"Speeds of the wind, metres per second, up to {WindPlan.MostSpeeds} of them, each {WindPlan.MinSpeed} to {WindPlan.MaxSpeed}. [default: {string.Join(',', WindPlan.DefaultSpeeds)}]");
         Option<InsectVariant?> variant = FlightOptions.Variant();
         var gusts = new Option<bool>("--gusts") { Description = "Two smooth gusts of a beat each and a sharp one, instead of a steady wind." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/wind]" };

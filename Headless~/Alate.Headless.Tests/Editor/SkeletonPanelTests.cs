@@ -29,16 +29,16 @@ namespace Alate.Tests.Inspectors
         }
 
         [Test]
-        public void EveryAct_HasAButton_WithATooltipThatNamesItsKey()
+        public void EveryCommand_HasAButton_WithATooltipThatNamesItsKey()
         {
             DrawnInspector page = Draw();
 
-            foreach (EditCommand act in SkeletonCommands.All)
-                Assert.That(page.Control(act.Name).Tooltip, Does.StartWith(act.Tooltip).And.EndsWith(act.Shortcut == "" ? "." : $"({act.Shortcut})"));
+            foreach (EditCommand command in SkeletonCommands.All)
+                Assert.That(page.Control(command.Name).Tooltip, Does.StartWith(command.Tooltip).And.EndsWith(command.Shortcut == "" ? "." : $"({command.Shortcut})"));
         }
 
         [Test]
-        public void ButtonsDoTheirActs_AndRefusalsAreShown_UntilTheNextAct()
+        public void ButtonsDoTheirCommands_AndRefusalsAreShown_UntilTheNextCommand()
         {
             DrawnInspector page = Press("Remove Chain");
             Assert.That(page.HelpBoxes, Has.Member("Select a joint of the chain to remove."));

@@ -189,7 +189,7 @@ namespace Alate.Tests.Inspectors
         {
             Send(EventType.MouseDown, Pixel(3, 1), button: 1);
 
-            Assert.That(ShownMenu.Lines.Where(line => line != ""), Is.EqualTo(SkeletonCommands.All.Select(act => act.Title)));
+            Assert.That(ShownMenu.Lines.Where(line => line != ""), Is.EqualTo(SkeletonCommands.All.Select(command => command.Title)));
             ShownMenu.Choose("Select Chain (D)");
             Assert.That(m_Session.Group.Active.Selection.Living(), Is.EqualTo(Enumerable.Range(0, 5).Select(j => new JointIndex(3, j))));
         }
