@@ -9,7 +9,7 @@ namespace Alate.Fitting
     {
         private readonly PlanPoint[] m_Plan;
         private readonly Dictionary<int, List<int>> m_Neighbours = new Dictionary<int, List<int>>();
-        private readonly HashSet<(int, int)> m_Walked = new HashSet<(int, int)>();
+        private readonly MeshEdges m_Walked = new MeshEdges();
 
         /// <summary>Places counterclockwise round the wing; empty without edges.</summary>
         public readonly List<int> outline = new List<int>();
@@ -47,7 +47,7 @@ namespace Alate.Fitting
             do
             {
                 outline.Add(at);
-                m_Walked.Add(Key(at, next));
+                m_Walked.Add(at, next);
                 int before = at;
                 at = next;
                 next = FirstTurn(at, m_Plan[before] - m_Plan[at], before);
@@ -58,7 +58,7 @@ namespace Alate.Fitting
         private List<int> WalkHole(int start, int second)
         {
             var hole = new List<int> { start };
-            m_Walked.Add(Key(start, second));
+            m_Walked.Add(start, second);
             int at = second;
             while (at != start)
             {
@@ -68,7 +68,7 @@ namespace Alate.Fitting
                 if (next < 0)
                     break;
                 at = NeighboursOf(at)[next];
-                m_Walked.Add(Key(here, at));
+                m_Walked.Add(here, at);
             }
 
             return hole;
@@ -116,8 +116,6 @@ namespace Alate.Fitting
             return neighbours;
         }
 
-        private bool IsWalked(int a, int b) => m_Walked.Contains(Key(a, b));
-
-        private static (int, int) Key(int a, int b) => a < b ? (a, b) : (b, a);
+        private bool IsWalked(int a, int b) => m_Walked.Uses(a, b) > 0;
     }
 }

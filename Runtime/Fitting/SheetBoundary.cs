@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Fitting
@@ -27,7 +28,7 @@ namespace Alate.Fitting
             m_Points = points;
             m_Tolerance = tolerance;
             List<(int A, int B)> open = OpenEdges(triangles);
-            var counts = new Dictionary<(int, int), int>(open.Count);
+            var pieces = new MeshEdges(open.Count);
             int[] ends = SortedEnds(open, out int axis);
             var cuts = new List<int>();
             foreach ((int a, int b) in open)
@@ -36,36 +37,32 @@ namespace Alate.Fitting
                 int from = a;
                 foreach (int cut in cuts)
                 {
-                    Count(counts, from, cut);
+                    pieces.Add(from, cut);
                     junctions.Add((a, cut));
                     from = cut;
                 }
 
-                Count(counts, from, b);
+                pieces.Add(from, b);
             }
 
-            foreach (KeyValuePair<(int A, int B), int> edge in counts)
+            for (int k = 0; k < pieces.Count; k++)
             {
-                if (edge.Value % 2 == 1)
-                    edges.Add(edge.Key);
+                if (pieces.Uses(k) % 2 == 1)
+                    edges.Add(pieces[k]);
             }
         }
 
         private static List<(int A, int B)> OpenEdges(IReadOnlyList<int3> triangles)
         {
-            var counts = new Dictionary<(int, int), int>(3 * triangles.Count / 2);
-            foreach (int3 t in triangles)
-            {
-                Count(counts, t.x, t.y);
-                Count(counts, t.y, t.z);
-                Count(counts, t.z, t.x);
-            }
+            var all = new MeshEdges(3 * triangles.Count / 2);
+            foreach (int3 triangle in triangles)
+                all.Add(triangle);
 
             var open = new List<(int, int)>();
-            foreach (KeyValuePair<(int A, int B), int> edge in counts)
+            for (int k = 0; k < all.Count; k++)
             {
-                if (edge.Value == 1)
-                    open.Add(edge.Key);
+                if (all.Uses(k) == 1)
+                    open.Add(all[k]);
             }
 
             return open;
@@ -126,12 +123,6 @@ namespace Alate.Fitting
             }
 
             return low;
-        }
-
-        private static void Count(Dictionary<(int, int), int> counts, int a, int b)
-        {
-            (int, int) edge = a < b ? (a, b) : (b, a);
-            counts[edge] = counts.TryGetValue(edge, out int before) ? before + 1 : 1;
         }
     }
 }

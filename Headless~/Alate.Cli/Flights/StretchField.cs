@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Flights;
@@ -7,24 +6,14 @@ namespace Alate.Cli.Flights;
 /// <summary>Stretch of the membrane around each vertex of a wing: the largest |l/l₀ − 1| of the edges that meet there.</summary>
 internal sealed class StretchField
 {
-    private readonly (int A, int B, float Length)[] m_Edges;
+    private readonly EdgeStretch m_Edges;
+    private readonly float[] m_Stretches;
     private readonly float[] m_Values;
 
     public StretchField(RecordedWing wing)
     {
-        var edges = new Dictionary<(int, int), float>();
-        for (int corner = 0; corner < wing.Triangles.Length; corner++)
-        {
-            int a = wing.Triangles[corner], b = wing.Triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-            float length = math.distance(wing.Rest[a], wing.Rest[b]);
-            if (length > 0f)
-                edges[(Math.Min(a, b), Math.Max(a, b))] = length;
-        }
-
-        m_Edges = new (int, int, float)[edges.Count];
-        int count = 0;
-        foreach (((int a, int b), float length) in edges)
-            m_Edges[count++] = (a, b, length);
+        m_Edges = new EdgeStretch(wing.Rest, wing.Triangles);
+        m_Stretches = new float[m_Edges.Count];
         m_Values = new float[wing.Rest.Length];
     }
 
@@ -33,11 +22,12 @@ internal sealed class StretchField
     public float[] Of(float3[] positions)
     {
         Array.Clear(m_Values);
-        foreach ((int a, int b, float length) in m_Edges)
+        m_Edges.Measure(positions, m_Stretches);
+        for (int k = 0; k < m_Edges.Count; k++)
         {
-            float stretch = math.abs(math.distance(positions[a], positions[b]) / length - 1f);
-            m_Values[a] = math.max(m_Values[a], stretch);
-            m_Values[b] = math.max(m_Values[b], stretch);
+            (int a, int b) = m_Edges[k];
+            m_Values[a] = math.max(m_Values[a], m_Stretches[k]);
+            m_Values[b] = math.max(m_Values[b], m_Stretches[k]);
         }
 
         return m_Values;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Pictures;
@@ -18,28 +19,15 @@ internal static class MeshMargin
             places.TryAdd(rest[vertex], vertex);
             return places[rest[vertex]];
         });
-        var uses = new Dictionary<(int, int), int>();
-        for (int k = 0; k < triangles.Length; k++)
-        {
-            (int, int) key = Edge(welded, k);
-            uses[key] = uses.GetValueOrDefault(key) + 1;
-        }
-
+        var edges = new MeshEdges(welded);
         var margin = new List<MarginEdge>();
         for (int k = 0; k < triangles.Length; k++)
         {
-            if (uses[Edge(welded, k)] == 1)
-                margin.Add(new MarginEdge(k / 3, triangles[k], triangles[Next(k)]));
+            int next = TriangleLinks.Next(k);
+            if (edges.Uses(welded[k], welded[next]) == 1)
+                margin.Add(new MarginEdge(k / 3, triangles[k], triangles[next]));
         }
 
         return margin;
     }
-
-    private static (int, int) Edge(int[] welded, int corner)
-    {
-        int a = welded[corner], b = welded[Next(corner)];
-        return (Math.Min(a, b), Math.Max(a, b));
-    }
-
-    private static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
 }

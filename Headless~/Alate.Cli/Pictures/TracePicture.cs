@@ -1,10 +1,10 @@
 using System;
-using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text;
 using Alate.Authoring;
 using Alate.Cli.Input;
+using Alate.Geometry;
 using UnityEngine;
 
 namespace Alate.Cli.Pictures;
@@ -51,12 +51,12 @@ internal sealed class TracePicture
     {
         Vector2[] places = Array.ConvertAll(trace.Surface.positions, trace.Placement.ToPicture);
         int[] corners = trace.Surface.triangles;
-        var drawn = new HashSet<(int, int)>();
+        var drawn = new MeshEdges();
         Append($"<path fill=\"none\" stroke=\"{k_Mesh}\" stroke-width=\"{0.25 * m_Line:0.##}\" d=\"");
         for (int k = 0; k < corners.Length; k++)
         {
-            int a = corners[k], b = corners[k % 3 == 2 ? k - 2 : k + 1];
-            if (drawn.Add((Math.Min(a, b), Math.Max(a, b))))
+            int a = corners[k], b = corners[TriangleLinks.Next(k)];
+            if (drawn.Add(a, b))
                 Append($"M{places[a].x:0.#} {places[a].y:0.#}L{places[b].x:0.#} {places[b].y:0.#}");
         }
 

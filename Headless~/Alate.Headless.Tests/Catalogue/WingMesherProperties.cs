@@ -1,7 +1,6 @@
-using System;
-using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Geometry;
 using FsCheck;
 using FsCheck.Fluent;
 using NUnit.Framework;
@@ -24,12 +23,12 @@ namespace Alate.Tests
             {
                 SurfaceMesh surface = WingMesher.Strips(wing.Outline, wing.Count);
                 double[] areas = Enumerable.Range(0, surface.TriangleCount).Select(t => SignedArea(surface, t)).ToArray();
-                Dictionary<(int Low, int High), int> uses = EdgeUses(surface);
+                var edges = new MeshEdges(surface.triangles);
 
                 Assert.That(surface.TriangleCount, Is.EqualTo(wing.Count));
                 Assert.That(areas.Min(), Is.GreaterThan(0));
-                Assert.That(uses.Values.Max(), Is.LessThanOrEqualTo(2));
-                Assert.That(surface.VertexCount - uses.Count + surface.TriangleCount, Is.EqualTo(1));
+                Assert.That(Enumerable.Range(0, edges.Count).Max(edge => edges.Uses(edge)), Is.LessThanOrEqualTo(2));
+                Assert.That(surface.VertexCount - edges.Count + surface.TriangleCount, Is.EqualTo(1));
             }).QuickCheckThrowOnFailure();
         }
 
@@ -79,20 +78,6 @@ namespace Alate.Tests
             return 0.5 * (((double)b.z - a.z) * ((double)c.x - a.x) - ((double)b.x - a.x) * ((double)c.z - a.z));
 
             Vector3 Corner(int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
-        }
-
-        private static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
-        {
-            var uses = new Dictionary<(int Low, int High), int>();
-            for (int corner = 0; corner < surface.triangles.Length; corner++)
-            {
-                int a = surface.triangles[corner];
-                int b = surface.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-                (int, int) edge = (Math.Min(a, b), Math.Max(a, b));
-                uses[edge] = uses.GetValueOrDefault(edge) + 1;
-            }
-
-            return uses;
         }
     }
 }

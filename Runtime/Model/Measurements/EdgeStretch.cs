@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -14,13 +15,13 @@ namespace Alate
         /// <param name="triangles">Three vertex indices a triangle.</param>
         public EdgeStretch(float3[] rest, int[] triangles)
         {
-            var edges = new List<Edge>();
-            var seen = new HashSet<long>();
-            for (int corner = 0; corner < triangles.Length; corner++)
+            var all = new MeshEdges(triangles);
+            var edges = new List<Edge>(all.Count);
+            for (int k = 0; k < all.Count; k++)
             {
-                int a = triangles[corner], b = triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+                (int a, int b) = all[k];
                 float length = math.distance(rest[a], rest[b]);
-                if (length > 0f && seen.Add(((long)math.min(a, b) << 32) | (uint)math.max(a, b)))
+                if (length > 0f)
                     edges.Add(new Edge { a = a, b = b, length = length });
             }
 
@@ -29,6 +30,9 @@ namespace Alate
 
         /// <summary>Edges of the mesh.</summary>
         public int Count => m_Edges.Length;
+
+        /// <summary>Vertices at both ends of an edge.</summary>
+        public (int A, int B) this[int edge] => (m_Edges[edge].a, m_Edges[edge].b);
 
         /// <summary>Writes |l/l₀ − 1| of every edge.</summary>
         /// <param name="positions">[vertex] Deformed positions in the unit of the rest positions.</param>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -31,13 +32,12 @@ namespace Alate
         public static WingSection Cut(float3[] rest, int[] triangles, float span)
         {
             var places = new List<Place>();
-            var seen = new HashSet<long>();
+            var cut = new MeshEdges();
             for (int corner = 0; corner < triangles.Length; corner++)
             {
-                int a = triangles[corner], b = triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-                int low = math.min(a, b), high = math.max(a, b);
-                if (rest[low].x < span != rest[high].x < span && seen.Add(((long)low << 32) | (uint)high))
-                    places.Add(new Place(low, high, rest, span));
+                int a = triangles[corner], b = triangles[TriangleLinks.Next(corner)];
+                if (rest[a].x < span != rest[b].x < span && cut.Add(a, b))
+                    places.Add(new Place(math.min(a, b), math.max(a, b), rest, span));
             }
 
             places.Sort((one, other) => other.forward.CompareTo(one.forward));

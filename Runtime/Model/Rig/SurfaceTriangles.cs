@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -94,26 +95,16 @@ namespace Alate
 
         private static bool IsClosed(int[] places, int[] triangles)
         {
-            var open = new HashSet<(int, int)>(triangles.Length / 3);
+            var edges = new MeshEdges(triangles.Length / 2);
             for (int k = 0; k < triangles.Length; k += 3)
+                edges.Add(new int3(places[triangles[k]], places[triangles[k + 1]], places[triangles[k + 2]]));
+            for (int k = 0; k < edges.Count; k++)
             {
-                int a = places[triangles[k]], b = places[triangles[k + 1]], c = places[triangles[k + 2]];
-                Pass(open, a, b);
-                Pass(open, b, c);
-                Pass(open, c, a);
+                if (edges.Uses(k) % 2 == 1 && edges[k].Low != edges[k].High)
+                    return false;
             }
 
-            return open.Count == 0;
-        }
-
-        // An edge is open after its first triangle and closed after its second.
-        private static void Pass(HashSet<(int, int)> open, int a, int b)
-        {
-            if (a == b)
-                return;
-            (int, int) edge = (math.min(a, b), math.max(a, b));
-            if (!open.Add(edge))
-                open.Remove(edge);
+            return true;
         }
 
         private static (int, int, int) Sorted(int a, int b, int c)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Alate.Catalogue;
+using Alate.Geometry;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -86,16 +87,16 @@ namespace Alate.Tests
         {
             SurfaceMesh surface = WingMesher.Strips(Monarch.Contour, count);
 
-            Dictionary<(int Low, int High), int> uses = EdgeUses(surface);
+            var edges = new MeshEdges(surface.triangles);
             int border = 0;
-            foreach (int use in uses.Values)
+            for (int edge = 0; edge < edges.Count; edge++)
             {
-                Assert.That(use, Is.InRange(1, 2));
-                border += use == 1 ? 1 : 0;
+                Assert.That(edges.Uses(edge), Is.InRange(1, 2));
+                border += edges.Uses(edge) == 1 ? 1 : 0;
             }
 
-            Assert.That(surface.VertexCount - uses.Count + surface.TriangleCount, Is.EqualTo(1), "Euler's number of a disc");
-            Assert.That(border, Is.EqualTo(2 * uses.Count - 3 * surface.TriangleCount));
+            Assert.That(surface.VertexCount - edges.Count + surface.TriangleCount, Is.EqualTo(1), "Euler's number of a disc");
+            Assert.That(border, Is.EqualTo(2 * edges.Count - 3 * surface.TriangleCount));
             Assert.That(new HashSet<Vector3>(surface.positions), Has.Count.EqualTo(surface.VertexCount), "no vertex lies on another");
         }
 
@@ -207,21 +208,6 @@ namespace Alate.Tests
 
             angles.Sort();
             return angles;
-        }
-
-        private static Dictionary<(int Low, int High), int> EdgeUses(SurfaceMesh surface)
-        {
-            var uses = new Dictionary<(int Low, int High), int>();
-            for (int corner = 0; corner < surface.triangles.Length; corner++)
-            {
-                int a = surface.triangles[corner];
-                int b = surface.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-                (int, int) edge = (Math.Min(a, b), Math.Max(a, b));
-                uses.TryGetValue(edge, out int count);
-                uses[edge] = count + 1;
-            }
-
-            return uses;
         }
 
         private static Vector3 Corner(SurfaceMesh surface, int triangle, int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
