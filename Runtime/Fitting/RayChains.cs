@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using Alate.Geometry;
 
 namespace Alate.Fitting
@@ -39,14 +38,13 @@ namespace Alate.Fitting
             PlanPoint from = Inside(outline, marks.Base, k_Depth * Math.Max(0, attempt - k_OnBase)), first = outline.At(marks.Tip) - from;
             double begin = Math.Atan2(first.z, first.x), turn = Turn(outline, marks, from);
             PlanPoint front = outline.At(marks.LeadingRoot), rear = outline.At(marks.TrailingRoot);
-            var rim = new Polyline(outline.Samples.ToArray(), true);
             var made = new PlanPoint[chains][];
             double most = double.MaxValue;
             for (int i = 0; i < chains; i++)
             {
                 double share = (double)i / (chains - 1), angle = begin - turn * share;
                 var direction = new PlanPoint(Math.Cos(angle), Math.Sin(angle));
-                double reach = Math.Min(Math.Max(Reach(rim, from, direction), k_LeastReach), most);
+                double reach = Math.Min(Math.Max(Reach(outline.Line, from, direction), k_LeastReach), most);
                 if (i == 0)
                     most = k_MostReach * reach;
                 PlanPoint root = from + (front + (rear - front) * share - marks.Base) * rootShare, tip = from + direction * reach;

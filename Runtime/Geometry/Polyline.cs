@@ -71,7 +71,14 @@ namespace Alate.Geometry
             int segment = SegmentAt(distance);
             double stretch = m_Lengths[segment + 1] - m_Lengths[segment];
             double share = stretch > 0.0 ? Math.Clamp((distance - m_Lengths[segment]) / stretch, 0.0, 1.0) : 0.0;
-            return share < 1.0 ? this[segment] + (this[segment + 1] - this[segment]) * share : this[segment + 1];
+            return share < 1.0 ? Between(segment, share) : this[segment + 1];
+        }
+
+        /// <summary>Place on the segment behind a point, at a share of its length.</summary>
+        public PlanPoint Between(int segment, double share)
+        {
+            PlanPoint from = this[segment];
+            return from + (this[segment + 1] - from) * share;
         }
 
         /// <summary>The point before a distance along the line.</summary>
@@ -91,16 +98,28 @@ namespace Alate.Geometry
         /// <summary>Distance along the line of its place closest to a point.</summary>
         public double Nearest(PlanPoint point)
         {
-            double best = double.MaxValue, at = 0.0;
+            int segment = NearestSegment(point, out double share);
+            return m_Lengths[segment] + share * (m_Lengths[segment + 1] - m_Lengths[segment]);
+        }
+
+        /// <summary>The segment closest to a point, the first of several, and the share of it at which its closest place lies.</summary>
+        public int NearestSegment(PlanPoint point, out double share)
+        {
+            double least = double.MaxValue, distance = double.MaxValue;
+            int nearest = 0;
+            share = 0.0;
             for (int k = 0; k + 1 < m_Lengths.Length; k++)
             {
-                double along = PlanPoint.ClosestOnSegment(point, this[k], this[k + 1]);
-                double distance = (this[k] + (this[k + 1] - this[k]) * along - point).LengthSquared;
-                if (distance < best)
-                    (best, at) = (distance, m_Lengths[k] + along * (m_Lengths[k + 1] - m_Lengths[k]));
+                // No place of a segment lies nearer than its beginning by more than its length.
+                double reach = distance + (m_Lengths[k + 1] - m_Lengths[k]);
+                if ((this[k] - point).LengthSquared >= reach * reach)
+                    continue;
+                double along = PlanPoint.ClosestOnSegment(point, this[k], this[k + 1]), square = (Between(k, along) - point).LengthSquared;
+                if (square < least)
+                    (nearest, share, least, distance) = (k, along, square, Math.Sqrt(square));
             }
 
-            return at;
+            return nearest;
         }
 
         /// <summary>Distance along a ray to where it first meets the line, leaving out one segment; <see cref="double.MaxValue"/> when it never does.</summary>
