@@ -30,6 +30,25 @@ namespace Alate.Geometry
                 sets.Join(finite[k], finite[places[k]]);
         }
 
+        /// <summary>[vertex] The first vertex at exactly the same place, itself included.</summary>
+        public static int[] Exact(float3[] points)
+        {
+            int[] places = new int[points.Length];
+            var known = new Dictionary<(float, float, float), int>(points.Length);
+            for (int k = 0; k < points.Length; k++)
+            {
+                // Adding zero makes −0 the same key as 0.
+                (float, float, float) key = (points[k].x + 0f, points[k].y + 0f, points[k].z + 0f);
+                if (!known.TryGetValue(key, out places[k]))
+                {
+                    places[k] = k;
+                    known.Add(key, k);
+                }
+            }
+
+            return places;
+        }
+
         /// <summary>[vertex] The first vertex within the tolerance of it, itself included.</summary>
         public static int[] Places(float3[] points, float tolerance)
         {

@@ -13,12 +13,7 @@ internal static class MeshMargin
     /// <param name="triangles">Three vertex indices a triangle.</param>
     public static List<MarginEdge> Of(float3[] rest, int[] triangles)
     {
-        var places = new Dictionary<float3, int>();
-        int[] welded = Array.ConvertAll(triangles, vertex =>
-        {
-            places.TryAdd(rest[vertex], vertex);
-            return places[rest[vertex]];
-        });
+        int[] places = VertexWeld.Exact(rest), welded = Array.ConvertAll(triangles, vertex => places[vertex]);
         var edges = new MeshEdges(welded);
         var margin = new List<MarginEdge>();
         for (int k = 0; k < triangles.Length; k++)

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Alate.Crowds
 {
@@ -36,7 +36,7 @@ namespace Alate.Crowds
             m_Places = Array.ConvertAll(surface.Positions, place => (float3)place);
             m_Around = new List<int>[m_Places.Length];
             m_Quadrics = new Quadric[m_Places.Length];
-            m_Locked = Doubles(surface.Positions);
+            m_Locked = Doubles(m_Places);
             m_Best = new (double, int)[m_Places.Length];
             m_Met = new int[m_Places.Length];
             for (int vertex = 0; vertex < m_Around.Length; vertex++)
@@ -106,16 +106,14 @@ namespace Alate.Crowds
         }
 
         // Vertices that share their place with another one, as along seams: moving one of them would open the surface.
-        private static bool[] Doubles(Vector3[] positions)
+        private static bool[] Doubles(float3[] points)
         {
-            var first = new Dictionary<Vector3, int>();
-            bool[] doubles = new bool[positions.Length];
-            for (int vertex = 0; vertex < positions.Length; vertex++)
+            int[] places = VertexWeld.Exact(points);
+            bool[] doubles = new bool[points.Length];
+            for (int vertex = 0; vertex < points.Length; vertex++)
             {
-                if (!first.TryGetValue(positions[vertex], out int other))
-                    first.Add(positions[vertex], vertex);
-                else
-                    doubles[vertex] = doubles[other] = true;
+                if (places[vertex] != vertex)
+                    doubles[vertex] = doubles[places[vertex]] = true;
             }
 
             return doubles;

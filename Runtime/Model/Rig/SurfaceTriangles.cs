@@ -27,7 +27,7 @@ namespace Alate
         /// <param name="triangles">Three indices a triangle.</param>
         public SurfaceTriangles(float3[] points, int[] triangles)
         {
-            int[] places = Places(points);
+            int[] places = VertexWeld.Exact(points);
             int most = triangles.Length / 3;
             corners = new List<int3>(most);
             areas = new List<float>(most);
@@ -61,25 +61,6 @@ namespace Alate
 
         /// <summary>Area of the wing, L².</summary>
         public double Area { get; }
-
-        // One number per place, so that split vertices of a seam are equal.
-        private static int[] Places(float3[] points)
-        {
-            int[] places = new int[points.Length];
-            var known = new Dictionary<(float, float, float), int>(points.Length);
-            for (int k = 0; k < points.Length; k++)
-            {
-                // Adding zero makes −0 the same key as 0.
-                (float, float, float) key = (points[k].x + 0f, points[k].y + 0f, points[k].z + 0f);
-                if (!known.TryGetValue(key, out places[k]))
-                {
-                    places[k] = k;
-                    known.Add(key, k);
-                }
-            }
-
-            return places;
-        }
 
         private bool TryAdd(float3[] points, int3 corner)
         {
