@@ -65,17 +65,14 @@ namespace Alate
         /// <summary>Signed area of the polygon out along chain i and back along chain i + 1.</summary>
         public double StripArea(int chain)
         {
-            PlanPoint origin = this[chain, 0];
-            double doubled = 0.0;
-            for (int j = 0; j + 1 < JointsPerChain; j++)
+            var corners = new PlanPoint[2 * JointsPerChain];
+            for (int j = 0; j < JointsPerChain; j++)
             {
-                doubled += PlanPoint.Cross(this[chain, j] - origin, this[chain, j + 1] - origin);
-                doubled -= PlanPoint.Cross(this[chain + 1, j] - origin, this[chain + 1, j + 1] - origin);
+                corners[j] = this[chain, j];
+                corners[corners.Length - 1 - j] = this[chain + 1, j];
             }
 
-            int tip = JointsPerChain - 1;
-            doubled += PlanPoint.Cross(this[chain, tip] - origin, this[chain + 1, tip] - origin);
-            return 0.5 * doubled;
+            return Polygon.Area(corners);
         }
 
         private static double Along(float3 axis, double x, double y, double z) => axis.x * x + axis.y * y + axis.z * z;
