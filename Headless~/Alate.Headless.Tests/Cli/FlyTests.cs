@@ -33,15 +33,15 @@ namespace Alate.Tests.Cli
             Is.EquivalentTo(new[] { "strip.png", "stretch.png", "wings.glb", "joints.csv", "forces.csv", "summary.json" }));
 
         [TestCase("frequency_hz", 10.085, 10.086)] // 11 / (1 + exp(-16 (1.3 / 2 - 0.5))), Eq. 6 at its cruise of 1.3 m/s
-        // Within 20 % of the limits of many substeps, Documentation~/convergence.md; the largest bend is about half of the bend peak to peak.
-        [TestCase("twist_pp_deg", 21.0, 31.6)]
+        // Within 20 % of the limits of many substeps, Documentation~/convergence.md, and twist at most 10 % above; the largest bend is about half of the bend peak to peak.
+        [TestCase("twist_pp_deg", 21.0, 28.9)]
         [TestCase("camber_min_pct", -5.8, -3.9)]
         [TestCase("camber_max_pct", 3.1, 4.7)]
         [TestCase("tip_bend_pp_deg", 14, 21)]
-        [TestCase("tip_bend_max_deg", 7.0, 10.5)]
+        [TestCase("tip_bend_max_deg", 7.0, 9.6)]
         [TestCase("lag_deg", 21.5, 32.3)]
         [TestCase("edge_stretch_max_pct", 0, 6)] // as the table of the command expects
-        [TestCase("edge_stretch_p99_pct", 0, 3)] // half of that
+        [TestCase("edge_stretch_p99_pct", 0, 2.5)] // less than half of that
         [TestCase("lift_over_weight", -0.2, 0.2)] // level flight with this stroke has next to none
         [TestCase("newton_iterations_mean", 1, 4)] // the most iterations of a substep
         [TestCase("resets", 0, 0)]
