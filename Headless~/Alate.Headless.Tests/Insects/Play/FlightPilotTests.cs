@@ -104,7 +104,7 @@ namespace Alate.Tests.Play
             flight.Landed += _ => throw new ArithmeticException("a listener");
             flight.Pilot = new Steerer { sits = true };
             LogAssert.Expect(LogType.Exception, new Regex("a listener"));
-            yield return Frames(100);
+            yield return Frames(60);
             Assert.That(flight.State, Is.EqualTo(FlightState.Perched));
         }
 

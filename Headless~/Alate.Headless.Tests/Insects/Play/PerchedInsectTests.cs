@@ -18,6 +18,9 @@ namespace Alate.Tests.Play
         /// <summary>Insects that fly at one time.</summary>
         private const int k_AtOnce = 40;
 
+        /// <summary>Spots on the way to which a swallowtail brakes and turns so that it tumbles, as two of 4,000 do.</summary>
+        private static readonly int[] s_KnownTumbles = { 124 };
+
         /// <inheritdoc/>
         protected override bool KeepsParts => true;
 
@@ -53,11 +56,11 @@ namespace Alate.Tests.Play
                 yield return null;
             }
 
-            int tumbled = visits.Count(visit => visit.HasTumbled);
+            int[] tumbled = visits.Where(visit => visit.HasTumbled).Select(visit => visit.Seed).ToArray();
             float lowest = visits.Min(visit => visit.LowestOfWings), offSpot = visits.Max(visit => visit.FeetOffSpot), fastest = visits.Max(visit => visit.LastSpeed);
             TestContext.Out.WriteLine(FormattableString.Invariant(
-                $"{name}, {step} s: lowest wing {100f * lowest:0.0} mm over {count} slopes, feet {100f * offSpot:0.000} mm off, {fastest:0.00} m/s in the last step before the spot, {tumbled} tumbled on the way"));
-            Assert.That(tumbled, Is.LessThanOrEqualTo(name == "swallowtail" ? count / 200 : 0), "only a swallowtail tumbles now and then, as it brakes and turns on the way");
+                $"{name}, {step} s: lowest wing {100f * lowest:0.0} mm over {count} slopes, feet {100f * offSpot:0.000} mm off, {fastest:0.00} m/s in the last step before the spot, {tumbled.Length} tumbled on the way"));
+            Assert.That(tumbled, Is.SubsetOf(name == "swallowtail" ? s_KnownTumbles : Array.Empty<int>()), "spots on the way to which an insect tumbled");
         }
 
         // Within a metre of the insect, as a slope that it is above.
