@@ -17,7 +17,8 @@ namespace Alate.Crowds
         /// <summary>Insects of one batch of the job.</summary>
         private const int k_Batch = 256;
 
-        private const float k_LeastSpeed = 0f, k_MostSpeed = 4f, k_LeastVariation = 0f, k_MostVariation = 0.9f;
+        private const float k_LeastSpeed = 0f, k_SlowestSpeed = 0.8f, k_FastestSpeed = 1.2f, k_MostSpeed = 4f;
+        private const float k_LeastVariation = 0f, k_Variation = 0.15f, k_MostVariation = 0.9f;
 
         [SerializeField]
         [Tooltip("Size of the box in which the insects fly, world units from side to side.")]
@@ -26,17 +27,17 @@ namespace Alate.Crowds
         [SerializeField]
         [Range(k_LeastSpeed, k_MostSpeed)]
         [Tooltip("Slowest insect over the speed of its loop; 0.8.")]
-        private float m_SlowestSpeed = 0.8f;
+        private float m_SlowestSpeed = k_SlowestSpeed;
 
         [SerializeField]
         [Range(k_LeastSpeed, k_MostSpeed)]
         [Tooltip("Fastest insect over the speed of its loop; 1.2.")]
-        private float m_FastestSpeed = 1.2f;
+        private float m_FastestSpeed = k_FastestSpeed;
 
         [SerializeField]
         [Range(k_LeastVariation, k_MostVariation)]
         [Tooltip("How much sizes differ; 0.15 is from 0.85 to 1.15.")]
-        private float m_SizeVariation = 0.15f;
+        private float m_SizeVariation = k_Variation;
 
         [SerializeField]
         [Tooltip("Name of the loop that is shown. Empty: the first one.")]
@@ -62,8 +63,8 @@ namespace Alate.Crowds
             get => new Vector2(Mathf.Min(m_SlowestSpeed, m_FastestSpeed), Mathf.Max(m_SlowestSpeed, m_FastestSpeed));
             set
             {
-                m_SlowestSpeed = Mathf.Clamp(value.x, k_LeastSpeed, k_MostSpeed);
-                m_FastestSpeed = Mathf.Clamp(value.y, k_LeastSpeed, k_MostSpeed);
+                m_SlowestSpeed = NumberRange.Clamp(value.x, k_LeastSpeed, k_MostSpeed, k_SlowestSpeed);
+                m_FastestSpeed = NumberRange.Clamp(value.y, k_LeastSpeed, k_MostSpeed, k_FastestSpeed);
             }
         }
 
@@ -71,7 +72,7 @@ namespace Alate.Crowds
         public float SizeVariation
         {
             get => m_SizeVariation;
-            set => m_SizeVariation = Mathf.Clamp(value, k_LeastVariation, k_MostVariation);
+            set => m_SizeVariation = NumberRange.Clamp(value, k_LeastVariation, k_MostVariation, k_Variation);
         }
 
         /// <summary>Name of the loop that is shown; empty is the first one.</summary>

@@ -51,6 +51,19 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
+        public IEnumerator NumbersOfASpawner_AreClamped_AndWhatIsNoNumberIsTheDefault()
+        {
+            CrowdSpawner spawner = Keep(new GameObject("spawner")).AddComponent<CrowdSpawner>();
+            spawner.Speeds = new Vector2(-1f, 9f);
+            spawner.SizeVariation = 2f;
+            Assert.That((spawner.Speeds, spawner.SizeVariation), Is.EqualTo((new Vector2(0f, 4f), 0.9f)));
+            spawner.Speeds = new Vector2(float.NaN, float.NaN);
+            spawner.SizeVariation = float.NaN;
+            Assert.That((spawner.Speeds, spawner.SizeVariation), Is.EqualTo((new Vector2(0.8f, 1.2f), 0.15f)));
+            yield return null;
+        }
+
+        [UnityTest]
         public IEnumerator FarInsectsOfAFlock_AreDrawnBaked_WhereTheyFly_AndNearOnesLive()
         {
             Scene = new CrowdScene("monarch", InsectVariant.Flight, 1, "cruise", "hover");
