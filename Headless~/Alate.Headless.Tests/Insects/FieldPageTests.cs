@@ -33,23 +33,51 @@ namespace Alate.Tests
             (typeof(FlockCrowd), "crowds", "Crowds"),
         ];
 
+        /// <summary>Headings of the columns that may have the ends of a slider.</summary>
+        private static readonly string[] s_RangeColumns = ["range", "unit, range", "ends"];
+
         private static IEnumerable<TestCaseData> Groups => s_Groups.Select(group => new TestCaseData(group.Type, group.Page, group.Heading).SetArgDisplayNames(group.Type.Name));
 
         [TestCaseSource(nameof(Groups))]
         public void EveryField_HasARow_WithItsRangeAndDefault(Type type, string page, string heading)
         {
             var table = new PageTable(page, heading);
-            object normal = type.GetProperty("Default", BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic)?.GetValue(null);
+            object normal = Normal(type);
             foreach (FieldInfo field in Fields(type))
             {
                 Assert.That(table.Cell(field.Name, ""), Is.Not.Null, $"{type.Name}.{field.Name} has no row under '{heading}' of {page}.md.");
-                string range = table.Cell(field.Name, "range"), value = table.Cell(field.Name, "default");
-                if (field.GetCustomAttribute<UnityEngine.RangeAttribute>() is { } bounds && range != "")
-                    Assert.That(PageTable.Range(range), Is.EqualTo(new double?[] { bounds.min, bounds.max }).Within(1e-4).Percent, field.Name);
-                if (normal != null && field.FieldType == typeof(float) && value != "")
-                    Assert.That(PageTable.Number(value), Is.EqualTo((float)field.GetValue(normal)).Within(1e-4).Percent, field.Name);
+                if (field.GetCustomAttribute<UnityEngine.RangeAttribute>() is { } bounds)
+                {
+                    string range = s_RangeColumns.Select(column => table.Cell(field.Name, column)).First(cell => cell != "");
+                    Assert.That(PageTable.Numbers(range), Is.SupersetOf(new[] { Written(bounds.min), Written(bounds.max) }), $"{field.Name}: range");
+                }
+
+                string value = table.Cell(field.Name, "default");
+                if (field.FieldType == typeof(float) && value != "" && value != "none")
+                    Assert.That(PageTable.Numbers(value), Has.Member(Written((float)field.GetValue(normal))), $"{field.Name}: default");
             }
+
+            if (normal is Component component)
+                UnityEngine.Object.DestroyImmediate(component.gameObject);
         }
+
+        // Settings have their defaults in one place, groups within them there too; components and classes in their fields.
+        private static object Normal(Type type)
+        {
+            if (typeof(Component).IsAssignableFrom(type))
+            {
+                var holder = new GameObject(type.Name);
+                holder.SetActive(false);
+                return holder.AddComponent(type);
+            }
+
+            return DefaultOf(type) ?? s_Groups.SelectMany(group => group.Type.GetFields(), (group, field) => (Settings: DefaultOf(group.Type), Field: field))
+                .Where(place => place.Settings != null && place.Field.FieldType == type).Select(place => place.Field.GetValue(place.Settings)).FirstOrDefault() ?? Activator.CreateInstance(type);
+        }
+
+        private static object DefaultOf(Type type) => type.GetProperty("Default", BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic)?.GetValue(null);
+
+        private static double Written(float value) => Math.Round(value, 6);
 
         // A group within a component has a table of its own.
         private static IEnumerable<FieldInfo> Fields(Type type) => type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic)

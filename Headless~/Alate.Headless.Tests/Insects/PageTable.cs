@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
+using System.Text.RegularExpressions;
 using Alate.Tests.Architecture;
 
 namespace Alate.Tests
@@ -50,6 +51,10 @@ namespace Alate.Tests
 
         /// <summary>Both ends of a range: "−60–60".</summary>
         public static IEnumerable<double?> Range(string text) => text.Split('–').Select(Number);
+
+        /// <summary>All numbers of a text without powers of ten: "−60–60", "0 to 1,000,000", "0.1 snaps, 5 slow".</summary>
+        public static IEnumerable<double> Numbers(string text) =>
+            Regex.Matches(text, @"(?<![\d.])−?\d+(?:,\d{3})*(?:\.\d+)?").Select(match => double.Parse(match.Value.Replace("−", "-").Replace(",", ""), CultureInfo.InvariantCulture));
 
         private static bool IsHeading(string line) => line.StartsWith('#');
 
