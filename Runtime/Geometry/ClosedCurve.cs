@@ -10,7 +10,6 @@ namespace Alate.Geometry
     internal sealed class ClosedCurve
     {
         private readonly PolygonGrid m_Grid;
-        private readonly int m_Last;
 
         /// <param name="corners">At least three.</param>
         /// <param name="samples">How many.</param>
@@ -20,7 +19,6 @@ namespace Alate.Geometry
             Step = Length / samples;
             Line = new Polyline(Polyline.Even(corners, samples, true), true);
             m_Grid = new PolygonGrid(Samples);
-            m_Last = samples - 1;
         }
 
         /// <summary>Closed line through the samples.</summary>
@@ -39,7 +37,7 @@ namespace Alate.Geometry
         public PlanPoint At(double s)
         {
             double wrapped = s - Length * Math.Floor(s / Length), at = wrapped < Length ? wrapped / Step : 0.0;
-            int before = Math.Min((int)at, m_Last);
+            int before = Math.Min((int)at, Samples.Count - 1);
             return Line.Between(before, at - before);
         }
 

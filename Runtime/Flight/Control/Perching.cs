@@ -114,6 +114,8 @@ namespace Alate.Flight
             float share = math.saturate(m_Time / m_WayTime);
             body.rotation = math.slerp(m_FromRotation, m_Seat, Smooth(share / k_TurnShare));
             m_Feet = math.lerp(m_FromFeet, m_Spot, Smooth(share)) + m_FromVelocity * (m_WayTime * share * (1f - share) * (1f - share));
+
+            // The height has a course of its own, in place of its share of the straight way.
             m_Feet += (Height(m_Time) - FromHeight * (1f - Smooth(share))) * m_Normal;
             if (share < 1f)
                 return;

@@ -27,6 +27,7 @@ namespace Alate
         private static void Forget()
         {
             HasCome = false;
+            Ended = null;
             Application.quitting -= OnQuitting;
             Application.quitting += OnQuitting;
         }
