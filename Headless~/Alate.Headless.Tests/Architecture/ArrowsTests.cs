@@ -29,8 +29,10 @@ namespace Alate.Tests.Architecture
         public void BetweenAssemblies_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenAssemblies(Rooms.Assemblies), Is.Empty);
 
         [TestCaseSource(nameof(Divided))]
-        public void BetweenTheRoomsOfAnAssembly_ThereAreOnlyTheArrowsOfTheTable(string assembly) =>
-            Assert.That(Rooms.BetweenRooms(assembly, Rooms.Within[assembly]), Is.Empty);
+        public void BetweenRooms_ThereAreOnlyTheArrowsOfTheTable(string place) => Assert.That(Rooms.BetweenRooms(place, Rooms.Within[place]), Is.Empty);
+
+        [Test]
+        public void EveryAssemblyAndRoomThatIsDivided_IsInTheTable() => Assert.That(Rooms.Divided(), Is.EquivalentTo(Rooms.Within.Keys));
 
         [Test]
         public void NoRoom_LiesOnACircle()
@@ -49,6 +51,10 @@ namespace Alate.Tests.Architecture
             Assert.That(
                 Rooms.BetweenRooms("Alate.Model", rooms).Select(violation => violation.ToString()),
                 Has.Member("Runtime/Model/State/WingPack.cs: WingPack uses RigView; there is no arrow State -> Rig"));
+            var inner = new Dictionary<string, string[]>(Rooms.Within["Alate.Editor/Insects"]) { ["Presets"] = [] };
+            Assert.That(
+                Rooms.BetweenRooms("Alate.Editor/Insects", inner).Select(violation => violation.ToString()),
+                Has.Member("Editor/Insects/Presets/PresetPanel.cs: PresetPanel uses FixOutcome; there is no arrow Presets -> Fixes"));
             Assert.That(
                 Rooms.BetweenAssemblies(assemblies).Select(violation => violation.ToString()),
                 Has.Member("Runtime/Fitting/FanChains.cs: FanChains uses PlanPoint; there is no arrow Alate.Fitting -> Alate.Geometry"));

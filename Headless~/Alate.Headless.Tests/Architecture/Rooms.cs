@@ -49,7 +49,10 @@ namespace Alate.Tests.Architecture
             ["Alate.Editor"] = "Editor",
         };
 
-        /// <summary>[assembly] Rooms and those each may use; "*" stands for all rooms without an entry, such as the folder of each species.</summary>
+        /// <summary>
+        /// [assembly, or assembly/room] Rooms and those each may use. What lies in no room belongs to the room of the folder's own name; "*" stands for all
+        /// rooms without an entry, such as the folder of each species.
+        /// </summary>
         public static readonly IReadOnlyDictionary<string, IReadOnlyDictionary<string, string[]>> Within = new Dictionary<string, IReadOnlyDictionary<string, string[]>>
         {
             ["Alate.Geometry"] = new Dictionary<string, string[]>
@@ -81,6 +84,13 @@ namespace Alate.Tests.Architecture
                 ["Meshes"] = ["Lifetime", "Wings"],
                 ["Insects"] = ["Lifetime", "Meshes", "Preset", "Settings", "Wings"],
             },
+            ["Alate/Meshes"] = new Dictionary<string, string[]>
+            {
+                ["Parts"] = [],
+                ["Finding"] = ["Parts"],
+                ["Skinned"] = ["Finding", "Parts"],
+                ["Meshes"] = ["Finding", "Parts", "Skinned"],
+            },
             ["Alate.Flight"] = new Dictionary<string, string[]>
             {
                 ["Commands"] = [],
@@ -90,6 +100,15 @@ namespace Alate.Tests.Architecture
                 ["Tables"] = ["Body", "Commands", "Control", "Trim"],
                 ["Pilots"] = ["Commands"],
                 ["Flight"] = ["Body", "Commands", "Control", "Pilots", "Trim"],
+            },
+            ["Alate.Flight/Pilots"] = new Dictionary<string, string[]>
+            {
+                ["Obstacles"] = [],
+                ["Pilots"] = ["Obstacles"],
+                ["Flocking"] = ["Obstacles", "Pilots"],
+                ["Following"] = ["Obstacles", "Pilots"],
+                ["Perching"] = ["Following", "Pilots"],
+                ["Wandering"] = ["Obstacles", "Pilots"],
             },
             ["Alate.Crowds"] = new Dictionary<string, string[]>
             {
@@ -113,13 +132,46 @@ namespace Alate.Tests.Architecture
                 ["Flight"] = ["Catalogue", "Definitions"],
                 ["Showcase"] = ["Catalogue", "Definitions"],
             },
+            ["Alate.Catalogue/Flight"] = new Dictionary<string, string[]>
+            {
+                ["Tables"] = [],
+                ["Flight"] = ["Tables"],
+            },
+            ["Alate.Authoring"] = new Dictionary<string, string[]>
+            {
+                ["Pictures"] = [],
+                ["Outlines"] = ["Pictures"],
+                ["Veins"] = ["Pictures"],
+                ["Authoring"] = ["Outlines", "Pictures", "Veins"],
+            },
             ["Alate.Editor"] = new Dictionary<string, string[]>
             {
-                ["Insects"] = [],
-                ["Crowds"] = ["Insects"],
-                ["Flight"] = ["Insects"],
+                ["Base"] = [],
+                ["Insects"] = ["Base"],
+                ["Crowds"] = ["Base", "Insects"],
+                ["Flight"] = ["Base", "Insects"],
                 ["Rigs"] = [],
-                ["Skeletons"] = ["Insects", "Rigs"],
+                ["Skeletons"] = ["Base", "Insects", "Rigs"],
+            },
+            ["Alate.Editor/Insects"] = new Dictionary<string, string[]>
+            {
+                ["Drawers"] = [],
+                ["Gizmos"] = [],
+                ["Live"] = [],
+                ["Making"] = [],
+                ["Skeletons"] = [],
+                ["Fixes"] = ["Skeletons"],
+                ["Presets"] = ["Fixes"],
+                ["States"] = ["Fixes"],
+                ["Insects"] = ["Fixes", "Gizmos", "Live", "Presets", "Skeletons", "States"],
+            },
+            ["Alate.Editor/Skeletons"] = new Dictionary<string, string[]>
+            {
+                ["Editing"] = [],
+                ["Preview"] = [],
+                ["Session"] = ["Editing", "Preview"],
+                ["Tool"] = ["Editing", "Session"],
+                ["Skeletons"] = ["Editing", "Session", "Tool"],
             },
         };
 
@@ -169,12 +221,16 @@ namespace Alate.Tests.Architecture
             return found;
         }
 
-        /// <summary>Uses between the rooms of an assembly that the table does not have: in the compiled code, and of constants, which the compiler puts in place, in the text.</summary>
-        public static List<Violation> BetweenRooms(string assembly, IReadOnlyDictionary<string, string[]> arrows)
+        /// <summary>
+        /// Uses between the rooms of a place, an assembly or a room of one, that the table does not have: in the compiled code, and of constants, which the
+        /// compiler puts in place, in the text.
+        /// </summary>
+        public static List<Violation> BetweenRooms(string place, IReadOnlyDictionary<string, string[]> arrows)
         {
             var found = new HashSet<Violation>();
-            Dictionary<string, string> files = Files(assembly);
-            foreach (Type type in Types(assembly))
+            string assembly = place.Split('/')[0], folder = Folder(place);
+            var files = Files(assembly).Where(one => one.Value.StartsWith(folder + "/")).ToDictionary(one => one.Key, one => one.Value);
+            foreach (Type type in Types(assembly).Where(type => files.ContainsKey(Name(type))))
             {
                 foreach (Type used in TypeUses.Of(type).Where(used => used.Assembly == type.Assembly && files.ContainsKey(Name(used))))
                     Check(files[Name(type)], Name(type), Name(used));
@@ -191,12 +247,29 @@ namespace Alate.Tests.Architecture
 
             void Check(string file, string type, string used)
             {
-                string from = Room(assembly, file), to = Room(assembly, files[used]);
-                if (from != to && !arrows[Rule(from)].Contains(Rule(to)))
+                string from = Room(folder, file), to = Room(folder, files[used]);
+                if (from != to && !arrows.GetValueOrDefault(Rule(from), []).Contains(Rule(to)))
                     found.Add(new Violation(file, type, used, $"{from} -> {to}"));
             }
 
-            string Rule(string room) => arrows.ContainsKey(room) ? room : "*";
+            string Rule(string room) => arrows.ContainsKey(room) || !arrows.ContainsKey("*") ? room : "*";
+        }
+
+        /// <summary>Places, assemblies and rooms of them, in which more than one room holds sources.</summary>
+        public static IEnumerable<string> Divided()
+        {
+            foreach (string assembly in Assemblies.Keys)
+            {
+                ILookup<string, string> rooms = Files(assembly).Values.Distinct().ToLookup(file => Room(Folders[assembly], file));
+                if (rooms.Count > 1)
+                    yield return assembly;
+                foreach (IGrouping<string, string> room in rooms)
+                {
+                    string place = $"{assembly}/{room.Key}", folder = Folder(place);
+                    if (room.Where(file => file.StartsWith(folder + "/")).Select(file => Room(folder, file)).Distinct().Count() > 1)
+                        yield return place;
+                }
+            }
         }
 
         /// <summary>Top-level types of an assembly that somebody wrote.</summary>
@@ -205,11 +278,17 @@ namespace Alate.Tests.Architecture
 
         private static string Name(Type type) => type.Name.Split('`')[0];
 
-        // Runtime/Model/State/WingPack.cs; what lies in no room belongs to the room named as the assembly's folder. A component and its live system know each other: one room.
-        private static string Room(string assembly, string file)
+        private static string Folder(string place)
         {
-            string[] rest = Path.GetRelativePath(Folders[assembly], file).Replace('\\', '/').Split('/');
-            return rest.Length == 1 || (assembly, rest[0]) == ("Alate", "Live") ? Folders[assembly].Split('/')[^1] : rest[0];
+            string assembly = place.Split('/')[0];
+            return Folders[assembly] + place.Substring(assembly.Length);
+        }
+
+        // Runtime/Model/State/WingPack.cs; what lies in no room belongs to the room named as the folder. A component and its live system know each other: one room.
+        private static string Room(string folder, string file)
+        {
+            string[] rest = Path.GetRelativePath(folder, file).Replace('\\', '/').Split('/');
+            return rest.Length == 1 || (folder, rest[0]) == (Folders["Alate"], "Live") ? folder.Split('/')[^1] : rest[0];
         }
     }
 }

@@ -53,7 +53,7 @@ namespace Alate
         }
 
         /// <summary>Groups of levels of detail above a renderer, which conversion may change.</summary>
-        public static IReadOnlyList<LODGroup> DetailGroups(SkinnedMeshRenderer source) => source.GetComponentsInParent<LODGroup>(true);
+        public static IReadOnlyList<LODGroup> DetailGroups(SkinnedMeshRenderer source) => DetailLevels.Above(source);
 
         private static SkinnedWingResult Convert(SkinnedMeshRenderer source, Transform insect, TriangleSet triangles)
         {

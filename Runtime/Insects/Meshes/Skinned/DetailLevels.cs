@@ -7,6 +7,9 @@ namespace Alate
     /// <summary>Adds renderers to the levels of detail of another, and removes them.</summary>
     internal static class DetailLevels
     {
+        /// <summary>Groups above a renderer, hidden ones too.</summary>
+        public static IReadOnlyList<LODGroup> Above(Renderer renderer) => renderer.GetComponentsInParent<LODGroup>(true);
+
         /// <summary>Shows renderers in the levels of a group in which another one is shown.</summary>
         public static void Add(LODGroup group, Renderer beside, IReadOnlyList<Renderer> added)
         {

@@ -20,7 +20,7 @@ namespace Alate
             BodyMesh = bodyMesh;
             m_Original = source.sharedMesh;
             m_WasEnabled = source.enabled;
-            m_Groups = SkinnedWingConversion.DetailGroups(source);
+            m_Groups = DetailLevels.Above(source);
         }
 
         /// <summary>Skinned renderer of the source. It draws the body, or is disabled if the mesh was all wing.</summary>
