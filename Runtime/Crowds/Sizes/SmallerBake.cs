@@ -87,6 +87,10 @@ namespace Alate.Crowds
             Motion = clip.Motion,
             Frequency = clip.Frequency,
             Velocity = clip.Velocity,
+            AngularVelocity = clip.AngularVelocity,
+            Attitude = clip.Attitude,
+            RightBeat = clip.RightBeat,
+            LeftBeat = clip.LeftBeat,
             Frames = Map(clip.Frames, frame => Frame(frame, vertices)),
             Error = clip.Error,
         };
