@@ -19,7 +19,7 @@ namespace Alate.Flight
         /// <summary>Slowest flight round a corner, m/s.</summary>
         private const float k_CornerSpeed = 0.2f;
 
-        private int m_Stretch;
+        private int m_Stretch = -1;
 
         /// <summary>The point that the insect flies to, counted from 0.</summary>
         public int Next { get; private set; }
