@@ -1,1 +1,2 @@
 [assembly: StandIns.PlayerTests("Alate.Tests.Play")]
+[assembly: StandIns.TestOrder("ALATE_TEST_ORDER")]

@@ -80,7 +80,7 @@ namespace Alate.Tests
                 Assert.That(skeleton.Validate(), Is.Empty);
                 Assert.That(skeleton.Chains.Select(chain => chain.Length), Is.All.EqualTo(given.Joints));
                 TestWings.Bake(skeleton, mesh).Release();
-            }).Check(Config.QuickThrowOnFailure.WithMaxTest(wings).WithReplay(replay, 1));
+            }).Check(FixedRuns.Of(wings, replay));
         }
 
         [Test]

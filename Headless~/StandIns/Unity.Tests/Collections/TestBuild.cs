@@ -8,9 +8,9 @@ internal static class TestBuild
     {
 #if !ENABLE_UNITY_COLLECTIONS_CHECKS
 #if DEBUG
-        Assert.Fail("ENABLE_UNITY_COLLECTIONS_CHECKS is not defined: a debug build must have its safety checks.");
+        NUnit.Framework.Assert.Fail("ENABLE_UNITY_COLLECTIONS_CHECKS is not defined: a debug build must have its safety checks.");
 #else
-        Assert.Ignore("This build has no safety checks.");
+        NUnit.Framework.Assert.Ignore("This build has no safety checks.");
 #endif
 #endif
     }
