@@ -10,7 +10,7 @@ namespace Alate.Cli.FreeFlights;
 /// <summary>Writes a trim table into the package's sources.</summary>
 internal static class TrimSource
 {
-    private const int k_Columns = 150;
+    private const int k_Columns = 120;
 
     /// <summary>Path of an insect's table.</summary>
     public static string PathOf(InsectDefinition insect) =>
