@@ -57,7 +57,8 @@ namespace Alate.Editor
             foreach (BakedClip clip in m_Bake.Clips)
             {
                 yield return Text(
-                    $"{clip.Name}: {clip.Frames.Count} frames at {clip.Frequency:0.##} Hz; {100f * clip.Error.between:0.00} % of the wing length and {clip.Error.normalBetween:0.0}° of normals between frames");
+                    $"{clip.Name}: {clip.Frames.Count} frames at {clip.Frequency:0.##} Hz; ")
+                    + Text($"{100f * clip.Error.between:0.00} % of the wing length and {clip.Error.normalBetween:0.0}° of normals between frames");
             }
 
             foreach (CrowdSize size in Made.Sizes)

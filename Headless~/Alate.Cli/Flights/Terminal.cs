@@ -169,8 +169,11 @@ internal sealed class Terminal
     private static string Overstretched(FlightSummary summary)
     {
         WingSummary worst = summary.Overstretched;
-        return FormattableString.Invariant(
-            $"The {worst.Name} is driven outside what it bears: an edge stretches by {worst.EdgeStretchMaxPct:0} %, one in a hundred by {worst.EdgeStretchP99Pct:0} % (25 and 8 are bearable). Lower the wind or the speed, or raise its elasticity.");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"The {worst.Name} is driven outside what it bears: an edge stretches by {worst.EdgeStretchMaxPct:0} %, "
+            + $"one in a hundred by {worst.EdgeStretchP99Pct:0} % (25 and 8 are bearable). "
+            + $"Lower the wind or the speed, or raise its elasticity.");
     }
 
     private static string Milli(Unity.Mathematics.float3 value) => $"{Number(1e3 * value.x, 2)}, {Number(1e3 * value.y, 2)}, {Number(1e3 * value.z, 2)}";

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using Alate.Cli.Flights;
@@ -36,10 +37,17 @@ internal static class FreeReport
         folder.Commit();
         FreeMoment last = record.Moments[^1];
         double error = System.Math.Sqrt(record.Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
-        output.WriteLine(System.FormattableString.Invariant(
-            $"{plan.Insect.DisplayName}: {last.Time:0.##} s by its own wings, from the origin to {last.Position.x:0.00}, {last.Position.y:0.00}, {last.Position.z:0.00} m; velocity off by {error:0.000} m/s (bob and all)"));
-        output.WriteLine(System.FormattableString.Invariant(
-            $"mean lift {record.Moments.Average(at => at.Force.y) / record.Weight:0.000} of the weight, {100 * record.UpstrokeShare:0} % of it on the upstroke; power {1e3 * record.Moments.Average(at => at.Power):0.###} mW; aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW"));
+        output.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{plan.Insect.DisplayName}: {last.Time:0.##} s by its own wings, from the origin to "
+            + $"{last.Position.x:0.00}, {last.Position.y:0.00}, {last.Position.z:0.00} m; "
+            + $"velocity off by {error:0.000} m/s (bob and all)"));
+        output.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"mean lift {record.Moments.Average(at => at.Force.y) / record.Weight:0.000} of the weight, "
+            + $"{100 * record.UpstrokeShare:0} % of it on the upstroke; "
+            + $"power {1e3 * record.Moments.Average(at => at.Power):0.###} mW; "
+            + $"aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW"));
         if (factor >= k_Larger)
             output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
         terminal.ShowFiles(path, k_Trajectory, k_Forces, k_Path, k_Glb);

@@ -23,7 +23,9 @@ internal static class TrimSource
     public static string Write(InsectDefinition insect, string text, string options)
     {
         var source = new StringBuilder();
-        source.Append($"namespace Alate.Catalogue\n{{\n    /// <summary>Trim table of the {insect.DisplayName.ToLowerInvariant()}, made by the command line: trim {insect.Name} --bake{options}.</summary>\n");
+        source.Append("namespace Alate.Catalogue\n{\n");
+        source.Append($"    /// <summary>Trim table of the {insect.DisplayName.ToLowerInvariant()}");
+        source.Append($", made by the command line: trim {insect.Name} --bake{options}.</summary>\n");
         source.Append($"    internal static class {NameOf(insect)}\n    {{\n        public const string Text =\n");
         for (int at = 0; at < text.Length; at += k_Columns)
         {

@@ -34,7 +34,8 @@ internal sealed class PointChart
         m_Height = size.y - k_Top - k_Bottom;
         m_Clip = string.Create(CultureInfo.InvariantCulture, $"c{x:0}-{y:0}");
         page.Text(x + 10f, y + 18f, 14f, title, look: "b");
-        page.Append($"<clipPath id=\"{m_Clip}\"><rect x=\"{m_X:0.#}\" y=\"{m_Y:0.#}\" width=\"{m_Width:0.#}\" height=\"{m_Height:0.#}\"/></clipPath>\n");
+        page.Append($"<clipPath id=\"{m_Clip}\">");
+        page.Append($"<rect x=\"{m_X:0.#}\" y=\"{m_Y:0.#}\" width=\"{m_Width:0.#}\" height=\"{m_Height:0.#}\"/></clipPath>\n");
         DrawGrid();
     }
 
@@ -84,7 +85,10 @@ internal sealed class PointChart
         if (look == CurveLook.Discs)
             page.Append($"<circle cx=\"{place.x:0.#}\" cy=\"{place.y:0.#}\" r=\"3\" fill=\"{colour}\"/>\n");
         else if (look == CurveLook.Squares)
-            page.Append($"<rect x=\"{place.x - 2.7f:0.#}\" y=\"{place.y - 2.7f:0.#}\" width=\"5.4\" height=\"5.4\" fill=\"{k_Ground}\" stroke=\"{colour}\" stroke-width=\"1.3\"/>\n");
+        {
+            page.Append($"<rect x=\"{place.x - 2.7f:0.#}\" y=\"{place.y - 2.7f:0.#}\" width=\"5.4\" height=\"5.4\"");
+            page.Append($" fill=\"{k_Ground}\" stroke=\"{colour}\" stroke-width=\"1.3\"/>\n");
+        }
     }
 
     /// <summary>Draws a cross, also for a legend.</summary>

@@ -44,8 +44,11 @@ internal sealed class SvgPage
     }
 
     /// <summary>Adds a straight line.</summary>
-    public void Line(float x1, float y1, float x2, float y2, string colour, float thickness = 1f) => Append(
-        $"<line x1=\"{x1:0.##}\" y1=\"{y1:0.##}\" x2=\"{x2:0.##}\" y2=\"{y2:0.##}\" stroke=\"{colour}\" stroke-width=\"{thickness:0.##}\"/>\n");
+    public void Line(float x1, float y1, float x2, float y2, string colour, float thickness = 1f)
+    {
+        Append($"<line x1=\"{x1:0.##}\" y1=\"{y1:0.##}\" x2=\"{x2:0.##}\" y2=\"{y2:0.##}\"");
+        Append($" stroke=\"{colour}\" stroke-width=\"{thickness:0.##}\"/>\n");
+    }
 
     /// <summary>Adds what is SVG already.</summary>
     public void Add(string svg) => m_Content.Append(svg);

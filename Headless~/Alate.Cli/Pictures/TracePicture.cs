@@ -75,18 +75,24 @@ internal sealed class TracePicture
     private void DrawLine(Vector2[] points, string colour, double thickness, bool isClosed)
     {
         string places = string.Join(' ', points.Select(p => string.Create(CultureInfo.InvariantCulture, $"{p.x:0.#},{p.y:0.#}")));
-        Append($"<poly{(isClosed ? "gon" : "line")} fill=\"none\" stroke=\"{colour}\" stroke-width=\"{thickness * m_Line:0.##}\" points=\"{places}\"/>\n");
+        Append($"<poly{(isClosed ? "gon" : "line")} fill=\"none\" stroke=\"{colour}\"");
+        Append($" stroke-width=\"{thickness * m_Line:0.##}\" points=\"{places}\"/>\n");
     }
 
-    private void DrawDot(Vector2 at, double radius, string fill, string stroke) => Append(
-        $"<circle cx=\"{at.x:0.#}\" cy=\"{at.y:0.#}\" r=\"{radius * m_Line:0.##}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"{m_Line:0.##}\"/>\n");
+    private void DrawDot(Vector2 at, double radius, string fill, string stroke)
+    {
+        Append($"<circle cx=\"{at.x:0.#}\" cy=\"{at.y:0.#}\" r=\"{radius * m_Line:0.##}\"");
+        Append($" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"{m_Line:0.##}\"/>\n");
+    }
 
     private void DrawLegend(WingPicture picture, WingTrace trace)
     {
         double size = 11.0 * m_Line, line = picture.Height + 13.0 * m_Line;
-        Append($"<text x=\"{size:0.##}\" y=\"{line:0.##}\" font-family=\"Helvetica,Arial,sans-serif\" font-size=\"{size:0.##}\" fill=\"#0f172a\">");
+        Append($"<text x=\"{size:0.##}\" y=\"{line:0.##}\" font-family=\"Helvetica,Arial,sans-serif\"");
+        Append($" font-size=\"{size:0.##}\" fill=\"#0f172a\">");
         Append($"{picture.Width} × {picture.Height} pixels, {trace.Surface.TriangleCount} triangles</text>\n");
-        Append($"<text x=\"{size:0.##}\" y=\"{line + 13.0 * m_Line:0.##}\" font-family=\"Helvetica,Arial,sans-serif\" font-size=\"{size:0.##}\">");
+        Append($"<text x=\"{size:0.##}\" y=\"{line + 13.0 * m_Line:0.##}\" font-family=\"Helvetica,Arial,sans-serif\"");
+        Append($" font-size=\"{size:0.##}\">");
         Append($"<tspan fill=\"{k_Outline}\">outline</tspan>  <tspan fill=\"{k_Vein}\">veins: {trace.Veins.Count}</tspan>  ");
         Append($"<tspan fill=\"{k_OnVein}\">chains on veins: {trace.FollowsVein.Count(follows => follows)}</tspan>  ");
         Append($"<tspan fill=\"{k_Fitted}\">other chains: {trace.FollowsVein.Count(follows => !follows)}</tspan></text>\n");

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 using Alate.Cli.Flights;
 using Unity.Mathematics;
@@ -33,8 +34,12 @@ internal static class DragonflyRows
         {
             MeasuredDragonfly flight = MeasuredDragonfly.Flights[k];
             double axis = BladeElements.Lift(flight, BladeElements.Point.Axis), middle = BladeElements.Lift(flight, BladeElements.Point.MidChord);
-            string cause = FormattableString.Invariant(
-                $"what the wing's pitching adds to the air it meets: blade elements apart from the model give {axis:0.00} with the stream met on the pitching axis and {middle:0.00} in the middle of the chord, where a stiff wing of uniform chord meets it; the coefficients were measured at steady angles");
+            string cause = string.Create(
+                CultureInfo.InvariantCulture,
+                $"what the wing's pitching adds to the air it meets: "
+                + $"blade elements apart from the model give {axis:0.00} with the stream met on the pitching axis and {middle:0.00} "
+                + $"in the middle of the chord, where a stiff wing of uniform chord meets it; "
+                + $"the coefficients were measured at steady angles");
             if (k == 0)
                 cause += FormattableString.Invariant($"; with the fore wing's published twist, which is not prescribed here, {BladeElements.Lift(flight, BladeElements.Point.Axis, true):0.00} and {BladeElements.Lift(flight, BladeElements.Point.MidChord, true):0.00}");
             cause += FormattableString.Invariant($". Both fall to {BladeElements.Lift(flight, BladeElements.Point.Axis, ownDrag: true):0.00} and {BladeElements.Lift(flight, BladeElements.Point.MidChord, ownDrag: true):0.00} with the drag of a dragonfly's wing");
@@ -160,22 +165,33 @@ internal static class DragonflyRows
     private static string Drawn(MeasuredDragonfly flight, DragonflyRun run)
     {
         float3 induced = run.Record.InducedVelocity;
-        return FormattableString.Invariant(
-            $"{k_Even}; blade elements apart from the model in the same stream give {BladeElements.Lift(flight, BladeElements.Point.Axis, induced: induced):0.00} with the stream met on the pitching axis and {BladeElements.Lift(flight, BladeElements.Point.MidChord, induced: induced):0.00} in the middle of the chord; of the flights without an induced flow one is inside, two carry too much");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{k_Even}; blade elements apart from the model in the same stream give "
+            + $"{BladeElements.Lift(flight, BladeElements.Point.Axis, induced: induced):0.00} with the stream met on the pitching axis and "
+            + $"{BladeElements.Lift(flight, BladeElements.Point.MidChord, induced: induced):0.00} in the middle of the chord; "
+            + $"of the flights without an induced flow one is inside, two carry too much");
     }
 
     private static string Dragged(MeasuredDragonfly flight, float3 induced)
     {
         double ours = BladeElements.Thrust(flight, BladeElements.Point.MidChord, induced), own = BladeElements.Thrust(flight, BladeElements.Point.MidChord, induced, true);
-        return FormattableString.Invariant(
-            $"the drag at small angles of attack: the coefficients, measured on a model of a fruit fly's wing, have 0.37 at least, a dragonfly's wing 0.09 (the same source); blade elements apart from the model have a thrust of {ours:0.00} with the first and of {own:0.00} with the second").Replace('-', '−');
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"the drag at small angles of attack: the coefficients, measured on a model of a fruit fly's wing, have 0.37 at least, "
+            + $"a dragonfly's wing 0.09 (the same source); blade elements apart from the model "
+            + $"have a thrust of {ours:0.00} with the first and of {own:0.00} with the second").Replace('-', '−');
     }
 
     private static string Still(MeasuredDragonfly flight)
     {
         List<BladeElements.Moment> ours = BladeElements.Curve(flight, BladeElements.Point.MidChord), own = BladeElements.Curve(flight, BladeElements.Point.MidChord, ownDrag: true);
-        return FormattableString.Invariant(
-            $"the wing meets air at rest; in hover it meets what it has set moving. The drag has a part too: blade elements apart from the model have a mean of {ours.Average(moment => moment.Lift):0.00} and a peak of {ours.Max(moment => moment.Lift):0.00}, with the drag of a dragonfly's wing {own.Average(moment => moment.Lift):0.00} and {own.Max(moment => moment.Lift):0.00}");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"the wing meets air at rest; in hover it meets what it has set moving. "
+            + $"The drag has a part too: blade elements apart from the model have a mean of "
+            + $"{ours.Average(moment => moment.Lift):0.00} and a peak of {ours.Max(moment => moment.Lift):0.00}, "
+            + $"with the drag of a dragonfly's wing {own.Average(moment => moment.Lift):0.00} and {own.Max(moment => moment.Lift):0.00}");
     }
 
     private static string Inflow(DragonflyRun run, double wake) => wake == 0 ? ""

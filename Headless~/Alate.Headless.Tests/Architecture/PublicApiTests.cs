@@ -79,7 +79,8 @@ namespace Alate.Tests.Architecture
 
         private static string Signature(MemberInfo member) => member switch
         {
-            PropertyInfo property => $"{property} {{{(property.GetMethod?.IsPublic == true ? " get;" : "")}{(property.SetMethod?.IsPublic == true ? " set;" : "")} }}",
+            PropertyInfo property => $"{property} {{{(property.GetMethod?.IsPublic == true ? " get;" : "")}"
+                + $"{(property.SetMethod?.IsPublic == true ? " set;" : "")} }}",
             FieldInfo { IsLiteral: true } constant => $"{constant} = {constant.GetRawConstantValue()}",
             _ => member.ToString(),
         };

@@ -176,7 +176,8 @@ namespace Alate.Tests.Architecture
         };
 
         private static readonly Regex s_Declaration = new Regex(
-            @"^ {4}(?:\[.*\] *)?(?:(?:public|internal|static|sealed|abstract|unsafe|readonly|partial|ref) +)*(?:class|struct|enum|interface|delegate +\S+) +(\w+)",
+            @"^ {4}(?:\[.*\] *)?(?:(?:public|internal|static|sealed|abstract|unsafe|readonly|partial|ref) +)*"
+            + @"(?:class|struct|enum|interface|delegate +\S+) +(\w+)",
             RegexOptions.Multiline);
 
         private static readonly Regex s_Prose = new Regex(@"//[^\n]*|(?<!\$)""(?:\\.|[^""\\\n])*""");

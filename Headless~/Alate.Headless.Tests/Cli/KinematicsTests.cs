@@ -82,7 +82,8 @@ namespace Alate.Tests.Cli
         public void AFlight_BeatsAsTheFileSays_AndTheWingThatItDoesNotNameInStep()
         {
             using var run = new CommandRun();
-            string path = run.Write("motion.json", "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'fore wing': { 'flap': { 'mean': 5, 'harmonics': [[30, 0]] } } } }".Replace('\'', '"'));
+            const string motion = "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'fore wing': { 'flap': { 'mean': 5, 'harmonics': [[30, 0]] } } } }";
+            string path = run.Write("motion.json", motion.Replace('\'', '"'));
 
             FlightRecord flight = TetheredFlight.Fly(new FlightPlan { Species = "fishfly", KinematicsFile = path, Column = Alate.Catalogue.ComparisonColumn.RigidWing });
 

@@ -36,7 +36,8 @@ namespace Alate.Tests.Cli
         public void Table_HasARowForEachModelAndSpeedOnce_ATenthInWater()
         {
             Assert.That(string.Join(',', m_Rows[0]), Is.EqualTo(
-                "species,variant,wing,model,air,wind_m_s,edge_stretch_max_pct,edge_stretch_p99_pct,worst_from,head_wind_tip_bend_max_deg,resets"));
+                "species,variant,wing,model,air,wind_m_s,edge_stretch_max_pct,edge_stretch_p99_pct,"
+                + "worst_from,head_wind_tip_bend_max_deg,resets"));
             Assert.That(m_Rows.Skip(1).Select(row => string.Join(' ', row.Take(6))), Is.EqualTo(
                 from wing in new[] { "monarch standard wing", "snailfish standard fin" }
                 from model in new[] { "now", "0.1" }

@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using System.Linq;
 using Alate.Flight;
 using NUnit.Framework;
@@ -36,12 +37,20 @@ namespace Alate.Tests.Flight
             var flights = PerchFlights.Of(name);
             var all = Enumerable.Range(1, count).Select(flights.Fly).ToList();
             var down = all.Where(flight => flight.Landed).ToList();
-            TestContext.Progress.WriteLine(FormattableString.Invariant(
-                $"{name}: {down.Count} of {count} down, {all.Count(flight => flight.Tumbled)} tumbled, {all.Sum(flight => flight.Attempts)} new attempts, {all.Average(flight => flight.Seconds):0.0} s on average"));
+            TestContext.Progress.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{name}: {down.Count} of {count} down, {all.Count(flight => flight.Tumbled)} tumbled, "
+                + $"{all.Sum(flight => flight.Attempts)} new attempts, {all.Average(flight => flight.Seconds):0.0} s on average"));
             if (down.Count > 0)
             {
-                TestContext.Progress.WriteLine(FormattableString.Invariant(
-                    $"  held at {down.Max(flight => flight.HeldSpeed):0.000} m/s at most, {down.Average(flight => flight.HeldSpeed):0.000} on average, reference {down.Max(flight => flight.MeanSpeed):0.000}, {down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed)} too low to fly on; {down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and {down.Max(flight => flight.Beside) * 1000:0.0} mm beside the place above the spot at most; lowest on the way {down.Min(flight => flight.Below) * 1000:0.0} mm; lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, {down.Min(flight => flight.LeftBehind):0.00} m away at least"));
+                TestContext.Progress.WriteLine(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"  held at {down.Max(flight => flight.HeldSpeed):0.000} m/s at most, {down.Average(flight => flight.HeldSpeed):0.000} on average, "
+                    + $"reference {down.Max(flight => flight.MeanSpeed):0.000}, "
+                    + $"{down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed)} too low to fly on; "
+                    + $"{down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and {down.Max(flight => flight.Beside) * 1000:0.0} mm beside the place above the spot at most; "
+                    + $"lowest on the way {down.Min(flight => flight.Below) * 1000:0.0} mm; "
+                    + $"lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, {down.Min(flight => flight.LeftBehind):0.00} m away at least"));
             }
 
             Assert.That(down, Has.Count.EqualTo(count));

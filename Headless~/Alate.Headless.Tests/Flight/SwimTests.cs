@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using Alate.Cli.FreeFlights;
 using Alate.Flight;
 using NUnit.Framework;
@@ -17,8 +18,10 @@ namespace Alate.Tests.FreeFlights
             using var fish = new FlyingInsect("snailfish");
             var swim = SteadyFlight.Fly(fish.Model, fish.Table, new FlightCondition(speed, 0f));
 
-            TestContext.Out.WriteLine(FormattableString.Invariant(
-                $"{speed} m/s: off by {1e3 * swim.Error:0.00} mm/s, pitch {swim.Pitch:0.0} ± {swim.PitchBob:0.0}°, {swim.Frequency:0.00} Hz, {1e3 * swim.Power:0.00} mW"));
+            TestContext.Out.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{speed} m/s: off by {1e3 * swim.Error:0.00} mm/s, pitch {swim.Pitch:0.0} ± {swim.PitchBob:0.0}°, "
+                + $"{swim.Frequency:0.00} Hz, {1e3 * swim.Power:0.00} mW"));
             Assert.That(swim.Error, Is.LessThan(0.01), "m/s");
             Assert.That(swim.Lift, Is.EqualTo(0.0).Within(1e-3), "of the weight");
             Assert.That(swim.Power, Is.GreaterThan(0.0));

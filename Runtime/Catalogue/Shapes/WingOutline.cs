@@ -152,7 +152,8 @@ namespace Alate.Catalogue
                     || !(isTip ? leading[i] >= trailing[i] : leading[i] > trailing[i]))
                 {
                     throw new ArgumentException(FormattableString.Invariant(
-                        $"Landmark {i} (span {span[i]}, leading {leading[i]}, trailing {trailing[i]}) breaks the order: span rises from 0, the leading edge lies ahead of the trailing edge."));
+                        $"Landmark {i} (span {span[i]}, leading {leading[i]}, trailing {trailing[i]}) breaks the order: ")
+                        + "span rises from 0, the leading edge lies ahead of the trailing edge.");
                 }
             }
         }

@@ -160,7 +160,9 @@ namespace Alate.Flight
 
             table.Set(s, c, point);
             Log?.Invoke(FormattableString.Invariant(
-                $"{condition}: pitch {Degrees(trim.Pitch):0.0}° ±{Degrees(trim.PitchBob):0.0}°, {trim.FrequencyScale * m_Model.Frequency:0.00} Hz, amplitude {trim.AmplitudeScale:0.000}, tilt {Degrees(trim.Tilt):0.0}°, sweep {Degrees(trim.MeanSweep):0.0}°"));
+                $"{condition}: pitch {Degrees(trim.Pitch):0.0}° ±{Degrees(trim.PitchBob):0.0}°, ")
+                + FormattableString.Invariant($"{trim.FrequencyScale * m_Model.Frequency:0.00} Hz, amplitude {trim.AmplitudeScale:0.000}, ")
+                + FormattableString.Invariant($"tilt {Degrees(trim.Tilt):0.0}°, sweep {Degrees(trim.MeanSweep):0.0}°"));
         }
 
         private float[] Gains(TrimState trim, in FlightCondition condition, FlightTunnel tunnel)

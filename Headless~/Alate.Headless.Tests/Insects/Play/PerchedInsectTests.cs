@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Flight;
@@ -58,8 +59,10 @@ namespace Alate.Tests.Play
 
             int[] tumbled = visits.Where(visit => visit.HasTumbled).Select(visit => visit.Seed).ToArray();
             float lowest = visits.Min(visit => visit.LowestOfWings), offSpot = visits.Max(visit => visit.FeetOffSpot), fastest = visits.Max(visit => visit.LastSpeed);
-            TestContext.Out.WriteLine(FormattableString.Invariant(
-                $"{name}, {step} s: lowest wing {100f * lowest:0.0} mm over {count} slopes, feet {100f * offSpot:0.000} mm off, {fastest:0.00} m/s in the last step before the spot, {tumbled.Length} tumbled on the way"));
+            TestContext.Out.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{name}, {step} s: lowest wing {100f * lowest:0.0} mm over {count} slopes, feet {100f * offSpot:0.000} mm off, "
+                + $"{fastest:0.00} m/s in the last step before the spot, {tumbled.Length} tumbled on the way"));
             Assert.That(tumbled, Is.SubsetOf(name == "swallowtail" ? s_KnownTumbles : Array.Empty<int>()), "spots on the way to which an insect tumbled");
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -29,8 +30,10 @@ namespace Alate.Tests
                 pull = Math.Max(pull, solved.Pull);
             }
 
-            TestContext.Progress.WriteLine(FormattableString.Invariant(
-                $"{chains} chains over {chord}, bends to {bend}, axis {axis}: off by {error:P2} of the largest bend, strips turn hinges by {pull:P1} of it"));
+            TestContext.Progress.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{chains} chains over {chord}, bends to {bend}, axis {axis}: "
+                + $"off by {error:P2} of the largest bend, strips turn hinges by {pull:P1} of it"));
             Assert.That(pull, Is.GreaterThan(0.1), "the strips pull");
             Assert.That(error, Is.LessThan(k_Off * pull), "bends that are not coupled are off by all of the pull");
         }
