@@ -81,6 +81,10 @@ namespace Alate.Authoring
         {
             double reach = k_Reach * new PlanBounds(rim.Points).Extent, near = 0.0, all = 0.0;
             PlanPoint from = end + inward * (1e-3 * reach);
+
+            // At a corner beside the wing's middle line the way along it leaves the wing.
+            if (!Polygon.Contains(rim.Points, from))
+                from = end + PlanPoint.Unit(Polygon.Centroid(rim.Points) - end) * (1e-3 * reach);
             for (int k = 0; k < k_Rays; k++)
             {
                 double angle = 2.0 * Math.PI * k / k_Rays, seen = rim.Meet(from, new PlanPoint(Math.Cos(angle), Math.Sin(angle)), -1, out int met);
