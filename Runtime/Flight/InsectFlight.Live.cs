@@ -26,7 +26,7 @@ namespace Alate.Flight
         private Quaternion m_ShownRotation, m_FromRotation;
         private Vector3 m_From;
 
-        private void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float dt)
+        private void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float length, int count)
         {
             if (!IsAttached(live, world))
                 return;
@@ -36,9 +36,13 @@ namespace Alate.Flight
             {
                 // Without a size it stays where it is.
                 body.position = body.positionRest = default;
+                m_Recorder?.End("the insect has no size");
                 return;
             }
 
+            float dt = length * count;
+            if (IsRecording && live.Detail != WingDetail.Full)
+                m_Recorder.End($"the wings were computed as {live.Detail}, not in full");
             FlightState before = State;
             m_Units = live.insect.MotionSettings.metresPerUnit > 0f ? 1f / live.insect.MotionSettings.metresPerUnit : placed.length / live.wings[0].values.size.wingLength;
             TakeOver(ref body, dt);
@@ -46,7 +50,7 @@ namespace Alate.Flight
             body.weight = gravity * m_Model.GravityShare;
             body.gravity = gravity;
             body.aid = m_Aid;
-            Fly(ref body, dt);
+            Fly(ref body, length, count);
             m_Time += dt;
             if (m_World == null)
                 return;
@@ -68,12 +72,15 @@ namespace Alate.Flight
             var moved = (Vector3)(body.position * m_Units);
             m_From += moved;
             body.position = body.positionRest = default;
+            float turn = 0f;
+            m_Recorder?.Keep(body);
             if (m_Carried != null && !m_Carried.IsThere)
                 m_Carried = null;
             if (m_Carried != null)
-                TakeOverPushes(ref body, moved);
+                turn = TakeOverPushes(ref body, moved);
             else if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)
-                Teleported(ref body, m_ShownPosition, m_ShownRotation, transform.position, transform.rotation);
+                turn = Teleported(ref body, m_ShownPosition, m_ShownRotation, transform.position, transform.rotation);
+            m_Recorder?.Pushed(body, turn);
             m_FromRotation = body.rotation;
             Position = m_From;
             BodyVelocity = m_Perching.Holds ? moved / (m_Units * math.max(dt, 1e-6f)) : (Vector3)body.velocity;
@@ -82,30 +89,35 @@ namespace Alate.Flight
         }
 
         // What contacts have turned and stopped within a step goes into the flight; a larger turn or a perched insect's jump is somebody's who places it.
-        private void TakeOverPushes(ref FlyingBody body, Vector3 moved)
+        private float TakeOverPushes(ref FlyingBody body, Vector3 moved)
         {
             Vector3 before = m_ShownPosition, position = m_Carried.Position;
             float turn = Quaternion.Angle(Quaternion.identity, m_Carried.Turned);
             bool jumped = (position - before).magnitude > m_Model.Length * m_Units;
             if (turn > k_MostPushed || m_Perching.Holds && jumped)
             {
-                Teleported(ref body, before, m_ShownRotation, position, m_Carried.Rotation);
+                return Teleported(ref body, before, m_ShownRotation, position, m_Carried.Rotation);
             }
-            else if (!m_Perching.Holds)
+
+            if (!m_Perching.Holds)
             {
                 m_From = position + m_Carried.Rotation * (Vector3)(m_Model.Centre * m_Units) + moved;
                 body.rotation = math.normalize(math.mul(m_Carried.Turned, body.rotation));
                 body.velocity += (float3)m_Carried.Pushed / m_Units;
                 body.spin += math.rotate(math.conjugate(body.rotation), m_Carried.Spun);
             }
+
+            return 0f;
         }
 
-        private void Teleported(ref FlyingBody body, Vector3 from, Quaternion fromRotation, Vector3 to, Quaternion toRotation)
+        /// <returns>Turn of the reference, radians.</returns>
+        private float Teleported(ref FlyingBody body, Vector3 from, Quaternion fromRotation, Vector3 to, Quaternion toRotation)
         {
             // The turn about the vertical is taken over; pitch and roll are the flight's own.
             float turn = Headings.Of(toRotation) - Headings.Of(fromRotation);
             var turned = quaternion.AxisAngle(new float3(0f, 1f, 0f), turn);
-            if (math.abs(turn) > 1e-3f)
+            bool turns = math.abs(turn) > 1e-3f;
+            if (turns)
             {
                 body.rotation = math.mul(turned, body.rotation);
                 body.velocity = math.rotate(turned, body.velocity);
@@ -116,10 +128,12 @@ namespace Alate.Flight
                 m_Perching.Carry(from, to, turned);
             m_From = to + (Vector3)math.rotate(toRotation, m_Model.Centre * m_Units);
             Show(body.rotation, m_From);
+            return turns ? turn : 0f;
         }
 
-        private void Fly(ref FlyingBody body, float dt)
+        private void Fly(ref FlyingBody body, float length, int count)
         {
+            float dt = length * count;
             FlightCommand command = m_Seat.Command(Situation(body, dt), FlightCommand.Fly(Velocity, Heading));
             // The pilot may have switched the insect off.
             if (m_World == null)
@@ -127,9 +141,12 @@ namespace Alate.Flight
             bool sits = command.wish == FlightWish.Perch && command.spot.IsFinite;
             if (sits && !m_Perching.Holds)
                 Perch(ref body, command.spot);
+            if (m_Perching.Holds)
+                m_Recorder?.End("the insect sits");
             if (m_Perching.Holds && Hold(ref body, sits, command.heading, dt))
                 return;
 
+            m_Recorder?.Add(body, command, length, count);
             body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, body.velocityError, m_Table, dt);
             State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
         }
@@ -232,7 +249,8 @@ namespace Alate.Flight
 
             public Link(InsectFlight flight) => m_Flight = flight;
 
-            public void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float dt) => m_Flight.Prepare(live, world, wind, gravity, dt);
+            public void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float length, int count) =>
+                m_Flight.Prepare(live, world, wind, gravity, length, count);
 
             public void Show(LiveInsect live, WingWorld world, float alpha) => m_Flight.Show(live, world, alpha);
         }

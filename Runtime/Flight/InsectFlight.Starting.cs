@@ -34,10 +34,11 @@ namespace Alate.Flight
 
         private bool Attach(LiveInsect live, WingWorld world)
         {
-            bool again = m_Model != null && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World) && world.Contains(m_Body);
+            bool again = !m_StartsOver && m_Model != null && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World) && world.Contains(m_Body);
             FlyingBody kept = again ? world.Body(m_Body) : default;
             Vector3 from = m_From;
             Detach();
+            m_StartsOver = false;
             if (!Measure(live))
                 return false;
             m_World = world;
@@ -77,6 +78,8 @@ namespace Alate.Flight
             }
 
             StartBeat(live, world, body.reference);
+            if (IsRecording)
+                m_Recorder.Begin(m_Model, new FlightStart { heading = body.reference.heading, phase = live.insect.StartPhase });
             ref FlyingBody placed = ref world.Body(m_Body);
             m_FromRotation = placed.rotation;
             m_From = transform.position + (Vector3)math.rotate(transform.rotation, m_Model.Centre * m_Units);
@@ -140,6 +143,8 @@ namespace Alate.Flight
 
         private void Detach()
         {
+            if (m_Recorder != null && m_Recorder.HasBegun)
+                m_Recorder.End("the flight has ended or started again");
             if (m_Table != null)
                 FlightTrims.Return(m_Table);
             m_Table = null;

@@ -98,8 +98,9 @@ namespace Alate.Tests.Architecture
                 ["Trim"] = ["Body", "Commands"],
                 ["Control"] = ["Body", "Commands", "Trim"],
                 ["Tables"] = ["Body", "Commands", "Control", "Trim"],
+                ["Recordings"] = ["Body", "Commands", "Control", "Trim"],
                 ["Pilots"] = ["Commands"],
-                ["Flight"] = ["Body", "Commands", "Control", "Pilots", "Trim"],
+                ["Flight"] = ["Body", "Commands", "Control", "Pilots", "Recordings", "Trim"],
             },
             ["Alate.Flight/Pilots"] = new Dictionary<string, string[]>
             {

@@ -12,7 +12,7 @@ namespace Alate.Crowds
         public float rate = 1f;
 
         /// <inheritdoc/>
-        public void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float dt)
+        public void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float length, int count)
         {
             for (int k = 0; k < live.wings.Length; k++)
             {

@@ -23,24 +23,37 @@ namespace Alate.Flight
         /// <param name="start">Speed and climb to start with.</param>
         /// <param name="heading">Radians about the world's up.</param>
         public FreeFlight(FlightModel model, TrimTable table, FlightCondition start = default, float heading = 0f)
+            : this(model, table, new FlightStart { settled = true, condition = start, heading = heading })
+        {
+        }
+
+        internal FreeFlight(FlightModel model, TrimTable table, in FlightStart start)
         {
             m_Model = model;
             m_Table = table;
             table.Acceleration = model.AccelerationAt(table.TopSpeed);
             FlyingBody body = model.CreateBody();
-            body.mode = BodyMode.Held;
+            body.mode = start.settled ? BodyMode.Held : BodyMode.Free;
             body.steered = 1;
             body.table = table.View;
-            math.sincos(heading, out float sin, out float cos);
-            var velocity = new float3(sin * start.Speed, start.Climb, cos * start.Speed);
-            body.reference = new BodyReference { velocity = velocity, heading = heading, airSpeed = start.Speed, climb = start.Climb };
-            m_Reference = new FlightReference(velocity, heading, default);
+            math.sincos(start.heading, out float sin, out float cos);
+            FlightCondition condition = start.condition;
+            var velocity = new float3(sin * condition.Speed, condition.Climb, cos * condition.Speed);
+            body.reference = new BodyReference { velocity = velocity, heading = start.heading, airSpeed = condition.Speed, climb = condition.Climb };
+            m_Reference = new FlightReference(velocity, start.heading, default);
+            Gravity = body.gravity;
             m_Body = model.AddTo(m_World, body, m_Wings);
-            Settle();
+            if (start.settled)
+                Settle();
+            else
+                Begin(start.phase);
         }
 
         /// <summary>Velocity of the air, m/s.</summary>
         public float3 Wind { get; set; }
+
+        /// <summary>Gravity, m/s².</summary>
+        internal float3 Gravity { get; set; }
 
         /// <summary>Outer help towards the wanted velocity and attitude, 0 to 1; 0 flies by the wings alone.</summary>
         public float Aid { get; set; }
@@ -115,20 +128,56 @@ namespace Alate.Flight
         }
 
         /// <summary>Flies a step towards a command.</summary>
-        public void Step(in FlightCommand command, float dt)
+        public void Step(in FlightCommand command, float dt) => Step(command, dt, 1);
+
+        /// <summary>Flies steps towards a command that holds for all of them.</summary>
+        internal void Step(in FlightCommand command, float length, int count)
         {
             ref FlyingBody body = ref Body;
+            float dt = length * count;
             body.wind = Wind;
+            body.weight = Gravity * m_Model.GravityShare;
+            body.gravity = Gravity;
             body.aid = math.saturate(Aid);
             body.reference = m_Reference.Step(command.velocity, command.heading, Wind, body.velocityError, m_Table, dt);
-            m_World.Step(dt);
+            for (int k = 0; k < count; k++)
+                m_World.Step(length);
             Time += dt;
+        }
+
+        /// <summary>Gives the body another motion, and turns the reference about the world's up.</summary>
+        internal void Push(quaternion rotation, float3 velocity, float3 spin, float turn)
+        {
+            ref FlyingBody body = ref Body;
+            body.rotation = rotation;
+            body.velocity = velocity;
+            body.spin = spin;
+            if (turn != 0f)
+                m_Reference = m_Reference.Turned(turn);
         }
 
         /// <inheritdoc/>
         public void Dispose() => m_World.Dispose();
 
         private void Settle()
+        {
+            float h = 1f / (20f * Drive().frequency);
+            for (int k = 0; k < 20 * k_SettledBeats; k++)
+                m_World.Step(h);
+            m_World.PlaceOnBob(m_Body);
+            Body.mode = BodyMode.Free;
+        }
+
+        private void Begin(float phase)
+        {
+            WingDrive drive = Drive();
+            foreach (WingHandle wing in m_Wings)
+                m_World.Resume(wing, phase / (360f * drive.frequency));
+            m_World.PlaceOnBob(m_Body);
+        }
+
+        // Lets the wings begin with the beat of the reference.
+        private WingDrive Drive()
         {
             BodyReference reference = Body.reference;
             WingDrive drive = m_Table.DriveNear(reference.airSpeed, reference.climb);
@@ -138,11 +187,7 @@ namespace Alate.Flight
                 m_World.Reset(wing);
             }
 
-            float h = 1f / (20f * drive.frequency);
-            for (int k = 0; k < 20 * k_SettledBeats; k++)
-                m_World.Step(h);
-            m_World.PlaceOnBob(m_Body);
-            Body.mode = BodyMode.Free;
+            return drive;
         }
     }
 }

@@ -106,9 +106,9 @@ namespace Alate
             SampleMotion(live, dt);
             m_WindZones.Read(Time.time);
             UpdateSurroundings(live, Physics.gravity);
-            live.insect.Flyer?.Prepare(live, World, live.flight.wind, Physics.gravity, dt);
             int steps = math.clamp((int)math.ceil(dt / Clocks.FrameStep - 1e-3f), 1, Clocks.MostSteps);
             float length = math.min(dt / steps, Clocks.FrameStep);
+            live.insect.Flyer?.Prepare(live, World, live.flight.wind, Physics.gravity, length, steps);
             for (int step = 0; step < steps; step++)
                 World.StepNow(live.owner, length);
             m_Clocks.times[WingUpdateMode.Manual].moved = true;
@@ -215,7 +215,7 @@ namespace Alate
             foreach (InsectWings insect in m_Flying)
             {
                 if (insect.Live is { } live && insect.Flyer is { } flyer)
-                    flyer.Prepare(live, World, live.flight.wind, gravity, m_Clocks.times[live.Clock].length * m_Clocks.times[live.Clock].count);
+                    flyer.Prepare(live, World, live.flight.wind, gravity, m_Clocks.times[live.Clock].length, m_Clocks.times[live.Clock].count);
             }
         }
 

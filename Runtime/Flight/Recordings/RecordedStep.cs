@@ -1,0 +1,29 @@
+using Unity.Mathematics;
+
+namespace Alate.Flight
+{
+    /// <summary>One step of a recorded flight: what the insect met in it, and what its pilot asked for.</summary>
+    internal struct RecordedStep
+    {
+        /// <summary>Seconds of a step of the wings.</summary>
+        public float length;
+
+        /// <summary>Number of steps of the wings for which the command holds.</summary>
+        public int count;
+
+        /// <summary>Wanted velocity over ground, m/s along the world's axes.</summary>
+        public float3 velocity;
+
+        /// <summary>Wanted heading, radians; not a number follows the way.</summary>
+        public float heading;
+
+        /// <summary>Velocity of the air, m/s.</summary>
+        public float3 wind;
+
+        /// <summary>Gravity, m/s².</summary>
+        public float3 gravity;
+
+        /// <summary>Outer help, 0 to 1.</summary>
+        public float aid;
+    }
+}
