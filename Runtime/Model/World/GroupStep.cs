@@ -97,8 +97,9 @@ namespace Alate
             }
             else if (body.mode == BodyMode.Free && body.follows > 1)
             {
-                Glide(ref body, lists, phase + 0.5f * h * beat->rate[lane], beat->rate[lane], h);
+                // Before Glide, which forgets it: the lead may span two substeps, and a beat that was counted twice has not settled.
                 body.follows -= due && body.latched == 0 ? 1 : 0;
+                Glide(ref body, lists, phase + 0.5f * h * beat->rate[lane], beat->rate[lane], h);
                 body.latched = due ? 1 : 0;
             }
             else if (body.mode == BodyMode.Free)

@@ -147,8 +147,11 @@ namespace Alate.Tests.Play.Headless
         public void AShaderThatShowsNoBakedWings_IsNamed()
         {
             InsectWings insect = InsectFactory.Create("monarch");
+            Material material = Keep(new Material(Shader.Find("Standard")));
             try
             {
+                foreach (Renderer renderer in insect.GetComponentsInChildren<Renderer>())
+                    renderer.sharedMaterial = material;
                 InsectBake bake = InsectBaker.Bake(insect, new[] { BakeMotion.Find("rest") }, BakeSettings.Default);
 
                 Assert.That(() => BakedInsect.Create(bake), Throws.TypeOf<BakeException>().With.Message.Contains("the shader 'Standard', which cannot show baked wings: use Alate/Wing"));
