@@ -52,39 +52,26 @@ namespace Alate.Tests.Cli
             Assert.That(Number(chunks[4].Content, 0), Is.EqualTo(3));
             Assert.That(chunks.Where(chunk => chunk.Name is "fcTL" or "fdAT").Select(chunk => Number(chunk.Content, 0)), Is.EqualTo(new[] { 0, 1, 2, 3, 4 }));
             Assert.That(Encoding.UTF8.GetString(chunks[1].Content), Does.EndWith("a title"));
-            Assert.That(Played(chunks), Is.EqualTo(frames));
+            var played = new ApngPlayer(film);
+            Assert.That(played.Frames, Is.EqualTo(frames));
+            Assert.That(played.Delays, Is.All.EqualTo(1.0 / 24.0).Within(1e-9));
+            Assert.That((played.Width, played.Height, played.Repeats), Is.EqualTo((k_Width, k_Height, 0)));
         }
 
-        // As a viewer plays it: each frame's pixels over the picture so far, where they are not see-through.
-        private static List<Color32[]> Played(List<(string Name, byte[] Content)> chunks)
+        [TestCase(1)]
+        [TestCase(24)]
+        [TestCase(300)]
+        public void AFilmOnce_ShowsFramesThatCome_GoAndStay(int rate)
         {
-            byte[] palette = chunks.First(chunk => chunk.Name == "PLTE").Content;
-            var shown = new Color32[k_Width * k_Height];
-            var played = new List<Color32[]>();
-            for (int k = 0; k < chunks.Count; k++)
-            {
-                if (chunks[k].Name != "fcTL")
-                    continue;
-                int width = Number(chunks[k].Content, 4), height = Number(chunks[k].Content, 8), left = Number(chunks[k].Content, 12), top = Number(chunks[k].Content, 16);
-                Assert.That(BinaryPrimitives.ReadUInt16BigEndian(chunks[k].Content.AsSpan(22)), Is.EqualTo(24), "frames a second");
-                byte[] packed = chunks[k + 1].Content[(chunks[k + 1].Name == "fdAT" ? 4 : 0)..];
-                using var zlib = new ZLibStream(new MemoryStream(packed), CompressionMode.Decompress);
-                byte[] rows = new byte[height * (width + 1)];
-                zlib.ReadExactly(rows);
-                for (int y = 0; y < height; y++)
-                {
-                    for (int x = 0; x < width; x++)
-                    {
-                        int entry = rows[y * (width + 1) + 1 + x];
-                        if (entry > 0)
-                            shown[(top + y) * k_Width + left + x] = new Color32(palette[3 * entry], palette[3 * entry + 1], palette[3 * entry + 2], 255);
-                    }
-                }
+            // A spot that wanders over another and off the edge, a frame as the one before, and the first one again.
+            Color32 ground = new(250, 250, 250, 255), spot = new(200, 30, 0, 255), other = new(0, 60, 120, 255);
+            Color32[] At(int left, int top) => Picture((x, y) => x >= left && x < left + 5 && y >= top && y < top + 4 ? spot : x is > 10 and < 20 && y > 8 ? other : ground);
+            Color32[][] frames = [At(-9, 0), At(36, 20), At(12, 9), At(13, 10), At(13, 10), At(0, 0), At(-9, 0)];
+            var played = new ApngPlayer(IndexedPng.Write(k_Width, k_Height, frames, rate, false, []));
 
-                played.Add((Color32[])shown.Clone());
-            }
-
-            return played;
+            Assert.That(played.Frames, Is.EqualTo(frames));
+            Assert.That(played.Repeats, Is.EqualTo(1));
+            Assert.That(played.Delays, Is.All.EqualTo(1.0 / rate).Within(1e-9));
         }
 
         private static List<(string Name, byte[] Content)> Chunks(byte[] file)

@@ -69,6 +69,34 @@ namespace Alate.Tests.Views
         });
 
         [Test]
+        public void LiftAndDrag_AreThoseOfTheWings_UpAndAgainstTheWay_AndAHeadWindAddsToTheDrag() => Fly(async () =>
+        {
+            await using ViewClient page = await ViewClient.Open(Server);
+            var drags = new System.Collections.Generic.List<float>();
+            foreach (int wind in new[] { -2, 0, 4 })
+            {
+                await page.Say($"{{\"values\":{{\"slow\":1,\"speed\":2,\"wind\":{wind}}}}}");
+                await page.Read("settings");
+                for (int k = 0; k < 12; k++)
+                    await page.ReadState();
+                float drag = 0f;
+                for (int k = 0; k < 16; k++)
+                {
+                    ViewState state = await page.ReadState();
+                    float3 sum = state.Wings[0].Aggregate(float3.zero, (force, wing) => force + wing.Force);
+                    Assert.That(state.Lift[0], Is.EqualTo(sum.y).Within(1e-3f + 1e-3f * math.length(sum)), "weights, against gravity");
+                    Assert.That(state.Drag[0], Is.EqualTo(-sum.z).Within(1e-3f + 1e-3f * math.length(sum)), "weights, to the rear");
+                    drag += state.Drag[0] / 16f;
+                }
+
+                drags.Add(drag);
+            }
+
+            Assert.That(drags, Is.Ordered.Ascending, "from behind at the insect's own speed, none, from ahead");
+            Assert.That(drags[2], Is.GreaterThan(drags[0] + 0.1f));
+        });
+
+        [Test]
         public void Comparison_HasFourColumns_OfWhichTheRigidOneStretchesLeast() => Fly(async () =>
         {
             await using ViewClient page = await ViewClient.Open(Server);
