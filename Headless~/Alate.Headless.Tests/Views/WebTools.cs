@@ -40,6 +40,12 @@ namespace Alate.Tests.Views
         public static void NeedNode()
         {
             NeedThree();
+            NeedPlainNode();
+        }
+
+        /// <summary>Skips the test where Node is missing.</summary>
+        public static void NeedPlainNode()
+        {
             string path = Environment.GetEnvironmentVariable("PATH") ?? "";
             if (!path.Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, "node")) || File.Exists(Path.Combine(folder, "node.exe"))))
                 Assert.Ignore("node is not installed.");

@@ -1,0 +1,59 @@
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Alate.Tests.Cli;
+using NUnit.Framework;
+
+namespace Alate.Tests.Views;
+
+/// <summary>The scripts of the live view's page, run by Node with a state of the server: what they read, blend, colour and draw. Skipped where Node is missing.</summary>
+public sealed class PageScriptTests : ViewFixture
+{
+    [Test]
+    public void Scripts_ReadWhatTheServerSends_AndDrawLiftUpAndDragToTheRear()
+    {
+        WebTools.NeedPlainNode();
+        using var folder = new TemporaryFolder();
+        File.WriteAllText(folder.PathOf("package.json"), "{\"type\":\"module\"}");
+        Fly(async () =>
+        {
+            foreach (string script in new[] { "format.js", "overlays.js", "chart.js", "stage.js" })
+                File.WriteAllBytes(folder.PathOf(script), await Client.GetByteArrayAsync(script));
+            await using ViewClient page = await ViewClient.Open(Server);
+            await page.Say("{\"values\":{\"slow\":1}}");
+            await page.Read("settings");
+            for (int k = 0; k < 4; k++)
+                await page.ReadBinary();
+            byte[] state = await page.ReadBinary();
+            File.WriteAllBytes(folder.PathOf("state.bin"), state);
+            File.WriteAllText(folder.PathOf("state.json"), Told(new ViewState(state)));
+        });
+        (int code, string output) = WebTools.Run("page.mjs", folder.Root).GetAwaiter().GetResult();
+
+        Assert.That(code, Is.Zero, output);
+        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(6), output);
+    }
+
+    private static string Told(ViewState state) => JsonSerializer.Serialize(new
+    {
+        columns = state.Columns,
+        time = state.Time,
+        phase = 2.0 * System.Math.PI * (state.Beats[0] - System.Math.Floor(state.Beats[0])),
+        beats = System.Math.Floor(state.Beats[0]),
+        hertz = state.Hertz[0],
+        lift = state.Lift[0],
+        drag = state.Drag[0],
+        flap = state.Flap[0],
+        substeps = state.Substeps[0],
+        wings = state.Wings[0].Select(wing => new
+        {
+            reach = wing.Reach,
+            force = new[] { wing.Force.x, wing.Force.y, wing.Force.z },
+            joints = wing.Joints.SelectMany(joint => new[] { joint.x, joint.y, joint.z }),
+            loads = wing.Loads.SelectMany(load => new[] { load.x, load.y, load.z }),
+            places = wing.Places.SelectMany(place => new[] { place.x, place.y, place.z }),
+            stretch = wing.StretchPct,
+            attack = wing.Attack,
+        }),
+    });
+}

@@ -1,0 +1,152 @@
+// Tries the scripts of the live view's page without a browser, each by itself. Prints one line a case: "ok NAME" or "not ok NAME: reason".
+//   node page.mjs FOLDER      The folder holds the page's scripts, state.bin as a server sends it, and state.json as the tests read it.
+import { readFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { join } from 'node:path';
+
+const folder = process.argv[2], load = (name) => import(pathToFileURL(join(folder, name)).href);
+const bytes = readFileSync(join(folder, 'state.bin')), told = JSON.parse(readFileSync(join(folder, 'state.json'), 'utf8'));
+const { MAGIC, blend, colours, decode, floats, magicOf, wholes } = await load('format.js');
+const { Arrows, heat, ramps } = await load('overlays.js');
+const { Chart } = await load('chart.js');
+const buffer = () => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+
+function near(value, wanted, what, within = 1e-5) {
+  if (!(Math.abs(value - wanted) <= within * Math.max(1, Math.abs(wanted))))
+    throw new Error(`${what}: ${value}, not ${wanted}`);
+}
+
+function all(values, wanted, what, within) {
+  near(values.length, wanted.length, `${what}, length`);
+  wanted.forEach((value, k) => near(values[k], value, `${what} ${k}`, within));
+}
+
+const cases = {
+  decode() {
+    const state = decode(buffer()), [column] = state.columns;
+    near(magicOf(buffer()), MAGIC, 'magic');
+    near(magicOf(new ArrayBuffer(2)), 0, 'magic of two bytes');
+    near(state.columns.length, told.columns, 'columns');
+    near(state.time, told.time, 'time');
+    for (const name of ['phase', 'beats', 'hertz', 'lift', 'drag', 'flap', 'substeps'])
+      near(column[name], told[name], name);
+    near(column.wings.length, told.wings.length, 'wings');
+    told.wings.forEach((wing, w) => {
+      const read = column.wings[w];
+      near(read.reach, wing.reach, 'reach');
+      all(read.force, wing.force, 'force');
+      all(read.joints, wing.joints, 'joints');
+      all(read.loads, wing.loads, 'loads');
+      near(read.vertices, wing.stretch.length, 'vertices');
+      for (let k = 0; k < read.vertices; k++) {
+        near(ramps.strain.of(read.places[4 * k + 3]), wing.stretch[k], 'stretch, per cent');
+        near(ramps.attack.of(read.places[4 * k + 3]), wing.attack[k], 'attack, degrees');
+        for (let c = 0; c < 3; c++)
+          near(read.places[4 * k + c] / 32767 * read.reach, wing.places[3 * k + c], 'place, metres', 1e-6);
+      }
+    });
+  },
+
+  blend() {
+    const wing = (x) => ({ reach: 2, force: [x, 2 * x, 0], joints: Float32Array.of(x, 0), loads: Float32Array.of(-x), places: Int16Array.of(100 * x, 0, 0, 7 * x), normals: Int8Array.of(0, 10 * x, 0, 0) });
+    const at = (x) => ({ time: x, columns: [{ phase: x, lift: x, drag: 10 * x, flap: -x, wings: [wing(x)] }] });
+    const [column] = blend(at(1), at(3), 0.25).columns, [between] = column.wings;
+    all([column.lift, column.drag, column.flap, column.phase], [1.5, 15, -1.5, 1], 'column');
+    all([...between.force, between.joints[0], between.loads[0], between.places[0], between.normals[1]], [1.5, 3, 0, 1.5, -1.5, 150, 15], 'wing');
+    near(between.places[3], 7, 'packed numbers are those of the earlier state');
+  },
+
+  texts() {
+    const text = (values) => Buffer.from(values.buffer).toString('base64');
+    all(floats(text(Float32Array.of(1.5, -2))), [1.5, -2], 'floats');
+    all(wholes(text(Uint32Array.of(70000, 3))), [70000, 3], 'whole numbers');
+    // Encoded again as sRGB they are the bytes; opacity is none of them.
+    const linear = colours(text(Uint8Array.of(255, 0, 128, 51, 5, 60, 200, 255)));
+    const encoded = [...linear].map((value, k) => 255 * (k % 4 === 3 ? value : value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
+    all(encoded, [255, 0, 128, 51, 5, 60, 200, 255], 'colours', 1e-3);
+  },
+
+  ramps() {
+    const colour = new Float32Array(4), of = (ramp, value) => (heat(ramp, value, colour, 0), [...colour].slice(0, 3));
+    for (const ramp of Object.values(ramps)) {
+      all(of(ramp, ramp.low), ramp.light[0], 'low end');
+      all(of(ramp, ramp.high), ramp.light.at(-1), 'high end');
+      all(of(ramp, ramp.low - 5), ramp.light[0], 'below');
+      all(of(ramp, 9 * ramp.high), ramp.light.at(-1), 'above');
+      all(of(ramp, (ramp.low + ramp.high) / 8 + ramp.low * 0.75), ramp.light[0].map((value, c) => (value + ramp.light[1][c]) / 2), 'an eighth of the way');
+    }
+  },
+
+  chart() {
+    const drawn = [], pen = new Proxy({}, { get: (made, name) => made[name] ?? ((...values) => drawn.push([name, made.strokeStyle, ...values])), set: (made, name, value) => (made[name] = value, true) });
+    globalThis.devicePixelRatio = 1;
+    globalThis.document = { documentElement: {} };
+    globalThis.getComputedStyle = () => ({ getPropertyValue: (name) => name });
+    const chart = new Chart({ clientWidth: 200, clientHeight: 100, width: 0, height: 0, getContext: () => pen });
+    for (let k = 0; k <= 50; k++)
+      chart.add({ beats: Math.floor(k / 10), phase: k % 10 / 10 * 2 * Math.PI, lift: 1 + k / 50, drag: -0.5 });
+    near(chart.points.length, 31, 'three beats are kept');
+    near(chart.points.at(-1).at, 5, 'beats');
+    chart.draw();
+    const line = (name) => drawn.filter(([what, style]) => (what === 'lineTo' || what === 'moveTo') && style === `--${name}`).map(([, , x, y]) => [x, y]);
+    const lift = line('lift'), drag = line('drag');
+    near(lift.length, 31, 'lift is drawn');
+    if (!(lift.at(-1)[1] < lift[0][1] && lift[0][1] < drag[0][1]))
+      throw new Error('more lift lies higher, and the drag below');
+    if (!(lift[0][0] < lift.at(-1)[0]))
+      throw new Error('time goes to the right');
+    near(lift.at(-1)[1], 6, 'two weights at the top of a chart from -1 to 2');
+    near(drag[0][1], 6 + 88 * 2.5 / 3, 'and minus a half above its bottom');
+    chart.add({ beats: 0, phase: 0, lift: 0, drag: 0 });
+    near(chart.points.length, 1, 'a flight that begins again begins a chart');
+  },
+
+  async arrows() {
+    const three = fake(), made = [];
+    const { Stage } = await load('stage.js');
+    const force = () => ({ object: {}, update() {}, set(...values) { made.push(values); } });
+    const stage = Object.create(Stage.prototype);
+    Object.assign(stage, { three, shown: { forces: true }, reach: 2 });
+    const column = { skeleton: { geometry: { getAttribute: () => ({ array: [] }) } }, wings: [], loads: force(), forces: [force(), force()] };
+    stage.pose(column, { lift: 1.25, drag: 0.5, wings: [] });
+    all(made[0], [0, 0, 0, 0, 0, 1.25, 0, 0.7], 'lift goes up');
+    all(made[1], [0, 0, 0, 0, 0, 0, -0.5, 0.7], 'drag goes to the rear');
+    const placed = [];
+    const arrows = new Arrows(three, 1, 0, 0.1);
+    arrows.shafts.setMatrixAt = (k, values) => placed.push(values);
+    arrows.heads.setMatrixAt = (k, values) => placed.push(values);
+    arrows.set(0, 1, 2, 3, 0, 0, -4, 0.5);
+    all(placed[0].from, [1, 2, 3], 'the shaft begins where it is told');
+    near(placed[0].scale[1], 1.9, 'and is as long as the arrow but for half a head');
+    all(placed[1].from, [1, 2, 3 - 1.84], 'the head ends where the arrow does');
+    all(placed[1].along, [0, 0, -1], 'along the force');
+  },
+};
+
+// As much of three.js as arrows need: what is composed is kept as it is.
+function fake() {
+  class Vector3 {
+    constructor(x = 0, y = 0, z = 0) { this.set(x, y, z); }
+    set(x, y, z) { return Object.assign(this, { x, y, z }); }
+    setScalar(s) { return this.set(s, s, s); }
+    normalize() { const l = Math.hypot(this.x, this.y, this.z) || 1; return this.set(this.x / l, this.y / l, this.z / l); }
+    addScaledVector(v, s) { return this.set(this.x + s * v.x, this.y + s * v.y, this.z + s * v.z); }
+    get array() { return [this.x, this.y, this.z]; }
+  }
+  class Quaternion { setFromUnitVectors(a, b) { return Object.assign(this, { to: b.array }); } }
+  class Matrix4 { compose(from, turn, scale) { return { from: from.array, along: turn.to, scale: scale.array }; } }
+  class Geometry { translate() { return this; } }
+  class Plain { add() {} }
+  class Instanced { constructor() { this.instanceMatrix = {}; } }
+  return { Vector3, Quaternion, Matrix4, CylinderGeometry: Geometry, ConeGeometry: Geometry, Group: Plain, MeshBasicMaterial: Plain, InstancedMesh: Instanced };
+}
+
+for (const [name, run] of Object.entries(cases)) {
+  try {
+    await run();
+    console.log(`ok ${name}`);
+  } catch (problem) {
+    console.log(`not ok ${name}: ${problem.message}`);
+    process.exitCode = 1;
+  }
+}
