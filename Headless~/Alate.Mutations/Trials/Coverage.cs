@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading.Tasks;
+
+namespace Alate.Mutations.Trials;
+
+/// <summary>Which test meets which mutants, and how long it computes: one run of all tests with no mutant alive.</summary>
+internal sealed class Coverage
+{
+    /// <summary>Tests that compute longer than this are run behind the others of their class, seconds.</summary>
+    private const double k_Slow = 0.5;
+
+    private readonly List<TestClass> m_Classes = [];
+
+    /// <summary>Tests that fail with no mutant alive; no mutant is tried on them.</summary>
+    public HashSet<string> Failing { get; } = [];
+
+    public int Tests => m_Classes.Sum(one => one.Tests.Count);
+
+    public double Seconds => m_Classes.Sum(one => one.SetUp + one.Tests.Values.Sum(test => test.Seconds));
+
+    /// <summary>Runs the tests of assemblies, in two processes.</summary>
+    public static Coverage Record(string[] assemblies, Func<WorkerProcess> worker)
+    {
+        var coverage = new Coverage();
+        List<TestGroup> groups = assemblies
+            .SelectMany(assembly => worker().Classes(assembly).Select(type => new TestGroup(assembly, type, null))).ToList();
+        Parallel.For(0, 2, half =>
+        {
+            List<TestGroup> own = groups.Where((_, i) => i % 2 == half).ToList();
+            if (own.Count == 0)
+                return;
+            WorkerProcess process = worker();
+            List<TestReport> reports = process.Run(own, null, 0, true);
+            if (process.Ended != null)
+            {
+                string type = own[reports.LastOrDefault()?.Group ?? 0].Type;
+                throw new InvalidOperationException($"The tests did not come to their end: {process.Ended}, in {type}.");
+            }
+
+            lock (coverage)
+                coverage.Add(own, reports);
+        });
+        return coverage;
+    }
+
+    /// <summary>Groups of the tests that meet a mutant and the processor time of each, quickest first.</summary>
+    public List<(TestGroup Group, double Seconds)> Reaching(int mutant)
+    {
+        var groups = new List<(TestGroup, double)>();
+        foreach (TestClass one in m_Classes)
+        {
+            var tests = one.Tests.Where(test => !Failing.Contains(test.Key))
+                .Where(test => one.Always.Contains(mutant) || test.Value.Hits.Contains(mutant)).ToList();
+            foreach (var part in tests.GroupBy(test => test.Value.Seconds > k_Slow))
+            {
+                var group = new TestGroup(one.Assembly, one.Type, part.Select(test => test.Key).ToList());
+                groups.Add((group, one.SetUp + part.Sum(test => test.Value.Seconds)));
+            }
+        }
+
+        return groups.OrderBy(group => group.Item2).ToList();
+    }
+
+    private void Add(List<TestGroup> groups, List<TestReport> reports)
+    {
+        foreach (IGrouping<int, TestReport> group in reports.GroupBy(report => report.Group))
+        {
+            var one = new TestClass(groups[group.Key].Assembly, groups[group.Key].Type);
+            m_Classes.Add(one);
+            foreach (TestReport report in group)
+            {
+                if (report.Failed)
+                    Failing.Add(report.Name);
+                if (report.Event == TestReport.SetUp)
+                {
+                    one.SetUp += report.Seconds;
+                    one.Always.UnionWith(report.Hits);
+                }
+                else if (report.Event == TestReport.Test)
+                {
+                    one.Tests[report.Name] = (report.Seconds, report.Hits.ToHashSet());
+                }
+            }
+        }
+    }
+
+    private sealed record TestClass(string Assembly, string Type)
+    {
+        /// <summary>Processor time of what runs before the tests.</summary>
+        public double SetUp { get; set; }
+
+        /// <summary>Mutants that the set-up meets: all tests stand on it.</summary>
+        public HashSet<int> Always { get; } = [];
+
+        public Dictionary<string, (double Seconds, HashSet<int> Hits)> Tests { get; } = [];
+    }
+}

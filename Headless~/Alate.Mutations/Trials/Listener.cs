@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using Alate.Mutations.Sources;
+using NUnit.Framework.Interfaces;
+
+namespace Alate.Mutations.Trials;
+
+/// <summary>Reports each test that has ended, its time and the mutants it met; and what comes before a test: its class's set-up.</summary>
+internal sealed class Listener(int group, bool records, Action<TestReport> report) : ITestListener
+{
+    private double m_Before = Now;
+
+    public Action Stop { get; set; }
+
+    public bool HasFailed { get; private set; }
+
+    private static double Now => Process.GetCurrentProcess().TotalProcessorTime.TotalSeconds;
+
+    public void TestStarted(ITest test)
+    {
+        if (!test.IsSuite)
+            Report(TestReport.SetUp, test.FullName, null);
+    }
+
+    public void TestFinished(ITestResult result)
+    {
+        // A suite fails with its tests; what is left is its own set-up or tear-down.
+        bool own = !result.Test.IsSuite || result.ResultState.Site is FailureSite.SetUp or FailureSite.TearDown;
+        if (!own)
+            return;
+        bool failed = result.ResultState.Status == TestStatus.Failed;
+        if (result.Test.IsSuite && !failed)
+            return;
+        Report(TestReport.Test, result.Test.FullName, failed ? FirstLine(result.Message) : null);
+        if (!failed)
+            return;
+        HasFailed = true;
+        Stop?.Invoke();
+    }
+
+    public void TestOutput(TestOutput output)
+    {
+    }
+
+    public void SendMessage(TestMessage message)
+    {
+    }
+
+    private void Report(string what, string name, string failure)
+    {
+        double now = Now;
+        report(new TestReport
+        {
+            Event = what,
+            Group = group,
+            Name = name,
+            Failed = failure != null,
+            Message = failure,
+            Seconds = now - m_Before,
+            Hits = records ? TakeHits().ToArray() : null,
+        });
+        m_Before = now;
+    }
+
+    private static string FirstLine(string message) => (message ?? "").Trim().Split('\n')[0];
+
+    /// <summary>Numbers of the mutants met since the last time, here and in processes that have ended.</summary>
+    private static SortedSet<int> TakeHits()
+    {
+        var hits = new SortedSet<int>();
+        foreach (Assembly assembly in AppDomain.CurrentDomain.GetAssemblies())
+        {
+            string name = assembly.GetName().Name;
+            if (!name.StartsWith("Alate", StringComparison.Ordinal))
+                continue;
+            if (assembly.GetType(MutantSwitch.Name(name))?.GetField("Hits")?.GetValue(null) is not byte[] met)
+                continue;
+            for (int i = 0; i < met.Length; i++)
+            {
+                if (met[i] != 0)
+                    hits.Add(i);
+                met[i] = 0;
+            }
+        }
+
+        string file = Environment.GetEnvironmentVariable(MutantSwitch.HitsVariable);
+        if (File.Exists(file))
+        {
+            hits.UnionWith(File.ReadLines(file).Select(int.Parse));
+            File.Delete(file);
+        }
+
+        return hits;
+    }
+}
