@@ -10,6 +10,9 @@ namespace Alate.Flight
         /// <summary>Turn within a step that contacts may cause, degrees.</summary>
         private const float k_MostPushed = 60f;
 
+        /// <summary>Most world units of a metre: an insect that is drawn larger has no size.</summary>
+        private const float k_MostUnits = 1e6f;
+
         private InsectWings m_Wings;
         private Link m_Link;
         private CarriedRigidbody m_Carried;
@@ -25,14 +28,19 @@ namespace Alate.Flight
         private Vector3 m_ShownPosition;
         private Quaternion m_ShownRotation, m_FromRotation;
         private Vector3 m_From;
+        private GuardedVector m_Wanted;
 
         private void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float length, int count)
         {
             if (!IsAttached(live, world))
                 return;
+            if (IsLost(world.Body(m_Body)) && !StartAgain(live, world))
+                return;
             ref FlyingBody body = ref world.Body(m_Body);
             PlacedWing placed = live.wings[0].placed;
-            if (!placed.isValid)
+            float metres = live.insect.MotionSettings.metresPerUnit;
+            float units = metres > 0f ? 1f / metres : placed.length / live.wings[0].values.size.wingLength;
+            if (!placed.isValid || !(units <= k_MostUnits))
             {
                 // Without a size it stays where it is.
                 body.position = body.positionRest = default;
@@ -44,7 +52,7 @@ namespace Alate.Flight
             if (IsRecording && live.Detail != WingDetail.Full)
                 m_Recorder.End($"the wings were computed as {live.Detail}, not in full");
             FlightState before = State;
-            m_Units = live.insect.MotionSettings.metresPerUnit > 0f ? 1f / live.insect.MotionSettings.metresPerUnit : placed.length / live.wings[0].values.size.wingLength;
+            m_Units = units;
             TakeOver(ref body, dt);
             body.wind = wind / m_Units;
             body.weight = gravity * m_Model.GravityShare;
@@ -92,6 +100,13 @@ namespace Alate.Flight
         private float TakeOverPushes(ref FlyingBody body, Vector3 moved)
         {
             Vector3 before = m_ShownPosition, position = m_Carried.Position;
+            if (!m_Carried.IsSound)
+            {
+                // Nobody's push, nor a place: the body goes on as its wings carry it.
+                m_Carried.Place(before, m_ShownRotation);
+                return;
+            }
+
             float turn = Quaternion.Angle(Quaternion.identity, m_Carried.Turned);
             bool jumped = (position - before).magnitude > m_Model.Length * m_Units;
             if (turn > k_MostPushed || m_Perching.Holds && jumped)
@@ -138,7 +153,10 @@ namespace Alate.Flight
             // The pilot may have switched the insect off.
             if (m_World == null)
                 return;
-            bool sits = command.wish == FlightWish.Perch && command.spot.IsFinite;
+            command.velocity = m_Wanted.Take(command.velocity, float.MaxValue, "a wanted velocity", "m/s", this);
+            if (!OuterBounds.Hold(command.heading, OuterBounds.Turning))
+                command.heading = float.NaN;
+            bool sits = command.wish == FlightWish.Perch && command.spot.IsPossible && math.isfinite(command.spot.heading);
             if (sits && !m_Perching.Holds)
                 Perch(ref body, command.spot);
             if (m_Perching.Holds)
@@ -226,6 +244,8 @@ namespace Alate.Flight
             if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)
                 return;
             ref FlyingBody body = ref world.Body(m_Body);
+            if (IsLost(body))
+                return;
             Quaternion rotation = math.slerp((quaternion)m_FromRotation, body.rotation, math.saturate(alpha));
             Show(rotation, m_From + (Vector3)(body.position * (m_Units * math.saturate(alpha))));
         }

@@ -8,8 +8,16 @@ namespace Alate.Flight
     /// <summary>Start and end of a flight.</summary>
     public sealed partial class InsectFlight
     {
+        /// <summary>
+        /// Fastest motion and turning of a body that is not lost, m/s and rad/s: what the bounds of the air and of bodies allow, and as much
+        /// again.
+        /// </summary>
+        private const float k_Fastest = 2f * OuterBounds.Speed, k_MostSpin = 2f * OuterBounds.Turning;
+
         private Start m_Start;
         private int m_Presets;
+        private Vector3 m_Home;
+        private bool m_IsLossTold;
 
         // A start that failed is tried again when something has changed, not in every step.
         private bool IsAttached(LiveInsect live, WingWorld world)
@@ -66,6 +74,7 @@ namespace Alate.Flight
                 body.reference.heading = heading;
                 State = FlightState.Flying;
                 m_Perching = default;
+                m_Home = transform.position;
             }
 
             m_Body = world.AddBody(body);
@@ -85,6 +94,30 @@ namespace Alate.Flight
             m_From = transform.position + (Vector3)math.rotate(transform.rotation, m_Model.Centre * m_Units);
             Show(placed.rotation, m_From);
             return true;
+        }
+
+        private bool IsLost(in FlyingBody body)
+        {
+            bool moves = OuterBounds.Hold(body.velocity, k_Fastest) && OuterBounds.Hold(body.spin, k_MostSpin);
+            bool isSomewhere = OuterBounds.Hold(body.position * m_Units + (float3)m_From, OuterBounds.Distance);
+            return !moves || !isSomewhere || !(math.abs(math.lengthsq(body.rotation.value) - 1f) < 0.1f);
+        }
+
+        // What the steps made of the body is gone: it hovers where it was last, or where it began if that is nowhere either.
+        private bool StartAgain(LiveInsect live, WingWorld world)
+        {
+            bool isKnown = OuterBounds.Hold(m_ShownPosition, OuterBounds.Distance) && OuterBounds.Hold(m_From, OuterBounds.Distance);
+            Vector3 place = isKnown ? m_ShownPosition : OuterBounds.Hold(m_Home, OuterBounds.Distance) ? m_Home : Vector3.zero;
+            float heading = Headings.Of(m_ShownRotation);
+            if (!m_IsLossTold)
+                Debug.LogWarning($"'{name}' was lost: its motion was no number, or beyond any insect's. It starts again at {place}.", this);
+            m_IsLossTold = true;
+            m_Carried?.Place(place, Quaternion.identity);
+            Detach();
+            transform.SetPositionAndRotation(place, quaternion.AxisAngle(new float3(0f, 1f, 0f), math.isfinite(heading) ? heading : 0f));
+            foreach (LiveWing wing in live.wings)
+                wing.Place();
+            return Attach(live, world);
         }
 
         private void StartBeat(LiveInsect live, WingWorld world, in BodyReference reference)

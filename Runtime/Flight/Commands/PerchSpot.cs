@@ -14,7 +14,8 @@ namespace Alate.Flight
         /// <summary>Direction in which the insect looks, radians about the world's up.</summary>
         public float heading;
 
-        /// <summary>True where there is such a place.</summary>
-        internal readonly bool IsFinite => math.all(math.isfinite(position)) && math.all(math.isfinite(normal)) && math.isfinite(heading);
+        /// <summary>True where there can be such a place.</summary>
+        internal readonly bool IsPossible =>
+            OuterBounds.Hold(position, OuterBounds.Distance) && OuterBounds.Hold(normal, OuterBounds.Distance);
     }
 }

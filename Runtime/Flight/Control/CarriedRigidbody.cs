@@ -48,8 +48,20 @@ namespace Alate.Flight
         /// <summary>Change of turning that the body was not given, rad/s about the world's axes.</summary>
         public Vector3 Spun => m_IsGiven && !m_Body.isKinematic ? m_Body.angularVelocity - m_Turning : Vector3.zero;
 
+        /// <summary>False where others have given the body a place or a motion that no body has.</summary>
+        public bool IsSound => OuterBounds.Hold(Position, OuterBounds.Distance) && OuterBounds.Hold(Pushed, OuterBounds.Distance)
+            && OuterBounds.Hold(Spun, OuterBounds.Turning) && math.all(math.isfinite(((quaternion)Rotation).value));
+
         // The property has another name in Unity 6.
         private Vector3 Velocity => m_Body.GetPointVelocity(m_Body.worldCenterOfMass);
+
+        /// <summary>Puts the body into a pose at once.</summary>
+        public void Place(Vector3 position, Quaternion rotation)
+        {
+            m_Body.position = position;
+            m_Body.rotation = rotation;
+            m_Body.angularVelocity = Vector3.zero;
+        }
 
         /// <summary>Sends the body to a pose, where the physics step takes it.</summary>
         public void Move(Vector3 position, Quaternion rotation, float dt)

@@ -103,8 +103,9 @@ namespace Alate.Flight
         /// <returns>What the bodies' feedback follows within the step.</returns>
         internal BodyReference Step(float3 wanted, float heading, float3 wind, float3 error, TrimTable table, float dt)
         {
-            if (!math.all(math.isfinite(wanted)))
-                wanted = default;
+            // Squares of larger ones overflow; what is no number hovers.
+            float largest = math.cmax(math.abs(wanted));
+            wanted = math.all(math.isfinite(wanted)) ? wanted * math.min(1f, OuterBounds.Speed / math.max(largest, 1f)) : default;
             FlightLimits limits = table.Limits;
             m_Cruising = math.min(k_Cruising, k_CruisingShare * limits.TopSpeed);
             Wind += (1f - math.exp(-dt / k_WindFilter)) * (wind - Wind);

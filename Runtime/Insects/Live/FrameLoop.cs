@@ -16,6 +16,7 @@ namespace Alate
         private readonly WindZones m_WindZones = new WindZones();
         private readonly Viewers m_Viewers = new Viewers();
         private readonly Clocks m_Clocks = new Clocks();
+        private GuardedVector m_Gravity;
         private long m_StepsTold;
 
         public FrameLoop()
@@ -105,10 +106,11 @@ namespace Alate
             live.Pace(World, WingDetail.Full, false, m_Clocks);
             SampleMotion(live, dt);
             m_WindZones.Read(Time.time);
-            UpdateSurroundings(live, Physics.gravity);
+            float3 gravity = Gravity();
+            UpdateSurroundings(live, gravity);
             int steps = math.clamp((int)math.ceil(dt / Clocks.FrameStep - 1e-3f), 1, Clocks.MostSteps);
             float length = math.min(dt / steps, Clocks.FrameStep);
-            live.insect.Flyer?.Prepare(live, World, live.flight.wind, Physics.gravity, length, steps);
+            live.insect.Flyer?.Prepare(live, World, live.flight.wind, gravity, length, steps);
             for (int step = 0; step < steps; step++)
                 World.StepNow(live.owner, length);
             m_Clocks.times[WingUpdateMode.Manual].moved = true;
@@ -181,7 +183,7 @@ namespace Alate
             using (SystemMarkers.surroundings.Auto())
             {
                 m_WindZones.Read(Time.time);
-                float3 gravity = Physics.gravity;
+                float3 gravity = Gravity();
                 foreach (LiveInsect live in Insects)
                 {
                     if (Clocks.Advances(physics, live.Clock) && (live.Detail != WingDetail.Frozen || live.insect.Flyer != null))
@@ -203,7 +205,7 @@ namespace Alate
 
         private void PrepareFlights(bool physics)
         {
-            float3 gravity = Physics.gravity;
+            float3 gravity = Gravity();
             m_Flying.Clear();
             foreach (LiveInsect live in Insects)
             {
@@ -218,6 +220,8 @@ namespace Alate
                     flyer.Prepare(live, World, live.flight.wind, gravity, m_Clocks.times[live.Clock].length, m_Clocks.times[live.Clock].count);
             }
         }
+
+        private float3 Gravity() => m_Gravity.Take(Physics.gravity, OuterBounds.Gravity, "a gravity (Physics.gravity)", "m/s²", null);
 
         private void Schedule()
         {

@@ -32,6 +32,7 @@ namespace Alate
         public int beats;
 
         private PackKey m_PackKey;
+        private GuardedVector m_Wind, m_Velocity, m_Turning;
         private bool m_Resting, m_Seen, m_Skinned = true;
         private double m_RestingSince, m_AsleepSince;
 
@@ -53,6 +54,20 @@ namespace Alate
 
         /// <summary>Factor on the amplitudes: 0 while the wings come to rest.</summary>
         private float Fade => m_Resting ? 0f : 1f;
+
+        // Largest speed, world units per second.
+        private float MostSpeed
+        {
+            get
+            {
+                float metres = insect.MotionSettings.metresPerUnit;
+                if (metres > 0f)
+                    return OuterBounds.Speed / metres;
+                LiveWing wing = wings[0];
+                bool hasSize = wing.placed.isValid && wing.values != null;
+                return hasSize ? OuterBounds.Speed * wing.placed.length / wing.values.size.wingLength : OuterBounds.Speed;
+            }
+        }
 
         /// <summary>Number of vertices of the drawn meshes.</summary>
         public int VertexCount => meshes.Sum(mesh => mesh.template.VertexCount);
@@ -113,7 +128,7 @@ namespace Alate
             InsectMotion settings = insect.MotionSettings;
             float length = wings[0].placed.isValid ? wings[0].placed.length : 1f;
             bool heeded = settings.onTeleport != TeleportResponse.Ignore;
-            float distance = heeded ? settings.teleportDistance * length : float.PositiveInfinity;
+            float distance = heeded ? settings.teleportDistance * length : MostSpeed * dt;
             float angle = heeded && settings.teleportAngle < 180f ? settings.teleportAngle : float.PositiveInfinity;
             return motion.Sample(root.position, root.rotation, dt, length, distance, angle);
         }
@@ -126,21 +141,23 @@ namespace Alate
             InsectMotion settings = insect.MotionSettings;
             flight.position = root.position;
             flight.forward = root.forward;
-            flight.wind = (float3)insect.Air.wind + zoneWind;
             flight.gravity = gravity;
             flight.metresPerUnit = settings.metresPerUnit;
-            flight.velocity = motion.Velocity;
-            flight.angularVelocity = motion.AngularVelocity;
+            flight.wind = m_Wind.Take((float3)insect.Air.wind + zoneWind, MostSpeed, "a wind", "world units/s", insect);
+            float3 velocity = motion.Velocity, turning = motion.AngularVelocity;
             if (settings.source == VelocitySource.Script)
             {
-                flight.velocity = insect.Velocity;
-                flight.angularVelocity = insect.AngularVelocity;
+                velocity = insect.Velocity;
+                turning = insect.AngularVelocity;
             }
             else if (settings.source == VelocitySource.Rigidbody && insect.Body is { } body && body != null)
             {
-                flight.velocity = body.GetPointVelocity(flight.position);
-                flight.angularVelocity = body.angularVelocity;
+                velocity = body.GetPointVelocity(flight.position);
+                turning = body.angularVelocity;
             }
+
+            flight.velocity = m_Velocity.Take(velocity, MostSpeed, "a velocity", "world units/s", insect);
+            flight.angularVelocity = m_Turning.Take(turning, OuterBounds.Turning, "an angular velocity", "rad/s", insect);
         }
 
         /// <summary>Writes the surroundings of the wings.</summary>

@@ -16,7 +16,11 @@ namespace Alate
         /// <summary>Time between searches for zones, seconds.</summary>
         private const double k_Pause = 1.0;
 
+        /// <summary>Largest number of a zone, in its own units: one beyond it is refused.</summary>
+        private const float k_Most = 1e6f;
+
         private readonly List<WindZone> m_Zones = new List<WindZone>();
+        private readonly Dictionary<WindZone, Known> m_Known = new Dictionary<WindZone, Known>();
         private readonly List<Zone> m_Blowing = new List<Zone>();
         private bool m_IsKnown, m_MayHaveChanged;
         private double m_Found;
@@ -36,9 +40,30 @@ namespace Alate
             m_Blowing.Clear();
             foreach (WindZone zone in m_Zones)
             {
-                if (zone != null && zone.gameObject.activeInHierarchy)
-                    m_Blowing.Add(new Zone(zone, time));
+                if (zone != null && zone.gameObject.activeInHierarchy && Numbers(zone, out float4 numbers))
+                    m_Blowing.Add(new Zone(zone, numbers, time));
             }
+        }
+
+        // Main wind, magnitude and frequency of the pulse, turbulence; the last good ones where they are not possible.
+        private bool Numbers(WindZone zone, out float4 numbers)
+        {
+            Known known = m_Known[zone];
+            var read = new float4(zone.windMain, zone.windPulseMagnitude, zone.windPulseFrequency, zone.windTurbulence);
+            if (math.all(math.abs(read) <= k_Most) && math.isfinite(zone.radius))
+            {
+                known.numbers = read;
+                known.isGood = true;
+            }
+            else if (!known.isTold)
+            {
+                known.isTold = true;
+                string what = $"main wind {read.x}, pulse {read.y} at {read.z} Hz, turbulence {read.w}, radius {zone.radius}";
+                Debug.LogWarning($"'{zone.name}': a wind zone of {what} is refused, the last good one counts: all must be at most {k_Most}.", zone);
+            }
+
+            numbers = known.numbers;
+            return known.isGood;
         }
 
         /// <summary>Wind at a place, as last read, world units per second.</summary>
@@ -59,9 +84,19 @@ namespace Alate
             m_Zones.Clear();
             foreach (WindZone zone in Resources.FindObjectsOfTypeAll<WindZone>())
             {
-                if (zone.gameObject.scene.IsValid())
-                    m_Zones.Add(zone);
+                if (!zone.gameObject.scene.IsValid())
+                    continue;
+                m_Zones.Add(zone);
+                if (!m_Known.ContainsKey(zone))
+                    m_Known.Add(zone, new Known());
             }
+        }
+
+        /// <summary>Last good numbers of a zone.</summary>
+        private sealed class Known
+        {
+            public float4 numbers;
+            public bool isGood, isTold;
         }
 
         private readonly struct Zone
@@ -72,15 +107,15 @@ namespace Alate
             // 0 for one that blows everywhere in one direction.
             private readonly float m_Radius;
 
-            public Zone(WindZone zone, float time)
+            public Zone(WindZone zone, float4 numbers, float time)
             {
                 Transform transform = zone.transform;
                 m_Position = transform.position;
                 m_Direction = transform.forward;
                 m_Radius = zone.mode == WindZoneMode.Spherical ? math.max(zone.radius, 1e-6f) : 0f;
-                m_Main = zone.windMain;
-                m_Steady = 1f + zone.windPulseMagnitude * math.sin(2f * math.PI * zone.windPulseFrequency * time);
-                m_Turbulence = k_TurbulenceShare * zone.windTurbulence;
+                m_Main = numbers.x;
+                m_Steady = 1f + numbers.y * math.sin(2f * math.PI * numbers.z * time);
+                m_Turbulence = k_TurbulenceShare * numbers.w;
                 m_GustTime = k_TurbulenceRate * time;
             }
 

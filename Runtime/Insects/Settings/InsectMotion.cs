@@ -8,6 +8,7 @@ namespace Alate
     [Serializable]
     public struct InsectMotion
     {
+        private const float k_LeastMetres = 1e-6f, k_MostMetres = 1000f;
         private const float k_LeastDistance = 1f, k_MostDistance = 10000f, k_LeastAngle = 10f, k_MostAngle = 180f;
 
         /// <summary>Source of the velocity.</summary>
@@ -19,7 +20,8 @@ namespace Alate
         public Rigidbody body;
 
         /// <summary>
-        /// Metres of real flight that one world unit stands for, 0 to 1000; 0 takes the wing's own size in the scene for life size.
+        /// Metres of real flight that one world unit stands for, 0 to 1000; 0, or less than a millionth, takes the wing's own size in the scene
+        /// for life size.
         /// </summary>
         [Tooltip("Metres of real flight that one world unit stands for, 0 to 1000. 0: an insect drawn ten times life size that moves 10 units a second flies at 1 m/s. 1: units are metres, whatever the insect's size.")]
         public float metresPerUnit;
@@ -47,7 +49,8 @@ namespace Alate
         {
             InsectMotion clamped = this;
             InsectMotion usual = Default;
-            clamped.metresPerUnit = math.isfinite(metresPerUnit) ? math.clamp(metresPerUnit, 0f, 1000f) : usual.metresPerUnit;
+            bool isScale = math.isfinite(metresPerUnit) && metresPerUnit >= k_LeastMetres;
+            clamped.metresPerUnit = isScale ? math.min(metresPerUnit, k_MostMetres) : usual.metresPerUnit;
             clamped.teleportDistance = math.isfinite(teleportDistance) ? math.clamp(teleportDistance, k_LeastDistance, k_MostDistance) : usual.teleportDistance;
             clamped.teleportAngle = math.isfinite(teleportAngle) ? math.clamp(teleportAngle, k_LeastAngle, k_MostAngle) : usual.teleportAngle;
             return clamped;

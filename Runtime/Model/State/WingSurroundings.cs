@@ -35,8 +35,22 @@ namespace Alate
         public float angleOfAttack;
 
         /// <summary>True when every component is finite.</summary>
-        public bool IsFinite =>
+        public readonly bool IsFinite =>
             math.all(math.isfinite(wind)) && math.all(math.isfinite(gravity)) && math.all(math.isfinite(angularVelocity))
             && math.all(math.isfinite(hinge)) && math.isfinite(speed) && math.isfinite(angleOfAttack);
+
+        /// <summary>Finds the first value that is not finite; null where there is none.</summary>
+        internal readonly string FindProblem()
+        {
+            if (IsFinite)
+                return null;
+            return Problem(nameof(wind), wind) ?? Problem(nameof(gravity), gravity) ?? Problem(nameof(angularVelocity), angularVelocity)
+                ?? Problem(nameof(hinge), hinge) ?? Problem(nameof(speed), speed) ?? Problem(nameof(angleOfAttack), angleOfAttack);
+        }
+
+        private static string Problem(string name, float3 value) =>
+            math.all(math.isfinite(value)) ? null : $"{name} is ({value.x}, {value.y}, {value.z}); it must be finite.";
+
+        private static string Problem(string name, float value) => math.isfinite(value) ? null : $"{name} is {value}; it must be finite.";
     }
 }

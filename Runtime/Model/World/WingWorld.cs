@@ -147,11 +147,11 @@ namespace Alate
         /// Advances a wing's beat by a time in which it was not stepped, seconds: in phase with the stepped wings, in the driven pose,
         /// without a kick.
         /// </summary>
-        /// <exception cref="ArgumentException">No such wing, or a time that is negative or not finite.</exception>
+        /// <exception cref="ArgumentException">No such wing, or a time that is negative, above 10⁹ or not finite.</exception>
         public void Resume(WingHandle wing, float seconds)
         {
-            if (!(seconds >= 0f) || float.IsInfinity(seconds))
-                throw new ArgumentException($"The time to make up for must be 0 or more and finite, not {seconds}.", nameof(seconds));
+            if (!(seconds >= 0f && seconds <= OuterBounds.Seconds))
+                throw new ArgumentException($"The time to make up for must be 0 to {OuterBounds.Seconds} seconds, not {seconds}.", nameof(seconds));
             WingEntry entry = Entry(wing);
             m_Arrays.Resume(entry.pack, entry.lane, seconds);
         }
@@ -329,8 +329,9 @@ namespace Alate
 
         private static void Check(in WingSurroundings surroundings)
         {
-            if (!surroundings.IsFinite)
-                throw new ArgumentException("Wind, gravity, angular velocity, hinge, speed and angle of attack must be finite.", nameof(surroundings));
+            string problem = surroundings.FindProblem();
+            if (problem != null)
+                throw new ArgumentException(problem, nameof(surroundings));
         }
     }
 }

@@ -121,7 +121,7 @@ namespace Alate.Flight
                 float distance = math.length(way);
                 if (distance < self.room)
                     view.apart -= (1f - distance / self.room) * math.normalizesafe(way, new float3(0f, 1f, 0f));
-                if (distance > self.sight || other.group != self.group)
+                if (!(distance <= self.sight) || other.group != self.group || !OuterBounds.Hold(other.velocity, float.MaxValue))
                     return;
                 view.centre += way;
                 view.velocity += other.velocity;

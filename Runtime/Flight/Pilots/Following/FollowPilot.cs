@@ -135,10 +135,10 @@ namespace Alate.Flight
             for (int k = 0; k < m_Points.Count; k++)
             {
                 Vector3 point = m_Points[k], place = m_Origin == null ? point : m_Origin.TransformPoint(point);
-                if (math.all(math.isfinite((float3)place)))
+                if (OuterBounds.Hold(place, OuterBounds.Distance))
                     m_World.Add(place);
                 else
-                    Warn($"Point {k} of '{name}' is {point}: points must be finite. It is left out.");
+                    Warn($"Point {k} of '{name}' is {point}: points must be finite, within {OuterBounds.Distance} units. It is left out.");
             }
 
             return m_World;
@@ -160,15 +160,16 @@ namespace Alate.Flight
         private float3 AfterTarget(in FlightSituation situation, out float3 goal)
         {
             goal = (float3)(m_Target.position + m_Offset);
-            if (!math.all(math.isfinite(goal)))
+            if (!OuterBounds.Hold(goal, OuterBounds.Distance))
             {
-                Warn($"The target of '{name}' is at {(Vector3)goal}: it must be finite. The insect stays where it is.");
+                Warn($"The target of '{name}' is at {(Vector3)goal}: it must be finite, within {OuterBounds.Distance} units. It stays where it is.");
                 m_HasSeen = false;
                 return Stay(situation, out goal);
             }
 
             m_HasHome = false;
             float3 moved = m_HasSeen ? (goal - m_Seen) / (math.max(situation.deltaTime, 1e-4f) * situation.unitsPerMetre) : default;
+            moved = math.clamp(moved, -OuterBounds.Speed, OuterBounds.Speed);
             m_TargetVelocity = m_HasSeen ? math.lerp(m_TargetVelocity, moved, 1f - math.exp(-situation.deltaTime / k_Smoothing)) : default;
             m_Seen = goal;
             m_HasSeen = true;

@@ -58,13 +58,15 @@ namespace Alate.Flight
         /// <returns>Whether the insect goes there.</returns>
         public bool LandOn(PerchSpot spot)
         {
-            if (!math.all(math.isfinite(spot.position)) || !math.all(math.isfinite(spot.normal)))
+            if (!spot.IsPossible)
             {
-                Warn($"'{name}' cannot land at {(Vector3)spot.position} with the normal {(Vector3)spot.normal}: both must be finite. It flies on.");
+                Warn(
+                    $"'{name}' cannot land at {(Vector3)spot.position} with the normal {(Vector3)spot.normal}: both must be finite, "
+                    + $"at most {OuterBounds.Distance}. It flies on.");
                 return false;
             }
 
-            if (!math.isfinite(spot.heading))
+            if (!OuterBounds.Hold(spot.heading, OuterBounds.Turning))
                 spot.heading = float.NaN;
             Leave();
             Plan.Land(spot, Stand);

@@ -63,7 +63,12 @@ namespace Alate.Flight
                 wanted.xz = k_Least * speed * Along(m_Course).xz;
             float3 change = wanted - m_Wanted;
             m_Wanted += change * math.min(1f, k_Acceleration * all.Acceleration * dt / math.max(math.length(change), 1e-6f));
-            return m_Wanted;
+            if (math.all(math.isfinite(m_Wanted)) && math.isfinite(m_Course + m_WantedCourse + m_Left + m_Climb))
+                return m_Wanted;
+
+            // A volume that is nowhere: on as it flies, and again with the next step.
+            m_Begun = m_TurnsBack = false;
+            return situation.referenceVelocity;
         }
 
         /// <summary>Forgets where the insect was; the random numbers go on.</summary>

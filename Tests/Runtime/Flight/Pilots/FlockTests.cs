@@ -31,6 +31,7 @@ namespace Alate.Tests.Flight
             FlockMember[] swarm = Swarm(50, 4);
             swarm[7].position = float.NaN;
             swarm[9].position = float.PositiveInfinity;
+            swarm[11].velocity = float.NaN;
             using var members = new NativeArray<FlockMember>(swarm, Allocator.TempJob);
             using var views = new NativeArray<FlockView>(swarm.Length, Allocator.TempJob);
             FlockGrid.Look(members, views);

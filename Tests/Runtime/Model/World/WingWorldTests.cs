@@ -193,6 +193,54 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void SurroundingsBeyondReason_HarmAWing_OnlyWhileTheyLast(
+            [Values(0, 1, 2, 3, 4, 5)] int field, [Values(1e6f, 1e20f, 1e38f, -1e38f)] float value)
+        {
+            using (var flown = new FlownMonarch())
+            using (var twin = new FlownMonarch())
+            {
+                WingSurroundings usual = Monarch.Flying(1.3f, 0f), storm = usual;
+                switch (field)
+                {
+                    case 0: storm.wind.y = value; break;
+                    case 1: storm.gravity.y = value; break;
+                    case 2: storm.angularVelocity.x = value; break;
+                    case 3: storm.hinge.x = value; break;
+                    case 4: storm.speed = value; break;
+                    default: storm.angleOfAttack = value; break;
+                }
+
+                for (int step = 0; step < 105; step++)
+                {
+                    flown.world.SetSurroundings(flown.wing, step < 5 ? storm : usual);
+                    flown.world.Step(0.02f);
+                    twin.world.Step(0.02f);
+                    Assert.That(math.all(math.isfinite(flown.Reading.JointPosition(4, 4))), $"step {step}");
+                }
+
+                Assert.That(flown.Reading.Frequency, Is.EqualTo(twin.Reading.Frequency).Within(1e-3f));
+                Assert.That(math.isfinite(flown.Reading.Phase));
+                int resets = flown.Reading.Resets;
+                flown.world.Step(0.5f);
+                Assert.That(flown.Reading.Resets, Is.EqualTo(resets));
+            }
+        }
+
+        [Test]
+        public void ATimeToMakeUpFor_LeavesAPhase([Values(1e3f, 1e9f)] float seconds)
+        {
+            using (var flown = new FlownMonarch())
+            {
+                flown.world.Resume(flown.wing, seconds);
+                flown.world.Step(0.02f);
+                Assert.That(flown.Reading.Phase, Is.InRange(0f, 2f * math.PI));
+                Assert.That(math.all(math.isfinite(flown.Reading.JointPosition(4, 4))));
+                var tooLong = Assert.Throws<ArgumentException>(() => flown.world.Resume(flown.wing, 1e38f));
+                Assert.That(tooLong.Message, Does.Contain("1E+38"));
+            }
+        }
+
+        [Test]
         public void BadInput_IsNamed_AndChangesNothing()
         {
             using (var flown = new FlownMonarch())
@@ -202,7 +250,8 @@ namespace Alate.Tests
                 ArgumentException parameterError = Assert.Throws<ArgumentException>(() => flown.world.SetParameters(flown.wing, bad));
                 Assert.That(parameterError.Message, Does.Contain("elasticity"));
                 var wind = new WingSurroundings { wind = new float3(float.PositiveInfinity, 0f, 0f) };
-                Assert.Throws<ArgumentException>(() => flown.world.SetSurroundings(flown.wing, wind));
+                ArgumentException windError = Assert.Throws<ArgumentException>(() => flown.world.SetSurroundings(flown.wing, wind));
+                Assert.That(windError.Message, Does.Match(@"wind is \((Infinity|∞), 0, 0\); it must be finite"));
                 Assert.Throws<ArgumentException>(() => flown.world.Step(float.NaN));
                 Assert.Throws<ArgumentException>(() => flown.world.Remove(default));
                 Assert.Throws<ArgumentNullException>(() => flown.world.Add(null, bad));
