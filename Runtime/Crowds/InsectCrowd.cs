@@ -140,6 +140,7 @@ namespace Alate.Crowds
         /// <summary>The state in one line: what keeps the crowd from being drawn; null when all is well.</summary>
         public string Problem => m_Insect == null ? "No baked insect is assigned."
             : m_Insect.Sizes.Count == 0 || m_Insect.Sizes.Count > CrowdJob.MaxSizes ? $"'{m_Insect.name}' has {m_Insect.Sizes.Count} meshes; 1 to {CrowdJob.MaxSizes} can be drawn."
+            : m_Insect.Loops.Count == 0 ? $"'{m_Insect.name}' has no loops. Bake it again."
             : !SystemInfo.supportsInstancing ? "This device draws no instances: crowds cannot be drawn. Use fewer insects with the component Insect Wings."
             : null;
 

@@ -41,6 +41,9 @@ namespace Alate.Crowds
         /// <summary>The loop of a name; −1 where there is none.</summary>
         public int IndexOf(string loop) => Array.FindIndex(m_Loops, known => string.Equals(known.name, loop, StringComparison.OrdinalIgnoreCase));
 
+        /// <summary>The loop of a number from 0; the last one where there is no such loop.</summary>
+        internal CrowdLoop LoopAt(int loop) => m_Loops[loop >= 0 && loop < m_Loops.Length ? loop : m_Loops.Length - 1];
+
         /// <summary>Makes texture, meshes and materials of a bake. The caller owns them; <see cref="DestroyParts"/> frees them.</summary>
         /// <param name="bake">The insect.</param>
         /// <param name="triangles">Triangles of each mesh, descending; null takes <see cref="DefaultTriangles"/>.</param>

@@ -67,8 +67,9 @@ namespace Alate.Crowds
             for (int insect = 0; insect < poses.Length; insect++)
             {
                 CrowdPose pose = poses[insect];
-                float phase = pose.phase + seconds * pose.rate * math.lerp(loops[pose.loop].frequency, loops[pose.nextLoop].frequency, pose.blend);
-                pose.phase = phase - math.floor(phase);
+                float frequency = math.lerp(LoopOf(pose.loop).frequency, LoopOf(pose.nextLoop).frequency, pose.blend);
+                float phase = pose.phase + seconds * pose.rate * frequency;
+                pose.phase = math.isfinite(phase) ? phase - math.floor(phase) : 0f;
                 poses[insect] = pose;
                 byte size = SizeOf(pose);
                 sizes[insect] = size;
@@ -102,6 +103,9 @@ namespace Alate.Crowds
             }
         }
 
+        // The last one for a number that no loop has, below 0 too.
+        private LoopRows LoopOf(int loop) => loops[(int)math.min((uint)loop, (uint)loops.Length - 1u)];
+
         private void Rank(int insect, float distance)
         {
             int place = nearest.Length;
@@ -124,9 +128,9 @@ namespace Alate.Crowds
         private byte SizeOf(in CrowdPose pose)
         {
             float reach = radius * math.abs(pose.scale);
-            if (!(reach > 0f))
-                return k_Unseen;
             float3 middle = pose.position + math.rotate(pose.rotation, centre * pose.scale);
+            if (!(reach > 0f && math.all(math.isfinite(middle))))
+                return k_Unseen;
             if (!culls)
                 return 0;
             for (int plane = 0; plane < planes.Length; plane++)
@@ -146,8 +150,8 @@ namespace Alate.Crowds
         {
             float3x3 turn = new float3x3(pose.rotation) * pose.scale;
             matrices[at] = new float4x4(new float4(turn.c0, 0f), new float4(turn.c1, 0f), new float4(turn.c2, 0f), new float4(pose.position, 1f));
-            rows[at] = new float4(loops[pose.loop].At(pose.phase), pose.blend);
-            nextRows[at] = new float4(loops[pose.nextLoop].At(pose.phase), 0f);
+            rows[at] = new float4(LoopOf(pose.loop).At(pose.phase), math.isnan(pose.blend) ? 0f : math.saturate(pose.blend));
+            nextRows[at] = new float4(LoopOf(pose.nextLoop).At(pose.phase), 0f);
             tints[at] = new float4(pose.tint & 0xFF, (pose.tint >> 8) & 0xFF, (pose.tint >> 16) & 0xFF, 255f) * (1f / 255f);
         }
     }

@@ -20,7 +20,7 @@ namespace Alate.Crowds
         /// <summary>Factor on the loop's own frequency; 1.</summary>
         public float rate;
 
-        /// <summary>Loop, from 0.</summary>
+        /// <summary>Loop, from 0; a number that the insect has no loop for shows the last one.</summary>
         public int loop;
 
         /// <summary>Loop that it passes to.</summary>

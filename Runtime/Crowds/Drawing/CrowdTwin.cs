@@ -69,7 +69,13 @@ namespace Alate.Crowds
         public void Follow(BakedInsect baked, NativeArray<CrowdPose> poses, float seconds, float beatsToSettle)
         {
             CrowdPose pose = poses[Insect];
-            CrowdLoop loop = baked.Loops[pose.blend < 0.5f ? pose.loop : pose.nextLoop];
+            if (!CanShow(pose))
+            {
+                Leave();
+                return;
+            }
+
+            CrowdLoop loop = baked.LoopAt(pose.blend < 0.5f ? pose.loop : pose.nextLoop);
             Transform body = Wings.transform;
             body.SetPositionAndRotation(pose.position, pose.rotation);
             body.localScale = Vector3.one * pose.scale;
@@ -86,8 +92,9 @@ namespace Alate.Crowds
                 return;
 
             // The picture of this frame is this frame's time ahead of the last one; the crowd's job adds its own.
-            float live = Wings.Phase / 360f + frequency * (seconds - Clocks.FrameStep * (1f - WingSystem.Loop.DrawnAlpha(WingUpdateMode.Update))), own = seconds * pose.rate * math.lerp(baked.Loops[pose.loop].frequency, baked.Loops[pose.nextLoop].frequency, pose.blend);
-            pose.phase = live - own;
+            float ahead = seconds - Clocks.FrameStep * (1f - WingSystem.Loop.DrawnAlpha(WingUpdateMode.Update));
+            float own = math.lerp(baked.LoopAt(pose.loop).frequency, baked.LoopAt(pose.nextLoop).frequency, pose.blend);
+            pose.phase = Wings.Phase / 360f + frequency * ahead - seconds * pose.rate * own;
             poses[Insect] = pose;
             m_Beats += frequency * seconds;
             if (m_Beats >= beatsToSettle)
@@ -100,6 +107,9 @@ namespace Alate.Crowds
             if (Wings != null)
                 Object.Destroy(Wings.gameObject);
         }
+
+        private static bool CanShow(in CrowdPose pose) =>
+            math.all(math.isfinite(pose.position)) && math.all(math.isfinite(pose.rotation.value)) && math.isfinite(pose.scale);
 
         private void Show(bool shown)
         {

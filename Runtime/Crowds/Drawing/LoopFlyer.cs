@@ -38,7 +38,7 @@ namespace Alate.Crowds
             }
 
             WingDrive drive = side == WingSide.Left ? loop.leftBeat : loop.rightBeat;
-            drive.frequency *= rate;
+            drive.frequency = NumberRange.Clamp(drive.frequency * rate, WingDrive.LeastFrequency, WingDrive.MostFrequency, drive.frequency);
             world.SetDrive(wing.handle, drive);
         }
     }

@@ -1,3 +1,4 @@
+using System;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
@@ -102,8 +103,11 @@ namespace Alate.Crowds
         private InsectCrowd Crowd => m_Crowd != null ? m_Crowd : m_Crowd = GetComponent<InsectCrowd>();
 
         /// <summary>Moves all insects on by a time, seconds; called in each frame while the component is enabled.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The time is not finite.</exception>
         public void Advance(float seconds)
         {
+            if (!math.isfinite(seconds))
+                throw new ArgumentOutOfRangeException(nameof(seconds), seconds, "Must be finite, seconds.");
             m_Time += seconds;
             NativeArray<CrowdPose> poses = Crowd.Poses;
             if (!poses.IsCreated)

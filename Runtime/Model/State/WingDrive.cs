@@ -7,6 +7,9 @@ namespace Alate
     [Serializable]
     public struct WingDrive
     {
+        /// <summary>Bounds of the frequency, hertz.</summary>
+        internal const float LeastFrequency = 0.1f, MostFrequency = 1000f;
+
         /// <summary>Frequency, hertz, 0.1 to 1000.</summary>
         public float frequency;
 
@@ -26,7 +29,7 @@ namespace Alate
         public float tilt;
 
         /// <summary>True where the wing can beat so.</summary>
-        internal bool IsValid => frequency >= 0.1f && frequency <= 1000f && amplitude >= 0f && amplitude <= 2f
+        internal bool IsValid => frequency >= LeastFrequency && frequency <= MostFrequency && amplitude >= 0f && amplitude <= 2f
             && math.all(math.abs(new float4(meanFlap, meanSweep, meanFeather, tilt)) <= math.PI);
     }
 }

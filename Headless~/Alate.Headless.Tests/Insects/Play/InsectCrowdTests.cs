@@ -51,6 +51,63 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
+        public IEnumerator ALoopThatIsNone_IsTheLastOne([Values(2, 7, -1, int.MinValue, int.MaxValue)] int loop)
+        {
+            Scene = new CrowdScene("monarch", 2, "cruise", "rest");
+            CrowdPose wrong = CrowdPose.At(default, quaternion.identity, 0.3f), last = wrong;
+            wrong.loop = wrong.nextLoop = loop;
+            last.loop = last.nextLoop = 1;
+            Scene.Place(0, Held(wrong));
+            Scene.Place(1, Held(last));
+            yield return Frames(3);
+            DrawnInstances.Calls = new List<DrawnBatch>();
+            yield return null;
+
+            DrawnBatch drawn = DrawnInstances.Calls.First(call => call.Matrices.Length == 2);
+            Assert.That(drawn.Properties["_BakeRows"][0], Is.EqualTo(drawn.Properties["_BakeRows"][1]));
+            Assert.That(drawn.Properties["_BakeNextRows"][0], Is.EqualTo(drawn.Properties["_BakeNextRows"][1]));
+            Scene.Crowd.LivePrefab = Scene.Prefab;
+            Scene.Crowd.LiveCount = 2;
+            yield return Frames(3);
+        }
+
+        [UnityTest]
+        public IEnumerator APoseThatIsNone_IsNotDrawn_AndADrawnOneComesBack([Values(float.NaN, float.PositiveInfinity, 1e38f)] float value)
+        {
+            Scene = new CrowdScene("monarch", 5, "cruise");
+            Scene.Crowd.LivePrefab = Scene.Prefab;
+            Scene.Crowd.LiveCount = 5;
+            for (int insect = 0; insect < 5; insect++)
+                Scene.Place(insect, CrowdPose.At(default, quaternion.identity, 0.3f));
+            yield return Frames(3);
+            for (int insect = 0; insect < 5; insect++)
+            {
+                CrowdPose pose = Scene.Crowd.Poses[insect];
+                switch (insect)
+                {
+                    case 0: pose.position.y = value; break;
+                    case 1: pose.scale = value; break;
+                    case 2: pose.rate = value; break;
+                    case 3: pose.phase = value; break;
+                    default: pose.blend = value; break;
+                }
+
+                Scene.Place(insect, pose);
+            }
+
+            yield return Frames(3);
+            for (int insect = 0; insect < 5; insect++)
+            {
+                Assert.That(Scene.Crowd.Poses[insect].phase, Is.InRange(0f, 1f));
+                CrowdPose again = Scene.Crowd.Poses[insect];
+                Scene.Place(insect, CrowdPose.At(default, again.rotation, again.phase));
+            }
+
+            yield return Frames(2);
+            Assert.That(Scene.Crowd.DrawnCount + Scene.Crowd.LiveNow, Is.EqualTo(5));
+        }
+
+        [UnityTest]
         public IEnumerator Phases_GoOnByTheLoopsFrequency()
         {
             Scene = new CrowdScene("monarch", 2, "cruise");
