@@ -2,6 +2,7 @@ using System;
 using System.CommandLine;
 using System.IO;
 using Alate.Cli.Commands;
+using Alate.Cli.Input;
 using Alate.Cli.Output;
 
 namespace Alate.Cli;
@@ -45,7 +46,11 @@ public static class Program
             return Fail(usage, errors);
         try
         {
-            return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = errors });
+            using var held = HeldFolders.Begin();
+            int code = parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = errors });
+            output.Flush();
+            held.Commit();
+            return code;
         }
         catch (UserException problem)
         {
@@ -57,9 +62,9 @@ public static class Program
     {
         try
         {
-            errors.WriteLine("alate: " + message.ReplaceLineEndings(" ").Trim());
+            errors.WriteLine("alate: " + Quote.Words(message.ReplaceLineEndings(" ").Trim()));
         }
-        catch (IOException)
+        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ObjectDisposedException)
         {
             // The line has no place to go to; the exit code is left.
         }

@@ -21,7 +21,7 @@ internal static class OwnInsect
     /// <exception cref="UserException">The files are no wing.</exception>
     public static InsectWings Create(InsectDefinition definition, InsectVariant variant, string meshFile, string skeletonFile)
     {
-        ObjMesh read = TextFile.Read(meshFile, ObjReader.Read);
+        ObjMesh read = TextFile.Read(meshFile, ObjReader.Read, InputFile.Mesh);
         WingSkeleton skeleton = TextFile.Read(skeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), read.Origin));
         List<SkeletonProblem> problems = skeleton.Validate();
         if (problems.Count > 0)

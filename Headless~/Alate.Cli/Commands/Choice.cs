@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
+using Alate.Cli.Input;
 
 namespace Alate.Cli.Commands;
 
@@ -17,7 +18,7 @@ internal static class Choice
             string text = result.Tokens.Count > 0 ? result.Tokens[0].Value : "";
             if (values.TryGetValue(text.ToLowerInvariant(), out T value))
                 return value;
-            result.AddError($"{name} takes {string.Join(", ", values.Keys.SkipLast(1))} or {values.Keys.Last()}, not '{text}'.");
+            result.AddError($"{name} takes {string.Join(", ", values.Keys.SkipLast(1))} or {values.Keys.Last()}, not {Quote.Of(text)}.");
             return null;
         },
     };

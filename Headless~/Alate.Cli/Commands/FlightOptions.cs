@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
+using Alate.Cli.Input;
 using Alate.Cli.Pictures;
 
 namespace Alate.Cli.Commands;
@@ -41,7 +42,7 @@ internal static class FlightOptions
     /// <exception cref="UserException">There is none; the message lists those there are.</exception>
     public static InsectDefinition Find(string name) => InsectCatalogue.TryFind(name, out InsectDefinition definition)
         ? definition
-        : throw new UserException($"Unknown species '{name}'. Known: {string.Join(", ", InsectCatalogue.Names)}.");
+        : throw new UserException($"Unknown species {Quote.Of(name)}. Known: {string.Join(", ", InsectCatalogue.Names)}.");
 
     /// <summary>The species of a name that has a variant.</summary>
     /// <exception cref="UserException">There is no such species, or it has no such variant; the message lists those there are.</exception>

@@ -4,6 +4,7 @@ using System.IO;
 using Alate.Catalogue;
 using Alate.Cli.Flights;
 using Alate.Cli.FreeFlights;
+using Alate.Cli.Input;
 
 namespace Alate.Cli.Commands;
 
@@ -48,7 +49,7 @@ internal static class FlyCommand
             return 0;
         if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count is >= 1 and <= k_MostPatches)
             return count;
-        throw new UserException($"--elements takes 'triangles' or a number of patches from 1 to {k_MostPatches}, not '{text}'.");
+        throw new UserException($"--elements takes 'triangles' or a number of patches from 1 to {k_MostPatches}, not {Quote.Of(text)}.");
     }
 
     private const string k_Examples =

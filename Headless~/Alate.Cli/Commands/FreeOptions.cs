@@ -2,10 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli.FreeFlights;
+using Alate.Cli.Input;
 using Unity.Mathematics;
 
 namespace Alate.Cli.Commands;
@@ -13,6 +13,8 @@ namespace Alate.Cli.Commands;
 /// <summary>The options of <c>fly --free</c>.</summary>
 internal sealed class FreeOptions
 {
+    private static readonly string[] s_Pilots = ["hover", "goto", "points", "wander"];
+
     private const int k_MostPoints = 1000;
     private const float k_Farthest = 1000f;
     private const double k_DefaultSeconds = 10;
@@ -65,6 +67,8 @@ internal sealed class FreeOptions
         double[] to = parsed.GetValue(m_To);
         string file = parsed.GetValue(m_Points);
         string pilot = parsed.GetValue(m_Pilot) ?? (file != null ? "points" : to is { Length: 3 } ? "goto" : "hover");
+        if (!s_Pilots.Contains(pilot))
+            throw new UserException($"--pilot takes {string.Join(", ", s_Pilots.SkipLast(1))} or {s_Pilots[^1]}, not {Quote.Of(pilot)}.");
         wanders = pilot == "wander";
         if (!wanders && parsed.GetValue(m_Seed) != null)
             throw new UserException($"--seed needs --pilot wander, not {pilot}.");
@@ -78,25 +82,14 @@ internal sealed class FreeOptions
                 return to is { Length: 3 } ? [new float3((float)to[0], (float)to[1], (float)to[2])] : throw new UserException("--pilot goto needs --to X,Y,Z.");
             case "points":
                 return file == null ? throw new UserException("--pilot points needs --points FILE.") : Read(file);
-            case "wander":
-                return [];
             default:
-                throw new UserException($"--pilot takes hover, goto, points or wander, not '{pilot}'.");
+                return [];
         }
     }
 
     private static List<float3> Read(string file)
     {
-        string[] lines;
-        try
-        {
-            lines = File.ReadAllLines(file);
-        }
-        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException)
-        {
-            throw new UserException($"Cannot read '{file}': {problem.Message}");
-        }
-
+        string[] lines = TextFile.Read(file, text => text.ReadToEnd().Split('\n'));
         var points = new List<float3>();
         for (int k = 0; k < lines.Length; k++)
         {
@@ -107,7 +100,7 @@ internal sealed class FreeOptions
             for (int word = 0; word < words.Length; word++)
             {
                 if (words.Length != 3 || !float.TryParse(words[word], NumberStyles.Float, CultureInfo.InvariantCulture, out place[word]) || !(Math.Abs(place[word]) <= k_Farthest))
-                    throw new UserException($"{file}, line {k + 1}: '{lines[k]}' is no place; X,Y,Z in metres, each up to {k_Farthest}, are needed.");
+                    throw new UserException($"{file}, line {k + 1}: {Quote.Of(lines[k].Trim())} is no place; X,Y,Z in metres, each up to {k_Farthest}, are needed.");
             }
 
             points.Add(new float3(place[0], place[1], place[2]));

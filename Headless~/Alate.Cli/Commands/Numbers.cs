@@ -2,6 +2,7 @@ using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Alate.Cli.Input;
 
 namespace Alate.Cli.Commands;
 
@@ -90,7 +91,7 @@ internal static class Numbers
         string[] parts = Text(result).Split(',');
         if (parts.Length != count)
         {
-            result.AddError($"{name} takes {wanted}, not '{Text(result)}'.");
+            result.AddError($"{name} takes {wanted}, not {Quote.Of(Text(result))}.");
             return null;
         }
 
@@ -104,7 +105,7 @@ internal static class Numbers
     {
         bool isNumber = double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value);
         if (!isNumber || !double.IsFinite(value))
-            result.AddError($"{name} takes a finite number, not '{text}'.");
+            result.AddError($"{name} takes a finite number, not {Quote.Of(text)}.");
         else if (value < min || value > max)
             result.AddError(string.Create(CultureInfo.InvariantCulture, $"{name} must lie between {min} and {max}; it is {value}."));
         return value;
@@ -114,7 +115,7 @@ internal static class Numbers
     {
         bool isNumber = long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long value);
         if (!isNumber)
-            result.AddError($"{name} takes a whole number, not '{text}'.");
+            result.AddError($"{name} takes a whole number, not {Quote.Of(text)}.");
         else if (value < min || value > max)
             result.AddError($"{name} must lie between {min} and {max}; it is {value}.");
         return (int)long.Clamp(value, min, max);

@@ -45,7 +45,7 @@ internal static class SkeletonFitCommand
             settings.forward = Vector(parsed.GetValue(forward)) ?? settings.forward;
             settings.up = Vector(parsed.GetValue(up));
             string file = parsed.GetValue(mesh);
-            ObjMesh wing = TextFile.Read(file, ObjReader.Read);
+            ObjMesh wing = TextFile.Read(file, ObjReader.Read, InputFile.Mesh);
             settings.hinge = Vector(parsed.GetValue(hinge), wing.Origin);
             settings.bodyPoint = Vector(parsed.GetValue(body), wing.Origin);
             settings.isOriginUnknown = wing.Origin != default;

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using System.Linq;
+using Alate.Cli.Input;
 
 namespace Alate.Cli.Commands;
 
@@ -16,16 +18,30 @@ internal static class UsageProblem
             return Unknown(parsed.UnmatchedTokens[0], parsed.RootCommandResult.Command, command);
         if (parsed.Errors.Count == 0 || HelpExamples.AreAskedFor(parsed))
             return null;
-        return command.Subcommands.Count > 0 ? $"'{command.Name}' needs a command. {Known(command)}" : parsed.Errors[0].Message;
+        return command.Subcommands.Count > 0 ? $"'{command.Name}' needs a command. {Known(command)}" : WithoutValue(parsed) ?? Quote.Values(parsed.Errors[0].Message);
+    }
+
+    // The next option stands where the value should, so that what follows is not understood.
+    private static string WithoutValue(ParseResult parsed)
+    {
+        Command command = parsed.CommandResult.Command;
+        foreach (OptionResult given in parsed.CommandResult.Children.OfType<OptionResult>().Where(given => !given.Implicit))
+        {
+            Token next = given.Tokens.FirstOrDefault(token => command.Options.Any(known => known.Name == token.Value || known.Aliases.Contains(token.Value)));
+            if (next != null)
+                return $"{given.Option.Name} needs a value; behind it stands the option {next.Value}.";
+        }
+
+        return null;
     }
 
     private static string Unknown(string word, Command root, Command command)
     {
         if (word.StartsWith('-'))
-            return $"Unknown option '{word}'. {Known(command)}";
+            return $"Unknown option {Quote.Of(word)}. {Known(command)}";
         (string path, int distance) = Paths(root, "").Select(known => (known.Path, Distance(word.ToLowerInvariant(), known.Name))).MinBy(known => known.Item2);
         string nearest = distance <= 1 + word.Length / 4 ? $" Did you mean '{path}'?" : "";
-        return $"Unknown command '{word}'.{nearest} {Known(command)}";
+        return $"Unknown command {Quote.Of(word)}.{nearest} {Known(command)}";
     }
 
     private static string Known(Command command) =>

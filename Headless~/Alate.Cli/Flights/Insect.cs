@@ -78,7 +78,7 @@ internal sealed class Insect
 
     private static InsectWing FromFiles(WingDefinition model, FlightPlan plan, string meshFile, string skeletonFile, string textureFile)
     {
-        ObjMesh mesh = TextFile.Read(meshFile, ObjReader.Read);
+        ObjMesh mesh = TextFile.Read(meshFile, ObjReader.Read, InputFile.Mesh);
         WingSkeleton skeleton = TextFile.Read(skeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), mesh.Origin));
         List<SkeletonProblem> problems = skeleton.Validate();
         if (problems.Count > 0)
@@ -87,7 +87,7 @@ internal sealed class Insect
             throw new UserException($"{meshFile} has no texture coordinates ('vt') at every corner, so that '{textureFile}' has no place on it.");
         string picture = textureFile ?? (mesh.Uvs == null ? null : ObjMaterial.FindPicture(meshFile, mesh.Library));
         if (picture != null)
-            mesh = TextFile.Read(meshFile, ObjReader.ReadTextured);
+            mesh = TextFile.Read(meshFile, ObjReader.ReadTextured, InputFile.Mesh);
         return Own(model, plan, mesh.ToSurface(meshFile), mesh.Colours, skeleton, picture == null ? null : WingTexture.Of(PictureFile.Read(picture).Bytes));
     }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Text;
 using UnityEngine;
 
 namespace Alate.Cli.Input;
@@ -58,13 +59,17 @@ internal sealed class ObjReader
     {
         string line = text.ReadLine();
         m_Line++;
+        if (line == null || !line.EndsWith('\\'))
+            return line;
+        var whole = new StringBuilder();
         while (line != null && line.EndsWith('\\'))
         {
-            line = line[..^1] + ' ' + text.ReadLine();
+            whole.Append(line, 0, line.Length - 1).Append(' ');
+            line = text.ReadLine();
             m_Line++;
         }
 
-        return line;
+        return whole.Append(line).ToString();
     }
 
     private void Take(string line)
@@ -123,7 +128,7 @@ internal sealed class ObjReader
     {
         string[] parts = word.Split('/');
         if (parts.Length > 3)
-            throw Wrong($"'{word}' is no corner of a face");
+            throw Wrong($"{Quote.Of(word)} is no corner of a face");
         int position = Index(parts[0], m_Positions.Count, "vertex");
         int texture = parts.Length > 1 && parts[1].Length > 0 ? Index(parts[1], m_TexturePoints.Count, "texture point") : -1;
         int normal = parts.Length > 2 && parts[2].Length > 0 ? Index(parts[2], m_Normals.Count, "normal") : -1;
@@ -142,7 +147,7 @@ internal sealed class ObjReader
     private int Index(string word, int count, string what)
     {
         if (!int.TryParse(word, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int index) || index == 0)
-            throw Wrong($"'{word}' is no index of a {what}");
+            throw Wrong($"{Quote.Of(word)} is no index of a {what}");
         int found = index > 0 ? index - 1 : count + index;
         if (found < 0 || found >= count)
             throw Wrong($"there is no {what} {index}, only {count} up to here");
@@ -161,7 +166,7 @@ internal sealed class ObjReader
     {
         if (double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && float.IsFinite((float)value))
             return value;
-        throw Wrong($"'{word}' is no finite number");
+        throw Wrong($"{Quote.Of(word)} is no finite number");
     }
 
     private byte Byte(string word) => (byte)Math.Round(255.0 * Math.Clamp(Number(word), 0.0, 1.0));

@@ -8,9 +8,6 @@ namespace Alate.Cli.Input;
 /// <summary>A PNG file that a user names.</summary>
 internal sealed class PictureFile
 {
-    /// <summary>Longest file that is read, bytes.</summary>
-    private const long k_Longest = 1L << 30;
-
     private static readonly (string Format, int Offset, byte[] Start)[] s_OtherFormats =
     [
         ("JPEG", 0, [0xFF, 0xD8, 0xFF]),
@@ -42,13 +39,7 @@ internal sealed class PictureFile
     {
         try
         {
-            if (Directory.Exists(path))
-                throw new UserException($"Cannot read '{path}': it is a folder.");
-            if (!File.Exists(path))
-                throw new UserException($"Cannot read '{path}': there is no such file.");
-            if (new FileInfo(path).Length > k_Longest)
-                throw new UserException($"Cannot read '{path}': it is larger than a gibibyte.");
-            byte[] bytes = File.ReadAllBytes(path);
+            byte[] bytes = ReadAll(path);
             if (OtherFormat(bytes) is string format)
                 throw new UserException($"Cannot read '{path}': it is a {format}; convert it to PNG.");
             PngFile png = Decode(path, bytes);
@@ -62,6 +53,14 @@ internal sealed class PictureFile
         {
             throw new UserException($"Cannot read '{path}': {problem.Message}");
         }
+    }
+
+    private static byte[] ReadAll(string path)
+    {
+        using FileStream file = InputFile.Open(path, InputFile.Picture);
+        byte[] bytes = new byte[file.Length];
+        file.ReadExactly(bytes);
+        return bytes;
     }
 
     // By its first bytes, whatever its name says; null for a PNG and for what is no picture at all.

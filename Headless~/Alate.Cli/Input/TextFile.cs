@@ -8,17 +8,16 @@ namespace Alate.Cli.Input;
 internal static class TextFile
 {
     /// <summary>Opens a file and reads it.</summary>
+    /// <param name="path">Its path.</param>
+    /// <param name="read">Reads the text.</param>
+    /// <param name="most">Largest size, bytes.</param>
     /// <exception cref="UserException">There is no such file, it cannot be read, or the reader found a
     /// <see cref="FormatException"/>.</exception>
-    public static T Read<T>(string path, Func<TextReader, T> read)
+    public static T Read<T>(string path, Func<TextReader, T> read, long most = InputFile.Text)
     {
         try
         {
-            if (Directory.Exists(path))
-                throw new UserException($"Cannot read '{path}': it is a folder.");
-            if (!File.Exists(path))
-                throw new UserException($"Cannot read '{path}': there is no such file.");
-            using var reader = new StreamReader(path, new UTF8Encoding(false, true));
+            using var reader = new StreamReader(InputFile.Open(path, most), new UTF8Encoding(false, true));
             return read(reader);
         }
         catch (DecoderFallbackException)

@@ -41,7 +41,7 @@ internal static class Interruption
         // Held to the end: the program's other threads make no more files.
         Files.Enter();
         foreach (OutputFolder folder in s_Unfinished.ToArray())
-            folder.Dispose();
+            folder.Remove();
         ShowCursor();
         Environment.Exit(exitCode);
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Threading;
 
 namespace Alate.Cli.Output;
 
@@ -10,11 +11,14 @@ namespace Alate.Cli.Output;
 /// </summary>
 internal sealed class OutputFolder : IDisposable
 {
+    private static int s_Folders;
+
     private readonly string m_What;
     private readonly List<string> m_MadeFolders = [];
     private readonly List<(string Written, string Final)> m_Files = [];
-    private readonly string m_Suffix = $".{Guid.NewGuid():N}.part";
-    private bool m_Committed;
+    private readonly HashSet<string> m_Swept = [];
+    private readonly string m_Suffix = UnfinishedFiles.Suffix(Interlocked.Increment(ref s_Folders));
+    private bool m_Committed, m_Held;
 
     private OutputFolder(string root, string what)
     {
@@ -38,6 +42,7 @@ internal sealed class OutputFolder : IDisposable
             {
                 folder.Root = Path.GetFullPath(given);
                 folder.Make(folder.Root);
+                folder.Sweep(folder.Root);
                 string probe = Path.Combine(folder.Root, "probe" + folder.m_Suffix);
                 lock (Interruption.Files)
                 {
@@ -77,10 +82,20 @@ internal sealed class OutputFolder : IDisposable
     /// <exception cref="UserException">It cannot be made.</exception>
     public void MakeFolder(string name) => Try(() => Make(Path.Combine(Root, name)));
 
-    /// <summary>Gives all files their names.</summary>
+    /// <summary>Gives all files their names; at the end of the command where that holds folders back.</summary>
     /// <exception cref="UserException">One cannot be renamed.</exception>
     public void Commit()
     {
+        m_Held = HeldFolders.Take(this);
+        if (!m_Held)
+            Rename();
+    }
+
+    /// <summary>Gives all files their names now.</summary>
+    /// <exception cref="UserException">One cannot be renamed.</exception>
+    internal void Rename()
+    {
+        m_Held = false;
         lock (Interruption.Files)
         {
             Try(() =>
@@ -94,6 +109,13 @@ internal sealed class OutputFolder : IDisposable
 
     /// <summary>Removes what was not committed.</summary>
     public void Dispose()
+    {
+        if (!m_Held)
+            Remove();
+    }
+
+    /// <summary>Removes what was not renamed.</summary>
+    internal void Remove()
     {
         lock (Interruption.Files)
         {
@@ -116,9 +138,16 @@ internal sealed class OutputFolder : IDisposable
         lock (Interruption.Files)
         {
             MakeAll(Path.GetDirectoryName(final));
+            Sweep(Path.GetDirectoryName(final));
             m_Files.Add((final + m_Suffix, final));
             return new FileStream(final + m_Suffix, FileMode.Create, FileAccess.Write, FileShare.Read | FileShare.Delete);
         }
+    }
+
+    private void Sweep(string folder)
+    {
+        if (m_Swept.Add(folder))
+            UnfinishedFiles.Sweep(folder);
     }
 
     private void Make(string folder)

@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Text;
 
@@ -18,7 +19,7 @@ internal sealed class RedirectedOutput(TextWriter output) : TextWriter
         {
             output.Write(value);
         }
-        catch (IOException problem)
+        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ObjectDisposedException)
         {
             throw Refused(problem);
         }
@@ -30,11 +31,13 @@ internal sealed class RedirectedOutput(TextWriter output) : TextWriter
         {
             output.Flush();
         }
-        catch (IOException problem)
+        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ObjectDisposedException)
         {
             throw Refused(problem);
         }
     }
 
-    private static UserException Refused(IOException problem) => new($"Cannot write to the standard output: {problem.Message}");
+    // One that the shell has closed is told as a file without permission.
+    private static UserException Refused(Exception problem) =>
+        new($"Cannot write to the standard output: {(problem is IOException ? problem.Message : "it is closed.")}");
 }

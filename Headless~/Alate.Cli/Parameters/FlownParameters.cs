@@ -3,6 +3,7 @@ using System.Linq;
 using System.Reflection;
 using System.Runtime.CompilerServices;
 using Alate.Cli.Flights;
+using Alate.Cli.Input;
 using UnityEngine;
 
 namespace Alate.Cli.Parameters;
@@ -37,7 +38,7 @@ internal static class FlownParameters
     /// <exception cref="UserException">There is none; the message lists those there are.</exception>
     public static FlownParameter Find(string name) =>
         All.FirstOrDefault(parameter => Plain(parameter.Name) == Plain(name))
-        ?? throw new UserException($"There is no parameter '{name}'. Known: {string.Join(", ", All.Select(parameter => parameter.Name))}.");
+        ?? throw new UserException($"There is no parameter {Quote.Of(name)}. Known: {string.Join(", ", All.Select(parameter => parameter.Name))}.");
 
     // Every field of a group is a float.
     private static IEnumerable<FlownParameter> Fields<T>(Group<T> group) where T : struct =>

@@ -63,7 +63,7 @@ internal static partial class UserCurves
             }
 
             if (cells.Length != 2 || !Number(cells[0], out double time) || !Number(cells[1], out double value))
-                throw new FormatException($"line {line}: '{text}' is not t/T and a value.");
+                throw new FormatException($"line {line}: {Quote.Of(text)} is not t/T and a value.");
             if (time < 0 || time > 1 || (rows.Count > 0 && time <= rows[^1].Time))
                 throw new FormatException(FormattableString.Invariant($"line {line}: {time} is not after the row before it and between 0 and 1."));
             if (value < curve.Range.Least || value > curve.Range.Most)
@@ -84,10 +84,10 @@ internal static partial class UserCurves
     private static void CheckHeading(string text, string[] cells, IReadOnlyList<string> units)
     {
         if (cells.Length != 2)
-            throw new FormatException($"line 1: '{text}' is not a heading of two columns, t/T and value.");
+            throw new FormatException($"line 1: {Quote.Of(text)} is not a heading of two columns, t/T and value.");
         Match unit = UnitInBrackets().Match(cells[1]);
         if (unit.Success && !units.Contains(unit.Groups[1].Value.Trim()))
-            throw new FormatException($"line 1: the unit '{unit.Groups[1].Value.Trim()}' is not one of {string.Join(", ", units)}.");
+            throw new FormatException($"line 1: the unit {Quote.Of(unit.Groups[1].Value.Trim())} is not one of {string.Join(", ", units)}.");
     }
 
     private static double[] Even(List<(double Time, double Value)> rows, int count)

@@ -5,6 +5,7 @@ using System.Text;
 using System.Text.Json;
 using Alate.Catalogue;
 using Alate.Cli.Commands;
+using Alate.Cli.Input;
 
 namespace Alate.Cli.Views;
 
@@ -75,7 +76,7 @@ internal sealed class ViewRequest
                 return variant;
         }
 
-        throw new UserException($"There is no variant '{m_Variant}'. Known: {string.Join(", ", Enum.GetValues<InsectVariant>().Select(FlightOptions.Word))}.");
+        throw new UserException($"There is no variant {Quote.Of(m_Variant)}. Known: {string.Join(", ", Enum.GetValues<InsectVariant>().Select(FlightOptions.Word))}.");
     }
 
     private void Take(JsonProperty property)
@@ -108,7 +109,7 @@ internal sealed class ViewRequest
                 IsCatalogue = property.Value.GetBoolean();
                 break;
             default:
-                throw new FormatException($"A message of this page has no '{Shown(property.Name)}'.");
+                throw new FormatException($"A message of this page has no {Quote.Of(property.Name)}.");
         }
     }
 

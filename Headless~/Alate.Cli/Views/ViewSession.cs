@@ -7,6 +7,7 @@ using System.Threading;
 using System.Threading.Channels;
 using System.Threading.Tasks;
 using Alate.Catalogue;
+using Alate.Cli.Input;
 
 namespace Alate.Cli.Views;
 
@@ -17,6 +18,10 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
     public const int LongestText = 4096, LongestFile = 16 << 20;
 
     private const int k_Waiting = 16, k_Chunk = 1 << 16;
+
+    /// <summary>Longest reason for an end, bytes of UTF-8: the frame of a web socket has room for 125, two of them for the code.</summary>
+    private const int k_LongestReason = 123;
+
     private static readonly TimeSpan s_Patience = TimeSpan.FromSeconds(20), s_Farewell = TimeSpan.FromSeconds(1);
 
     private readonly Channel<(ViewRequest Request, byte[] File)> m_Requests = Channel.CreateBounded<(ViewRequest, byte[])>(k_Waiting);
@@ -161,7 +166,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         try
         {
             if (socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
-                await socket.CloseOutputAsync(status, reason, patience.Token);
+                await socket.CloseOutputAsync(status, Quote.Bytes(reason, k_LongestReason), patience.Token);
         }
         catch (Exception problem) when (problem is OperationCanceledException or WebSocketException or IOException or InvalidOperationException)
         {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Cli.Input;
 
 namespace Alate.Cli.Views;
 
@@ -48,6 +49,6 @@ internal sealed record ViewSlider(
             return slider.With(settings, slider.IsWhole ? Math.Round(value) : value);
         }
 
-        throw new UserException($"There is no slider '{name}'.");
+        throw new UserException($"There is no slider {Quote.Of(name)}.");
     }
 }

@@ -67,6 +67,9 @@ namespace Alate.Tests.Views
             return m_Socket.CloseStatus;
         }
 
+        /// <summary>Reason that the server gave as it closed the socket.</summary>
+        public string Reason => m_Socket.CloseStatusDescription;
+
         public async ValueTask DisposeAsync()
         {
             try

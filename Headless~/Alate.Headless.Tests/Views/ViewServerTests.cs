@@ -105,6 +105,19 @@ namespace Alate.Tests.Views
             Assert.That(await page.ReadClose(), Is.EqualTo(WebSocketCloseStatus.InvalidPayloadData));
         });
 
+        [TestCase('x')]
+        [TestCase('é')]
+        [TestCase('蝶')]
+        public void ALongName_ClosesTheSocket_WithAReasonThatHasRoom(char letter) => Fly(async () =>
+        {
+            await using ViewClient page = await ViewClient.Open(Server);
+            await page.Say($"{{\"{new string(letter, 900)}\":1}}");
+
+            Assert.That(await page.ReadClose(), Is.EqualTo(WebSocketCloseStatus.InvalidPayloadData));
+            Assert.That(page.Reason, Does.StartWith($"A message of this page has no '{letter}{letter}").And.Not.Contain("\uFFFD"));
+            Assert.That(Encoding.UTF8.GetByteCount(page.Reason), Is.InRange(80, 123));
+        });
+
         [Test]
         public void MessagesThatAreTooLong_CloseTheSocket() => Fly(async () =>
         {
