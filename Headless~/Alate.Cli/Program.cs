@@ -41,7 +41,8 @@ public static class Program
         HelpExamples.AddTo(root);
         PackageVersion.AddTo(root);
 
-        ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args);
+        // A word is a word: @FILE is no list of more of them.
+        ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (UsageProblem.Find(parsed) is string usage)
             return Fail(usage, errors);
         try

@@ -104,7 +104,7 @@ namespace Alate.Flight
             {
                 // Nobody's push, nor a place: the body goes on as its wings carry it.
                 m_Carried.Place(before, m_ShownRotation);
-                return;
+                return 0f;
             }
 
             float turn = Quaternion.Angle(Quaternion.identity, m_Carried.Turned);

@@ -40,6 +40,8 @@ internal static class UsageProblem
         if (word.StartsWith('-'))
             return $"Unknown option {Quote.Of(word)}. {Known(command)}";
         (string path, int distance) = Paths(root, "").Select(known => (known.Path, Distance(word.ToLowerInvariant(), known.Name))).MinBy(known => known.Item2);
+        if (path == word)
+            return $"'{path}' stands in a wrong place, such as behind '--'. {Known(command)}";
         string nearest = distance <= 1 + word.Length / 4 ? $" Did you mean '{path}'?" : "";
         return $"Unknown command {Quote.Of(word)}.{nearest} {Known(command)}";
     }

@@ -22,7 +22,7 @@ internal static class TextFile
         }
         catch (DecoderFallbackException)
         {
-            throw new UserException($"Cannot read '{path}': it is not a text file.");
+            throw new UserException($"Cannot read '{path}': it is not a text file in UTF-8.");
         }
         catch (FormatException problem)
         {

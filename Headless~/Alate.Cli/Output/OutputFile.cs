@@ -16,6 +16,8 @@ internal static class OutputFile
     /// <exception cref="UserException">It cannot.</exception>
     public static void Check(string file) => Try(file, () =>
     {
+        if (string.IsNullOrWhiteSpace(file))
+            throw new UserException("Cannot write '': a file needs a name.");
         if (Directory.Exists(file) || Path.GetFileName(file).Length == 0)
             throw new UserException($"Cannot write '{file}': it is a folder, not a file.");
         lock (Interruption.Files)

@@ -40,6 +40,7 @@ internal sealed class OutputFolder : IDisposable
         {
             folder.Try(() =>
             {
+                ArgumentException.ThrowIfNullOrWhiteSpace(given);
                 folder.Root = Path.GetFullPath(given);
                 folder.Make(folder.Root);
                 folder.Sweep(folder.Root);

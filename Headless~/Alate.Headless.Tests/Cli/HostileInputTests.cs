@@ -107,6 +107,14 @@ namespace Alate.Tests.Cli
             Assert.That(m_Run.Errors, Does.Match($"^alate: ({option} needs a value|Required argument missing for option: '{option}')"));
         }
 
+        [TestCase("'fly' stands in a wrong place", "--", "fly", "monarch")]
+        [TestCase("Unknown species '@more.txt'", "fly", "@more.txt")]
+        [TestCase("Unknown command '@/dev/zero'", "@/dev/zero")]
+        [TestCase("Cannot write into ' '", "fly", "monarch", "--seconds", "0.2", "--out", " ")]
+        [TestCase("a file needs a name", "species", "--json", "")]
+        [TestCase("a file needs a name", "bench", "--json", " ")]
+        public void WordsThatMeanNothing_AreRefused(string said, params string[] words) => AssertRefused([said], words);
+
         [TestCase("--points", "nowhere.csv")]
         [TestCase("--to", "0,0,1")]
         [TestCase("--seed", "3")]

@@ -100,6 +100,7 @@ namespace Alate.Tests.Play
             zone.transform.rotation = direction;
             zone.windMain = speed * InsectDefinition.UnitsPerMetre;
             zone.windTurbulence = zone.windPulseMagnitude = 0f;
+            WingSystem.FindWindZones();
             return zone;
         }
 
