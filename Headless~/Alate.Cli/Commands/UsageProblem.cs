@@ -16,23 +16,44 @@ internal static class UsageProblem
         Command command = parsed.CommandResult.Command;
         if (command.Subcommands.Count > 0 && parsed.UnmatchedTokens.Count > 0)
             return Unknown(parsed.UnmatchedTokens[0], parsed.RootCommandResult.Command, command);
-        if (parsed.Errors.Count == 0 || HelpExamples.AreAskedFor(parsed))
+        if (HelpExamples.AreAskedFor(parsed))
             return null;
-        return command.Subcommands.Count > 0 ? $"'{command.Name}' needs a command. {Known(command)}" : WithoutValue(parsed) ?? Quote.Values(parsed.Errors[0].Message);
+        if ((WithoutValue(parsed) ?? UnknownOption(parsed)) is string misplaced)
+            return misplaced;
+        if (parsed.Errors.Count == 0)
+            return null;
+        return command.Subcommands.Count > 0 ? $"'{command.Name}' needs a command. {Known(command)}" : Quote.Values(parsed.Errors[0].Message);
     }
 
-    // The next option stands where the value should, so that what follows is not understood.
+    private static bool IsOption(string word) => word.Length > 2 && word.StartsWith("--", StringComparison.Ordinal);
+
+    // An option stands where the value should; a file of such a name can be given as ./--name.
     private static string WithoutValue(ParseResult parsed)
     {
         Command command = parsed.CommandResult.Command;
         foreach (OptionResult given in parsed.CommandResult.Children.OfType<OptionResult>().Where(given => !given.Implicit))
         {
-            Token next = given.Tokens.FirstOrDefault(token => command.Options.Any(known => known.Name == token.Value || known.Aliases.Contains(token.Value)));
+            Token next = given.Tokens.FirstOrDefault(token => IsOption(token.Value) || command.Options.Any(known => known.Aliases.Contains(token.Value)));
             if (next != null)
-                return $"{given.Option.Name} needs a value; behind it stands the option {next.Value}.";
+                return $"{given.Option.Name} needs a value; behind it stands the option {Quote.Of(next.Value)}.";
         }
 
         return null;
+    }
+
+    // One that is taken for an argument, or for nothing.
+    private static string UnknownOption(ParseResult parsed)
+    {
+        Command command = parsed.CommandResult.Command;
+        string word = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(given => given.Tokens).Select(token => token.Value)
+            .Concat(parsed.UnmatchedTokens).FirstOrDefault(IsOption);
+        if (word == null)
+            return null;
+        if (command.Options.Any(known => known.Name == word))
+            return $"'{word}' stands in a wrong place, such as behind '--'.";
+        (string name, int distance) = command.Options.Select(known => (known.Name, Distance(word.ToLowerInvariant(), known.Name))).MinBy(known => known.Item2);
+        string nearest = distance <= 1 + word.Length / 4 ? $" Did you mean '{name}'?" : "";
+        return $"'{command.Name}' has no option {Quote.Of(word)}.{nearest} '--help' lists them.";
     }
 
     private static string Unknown(string word, Command root, Command command)

@@ -25,12 +25,16 @@ internal static class InputFile
                 throw new UserException($"Cannot read '{path}': there is no such file.");
 
             // Pipes and devices have no length, and opening one may wait for ever.
-            long length = new FileInfo(File.ResolveLinkTarget(path, true)?.FullName ?? path).Length;
+            long length = new FileInfo(File.ResolveLinkTarget(Path.GetFullPath(path), true)?.FullName ?? path).Length;
             if (length == 0)
                 throw new UserException($"Cannot read '{path}': it is empty, or no regular file.");
             if (length > most)
                 throw new UserException($"Cannot read '{path}': it is larger than {most >> 20} MiB.");
             return new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+        }
+        catch (FileNotFoundException)
+        {
+            throw new UserException($"Cannot read '{path}': it links to no file.");
         }
         catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {

@@ -38,7 +38,7 @@ internal static class OutputFile
         write(content);
 
         // What a link points to is written, not the link.
-        string final = File.Exists(file) ? File.ResolveLinkTarget(file, true)?.FullName ?? file : file;
+        string final = File.Exists(file) ? File.ResolveLinkTarget(Path.GetFullPath(file), true)?.FullName ?? file : file;
         if (IsDevice(final))
         {
             Try(file, () => WriteBytes(final, content));

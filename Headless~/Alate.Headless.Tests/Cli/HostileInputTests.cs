@@ -96,6 +96,8 @@ namespace Alate.Tests.Cli
         [TestCase("--pilot", "fly", "monarch", "--free", "--pilot", "--aid", "1")]
         [TestCase("--out", "fly", "monarch", "--out", "--speed", "1")]
         [TestCase("--preset", "fly", "monarch", "--preset", "--rigid")]
+        [TestCase("--out", "fly", "monarch", "--seconds", "0.2", "--out", "--rigid")]
+        [TestCase("--kinematics", "fly", "monarch", "--kinematics", "--nothing")]
         [TestCase("--speed", "fly", "monarch", "--speed")]
         [TestCase("--json", "species", "--json", "--help")]
         public void AMissingValue_IsBlamedOnItsOption(string option, params string[] words)
@@ -107,6 +109,9 @@ namespace Alate.Tests.Cli
             Assert.That(m_Run.Errors, Does.Match($"^alate: ({option} needs a value|Required argument missing for option: '{option}')"));
         }
 
+        [TestCase("'fly' has no option '--sped'. Did you mean '--speed'?", "fly", "monarch", "--sped", "1")]
+        [TestCase("'view' has no option '--no-open'.", "view", "--no-open")]
+        [TestCase("'--speed' stands in a wrong place", "fly", "monarch", "--", "--speed")]
         [TestCase("'fly' stands in a wrong place", "--", "fly", "monarch")]
         [TestCase("Unknown species '@more.txt'", "fly", "@more.txt")]
         [TestCase("Unknown command '@/dev/zero'", "@/dev/zero")]
@@ -155,6 +160,23 @@ namespace Alate.Tests.Cli
             Assert.That(Directory.GetFiles(m_Run.Folder, "*.part"), Is.EquivalentTo(kept));
 
             static string OfProcess(int id) => UnfinishedFiles.Suffix(999).Replace($"-{Environment.ProcessId}-", $"-{id}-");
+        }
+
+        [Test]
+        public void ALinkInTheWorkingFolder_LeadsWhereItLeads()
+        {
+            Ignore();
+            m_Run.Write("wing.obj", OwnWing.Obj());
+            m_Run.Write("old.json", "old");
+            File.CreateSymbolicLink(Path.Combine(m_Run.Folder, "link.obj"), "wing.obj");
+            File.CreateSymbolicLink(Path.Combine(m_Run.Folder, "link.json"), "old.json");
+            string fit = $"{CommandProcess.Program} skeleton fit link.obj --out fit", species = $"{CommandProcess.Program} species --json link.json";
+            using var process = Process.Start(new ProcessStartInfo("/bin/sh", ["-c", $"cd '{m_Run.Folder}' && {fit} >/dev/null && {species} >/dev/null"]));
+            process.WaitForExit();
+
+            Assert.That(process.ExitCode, Is.Zero);
+            Assert.That(Directory.GetFiles(Path.Combine(m_Run.Folder, "fit")), Is.Not.Empty);
+            Assert.That(File.ReadAllText(Path.Combine(m_Run.Folder, "old.json")), Does.StartWith("{").Or.StartWith("["));
         }
 
         private string Make(string kind)

@@ -19,6 +19,9 @@ namespace Alate
         /// <summary>Largest number of a zone, in its own units: one beyond it is refused.</summary>
         private const float k_Most = 1e6f;
 
+        /// <summary>Zones whose last numbers are kept before those that are gone are forgotten with all others.</summary>
+        private const int k_MostKnown = 256;
+
         private readonly List<WindZone> m_Zones = new List<WindZone>();
         private readonly Dictionary<WindZone, Known> m_Known = new Dictionary<WindZone, Known>();
         private readonly List<Zone> m_Blowing = new List<Zone>();
@@ -82,6 +85,8 @@ namespace Alate
             m_MayHaveChanged = false;
             m_Found = Time.realtimeSinceStartupAsDouble;
             m_Zones.Clear();
+            if (m_Known.Count > k_MostKnown)
+                m_Known.Clear();
             foreach (WindZone zone in Resources.FindObjectsOfTypeAll<WindZone>())
             {
                 if (!zone.gameObject.scene.IsValid())
