@@ -9,11 +9,11 @@ using Alate.Flight;
 
 namespace Alate.Cli.Figures;
 
-/// <summary>Tables of the documentation's page of flight: steady flights of all species, and the monarch's and the dragonfly's beside measurements.</summary>
+/// <summary>Flight tables of the documentation's page of results: steady flights of all species, and the monarch's and the dragonfly's beside measurements.</summary>
 internal static class FlightFigures
 {
     /// <summary>The page, in the documentation's folder.</summary>
-    public const string Page = "flight.md";
+    public const string Page = "results.md";
 
     /// <summary>Speed and climb of the measured monarch, m/s.</summary>
     internal const float k_MeasuredSpeed = 1.28f, k_MeasuredClimb = 0.75f;

@@ -29,7 +29,7 @@ internal static class ValidationPage
     {
         List<ValidationRow> outside = rows.Where(row => !row.IsInside).ToList(), inside = rows.Where(row => row.IsInside).ToList();
         var refined = rows.Where(row => !double.IsNaN(row.Fine)).ToList();
-        var page = new StringBuilder("# Validation\n\nWritten by `validate`; see [the command line](command-line.md#validate). The model beside measured and published flights, at ");
+        var page = new StringBuilder("# Validation\n\nJudge how far the model can be trusted: it stands here beside measured and published flights, written by [`validate`](command-line.md#validate), at ");
         page.Append(CultureInfo.InvariantCulture, $"{DragonflyRows.Substeps} substeps of a beat and at {DragonflyRows.FineSubsteps}; the last columns say how far both are apart, and the verdict is that of the finer one. ");
         page.Append(CultureInfo.InvariantCulture, $"{inside.Count} of {rows.Count} rows agree; {refined.Count(row => row.IsConverged)} of {refined.Count} are converged within {100 * ValidationRow.Converged:0} %.\n\n");
         page.Append("The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of the air makes up for the difference in area. Added mass goes with the square of the chord and is too large by as much, 7 to 10 % for the tethered insect. Rows *with the drag of a dragonfly's wing* have the coefficients [Dragonfly](wing-preset.md#options), the others those of the presets. Their kinematics are [examples of the manual](kinematics.md#examples), digitised from plots by J. Pecquet.\n\nStrips are wings of [measured stiffness](wing-skeleton.md#measured-stiffness) without air; they are compared with beams.\n\n");

@@ -100,7 +100,7 @@ namespace Alate.Tests
         [Test]
         public void TheManualsTable_HasTheseNumbers()
         {
-            double[][] rows = File.ReadLines(Path.Combine(PackageRoot.Find(), "Documentation~", "authoring.md"))
+            double[][] rows = File.ReadLines(Path.Combine(PackageRoot.Find(), "Documentation~", "results.md"))
                 .Where(line => line.StartsWith("| ") && line.Contains("° → "))
                 .Select(line => Regex.Matches(line, @"[\d.]+").Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray())
                 .ToArray();
