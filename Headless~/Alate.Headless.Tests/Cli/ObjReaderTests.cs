@@ -27,6 +27,14 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void PointsOfATexture_AreAcrossAndUp_AsTheCornersNameThem()
+        {
+            ObjMesh mesh = Read("v 0 0 0\nv 1 0 0\nv 0 0 1\nvt 0.25 0.75\nvt 0.5 0.125\nvt 1 0\nf 1/2 2/1 3/3\n");
+
+            Assert.That(mesh.Uvs, Is.EqualTo(new[] { new Vector2(0.5f, 0.125f), new Vector2(0.25f, 0.75f), new Vector2(1f, 0f) }));
+        }
+
+        [Test]
         public void AQuad_IsAFanOfTwoTrianglesWoundAlike()
         {
             Assert.That(Read(k_Square + "f 1 2 3 4\n").Triangles, Is.EqualTo(new[] { 0, 1, 2, 0, 2, 3 }));

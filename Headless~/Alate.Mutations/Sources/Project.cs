@@ -43,7 +43,7 @@ internal sealed class Project
         foreach (string file in files)
         {
             // As an editor asks for them: nothing is compiled, and no other project is built.
-            Shell.Run(Path.GetDirectoryName(file), "dotnet", "msbuild", file, "-nologo", "-v:q", "-t:Compile",
+            Shell.Run(Path.GetDirectoryName(file), "dotnet", "msbuild", file, "-nologo", "-v:q", "-t:PrepareResources;Compile",
                 "-p:SkipCompilerExecution=true", "-p:ProvideCommandLineArgs=true", "-p:NonExistentFile=__none__/__none__",
                 "-p:DesignTimeBuild=true", "-p:BuildProjectReferences=false",
                 $"-p:CustomAfterMicrosoftCommonTargets={targets}", $"-p:CompilerArgumentsFolder={folder}");
