@@ -221,10 +221,17 @@ namespace Alate.Tests.Play
                     flight.Pilot = new Steerer { command = FlightCommand.Fly(math.isfinite(value) ? default : new float3(value)) }; break;
                 case "heading": flight.Heading = value; break;
                 case "metresPerUnit": wings.Motion.metresPerUnit = math.isfinite(value) ? 1e-38f : value; break;
-                case "spot": flight.Pilot = new Steerer { command =
-                    new FlightCommand { wish = FlightWish.Perch, spot = new PerchSpot { position = value, normal = Vector3.up } } }; break;
+                case "spot": flight.Pilot = new Steerer { command = Perching(value) }; break;
                 default: throw new ArgumentException(field);
             }
+        }
+
+        private static FlightCommand Perching(float value)
+        {
+            var command = FlightCommand.Fly(default);
+            command.wish = FlightWish.Perch;
+            command.spot = new PerchSpot { position = value, normal = Vector3.up };
+            return command;
         }
 
         // The first insect of a play has the first body of its world.

@@ -235,7 +235,7 @@ namespace Alate.Tests
                 flown.world.Step(0.02f);
                 Assert.That(flown.Reading.Phase, Is.InRange(0f, 2f * math.PI));
                 Assert.That(math.all(math.isfinite(flown.Reading.JointPosition(4, 4))));
-                var tooLong = Assert.Throws<ArgumentException>(() => flown.world.Resume(flown.wing, 1e38f));
+                ArgumentException tooLong = Assert.Throws<ArgumentException>(() => flown.world.Resume(flown.wing, 1e38f));
                 Assert.That(tooLong.Message, Does.Contain("1E+38"));
             }
         }
