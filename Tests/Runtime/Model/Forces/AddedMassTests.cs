@@ -24,6 +24,21 @@ namespace Alate.Tests
             Assert.That(sum, Is.EqualTo(0.25 * Math.PI * squares).Within(1.0).Percent);
         }
 
+        // A chord that tapers evenly, c (1 − 0.8 x): where along the span the air is carried, as well as how much.
+        [Test]
+        public void TheMassesOfATaperedPlate_LieWhereItsChordsAre()
+        {
+            SurfaceMesh surface = TestWings.Rectangle(96, 8);
+            for (int k = 0; k < surface.positions.Length; k++)
+                surface.positions[k].z *= 1f - 0.8f * surface.positions[k].x;
+            WingRig rig = TestWings.Bake(TestWings.Lattice(), surface, 0);
+            float moment = Moment(rig), sum = Masses(rig);
+            rig.Release();
+
+            Assert.That(sum, Is.EqualTo(0.25 * Math.PI * 0.25 * (1.0 - 0.8 + 0.64 / 3.0)).Within(0.3).Percent);
+            Assert.That(moment, Is.EqualTo(0.25 * Math.PI * 0.25 * (0.5 - 1.6 / 3.0 + 0.16)).Within(0.3).Percent);
+        }
+
         // A strip at x moves by φ x: −ρ π/4 c² φ̈ x across the plate, over a span of 1 half of −ρ π/4 c² φ̈.
         [Test]
         public void AFlappingPlate_FeelsThePlatesMass_TimesItsAcceleration()
@@ -143,6 +158,15 @@ namespace Alate.Tests
             RigView view = rig.ViewAt(false);
             for (int joint = 0; joint < view.jointCount; joint++)
                 sum += view.addedMasses[joint];
+            return sum;
+        }
+
+        private static unsafe float Moment(WingRig rig)
+        {
+            float sum = 0f;
+            RigView view = rig.ViewAt(false);
+            for (int joint = 0; joint < view.jointCount; joint++)
+                sum += view.addedMasses[joint] * view.restJoints[joint].x;
             return sum;
         }
 
