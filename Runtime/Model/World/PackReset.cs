@@ -31,6 +31,7 @@ namespace Alate
             beat.amplitude3 = SoaFloat3.Select(beat.amplitude3, beat.amplitude, lanes);
             beat.amplitude4 = SoaFloat3.Select(beat.amplitude4, beat.amplitude, lanes);
             beat.means1 = SoaFloat3.Select(beat.means1, beat.means, lanes);
+            beat.meanFlap1 = math.select(beat.meanFlap1, beat.meanFlap, lanes);
             beat.rate = math.select(beat.rate, 2f * math.PI * beat.frequency, lanes);
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);

@@ -17,6 +17,30 @@ namespace Alate.Tests
         private const int k_Settling = 6, k_Back = 4;
         private const double k_Same = 1e-3, k_Felt = 1e-5;
 
+        // A wing that was made up for a time beats as one that has always been commanded so: nothing glides on from the last beat before it.
+        [Test]
+        public void AfterAResume_NothingOfTheLastCommandIsLeft()
+        {
+            var drive = new WingDrive { frequency = 12f, amplitude = 0.7f, meanFlap = 0.5f, meanSweep = 0.2f, meanFeather = -0.3f, tilt = 0.4f };
+            WingRig rig = Monarch.Rig(32);
+            using (var world = new WingWorld())
+            {
+                WingHandle changed = world.Add(rig, Monarch.Parameters), always = world.Add(rig, Monarch.Parameters);
+                rig.Release();
+                world.SetDrive(changed, drive);
+                world.SetDrive(always, drive);
+                while (world.Read(changed).Beats < 1)
+                    world.Step(0.004f);
+                world.Reset(always);
+                float phase = world.Read(changed).Phase / (2f * math.PI);
+                Assert.That(phase, Is.LessThan(0.2f), "in the middle of a glide");
+                world.Resume(changed, 10f / 12f);
+                world.Resume(always, (10f + phase) / 12f);
+                for (int chain = 0; chain < 5; chain++)
+                    Assert.That(math.distance(world.Read(changed).JointPosition(chain, 4), world.Read(always).JointPosition(chain, 4)), Is.LessThan(1e-3f), $"chain {chain}");
+            }
+        }
+
         [Test]
         public void AfterAReset_TheWingIsSoonBackInItsBeat() => AssertBack((world, wing, dt) =>
         {
