@@ -16,6 +16,17 @@ namespace Alate.Tests.Cli
         private const string k_Square = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\n";
 
         [Test]
+        public void NumbersOfAVertex_AreItsPlaceNormalColourAndTexturePoint_InTheirOrder()
+        {
+            ObjMesh mesh = Read("v 1 2 3 0.2 0.4 0.6\nv 4 5 6 0 1 0\nv 7 8 10 1 0 0\nvn 1 0 0\nvn 0 0 1\nvt 0.25 0.75\nvt 0.5 1\nf 1/1/1 2/2/2 3/1/1\n");
+
+            Assert.That(mesh.Positions[0] + new UnityEngine.Vector3((float)mesh.Origin.X, (float)mesh.Origin.Y, (float)mesh.Origin.Z), Is.EqualTo(new UnityEngine.Vector3(1f, 2f, 3f)));
+            Assert.That(mesh.Uvs, Is.EqualTo(new[] { new UnityEngine.Vector2(0.25f, 0.75f), new UnityEngine.Vector2(0.5f, 1f), new UnityEngine.Vector2(0.25f, 0.75f) }));
+            Assert.That(mesh.Normals, Is.EqualTo(new[] { UnityEngine.Vector3.right, UnityEngine.Vector3.forward, UnityEngine.Vector3.right }));
+            Assert.That(mesh.Colours[0], Is.EqualTo(new UnityEngine.Color32(51, 102, 153, 255)));
+        }
+
+        [Test]
         public void ATriangle_IsReadAsItStands()
         {
             ObjMesh mesh = Read("v 0 0 0\nv 1.5 0 0\nv 0 -2e-1 +1\nf 1 2 3\n");

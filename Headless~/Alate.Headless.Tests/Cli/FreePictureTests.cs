@@ -1,0 +1,67 @@
+using System;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli.Films;
+using Alate.Cli.Flights;
+using Alate.Cli.FreeFlights;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Tests.Cli;
+
+/// <summary>Scale bars of pictures of paths, and the frames of a film of a free flight.</summary>
+public sealed class FreePictureTests
+{
+    private static readonly Color32 s_Ink = new(0x33, 0x33, 0x33, 0xff);
+
+    // A sixth of 1,200 pixels is 200: bars of 1, 2 or 5 times a power of ten, at most as long.
+    [TestCase(100f, 200)]
+    [TestCase(160f, 160)]
+    [TestCase(250f, 125)]
+    [TestCase(41f, 82)]
+    [TestCase(0.05f, 100)]
+    public void AScaleBar_IsOfARoundLength_AboutASixthOfTheWidth(float pixelsPerMetre, int bar)
+    {
+        var pixels = Enumerable.Repeat(new Color32(255, 255, 255, 255), 1200 * 300).ToArray();
+        new PathLabels(pixels, 1200).Scale(pixelsPerMetre);
+        int[] rows = Enumerable.Range(0, 300).Where(row => Enumerable.Range(24, 4).All(x => pixels[row * 1200 + x].Equals(s_Ink))).ToArray();
+        int lowest = rows.Max();
+
+        Assert.That(lowest, Is.EqualTo(300 - 24 - 1), "above the margin");
+        Assert.That(Enumerable.Range(0, 1200).Count(x => pixels[lowest * 1200 + x].Equals(s_Ink)), Is.EqualTo(bar));
+        Assert.That(Enumerable.Range(0, 1200).First(x => pixels[lowest * 1200 + x].Equals(s_Ink)), Is.EqualTo(24));
+        int end = lowest - 8;
+        Assert.That(Enumerable.Range(0, 1200).Where(x => pixels[end * 1200 + x].Equals(s_Ink)), Is.EqualTo(Enumerable.Range(24, 4).Concat(Enumerable.Range(24 + bar - 4, 4))), "ends stand up");
+        Assert.That(pixels.Take(1200 * 240).Any(pixel => !pixel.Equals(new Color32(255, 255, 255, 255))), Is.True, "a label above it");
+    }
+
+    [Test]
+    public void AFilmOfAFreeFlight_LooksAheadInItsMiddle_AndItsTrailIsWhereTheInsectWas()
+    {
+        const int frames = 12, beats = 2;
+        InsectDefinition monarch = InsectCatalogue.Find("monarch");
+        var film = FreeStretch.Fly(new FilmPlan { Flight = FlightPlan.Cruise(monarch, InsectVariant.Flight), IsFree = true, Frames = frames, Beats = beats });
+        FilmMoment[] moments = Enumerable.Range(0, beats * frames).Select(film.At).ToArray();
+        float3 ahead = math.rotate(moments[frames * beats / 2].Turn, new float3(0f, 0f, 1f));
+
+        Assert.That(Math.Atan2(ahead.x, ahead.z), Is.EqualTo(0.0).Within(0.02), "seen as if it looked ahead");
+        for (int k = 1; k < moments.Length; k++)
+        {
+            double turned = moments[k].Turns - moments[k - 1].Turns;
+            Assert.That(turned - Math.Floor(turned), Is.EqualTo(1.0 / frames).Within(0.02), "a beat has so many frames");
+            Assert.That(math.length(moments[k].Way), Is.LessThan(0.05f), "the camera goes along");
+            Assert.That(moments[k].Trail, Has.Count.InRange(3 * 8, (3 + beats) * frames));
+        }
+
+        // Dots stay where they are in the world: from frame to frame all move alike, as the camera does, and the last is a place of the insect.
+        for (int k = 1; k < moments.Length; k++)
+        {
+            float3 moved = moments[k].Trail[0] - moments[k - 1].Trail[0];
+            for (int dot = 1; dot < moments[k - 1].Trail.Count; dot++)
+                Assert.That(math.distance(moments[k].Trail[dot] - moments[k - 1].Trail[dot], moved), Is.LessThan(1e-4f));
+            if (moments[k].Trail.Count > moments[k - 1].Trail.Count)
+                Assert.That(math.distance(moments[k].Trail[^1], moments[k - 1].Way + moved), Is.LessThan(1e-4f), "the last dot is where the insect was a frame ago");
+        }
+    }
+}
