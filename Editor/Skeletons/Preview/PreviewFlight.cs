@@ -8,8 +8,6 @@ namespace Alate.Editor
         /// <summary>Speed as a share of the preset's u_max: a monarch's 1.3 m/s.</summary>
         private const float k_CruiseShare = 0.65f;
 
-        private const float k_Gravity = 9.81f;
-
         public readonly WingParameters parameters;
         public readonly WingSurroundings surroundings;
 
@@ -26,7 +24,7 @@ namespace Alate.Editor
             return new PreviewFlight(preset.parameters, new WingSurroundings
             {
                 wind = new float3(0f, 0f, -speed / preset.size.wingLength),
-                gravity = new float3(0f, -k_Gravity * preset.size.gravityShare / preset.size.wingLength, 0f),
+                gravity = new float3(0f, -EarthGravity.Size * preset.size.gravityShare / preset.size.wingLength, 0f),
                 speed = speed,
             });
         }

@@ -8,7 +8,6 @@ namespace Alate.Benchmarks;
 internal sealed class Specimen : IDisposable
 {
     private const float k_CruiseShare = 0.65f;
-    private const float k_Gravity = 9.81f;
     private readonly WingRigSettings m_Settings;
 
     public Specimen(WingDefinition wing)
@@ -29,7 +28,7 @@ internal sealed class Specimen : IDisposable
         Flight = new WingSurroundings
         {
             wind = new float3(0f, 0f, -cruise / preset.WingLength),
-            gravity = new float3(0f, -k_Gravity / preset.WingLength, 0f),
+            gravity = new float3(0f, -EarthGravity.Size / preset.WingLength, 0f),
             speed = cruise,
         };
     }

@@ -151,14 +151,13 @@ internal sealed record FlightPlan
     /// </summary>
     public WingSurroundings SurroundingsOf(WingPreset preset, WingSide side)
     {
-        const float k_Gravity = 9.81f;
         float pitch = math.radians((float)PitchDegrees);
         float3 air = AirPastBody;
         air.x = side == WingSide.Right ? air.x : -air.x;
         return new WingSurroundings
         {
             wind = ToBody(air, pitch) / preset.WingLength,
-            gravity = ToBody(new float3(0f, -k_Gravity, 0f), pitch) * (preset.Size.gravityShare / preset.WingLength),
+            gravity = ToBody(EarthGravity.Down, pitch) * (preset.Size.gravityShare / preset.WingLength),
             speed = (float)BodySpeed,
             angleOfAttack = pitch,
         };

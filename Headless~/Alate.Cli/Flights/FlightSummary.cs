@@ -8,14 +8,14 @@ namespace Alate.Cli.Flights;
 /// <summary>The numbers of a flight.</summary>
 internal sealed class FlightSummary
 {
-    private const double k_Gravity = 9.81, k_BearableP99 = 8.0, k_BearableMax = 25.0;
+    private const double k_BearableP99 = 8.0, k_BearableMax = 25.0;
 
     private FlightSummary(FlightRecord flight)
     {
         Flight = flight;
         Wings = flight.Wings.Where(wing => !wing.Placement.IsLeft).Select(WingSummary.Of).ToList();
         (MeanForce, MeanMoment) = MeanAir(flight);
-        LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Preset.Size.insectMass * k_Gravity);
+        LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise);
         NewtonIterationsMean = flight.Wings.SelectMany(wing => wing.Frames).Average(frame => frame.NewtonIterations);
         Resets = flight.Wings.Sum(wing => wing.Resets);
         Triangles = flight.Wings.Sum(wing => wing.Triangles.Length / 3);

@@ -87,8 +87,7 @@ internal static class ButterflyRows
     // Mean force of all wings along the way of the body, over the weight.
     private static double Thrust(FlightRecord flight)
     {
-        const double k_Gravity = 9.81;
-        return flight.Plan.ToWorld(FlightSummary.Of(flight).MeanForce).z / (k_Gravity * flight.Wings[0].Wing.Preset.Size.insectMass);
+        return flight.Plan.ToWorld(FlightSummary.Of(flight).MeanForce).z / (EarthGravity.Precise * flight.Wings[0].Wing.Preset.Size.insectMass);
     }
 
     private static double Twists(FlightRecord flight) => Largest(flight, false) / Largest(flight, true);

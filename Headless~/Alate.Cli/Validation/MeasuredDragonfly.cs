@@ -40,7 +40,7 @@ internal sealed record MeasuredDragonfly(string Name, double Speed, double Climb
     ];
 
     /// <summary>Weight, newtons.</summary>
-    public double Weight => Mass * 9.81;
+    public double Weight => Mass * EarthGravity.Precise;
 
     private static MeasuredDragonfly Flight(int number, double speed, double angle) => new(
         $"dragonfly-flight-{number}", speed * Math.Cos(angle * Math.PI / 180), speed * Math.Sin(angle * Math.PI / 180), 790e-6, s_AzumaLengths, s_AzumaAreas, k_Azuma);

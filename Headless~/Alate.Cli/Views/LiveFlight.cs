@@ -11,8 +11,6 @@ namespace Alate.Cli.Views;
 /// <summary>An insect on the spot that is stepped as its viewer's time passes and tells how it is.</summary>
 internal sealed class LiveFlight : IDisposable
 {
-    private const float k_Gravity = 9.81f;
-
     /// <summary>Largest of the whole numbers that stand for places.</summary>
     private const float k_Steps = short.MaxValue;
 
@@ -91,7 +89,7 @@ internal sealed class LiveFlight : IDisposable
 
     private float Alpha => m_Last > 0.0 ? (float)Math.Clamp(1.0 - (m_Stepped - Time) / m_Last, 0.0, 1.0) : 1f;
 
-    private float Weight => Wings[0].Wing.Preset.Size.insectMass * k_Gravity;
+    private float Weight => Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Size;
 
     // On the body, over the insect's weight.
     private float3 Force(int wing, float3 force)

@@ -7,9 +7,6 @@ namespace Alate.Crowds
     /// <summary>A steady motion of an insect that is baked as a loop: how fast the body goes, how it lies, and how the beat differs from the preset's.</summary>
     public sealed class BakeMotion
     {
-        /// <summary>Gravity, m/s².</summary>
-        private const float k_Gravity = 9.81f;
-
         private static readonly BakeMotion[] s_All =
         {
             new BakeMotion("cruise") { Speed = 0.65f, IsFlown = true },
@@ -98,7 +95,7 @@ namespace Alate.Crowds
             return new BodyFlight
             {
                 velocity = ToBody(new float3(0f, Climb, Speed) * maxSpeed, pitch) / metresPerUnit,
-                gravity = ToBody(new float3(0f, -k_Gravity, 0f), pitch),
+                gravity = ToBody(EarthGravity.Down, pitch),
                 forward = new float3(0f, 0f, 1f),
                 metresPerUnit = toldMetresPerUnit,
             };

@@ -14,8 +14,6 @@ namespace Alate.Crowds
         /// <summary>Error of velocity at which an insect is lost, m/s.</summary>
         private const float k_Lost = 0.5f;
 
-        private const float k_Gravity = 9.81f;
-
         private float3 m_Velocity, m_Ahead, m_Up;
         private float m_Turning;
 
@@ -71,7 +69,7 @@ namespace Alate.Crowds
             {
                 velocity = math.rotate(back, m_Velocity) / metresPerUnit,
                 angularVelocity = math.rotate(back, new float3(0f, m_Turning, 0f)),
-                gravity = math.rotate(back, new float3(0f, -k_Gravity, 0f)),
+                gravity = math.rotate(back, EarthGravity.Down),
                 forward = new float3(0f, 0f, 1f),
                 metresPerUnit = toldMetresPerUnit,
             };

@@ -7,8 +7,6 @@ namespace Alate.Flight
     /// <summary>An insect as a body that flies: its wings, its mass and where the mass lies, its drag.</summary>
     public sealed class FlightModel : IDisposable
     {
-        private const float k_Gravity = 9.81f;
-
         /// <summary>Frontal area along the body counts for so much: a slender body drags less than its shadow.</summary>
         private const float k_EndOnDrag = 0.4f;
 
@@ -78,7 +76,7 @@ namespace Alate.Flight
         internal uint Key { get; }
 
         /// <summary>Weight, N, as it would be in air.</summary>
-        public float Weight => Mass * k_Gravity;
+        public float Weight => Mass * EarthGravity.Size;
 
         /// <summary>True where the fluid carries the body: its fins only balance its drag.</summary>
         public bool Floats => GravityShare <= 0f;
@@ -110,8 +108,8 @@ namespace Alate.Flight
             mass = Mass,
             inertia = Inertia,
             drag = Drag,
-            weight = new float3(0f, -k_Gravity * GravityShare, 0f),
-            gravity = new float3(0f, -k_Gravity, 0f),
+            weight = EarthGravity.Down * GravityShare,
+            gravity = EarthGravity.Down,
             frequency = Frequency,
             length = Length,
             rotation = quaternion.identity,

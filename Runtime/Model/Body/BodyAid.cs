@@ -14,10 +14,8 @@ namespace Alate
         /// <summary>Rate of the force over the mass, s⁻¹; rate at which the moment turns the body back, critically damped, over F0: what upsets a body grows with its beat.</summary>
         private const float k_Rate = 4f, k_Beat = 4f;
 
-        /// <summary>Bounds over the weight (and a wing's length).</summary>
+        /// <summary>Bounds over the weight in the scene's gravity (and a wing's length).</summary>
         private const float k_MostMoment = 1f, k_MostForce = 0.5f;
-
-        private const float k_Gravity = 9.81f;
 
         /// <summary>Fills force (world axes) and moment (body axes).</summary>
         public static void Evaluate(ref FlyingBody body, float phase)
@@ -30,7 +28,7 @@ namespace Alate
             FlyingBody seen = body;
             var bob = BodyBob.At(point, phase);
             quaternion wanted = BodyFeedback.Errors(ref seen, point, bob);
-            float weight = body.mass * k_Gravity;
+            float weight = body.mass * math.length(body.gravity);
             float3 dv = Beyond(seen.velocityError, k_Velocity), e = Beyond(BodyFeedback.TurnApart(body, point, bob, out quaternion heading), k_Turn);
             body.aidForce = body.aid * Bounded(math.rotate(wanted, dv) * (-k_Rate * body.mass), k_MostForce * weight);
             if (math.any(e != 0f))

@@ -17,7 +17,8 @@ namespace Alate
         /// <summary>Largest error of the heading that the aid sees, radians.</summary>
         private const float k_MostHeading = 0.8f;
 
-        private const float k_Gravity = 9.81f;
+        /// <summary>Largest lean into a turn, radians: where little gravity pulls, lift turns no insect quicker.</summary>
+        private const float k_MostLean = 1f;
 
         /// <summary>Samples the body at a phase and makes the commands; writes the drive of each wing.</summary>
         public static void Sample(ref FlyingBody body, float phase, float* point)
@@ -26,7 +27,7 @@ namespace Alate
             Errors(ref body, point, bob);
             float speed = math.length(body.velocityError);
             float3 dv = body.velocityError * (speed > k_MostError ? k_MostError / speed : 1f);
-            var lean = new float3(0f, 0f, -LateralAcceleration(body.reference) / k_Gravity);
+            var lean = new float3(0f, 0f, -Lean(body));
             float3 e = body.turnError - lean, w = body.rateError, i = body.integral;
             if (body.clipped == 0 && speed < k_MostError)
                 body.integral = math.clamp(body.integral + dv * body.sinceSample, -k_MostIntegral, k_MostIntegral);
@@ -102,6 +103,13 @@ namespace Alate
 
         private static quaternion Trimmed(quaternion heading, float* point) =>
             math.mul(heading, quaternion.AxisAngle(new float3(1f, 0f, 0f), -point[TrimPoint.Pitch]));
+
+        // By the scene's gravity, against which the lift leans; where there is none nothing is to be held up.
+        private static float Lean(in FlyingBody body)
+        {
+            float gravity = math.length(body.gravity);
+            return gravity > 0f ? math.clamp(LateralAcceleration(body.reference) / gravity, -k_MostLean, k_MostLean) : 0f;
+        }
 
         /// <summary>Acceleration of the reference to the right of its heading, m/s².</summary>
         private static float LateralAcceleration(in BodyReference reference)

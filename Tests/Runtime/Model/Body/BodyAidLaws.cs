@@ -6,7 +6,7 @@ namespace Alate.Tests
     /// <summary>Help from outside: none for small errors, against large ones, bounded by the weight.</summary>
     public sealed class BodyAidLaws
     {
-        private const float k_Mass = 4e-4f, k_Frequency = 11f, k_Length = 0.06f, k_Weight = 9.81f * k_Mass;
+        private const float k_Mass = 4e-4f, k_Frequency = 11f, k_Length = 0.06f, k_Gravity = 9.81f, k_Weight = k_Gravity * k_Mass;
 
         private TrimTableMemory m_Table;
 
@@ -69,6 +69,21 @@ namespace Alate.Tests
             Assert.That(math.length(body.aidMoment), Is.EqualTo(strength * k_Weight * k_Length).Within(1e-4f * k_Weight * k_Length));
         }
 
+        // Half a weight, and a weight on a wing's length, in the gravity of the scene, wherever it pulls to.
+        [Test]
+        public void Bounds_AreThoseOfTheScenesGravity([Values(0f, 1.62f, 9.81f, 25f)] float gravity)
+        {
+            FlyingBody body = Body(1f);
+            body.gravity = gravity * math.normalize(new float3(1f, -2f, 0.5f));
+            body.inertia = 1e-3f * float3x3.identity;
+            body.rotation = math.mul(quaternion.AxisAngle(new float3(1f, 0f, 0f), 1.5f), body.rotation);
+            body.velocity = body.reference.velocity + new float3(0f, -50f, 0f);
+            BodyAid.Evaluate(ref body, 0f);
+            float weight = gravity * k_Mass;
+            Assert.That(math.length(body.aidForce), Is.EqualTo(0.5f * weight).Within(1e-5f * k_Weight));
+            Assert.That(math.length(body.aidMoment), Is.EqualTo(weight * k_Length).Within(1e-4f * k_Weight * k_Length));
+        }
+
         // An insect that looks back is upright: it is turned about the vertical, and no more than by 0.8 rad.
         [Test]
         public void AnInsectThatLooksTheWrongWay_IsTurnedAboutTheVertical([Values(0.9f, 2f, -2f)] float off)
@@ -111,6 +126,7 @@ namespace Alate.Tests
             body.inertia = 2e-8f * float3x3.identity;
             body.frequency = k_Frequency;
             body.length = k_Length;
+            body.gravity = new float3(0f, -k_Gravity, 0f);
             body.aid = strength;
             body.table = m_Table.View;
             body.reference.heading = 0.8f;

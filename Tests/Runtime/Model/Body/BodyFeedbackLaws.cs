@@ -7,8 +7,6 @@ namespace Alate.Tests
     /// <summary>Errors that the feedback measures, commands that it makes of them, and its integral.</summary>
     public sealed unsafe class BodyFeedbackLaws
     {
-        private const float k_Gravity = 9.81f;
-
         [Test]
         public void Errors_AreTheDeparturesFromReferenceTrimAndBob([Values(1u, 2u, 3u, 4u, 5u, 6u)] uint seed)
         {
@@ -81,6 +79,8 @@ namespace Alate.Tests
             float* point = stackalloc float[TrimPoint.Floats];
             Fill(point, ref random);
             FlyingBody body = Flown(ref random, point);
+            float gravity = random.NextFloat(4f, 15f);
+            body.gravity = gravity * random.NextFloat3Direction();
             body.integral = random.NextFloat3(-0.3f, 0.3f);
             for (int k = 0; k < FlightCommands.Count; k++)
                 body.last[k] = random.NextFloat(-0.2f, 0.2f);
@@ -88,7 +88,7 @@ namespace Alate.Tests
             BodyFeedback.Sample(ref body, 1f, point);
             float3 v = body.velocityError, e = body.turnError, w = body.rateError, i = before.integral;
             float3 right = math.rotate(About(1, body.reference.heading), new float3(1f, 0f, 0f));
-            e.z += math.dot(right, body.reference.acceleration) / k_Gravity;
+            e.z += math.dot(right, body.reference.acceleration) / gravity;
             float[] along = { v.y, v.z, e.x, w.x, i.y, i.z, before.Last(0), before.Last(1), before.Last(2), before.Last(3) };
             float[] aside = { v.x, e.y, e.z, w.y, w.z, i.x, before.Last(4), before.Last(5) };
             for (int command = 0; command < 6; command++)
@@ -102,6 +102,24 @@ namespace Alate.Tests
             }
 
             Assert.That(body.clipped, Is.Zero);
+        }
+
+        // The lean that a turn needs goes by the scene's gravity: more on the moon, at most one radian, none where nothing is to be held up.
+        [TestCase(9.81f, 2f / 9.81f)]
+        [TestCase(4f, 0.5f)]
+        [TestCase(0.5f, 1f)]
+        [TestCase(0f, 0f)]
+        public void TheLean_GoesByTheScenesGravity(float gravity, float lean)
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            Clear(point);
+            point[TrimPoint.SideGains + 2] = 0.1f;
+            FlyingBody body = default;
+            body.rotation = quaternion.identity;
+            body.gravity = new float3(0f, -gravity, 0f);
+            body.reference.acceleration = new float3(2f, 0f, 0f);
+            BodyFeedback.Sample(ref body, 0f, point);
+            Assert.That(-body.Last(4), Is.EqualTo(0.1f * lean).Within(1e-6f), "the error of the roll is that of an upright body less its lean");
         }
 
         [Test]
