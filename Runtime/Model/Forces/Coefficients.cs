@@ -11,26 +11,33 @@ namespace Alate
         /// <summary>Lift l(α) and drag d(α) of Eq. 9 for a run of elements; one set for all of them.</summary>
         public static unsafe void Evaluate(in ModelOptions options, PatchStream* streams, int count)
         {
-            if (options.coefficients == CoefficientSet.FlatPlate)
+            PatchStream* end = streams + count;
+            switch (options.coefficients)
             {
-                for (PatchStream* s = streams; s < streams + count; s++)
-                    FlatPlate(math.abs(s->across), s->tangential, out s->lift, out s->drag);
-            }
-            else if (options.coefficients == CoefficientSet.Paper)
-            {
-                Angles(streams, count);
-                for (PatchStream* s = streams; s < streams + count; s++)
-                    Paper(s->angle, options.clampLift, out s->lift, out s->drag);
-            }
-            else
-            {
-                Angles(streams, count);
-                for (PatchStream* s = streams; s < streams + count; s++)
-                    Dickinson(s->angle, out s->lift, out s->drag);
-                if (options.coefficients != CoefficientSet.Dragonfly)
+                case CoefficientSet.FlatPlate:
+                    for (PatchStream* s = streams; s < end; s++)
+                        FlatPlate(math.abs(s->across), s->tangential, out s->lift, out s->drag);
                     return;
-                for (PatchStream* s = streams; s < streams + count; s++)
-                    s->drag = DragonflyDrag(s->across, s->tangential);
+                case CoefficientSet.Paper:
+                    Angles(streams, count);
+                    for (PatchStream* s = streams; s < end; s++)
+                        Paper(s->angle, options.clampLift, out s->lift, out s->drag);
+                    return;
+                case CoefficientSet.Dickinson1999:
+                case CoefficientSet.Dragonfly:
+                    Angles(streams, count);
+                    for (PatchStream* s = streams; s < end; s++)
+                        Dickinson(s->angle, out s->lift, out s->drag);
+                    if (options.coefficients == CoefficientSet.Dickinson1999)
+                        return;
+                    for (PatchStream* s = streams; s < end; s++)
+                        s->drag = DragonflyDrag(s->across, s->tangential);
+                    return;
+                default:
+                    // A job throws nothing: the world refuses such options, and a set that was forgotten here is seen at once.
+                    for (PatchStream* s = streams; s < end; s++)
+                        s->lift = s->drag = float.NaN;
+                    return;
             }
         }
 

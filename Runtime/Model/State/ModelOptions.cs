@@ -70,6 +70,32 @@ namespace Alate
             timeScheme = TimeScheme.BackwardEuler,
         };
 
+        /// <summary>Problem of the first option that is none of its kind's, as one sentence; null where there is none.</summary>
+        internal readonly string FindProblem() =>
+            Undefined(nameof(coefficients), coefficients) ?? Undefined(nameof(tangent), tangent) ?? Undefined(nameof(cycleChange), cycleChange)
+            ?? Undefined(nameof(torqueArm), torqueArm) ?? Undefined(nameof(springUnits), springUnits) ?? Undefined(nameof(coupling), coupling)
+            ?? Undefined(nameof(timeScheme), timeScheme);
+
+        /// <summary>These options, those of <see cref="ModelReading.Physical"/> in place of each that is none of its kind's.</summary>
+        internal readonly ModelOptions Defined()
+        {
+            ModelOptions defined = this;
+            defined.coefficients = OrFirst(coefficients);
+            defined.tangent = OrFirst(tangent);
+            defined.cycleChange = OrFirst(cycleChange);
+            defined.torqueArm = OrFirst(torqueArm);
+            defined.springUnits = OrFirst(springUnits);
+            defined.coupling = OrFirst(coupling);
+            defined.timeScheme = OrFirst(timeScheme);
+            return defined;
+        }
+
+        private static string Undefined<T>(string name, T value) where T : unmanaged, Enum => Known<T>.Has(value)
+            ? null
+            : $"options.{name} is {value}; it must be one of {string.Join(", ", Known<T>.values)}.";
+
+        private static T OrFirst<T>(T value) where T : unmanaged, Enum => Known<T>.Has(value) ? value : default;
+
         /// <summary>Returns true where every option is equal.</summary>
         public bool Equals(ModelOptions other) =>
             coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift
@@ -82,5 +108,13 @@ namespace Alate
         /// <inheritdoc/>
         public override int GetHashCode() =>
             HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, HashCode.Combine(timeScheme, addedMass));
+
+        // Looked up once: Enum.IsDefined boxes, and presets are compared in every step.
+        private static class Known<T> where T : unmanaged, Enum
+        {
+            public static readonly T[] values = (T[])Enum.GetValues(typeof(T));
+
+            public static bool Has(T value) => Array.IndexOf(values, value) >= 0;
+        }
     }
 }

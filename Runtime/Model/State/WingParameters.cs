@@ -164,6 +164,7 @@ namespace Alate
             }
 
             clamped.substepsPerBeat = math.clamp(substepsPerBeat, MinSubsteps, MaxSubsteps);
+            clamped.options = options.Defined();
             if (kinematics.FindProblem() != null)
                 clamped.kinematics = default;
             return clamped;
@@ -202,7 +203,7 @@ namespace Alate
                     $"substepsPerBeat is {substepsPerBeat}; it must be between {MinSubsteps} and {MaxSubsteps}.");
             }
 
-            return kinematics.FindProblem();
+            return options.FindProblem() ?? kinematics.FindProblem();
         }
 
         /// <summary>Every number, in the order of the fields.</summary>

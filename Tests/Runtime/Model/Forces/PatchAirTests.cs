@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -8,6 +9,28 @@ namespace Alate.Tests
     {
         private static readonly float3 s_Wind = new float3(3f, -2f, -10f);
         private static readonly float3 s_Normal = math.normalize(new float3(0.1f, 1f, -0.2f));
+
+        // A set that Evaluate does not know would be silent otherwise: the air of a value that is none is no number.
+        [Test]
+        public unsafe void EverySet_HasCoefficientsOfItsOwn()
+        {
+            var seen = new HashSet<(float, float)>();
+            foreach (CoefficientSet set in (CoefficientSet[])Enum.GetValues(typeof(CoefficientSet)))
+            {
+                (float lift, float drag) = Of(set);
+                Assert.That(math.isfinite(lift) && math.isfinite(drag), set.ToString());
+                Assert.That(seen.Add((lift, drag)), $"{set} is another one");
+            }
+
+            Assert.That(Of((CoefficientSet)99), Is.EqualTo((float.NaN, float.NaN)));
+
+            (float, float) Of(CoefficientSet set)
+            {
+                var stream = new PatchStream { across = 0.6f, tangential = 0.8f };
+                Coefficients.Evaluate(new ModelOptions { coefficients = set }, &stream, 1);
+                return (stream.lift.x, stream.drag.x);
+            }
+        }
 
         [Test]
         public void PaperLift_HasItsMaximumWhereThePolynomialHasIt()

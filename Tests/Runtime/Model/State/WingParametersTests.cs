@@ -7,6 +7,21 @@ namespace Alate.Tests
     public sealed class WingParametersTests
     {
         [Test]
+        public void AnOptionThatIsNone_IsRefused_AndTakenAsPhysicalFromAPreset()
+        {
+            WingParameters parameters = WingParameters.Default;
+            parameters.options.coefficients = (CoefficientSet)7;
+            Assert.That(parameters.FindProblem(), Is.EqualTo("options.coefficients is 7; it must be one of Dickinson1999, Paper, FlatPlate, Dragonfly."));
+            Assert.That(parameters.Clamped().options, Is.EqualTo(WingParameters.Default.options));
+            parameters = WingParameters.Default;
+            parameters.options.timeScheme = (TimeScheme)(-1);
+            Assert.That(parameters.FindProblem(), Does.StartWith("options.timeScheme is -1; it must be one of SecondOrder"));
+            parameters.options = ModelOptions.Paper;
+            Assert.That(parameters.FindProblem(), Is.Null);
+            Assert.That(parameters.Clamped().options, Is.EqualTo(ModelOptions.Paper));
+        }
+
+        [Test]
         public void Defaults_AreInRange()
         {
             Assert.That(WingParameters.Default.FindProblem(), Is.Null);
