@@ -165,7 +165,9 @@ namespace Alate.Crowds
             Camera eye = m_Camera != null ? m_Camera : Camera.main;
             m_Pending.Complete();
             m_Twins.Update(m_LivePrefab, eye == null ? 0 : m_LiveCount, m_Insect, m_Buffers, seconds);
-            m_Pending = Job(eye, seconds).Schedule();
+            CrowdJob job = Job(eye, seconds);
+            job.Validate();
+            m_Pending = job.Schedule();
             JobHandle.ScheduleBatchedJobs();
         }
 

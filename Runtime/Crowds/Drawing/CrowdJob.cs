@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -54,6 +55,27 @@ namespace Alate.Crowds
         /// <summary>Insects in sight that are nearest to the camera, the nearest first; as many as there is room for, or −1.</summary>
         public NativeArray<int> nearest;
         public NativeArray<float> nearestDistances;
+
+        /// <summary>Checks the fields before the job is scheduled.</summary>
+        /// <exception cref="System.ArgumentException">One is out of its range; names it, its value and the range.</exception>
+        [Conditional(JobFields.Checks)]
+        public void Validate()
+        {
+            JobFields.Finite(seconds, "CrowdJob.seconds");
+            JobFields.NotNegative(radius, "CrowdJob.radius");
+            JobFields.InRange(sizeCount, 1, MaxSizes, "CrowdJob.sizeCount");
+            JobFields.InRange(hiddenCount, 0, hidden.Length, "CrowdJob.hiddenCount");
+            for (int k = 0; k < hiddenCount; k++)
+                JobFields.InRange(hidden[k], 0, poses.Length - 1, "CrowdJob.hidden");
+            JobFields.AtLeast(loops.Length, 1, "CrowdJob.loops");
+            JobFields.AtLeast(sizes.Length, poses.Length, "CrowdJob.sizes");
+            JobFields.AtLeast(counts.Length, MaxSizes, "CrowdJob.counts");
+            JobFields.AtLeast(matrices.Length, poses.Length, "CrowdJob.matrices");
+            JobFields.AtLeast(rows.Length, poses.Length, "CrowdJob.rows");
+            JobFields.AtLeast(nextRows.Length, poses.Length, "CrowdJob.nextRows");
+            JobFields.AtLeast(tints.Length, poses.Length, "CrowdJob.tints");
+            JobFields.AtLeast(nearestDistances.Length, nearest.Length, "CrowdJob.nearestDistances");
+        }
 
         public void Execute()
         {

@@ -114,7 +114,7 @@ namespace Alate.Crowds
                 return;
             int loop = Mathf.Max(0, Crowd.Insect.IndexOf(m_Loop));
             CrowdLoop shown = Crowd.Insect.Loops[loop];
-            new SpawnJob
+            var job = new SpawnJob
             {
                 toWorld = float4x4.TRS(transform.position, transform.rotation, 1f),
                 half = 0.5f * math.abs((float3)m_Area),
@@ -126,7 +126,9 @@ namespace Alate.Crowds
                 seed = (uint)m_Seed,
                 time = m_Time,
                 poses = poses,
-            }.ScheduleParallel(poses.Length, k_Batch, default).Complete();
+            };
+            job.Validate(poses.Length);
+            job.ScheduleParallel(poses.Length, k_Batch, default).Complete();
         }
 
         private void Update() => Advance(Time.deltaTime);

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -34,6 +35,22 @@ namespace Alate.Crowds
 
         // Output, of which phases are the crowd's.
         public NativeArray<CrowdPose> poses;
+
+        /// <summary>Checks the fields before the job is scheduled over a number of insects.</summary>
+        /// <exception cref="System.ArgumentException">One is out of its range; names it, its value and the range.</exception>
+        [Conditional(JobFields.Checks)]
+        public void Validate(int count)
+        {
+            JobFields.NotNegative(math.cmin(half), "SpawnJob.half");
+            JobFields.NotNegative(math.cmax(half), "SpawnJob.half");
+            JobFields.NotNegative(speed, "SpawnJob.speed");
+            JobFields.Finite(speeds.x, "SpawnJob.speeds");
+            JobFields.Finite(speeds.y, "SpawnJob.speeds");
+            JobFields.Finite(sizes, "SpawnJob.sizes");
+            JobFields.Finite(time, "SpawnJob.time");
+            JobFields.InRange(loop, 0, int.MaxValue, "SpawnJob.loop");
+            JobFields.AtLeast(poses.Length, count, "SpawnJob.poses");
+        }
 
         public void Execute(int index)
         {

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -17,6 +18,27 @@ namespace Alate
 
         // Output, besides the vertices behind the targets.
         public NativeArray<ChunkBounds> bounds;
+
+        /// <summary>Checks the fields before the job is scheduled over a number of chunks.</summary>
+        /// <exception cref="System.ArgumentException">One is out of its range; names it, its value and the range.</exception>
+        [Conditional(JobFields.Checks)]
+        public void Validate(int count)
+        {
+            JobFields.Steps(clocks);
+            JobFields.AtLeast(chunks.Length, count, "SkinWingsJob.chunks");
+            JobFields.AtLeast(bounds.Length, count, "SkinWingsJob.bounds");
+            for (int k = 0; k < count; k++)
+            {
+                SkinChunk chunk = chunks[k];
+                JobFields.InRange(chunk.target, 0, targets.Length - 1, "SkinWingsJob.chunks.target");
+                SkinTarget target = targets[chunk.target];
+                JobFields.InRange(target.pack, 0, packs.Length - 1, "SkinWingsJob.targets.pack");
+                JobFields.InRange(target.lane, 0, WingPack.Lanes - 1, "SkinWingsJob.targets.lane");
+                JobFields.InRange(chunk.endQuad, 0, target.rig.quadCount, "SkinWingsJob.chunks.endQuad");
+                JobFields.InRange(chunk.firstQuad, 0, chunk.endQuad, "SkinWingsJob.chunks.firstQuad");
+                JobFields.AtLeast(target.vertices == null && target.packedVertices == null ? 0 : target.rig.vertexCount, target.rig.vertexCount, "SkinWingsJob.targets.vertices");
+            }
+        }
 
         public void Execute(int index)
         {

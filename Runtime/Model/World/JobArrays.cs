@@ -104,7 +104,7 @@ namespace Alate
         {
             Version++;
             JobCount++;
-            return new StepWingsJob
+            var job = new StepWingsJob
             {
                 clocks = clocks,
                 scratchSize = m_ScratchSize,
@@ -113,20 +113,24 @@ namespace Alate
                 groups = m_Bodies.Groups,
                 lists = m_Bodies.Lists(null),
                 packs = m_Packs,
-            }.ScheduleParallel(m_Bodies.GroupCount, 1, after);
+            };
+            job.Validate(m_Bodies.GroupCount);
+            return job.ScheduleParallel(m_Bodies.GroupCount, 1, after);
         }
 
         public JobHandle ScheduleSkin(in ClockTimes clocks, JobHandle after)
         {
             JobCount++;
-            return new SkinWingsJob
+            var job = new SkinWingsJob
             {
                 clocks = clocks,
                 chunks = m_Chunks,
                 targets = m_Targets,
                 packs = m_Packs,
                 bounds = m_Bounds,
-            }.ScheduleParallel(m_ChunkCount, 1, after);
+            };
+            job.Validate(m_ChunkCount);
+            return job.ScheduleParallel(m_ChunkCount, 1, after);
         }
 
         /// <summary>Pack with the results of the jobs.</summary>

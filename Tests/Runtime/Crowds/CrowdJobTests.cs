@@ -197,6 +197,25 @@ namespace Alate.Tests.Crowds
             Assert.That(job.nearest.ToArray(), Is.EqualTo(new[] { 1, 3 }), "hidden insects count among the nearest");
         }
 
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        [Test]
+        public void FieldsOutOfRange_AreNamed_BeforeTheJobIsScheduled()
+        {
+            CrowdPose[] poses = { CrowdPose.At(default, quaternion.identity), CrowdPose.At(default, quaternion.identity) };
+            Assert.That(() => Job(poses).Validate(), Throws.Nothing);
+            Assert.That(() => Job(poses, 4, 1, 2).Validate(), Throws.ArgumentException.With.Message.EqualTo("CrowdJob.hidden is 2; it must be from 0 to 1."));
+            CrowdJob job = Job(poses);
+            job.seconds = float.NaN;
+            Assert.That(() => job.Validate(), Throws.ArgumentException.With.Message.StartsWith("CrowdJob.seconds is NaN"));
+            job = Job(poses);
+            job.sizeCount = CrowdJob.MaxSizes + 1;
+            Assert.That(() => job.Validate(), Throws.ArgumentException.With.Message.StartsWith("CrowdJob.sizeCount is 5"));
+            job = Job(poses);
+            job.tints = Keep(new NativeArray<float4>(1, Allocator.Persistent));
+            Assert.That(() => job.Validate(), Throws.ArgumentException.With.Message.EqualTo("CrowdJob.tints has room for 1; the job needs 2."));
+        }
+#endif
+
         private CrowdJob Job(CrowdPose[] poses, int ranked = 4, params int[] hidden) => new CrowdJob
         {
             radius = 0.7f,

@@ -117,6 +117,23 @@ namespace Alate.Tests.Crowds
                 Assert.That(math.distance(pose.position.xz, new float2(3f, 1f)), Is.LessThan(1e-5f));
         }
 
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+        [Test]
+        public void FieldsOutOfRange_AreNamed_BeforeTheJobIsScheduled()
+        {
+            using var poses = new NativeArray<CrowdPose>(3, Allocator.Persistent);
+            SpawnJob job = Job(1f);
+            job.poses = poses;
+            Assert.That(() => job.Validate(3), Throws.Nothing);
+            Assert.That(() => job.Validate(4), Throws.ArgumentException.With.Message.EqualTo("SpawnJob.poses has room for 3; the job needs 4."));
+            job.half.y = -1f;
+            Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.half is -1"));
+            job.half.y = 1f;
+            job.time = float.PositiveInfinity;
+            Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.time is"));
+        }
+#endif
+
         private static CrowdPose[] Place(SpawnJob job)
         {
             job.poses = new NativeArray<CrowdPose>(k_Count, Allocator.Persistent);
