@@ -7,6 +7,9 @@ namespace Alate
     /// the wing frame, unless said otherwise; n chains of m joints. Joint index = chain · m + joint; bone index = chain · (m−1) + inner
     /// joint; cell index = forward chain · (m−1) + inner joint.
     /// </summary>
+    /// <remarks>
+    /// 312 bytes a rig, and none a wing but its copy in the pack's header: all wings with the same mesh and skeleton read one copy of the arrays.
+    /// </remarks>
     internal unsafe struct RigView
     {
         public int chainCount;

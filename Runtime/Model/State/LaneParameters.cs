@@ -3,6 +3,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>Live parameters of four wings, as the kernels read them; lane = wing. A moved slider rewrites only these.</summary>
+    /// <remarks>
+    /// 200 bytes a wing: the numbers as given first, then what is computed from them, once a change instead of once a substep.
+    /// </remarks>
     internal struct LaneParameters
     {
         /// <summary>Least half amplitude by which the speed of the tip is measured where a wing hardly flaps: 6°.</summary>

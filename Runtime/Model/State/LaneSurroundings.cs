@@ -3,6 +3,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>Surroundings of four wings, each in its own wing frame; lane = wing.</summary>
+    /// <remarks>
+    /// 68 bytes a wing: what changes once a step, apart from the parameters, so that writing it leaves them alone.
+    /// </remarks>
     internal struct LaneSurroundings
     {
         /// <summary>Air velocity relative to the body, wing lengths per second.</summary>

@@ -14,6 +14,9 @@ namespace Alate
         /// <summary>Indices of the wings in the lanes; −1 where a lane is a copy.</summary>
         public readonly int[] wings = { -1, -1, -1, -1 };
 
+        /// <summary>Size of the block.</summary>
+        public long Bytes => m_Bytes;
+
         /// <summary>View for the job.</summary>
         public WingPack view;
 
