@@ -8,7 +8,7 @@ using Alate.Mutations.Trials;
 
 namespace Alate.Mutations;
 
-/// <summary>What a run found, by room.</summary>
+/// <summary>Findings of a run, by room.</summary>
 internal sealed class Report(IReadOnlyList<(string Room, Mutant Mutant, Verdict Verdict)> results)
 {
     private const string k_Begin = "<!-- mutations: written by .ci/mutate --write -->", k_End = "<!-- end of mutations -->";

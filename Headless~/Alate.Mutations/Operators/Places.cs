@@ -68,12 +68,12 @@ internal static class Places
     private static string TypeName(BaseObjectCreationExpressionSyntax creation) =>
         creation is ObjectCreationExpressionSyntax named ? named.Type.ToString().Split('<')[0] : "";
 
-    /// <summary>How many items one turn of a worker takes: changes no result.</summary>
+    /// <summary>Number of items that one turn of a worker takes: changes no result.</summary>
     private static bool IsWorkSize(ArgumentSyntax argument) =>
         argument.Expression.IsKind(SyntaxKind.NumericLiteralExpression)
         && argument.Parent?.Parent is InvocationExpressionSyntax call && call.Called().StartsWith("Schedule", StringComparison.Ordinal);
 
-    /// <summary>How much room a collection has at first: changes no result.</summary>
+    /// <summary>Room that a collection has at first: changes no result.</summary>
     private static bool IsCapacity(ArgumentSyntax argument) =>
         argument.Parent?.Parent is ObjectCreationExpressionSyntax creation && s_Collections.Contains(TypeName(creation));
 }

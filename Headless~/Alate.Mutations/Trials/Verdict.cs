@@ -8,6 +8,6 @@ internal enum Outcome
     Equivalent,
 }
 
-/// <summary>What became of a mutant.</summary>
+/// <summary>Fate of a mutant.</summary>
 /// <param name="How">The test that found it and its message, or the end of its process.</param>
 internal sealed record Verdict(Outcome Outcome, string How);

@@ -9,7 +9,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests.Crowds
 {
-    /// <summary>What a crowd draws of each insect, against closed forms.</summary>
+    /// <summary>Picture that a crowd draws of each insect, against closed forms.</summary>
     public sealed class CrowdJobTests
     {
         private static readonly LoopRows[] s_Loops =

@@ -67,7 +67,8 @@ namespace Alate.Tests.Crowds
                 most = math.max(most, now[k].scale);
             }
 
-            Assert.That((least, most), Is.EqualTo((0.7f, 1.3f)).Using<(float, float)>((a, b) => math.abs(a.Item1 - b.Item1) < 0.01f && math.abs(a.Item2 - b.Item2) < 0.01f));
+            Assert.That(least, Is.EqualTo(0.7f).Within(0.01f));
+            Assert.That(most, Is.EqualTo(1.3f).Within(0.01f));
             Assert.That(sum / k_Count, Is.EqualTo(1f).Within(0.03f));
         }
 

@@ -82,11 +82,11 @@ namespace Alate.Tests
             var view = new WingView(anchor, span, forward, 4.0);
             PlanPoint tip = view.ToWing(anchor + span * 4.0), lead = view.ToWing(anchor + forward * 2.0), again = view.FromWing(view.ToWing(new PlanPoint(3.5, -7.0)));
 
-            Assert.That((tip.x, tip.z), Is.EqualTo((1.0, 0.0)).Using<(double, double)>(Near));
-            Assert.That((lead.x, lead.z), Is.EqualTo((0.0, 0.5)).Using<(double, double)>(Near));
-            Assert.That((again.x, again.z), Is.EqualTo((3.5, -7.0)).Using<(double, double)>(Near));
+            Assert.That(Near((tip.x, tip.z), (1.0, 0.0)));
+            Assert.That(Near((lead.x, lead.z), (0.0, 0.5)));
+            Assert.That(Near((again.x, again.z), (3.5, -7.0)));
             ClosedCurve turned = view.Turn(outline, outline.Nearest(anchor));
-            Assert.That((turned.Samples[0].x, turned.Samples[0].z), Is.EqualTo((0.0, 0.0)).Using<(double, double)>(Near));
+            Assert.That(Near((turned.Samples[0].x, turned.Samples[0].z), (0.0, 0.0)));
             Assert.That(Polygon.Area(turned.Samples), Is.EqualTo(-8.0 / 16.0).Within(1e-3), "clockwise, and in reaches");
         }
 

@@ -97,7 +97,7 @@ namespace Alate.Tests
             foreach (List<PlanPoint> rim in new[] { found, given })
             {
                 Assert.That(rim.Count % 2, Is.EqualTo(isOdd ? 1 : 0));
-                Assert.That(rim, Has.Count.InRange(32, 33));
+                Assert.That(rim.Count, Is.InRange(32, 33));
                 foreach (PlanPoint corner in s_Square)
                     Assert.That(rim.Min(point => Math.Sqrt((point - corner).LengthSquared)), Is.LessThan(1e-9), "corners are vertices");
                 for (int k = 0; k < rim.Count; k++)

@@ -5,7 +5,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests.Flight
 {
-    /// <summary>What is left of a command within what an insect flies, branch by branch.</summary>
+    /// <summary>Rest of a command within the limits of an insect, branch by branch.</summary>
     public sealed class NoseFirstLaws
     {
         [Test]

@@ -4,7 +4,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests
 {
-    /// <summary>What a wing on a body meets, and what it gives back: one air in both frames, right wings and left ones.</summary>
+    /// <summary>Air that a wing on a body meets, and the force that it gives back: one air in both frames, right wings and left ones.</summary>
     public sealed unsafe class BodyAirLaws
     {
         // Air that any point of a wing meets, less what the body moves by: seen from the wing, in its lengths, it is the same.
