@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play.Flight
 {
-    /// <summary>What an insect of a flock wants, by its neighbours: keep apart, fly as they fly, to their middle.</summary>
+    /// <summary>Wish of an insect of a flock, by its neighbours: keep apart, fly as they fly, to their middle.</summary>
     public sealed class FlockLaws : PlayFixture
     {
         private const float k_Length = 0.06f;
