@@ -78,6 +78,21 @@ namespace Alate.Tests.Crowds
         }
 
         [Test]
+        public void AWingThatLeadsByAQuarterOfABeat_IsAQuarterOfTheLoopAhead()
+        {
+            InsectWings insect = Insect("monarch");
+            insect.Wings[1].PhaseLead = 90f;
+            InsectBake bake = Bake(insect, "cruise");
+            BakedWing right = bake.Wings[0], left = bake.Wings[1];
+            for (int frame = 0; frame < k_Frames; frame += 5)
+            {
+                float3[] now = bake.Clips[0].Frames[frame].Positions, ahead = bake.Clips[0].Frames[(frame + k_Frames / 4) % k_Frames].Positions;
+                for (int k = 0; k < right.Vertices.Length; k++)
+                    Assert.That(math.distance(MirrorX(ahead[right.Vertices[k]]), now[left.Vertices[k]]), Is.LessThan(0.01f * bake.WingLength), $"frame {frame}");
+            }
+        }
+
+        [Test]
         public void AMotionInWhichNothingMoves_TakesOneFrame()
         {
             InsectBake bake = Bake(Insect("monarch"), "rest", "cruise");
