@@ -1,9 +1,6 @@
 using System;
 using System.CommandLine;
 using System.IO;
-using Alate.Cli.Commands;
-using Alate.Cli.Input;
-using Alate.Cli.Output;
 
 namespace Alate.Cli;
 

@@ -11,4 +11,5 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]
 [assembly: InternalsVisibleTo("Alate.Headless.Tests")]
 [assembly: InternalsVisibleTo("Alate.Cli")]
+[assembly: InternalsVisibleTo("Alate.Drawing")]
 [assembly: InternalsVisibleTo("Alate.Benchmarks")]

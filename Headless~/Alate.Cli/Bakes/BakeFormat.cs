@@ -1,4 +1,4 @@
-namespace Alate.Cli.Bakes;
+namespace Alate.Cli;
 
 /// <summary>File formats of baked insects.</summary>
 internal enum BakeFormat

@@ -1,4 +1,4 @@
-namespace Alate.Cli.Bakes;
+namespace Alate.Cli;
 
 /// <summary>Places of the normals in a texture of a baked insect.</summary>
 internal enum BakeNormals

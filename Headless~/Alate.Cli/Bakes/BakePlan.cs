@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Crowds;
 
-namespace Alate.Cli.Bakes;
+namespace Alate.Cli;
 
 /// <summary>Plan of a bake: the insect, how finely, and the files to write.</summary>
 internal sealed record BakePlan

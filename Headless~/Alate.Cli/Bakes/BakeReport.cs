@@ -1,12 +1,9 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using Alate.Cli.Flights;
-using Alate.Cli.Gltf;
-using Alate.Cli.Output;
 using Alate.Crowds;
 
-namespace Alate.Cli.Bakes;
+namespace Alate.Cli;
 
 /// <summary>Bakes a plan, writes all of its files or none, and shows what the bake differs from the flown wings by.</summary>
 internal static class BakeReport

@@ -3,11 +3,11 @@ using System.IO;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Alate.Cli.Gltf;
 using Alate.Crowds;
+using Alate.Formats;
 using Unity.Mathematics;
 
-namespace Alate.Cli.Bakes;
+namespace Alate.Cli;
 
 /// <summary>
 /// A baked insect as OpenVAT's textures: offsets from the mesh at rest in Blender's axes, metres, each channel between the least and the largest of all. Every clip ends
@@ -82,7 +82,7 @@ internal sealed class OpenVat
         {
             int2 pixel = Layout.PixelOf(vertex, row);
             Positions.Set(pixel.x, pixel.y, (Offset(frame, vertex) - m_Min) / math.max(m_Max - m_Min, 1e-12f));
-            Normals.Set(pixel.x, pixel.y + normalRows, 0.5f + 0.5f * BakeAxes.ToBlender(frame.Normals[vertex]));
+            Normals.Set(pixel.x, pixel.y + normalRows, 0.5f + 0.5f * FileAxes.ToBlender(frame.Normals[vertex]));
         }
     }
 
@@ -106,7 +106,7 @@ internal sealed class OpenVat
     }
 
     private float3 Offset(BakedFrame frame, int vertex) =>
-        BakeAxes.ToBlender(frame.Positions[vertex] - (float3)m_Bake.Surface.Positions[vertex]) * m_Bake.MetresPerUnit;
+        FileAxes.ToBlender(frame.Positions[vertex] - (float3)m_Bake.Surface.Positions[vertex]) * m_Bake.MetresPerUnit;
 
     private static JsonArray Vector(float3 value) => new(value.x, value.y, value.z);
 }

@@ -3,12 +3,12 @@ using System.Collections.Generic;
 using System.IO;
 using Alate.Authoring;
 using Alate.Catalogue;
-using Alate.Cli.Input;
 using Alate.Crowds;
+using Alate.Formats;
 using Unity.Mathematics;
 using UnityEngine;
 
-namespace Alate.Cli.Bakes;
+namespace Alate.Cli;
 
 /// <summary>An insect of a wing of the user's own and its mirror image, with the hinge, size, beat and stiffness of a species; without a body.</summary>
 internal static class OwnInsect

@@ -4,10 +4,9 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Bakes;
 using Alate.Crowds;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>bake SPECIES</c>: writes loops of an insect in formats that other programs read.</summary>
 internal static class BakeCommand
@@ -58,7 +57,7 @@ internal static class BakeCommand
         {
             InsectVariant chosen = parsed.GetValue(variant) ?? InsectVariant.Standard;
             string meshFile = parsed.GetValue(mesh), skeletonFile = parsed.GetValue(skeleton);
-            InsectDefinition definition = FlightOptions.Find(NameOf(parsed.GetValue(species), parsed.GetValue(preset), meshFile, skeletonFile), chosen);
+            InsectDefinition definition = KnownSpecies.Find(NameOf(parsed.GetValue(species), parsed.GetValue(preset), meshFile, skeletonFile), chosen);
             string name = meshFile == null ? definition.Name : Path.GetFileNameWithoutExtension(meshFile);
             BakeReport.Run(
                 new BakePlan

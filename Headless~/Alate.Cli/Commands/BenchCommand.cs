@@ -2,9 +2,8 @@ using System;
 using System.CommandLine;
 using System.IO;
 using Alate.Benchmarks;
-using Alate.Cli.Output;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>bench</c>: the kernels against what one would write at first, as ratios within this process.</summary>
 internal static class BenchCommand

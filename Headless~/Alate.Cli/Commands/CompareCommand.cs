@@ -5,12 +5,9 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Comparisons;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Pictures;
+using Alate.Drawing;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>compare SPECIES…</c>: the same insects as rigid wings, without a wave, by the full model and with another elasticity.</summary>
 internal static class CompareCommand
@@ -41,7 +38,7 @@ internal static class CompareCommand
         command.SetAction(parsed =>
         {
             var flights = new List<FlightPlan>();
-            foreach (InsectDefinition definition in parsed.GetValue(species).Select(FlightOptions.Find).Distinct())
+            foreach (InsectDefinition definition in parsed.GetValue(species).Select(KnownSpecies.Find).Distinct())
             {
                 flights.Add(new FlightPlan
                 {

@@ -2,12 +2,9 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using Alate.Catalogue;
-using Alate.Cli.Accuracy;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Pictures;
+using Alate.Drawing;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>convergence [SPECIES…]</c>: error of the joints against the cost of a beat, for both schemes of time.</summary>
 internal static class ConvergenceCommand
@@ -24,7 +21,7 @@ internal static class ConvergenceCommand
         command.SetAction(parsed =>
         {
             InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
-            List<InsectDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), shown);
+            List<InsectDefinition> insects = KnownSpecies.FindAny(parsed.GetValue(species), shown);
             var plan = new ConvergencePlan(insects.ConvertAll(insect => FlightPlan.Cruise(insect, shown)));
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "convergence"), output);
             return 0;
@@ -41,7 +38,7 @@ internal static class ConvergenceCommand
         {
             foreach (WingConvergence wing in species.Wings)
             {
-                string name = $"{ChartSheet.Title(species.DisplayName, species.Plan.Variant)}: {wing.Name}";
+                string name = $"{KnownSpecies.Titled(species.DisplayName, species.Plan.Variant)}: {wing.Name}";
                 terminal.ShowTable(name, ConvergenceTable.Errors(wing));
                 terminal.ShowTable($"{name}, converged numbers", ConvergenceTable.Values(wing));
             }

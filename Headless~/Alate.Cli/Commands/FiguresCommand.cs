@@ -4,17 +4,8 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Alate.Catalogue;
-using Alate.Cli.Comparisons;
-using Alate.Cli.Figures;
-using Alate.Cli.Films;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Parameters;
-using Alate.Cli.Pictures;
-using Alate.Cli.Pictures.Photos;
-using Alate.Cli.Sweeps;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>figures</c>: draws and measures again what the documentation's pages of species and accuracy show.</summary>
 internal static class FiguresCommand
@@ -58,9 +49,9 @@ internal static class FiguresCommand
 
     private static void Run(string path, TextWriter output)
     {
-        string page = TextFile(Path.Combine(path, k_Page));
-        string accuracy = TextFile(Path.Combine(path, AccuracyFigures.Page));
-        string flight = TextFile(Path.Combine(path, FlightFigures.Page));
+        string page = Text(Path.Combine(path, k_Page));
+        string accuracy = Text(Path.Combine(path, AccuracyFigures.Page));
+        string flight = Text(Path.Combine(path, FlightFigures.Page));
         string[] files = [k_Page, FlightFigures.Page, .. AccuracyFigures.Files, .. Pictures];
         using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
@@ -144,5 +135,5 @@ internal static class FiguresCommand
     private static void Write(OutputFolder folder, string name, string text) =>
         folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
 
-    private static string TextFile(string path) => Input.TextFile.Read(path, reader => reader.ReadToEnd()).ReplaceLineEndings("\n");
+    private static string Text(string path) => TextFile.Read(path, reader => reader.ReadToEnd()).ReplaceLineEndings("\n");
 }

@@ -2,14 +2,11 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using Alate.Catalogue;
-using Alate.Cli.Films;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Pictures;
-using Alate.Cli.Pictures.Png;
+using Alate.Drawing;
+using Alate.Formats;
 using UnityEngine;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>film SPECIES</c>: slow beats as an animated picture, and its frames.</summary>
 internal static class FilmCommand
@@ -43,7 +40,7 @@ internal static class FilmCommand
             if (isFree && (parsed.GetValue(compare) || parsed.GetValue(variant) != null || parsed.GetValue(speed) != null))
                 throw new UserException("--free flies with the variant flight; it takes neither --compare, --variant nor --speed.");
             InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
-            InsectDefinition insect = FlightOptions.Find(parsed.GetValue(species), shown);
+            InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species), shown);
             var flight = FlightPlan.Cruise(insect, shown);
             var plan = new FilmPlan
             {

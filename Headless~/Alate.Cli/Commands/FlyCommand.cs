@@ -2,17 +2,12 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.FreeFlights;
-using Alate.Cli.Input;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>fly SPECIES</c>: simulates some beats and writes what came of the last one.</summary>
 internal static class FlyCommand
 {
-    private const int k_MostPatches = 1000000;
-
     public static Command Create(TextWriter output)
     {
         var species = new Argument<string>("SPECIES")
@@ -40,16 +35,6 @@ internal static class FlyCommand
             return 0;
         });
         return command;
-    }
-
-    /// <summary>Parses the number of patches that meet the air; 0 is every triangle.</summary>
-    public static int Patches(string text)
-    {
-        if (text.ToLowerInvariant() == "triangles")
-            return 0;
-        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count is >= 1 and <= k_MostPatches)
-            return count;
-        throw new UserException($"--elements takes 'triangles' or a number of patches from 1 to {k_MostPatches}, not {Quote.Of(text)}.");
     }
 
     private const string k_Examples =

@@ -1,9 +1,7 @@
 using System.CommandLine;
 using System.IO;
-using Alate.Cli.Output;
-using Alate.Cli.Pictures.Photos;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>gallery</c>: all species in flight in one picture.</summary>
 internal static class GalleryCommand

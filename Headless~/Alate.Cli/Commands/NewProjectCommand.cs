@@ -1,8 +1,7 @@
 using System.CommandLine;
 using System.IO;
-using Alate.Cli.Projects;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>new-project DIR</c>: a Unity project that hosts this package, with its tests enabled.</summary>
 internal static class NewProjectCommand

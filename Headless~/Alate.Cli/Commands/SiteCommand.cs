@@ -6,11 +6,8 @@ using System.Linq;
 using System.Text;
 using System.Text.Json.Nodes;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Views;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>site DIR</c>: the page of the live view with beats that are flown now, for any web server.</summary>
 internal static class SiteCommand
@@ -29,7 +26,7 @@ internal static class SiteCommand
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            List<InsectDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), InsectVariant.Standard);
+            List<InsectDefinition> insects = KnownSpecies.FindAny(parsed.GetValue(species), InsectVariant.Standard);
             ThreeSource source = parsed.GetValue(three) is string own ? ThreeSource.Of(own) : ThreeSource.Public;
             Run(parsed.GetValue(folder), insects, source, output);
             return 0;
@@ -53,7 +50,7 @@ internal static class SiteCommand
             {
                 foreach (InsectVariant variant in insect.Variants)
                 {
-                    Write(folder, looks, $"{insect.Name}-{FlightOptions.Word(variant)}", ViewSettings.Of(insect, variant));
+                    Write(folder, looks, $"{insect.Name}-{KnownSpecies.Word(variant)}", ViewSettings.Of(insect, variant));
                     done(++count);
                 }
 

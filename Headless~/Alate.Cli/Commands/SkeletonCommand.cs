@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.IO;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>skeleton</c>: makes skeletons for wings that have none.</summary>
 internal static class SkeletonCommand

@@ -4,13 +4,11 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 using Alate.Authoring;
-using Alate.Cli.Input;
-using Alate.Cli.Output;
-using Alate.Cli.Pictures;
 using Alate.Fitting;
+using Alate.Formats;
 using UnityEngine;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>skeleton fit MESH.obj</c>: lays a skeleton into a wing's mesh.</summary>
 internal static class SkeletonFitCommand

@@ -5,12 +5,10 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Alate.Authoring;
-using Alate.Cli.Input;
-using Alate.Cli.Output;
-using Alate.Cli.Pictures;
+using Alate.Formats;
 using UnityEngine;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>skeleton from-image IMAGE</c>: makes a mesh and a skeleton from a picture of a wing.</summary>
 internal static class SkeletonFromImageCommand

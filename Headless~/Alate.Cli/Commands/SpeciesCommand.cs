@@ -5,11 +5,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>species [NAME]</c>: lists the presets, or all numbers of one with their sources.</summary>
 internal static class SpeciesCommand
@@ -27,7 +24,7 @@ internal static class SpeciesCommand
         command.SetAction(parsed =>
         {
             string wanted = parsed.GetValue(name), file = parsed.GetValue(json);
-            var sheets = (wanted == null ? InsectCatalogue.All : [FlightOptions.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
+            var sheets = (wanted == null ? InsectCatalogue.All : [KnownSpecies.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
             if (file != null)
                 OutputFile.Write(file, stream => SpeciesJson.Write(sheets, stream));
 

@@ -5,13 +5,9 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Parameters;
-using Alate.Cli.Pictures;
-using Alate.Cli.Sweeps;
+using Alate.Drawing;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>sweep PARAMETER FROM TO</c>: flies a species at several values of one number.</summary>
 internal static class SweepCommand
@@ -55,7 +51,7 @@ internal static class SweepCommand
         command.SetAction(parsed =>
         {
             FlownParameter known = FlownParameters.Find(parsed.GetValue(parameter));
-            InsectDefinition definition = FlightOptions.Find(parsed.GetValue(species) ?? "fishfly");
+            InsectDefinition definition = KnownSpecies.Find(parsed.GetValue(species) ?? "fishfly");
             var flight = new FlightPlan
             {
                 Species = definition.Name,

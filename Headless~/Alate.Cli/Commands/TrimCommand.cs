@@ -5,11 +5,10 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Alate.Catalogue;
-using Alate.Cli.FreeFlights;
-using Alate.Cli.Output;
 using Alate.Flight;
+using Alate.Formats;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>trim SPECIES</c>: finds the beats and attitudes that carry an insect, prints and draws them, or makes its table.</summary>
 internal static class TrimCommand
@@ -36,7 +35,7 @@ internal static class TrimCommand
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            InsectDefinition insect = FlightOptions.Find(parsed.GetValue(species), InsectVariant.Flight);
+            InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species), InsectVariant.Flight);
             List<float> ahead = List(parsed.GetValue(speeds), TrimBake.DefaultSpeeds), up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             if (parsed.GetValue(bake))

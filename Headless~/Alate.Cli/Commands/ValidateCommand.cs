@@ -3,12 +3,8 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Alate.Cli.Figures;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Validation;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>validate</c>: the model beside measured and published flights.</summary>
 internal static class ValidateCommand
@@ -39,7 +35,7 @@ internal static class ValidateCommand
     {
         if (data != null && !Directory.Exists(data))
             throw new UserException($"Cannot read '{data}': there is no such folder.");
-        string page = front == null ? null : Input.TextFile.Read(front, reader => reader.ReadToEnd()).ReplaceLineEndings("\n");
+        string page = front == null ? null : TextFile.Read(front, reader => reader.ReadToEnd()).ReplaceLineEndings("\n");
         if (page != null)
             PageBlock.Replace(page, Part, "", k_Name);
         using OutputFolder around = front == null ? null : OutputFolder.Around(front, front);

@@ -6,9 +6,8 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Alate.Catalogue;
-using Alate.Cli.Views;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>view [SPECIES]</c>: serves a page on which an insect flies and answers to sliders.</summary>
 internal static class ViewCommand
@@ -31,7 +30,7 @@ internal static class ViewCommand
         command.SetAction(parsed =>
         {
             InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
-            InsectDefinition insect = FlightOptions.Find(parsed.GetValue(species) ?? k_First, shown);
+            InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species) ?? k_First, shown);
             ThreeSource source = parsed.GetValue(three) is string folder ? ThreeSource.Of(folder) : ThreeSource.Public;
             Serve(insect, shown, parsed.GetValue(port) ?? ViewServer.DefaultPort, source, !parsed.GetValue(silent), output);
             return 0;

@@ -3,12 +3,9 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
-using Alate.Cli.Pictures;
-using Alate.Cli.Winds;
+using Alate.Drawing;
 
-namespace Alate.Cli.Commands;
+namespace Alate.Cli;
 
 /// <summary><c>wind [SPECIES…]</c>: how much the mesh of wings stretches in wind from all sides, today and by version 0.1.</summary>
 internal static class WindCommand
@@ -29,7 +26,7 @@ internal static class WindCommand
         command.SetAction(parsed =>
         {
             InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
-            List<InsectDefinition> insects = FlightOptions.FindAny(parsed.GetValue(species), shown);
+            List<InsectDefinition> insects = KnownSpecies.FindAny(parsed.GetValue(species), shown);
             IReadOnlyList<double> winds = parsed.GetValue(speeds) is { Length: > 0 } given ? given.Order().Distinct().ToList() : WindPlan.DefaultSpeeds;
             var plan = new WindPlan(insects.ConvertAll(insect => FlightPlan.Cruise(insect, shown)), winds, parsed.GetValue(gusts));
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "wind"), output);
@@ -47,7 +44,7 @@ internal static class WindCommand
         foreach (SpeciesWinds species in measured)
         {
             foreach (WingWinds wing in species.Wings)
-                terminal.ShowTable($"{ChartSheet.Title(species.DisplayName, species.Plan.Variant)}: {wing.Name}", WindTable.Of(wing));
+                terminal.ShowTable($"{KnownSpecies.Titled(species.DisplayName, species.Plan.Variant)}: {wing.Name}", WindTable.Of(wing));
         }
 
         terminal.ShowFiles(path, s_Report.Picture, s_Report.Table);

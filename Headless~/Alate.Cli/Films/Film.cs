@@ -1,14 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Cli.Flights;
-using Alate.Cli.Pictures;
-using Alate.Cli.Pictures.Photos;
-using Alate.Cli.Pictures.Png;
+using Alate.Drawing;
+using Alate.Formats;
 using Unity.Mathematics;
 using UnityEngine;
 
-namespace Alate.Cli.Films;
+namespace Alate.Cli;
 
 /// <summary>Frames of a film, all of one scale; of a beat on the spot the last goes on into the first.</summary>
 internal sealed class Film
@@ -49,7 +47,7 @@ internal sealed class Film
     /// <param name="done">Told the frames done.</param>
     public List<Color32[]> Draw(Action<int> done)
     {
-        List<PhotoScene> scenes = m_Flights.ConvertAll(flight => new PhotoScene(flight, m_Plan.Flight.View));
+        List<PhotoScene> scenes = m_Flights.ConvertAll(flight => FlightPhoto.Scene(flight, m_Plan.Flight.View));
         var frames = new List<List<(PhotoScene Scene, Pose Pose)>>();
         for (int frame = 0; frame < Count; frame++)
         {

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using Unity.Mathematics;
 
-namespace Alate.Cli.Films;
+namespace Alate.Cli;
 
 /// <summary>An insect in a frame of a film.</summary>
 /// <param name="Turns">Phase of the beat, 0 to 1.</param>

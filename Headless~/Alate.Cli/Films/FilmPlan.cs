@@ -1,8 +1,7 @@
 using System.Collections.Generic;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
 
-namespace Alate.Cli.Films;
+namespace Alate.Cli;
 
 /// <summary>A film of an insect's beat.</summary>
 internal sealed record FilmPlan

@@ -2,11 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.FreeFlights;
 using Unity.Mathematics;
 
-namespace Alate.Cli.Films;
+namespace Alate.Cli;
 
 /// <summary>Some beats of a free flight along the erratic track of <c>fly --free --pilot wander</c>, with a camera that goes along.</summary>
 internal sealed class FreeStretch

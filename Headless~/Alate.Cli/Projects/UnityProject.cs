@@ -4,9 +4,8 @@ using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Alate.Cli.Output;
 
-namespace Alate.Cli.Projects;
+namespace Alate.Cli;
 
 /// <summary>Makes a Unity project that hosts this package by its path.</summary>
 internal static class UnityProject

@@ -5,7 +5,9 @@ using System.Linq;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
-using Alate.Cli.Projects;
+using Alate.Cli;
+using Alate.Drawing;
+using Alate.Formats;
 using NUnit.Framework;
 
 namespace Alate.Tests.Architecture
@@ -23,22 +25,24 @@ namespace Alate.Tests.Architecture
 
         private static IEnumerable<string> Assemblies => Rooms.Assemblies.Keys;
 
-        private static IEnumerable<string> Divided => Rooms.Within.Keys;
+        private static IEnumerable<string> Divided => s_Within.Keys;
+
+        private static readonly Dictionary<string, IReadOnlyDictionary<string, string[]>> s_Within = Rooms.Within.Concat(CommandLineRooms.Within).ToDictionary();
 
         [Test]
-        public void BetweenAssemblies_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenAssemblies(Rooms.Assemblies), Is.Empty);
+        public void BetweenAssemblies_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenAssemblies(CommandLineRooms.Assemblies), Is.Empty);
 
         [TestCaseSource(nameof(Divided))]
-        public void BetweenRooms_ThereAreOnlyTheArrowsOfTheTable(string place) => Assert.That(Rooms.BetweenRooms(place, Rooms.Within[place]), Is.Empty);
+        public void BetweenRooms_ThereAreOnlyTheArrowsOfTheTable(string place) => Assert.That(Rooms.BetweenRooms(place, s_Within[place]), Is.Empty);
 
         [Test]
-        public void EveryAssemblyAndRoomThatIsDivided_IsInTheTable() => Assert.That(Rooms.Divided(), Is.EquivalentTo(Rooms.Within.Keys));
+        public void EveryAssemblyAndRoomThatIsDivided_IsInTheTable() => Assert.That(Rooms.Divided(), Is.EquivalentTo(Divided));
 
         [Test]
         public void NoRoom_LiesOnACircle()
         {
-            AssertNoCircle(Rooms.Assemblies);
-            foreach (IReadOnlyDictionary<string, string[]> rooms in Rooms.Within.Values)
+            AssertNoCircle(CommandLineRooms.Assemblies);
+            foreach (IReadOnlyDictionary<string, string[]> rooms in s_Within.Values)
                 AssertNoCircle(rooms);
         }
 
@@ -60,7 +64,38 @@ namespace Alate.Tests.Architecture
                 Has.Member("Runtime/Fitting/FanChains.cs: FanChains uses PlanPoint; there is no arrow Alate.Fitting -> Alate.Geometry"));
         }
 
+        [TestCase("Alate.Cli", "Flights", "Headless~/Alate.Cli/Flights/Runs/TetheredFlight.cs: TetheredFlight uses UserException; there is no arrow Flights -> Base")]
+        [TestCase("Alate.Cli/Flights", "Runs", "Headless~/Alate.Cli/Flights/Runs/FlightRecord.cs: FlightRecord uses FlightPlan; there is no arrow Runs -> Plans")]
+        [TestCase("Alate.Drawing", "Pages", "Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses PhotoScene; there is no arrow Pages -> Photos")]
+        public void AMissingArrowOfTheCommandLine_IsToldWithFileTypeAndRule(string place, string room, string told)
+        {
+            var rooms = new Dictionary<string, string[]>(CommandLineRooms.Within[place]) { [room] = [] };
+
+            Assert.That(Rooms.BetweenRooms(place, rooms).Select(violation => violation.ToString()), Has.Member(told));
+        }
+
+        [Test]
+        public void FormatsAndDrawing_KnowNoFlight()
+        {
+            var assemblies = new Dictionary<string, string[]>(CommandLineRooms.Assemblies) { ["Alate.Drawing"] = ["Alate.Geometry", "Alate.Model"] };
+
+            Assert.That(
+                Rooms.BetweenAssemblies(assemblies).Select(violation => violation.ToString()),
+                Has.Member("Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses IndexedPng; there is no arrow Alate.Drawing -> Alate.Formats"));
+            foreach (string assembly in new[] { "Alate.Formats", "Alate.Drawing" })
+            {
+                var project = XElement.Load(Path.Combine(PackageRoot.Find(), "Headless~", assembly, assembly + ".csproj"));
+                IEnumerable<string> built = project.Descendants("ProjectReference").Select(reference => Path.GetFileNameWithoutExtension(reference.Attribute("Include").Value));
+
+                Assert.That(project.Descendants("DisableTransitiveProjectReferences").Single().Value, Is.EqualTo("true"));
+                Assert.That(built, Is.EquivalentTo(CommandLineRooms.Assemblies[assembly].Append("Unity")));
+            }
+        }
+
         [TestCaseSource(nameof(Assemblies))]
+        [TestCase("Alate.Formats")]
+        [TestCase("Alate.Drawing")]
+        [TestCase("Alate.Cli")]
         public void EveryType_IsFoundInAFile(string assembly)
         {
             Dictionary<string, string> files = Rooms.Files(assembly);

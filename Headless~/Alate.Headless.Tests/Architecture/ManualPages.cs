@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.RegularExpressions;
-using Alate.Cli.Projects;
+using Alate.Cli;
 
 namespace Alate.Tests.Architecture
 {

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Architecture

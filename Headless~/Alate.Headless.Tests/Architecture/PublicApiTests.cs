@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Reflection;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Architecture

@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Reflection;
 using System.Text.RegularExpressions;
-using Alate.Cli.Projects;
+using Alate.Cli;
 
 namespace Alate.Tests.Architecture
 {
@@ -47,6 +47,9 @@ namespace Alate.Tests.Architecture
             ["Alate.Catalogue"] = "Runtime/Catalogue",
             ["Alate.Authoring"] = "Editor/Authoring",
             ["Alate.Editor"] = "Editor",
+            ["Alate.Formats"] = "Headless~/Alate.Formats",
+            ["Alate.Drawing"] = "Headless~/Alate.Drawing",
+            ["Alate.Cli"] = "Headless~/Alate.Cli",
         };
 
         /// <summary>
@@ -176,10 +179,14 @@ namespace Alate.Tests.Architecture
             },
         };
 
-        private static readonly Regex s_Declaration = new Regex(
-            @"^ {4}(?:\[.*\] *)?(?:(?:public|internal|static|sealed|abstract|unsafe|readonly|partial|ref) +)*"
-            + @"(?:class|struct|enum|interface|delegate +\S+) +(\w+)",
-            RegexOptions.Multiline);
+        private const string k_Declaration =
+            @"(?:\[.*\] *)?(?:(?:public|internal|static|sealed|abstract|unsafe|readonly|partial|ref) +)*"
+            + @"(?:record +struct|class|struct|enum|interface|record|delegate +\S+) +(\w+)";
+
+        private static readonly Regex s_Declaration = new Regex("^ {4}" + k_Declaration, RegexOptions.Multiline);
+
+        /// <summary>As <see cref="s_Declaration"/>, below a line that gives the whole file its namespace.</summary>
+        private static readonly Regex s_Plain = new Regex("^" + k_Declaration, RegexOptions.Multiline), s_WholeFile = new Regex(@"^namespace [\w.]+;", RegexOptions.Multiline);
 
         private static readonly Regex s_Prose = new Regex(@"//[^\n]*|(?<!\$)""(?:\\.|[^""\\\n])*""");
 
@@ -195,7 +202,8 @@ namespace Alate.Tests.Architecture
                 string place = Path.GetRelativePath(root, file).Replace('\\', '/');
                 if (assembly == "Alate.Editor" && place.StartsWith(Folders["Alate.Authoring"] + "/"))
                     continue;
-                foreach (Match declared in s_Declaration.Matches(File.ReadAllText(file)))
+                string text = File.ReadAllText(file);
+                foreach (Match declared in (s_WholeFile.IsMatch(text) ? s_Plain : s_Declaration).Matches(text))
                     files.TryAdd(declared.Groups[1].Value, place);
             }
 
@@ -260,7 +268,7 @@ namespace Alate.Tests.Architecture
         /// <summary>Places, assemblies and rooms of them, in which more than one room holds sources.</summary>
         public static IEnumerable<string> Divided()
         {
-            foreach (string assembly in Assemblies.Keys)
+            foreach (string assembly in Folders.Keys)
             {
                 ILookup<string, string> rooms = Files(assembly).Values.Distinct().ToLookup(file => Room(Folders[assembly], file));
                 if (rooms.Count > 1)

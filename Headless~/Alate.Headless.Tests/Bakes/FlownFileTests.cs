@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Bakes;
+using Alate.Cli;
 using Alate.Crowds;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Concurrent;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -35,9 +35,7 @@ namespace Alate.Tests.Bakes
             double distance = 0.0, angle = 0.0;
             foreach (RecordedWing wing in m_Flight.Wings)
             {
-                var flown = new float3[wing.Rest.Length];
-                var flownNormals = new float3[wing.Rest.Length];
-                wing.At(turns, flown, flownNormals);
+                (float3[] flown, float3[] flownNormals) = wing.At(turns);
                 for (int vertex = 0; vertex < flown.Length; vertex++, next++)
                 {
                     distance = Math.Max(distance, math.distance(positions[next], ToGltf(flown[vertex])) / wing.Placement.Length);

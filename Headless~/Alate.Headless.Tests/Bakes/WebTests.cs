@@ -6,7 +6,7 @@ using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using Alate.Tests.Views;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Insects

@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Cli.Flights;
-using Alate.Cli.Parameters;
-using Alate.Cli.Sweeps;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Insects

@@ -2,7 +2,7 @@ using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using Unity.Mathematics;
 
 namespace Alate.Tests.Insects

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Cli.Flights;
+using Alate.Cli;
 
 namespace Alate.Tests.Insects
 {

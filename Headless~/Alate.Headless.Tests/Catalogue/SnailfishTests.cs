@@ -1,8 +1,7 @@
 using System;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Parameters;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using Alate.Geometry;
 using Unity.Mathematics;
 

@@ -4,8 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
-using Alate.Cli.Figures;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

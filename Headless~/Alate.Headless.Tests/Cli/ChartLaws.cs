@@ -4,9 +4,8 @@ using System.Globalization;
 using System.Linq;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
-using Alate.Cli.Accuracy;
-using Alate.Cli.Figures;
-using Alate.Cli.Pictures;
+using Alate.Cli;
+using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -3,7 +3,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Alate.Cli.Input;
+using Alate.Cli;
+using Alate.Formats;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -5,9 +5,6 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
 using Alate.Cli;
-using Alate.Cli.Figures;
-using Alate.Cli.Flights;
-using Alate.Cli.Projects;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -40,7 +37,7 @@ namespace Alate.Tests.Cli
         public void ThePagesNumbers_AreThoseMeasuredNow(InsectDefinition species)
         {
             var measured = FlightSummary.Of(TetheredFlight.Fly(
-                new FlightPlan { Species = species.Name, Speed = FlightPlan.CruiseOf(species), Substeps = Alate.Cli.Commands.FiguresCommand.MeasuredSubsteps }));
+                new FlightPlan { Species = species.Name, Speed = FlightPlan.CruiseOf(species), Substeps = FiguresCommand.MeasuredSubsteps }));
             string[] rows = Part("numbers").Split('\n').Where(row => row.StartsWith($"| {species.Name} | standard |", StringComparison.Ordinal)).ToArray();
 
             Assert.That(rows, Has.Length.EqualTo(measured.Wings.Count));

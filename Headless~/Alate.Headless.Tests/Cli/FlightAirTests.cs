@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

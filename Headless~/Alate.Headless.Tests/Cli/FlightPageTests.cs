@@ -1,7 +1,6 @@
 using System;
 using System.IO;
-using Alate.Cli.Figures;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

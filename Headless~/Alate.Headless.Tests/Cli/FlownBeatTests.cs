@@ -1,8 +1,6 @@
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Accuracy;
-using Alate.Cli.Flights;
-using Alate.Cli.FreeFlights;
+using Alate.Cli;
 using NUnit.Framework;
 using StandIns;
 using Unity.Mathematics;

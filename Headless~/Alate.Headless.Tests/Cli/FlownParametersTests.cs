@@ -2,8 +2,6 @@ using System.Linq;
 using System.Reflection;
 using Alate.Catalogue;
 using Alate.Cli;
-using Alate.Cli.Flights;
-using Alate.Cli.Parameters;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -2,8 +2,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.StandIns;
 

@@ -5,8 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
-using Alate.Cli.Commands;
-using Alate.Cli.FreeFlights;
+using Alate.Cli;
 using Alate.Flight;
 using NUnit.Framework;
 

@@ -1,9 +1,8 @@
 using System;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Films;
-using Alate.Cli.Flights;
-using Alate.Cli.FreeFlights;
+using Alate.Cli;
+using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;

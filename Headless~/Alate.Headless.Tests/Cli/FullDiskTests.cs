@@ -1,8 +1,6 @@
 using System;
 using System.IO;
 using Alate.Cli;
-using Alate.Cli.Commands;
-using Alate.Cli.Output;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Text;
 using System.Text.Json.Nodes;
-using Alate.Cli.Gltf;
+using Alate.Formats;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -3,9 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Gltf;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using Alate.Tests.Views;
 using NUnit.Framework;
 

@@ -3,7 +3,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
-using Alate.Cli.Output;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

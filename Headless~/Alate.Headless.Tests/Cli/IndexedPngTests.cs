@@ -5,7 +5,7 @@ using System.IO;
 using System.IO.Compression;
 using System.Linq;
 using System.Text;
-using Alate.Cli.Pictures.Png;
+using Alate.Formats;
 using NUnit.Framework;
 using Unity.StandIns;
 using UnityEngine;

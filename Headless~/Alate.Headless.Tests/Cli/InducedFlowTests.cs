@@ -3,7 +3,7 @@ using System.Linq;
 using System.Numerics;
 using System.Text.Json;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -4,8 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,9 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
-using Alate.Cli.Flights;
-using Alate.Cli.Input;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

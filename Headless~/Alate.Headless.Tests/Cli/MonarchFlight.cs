@@ -1,5 +1,5 @@
 using System;
-using Alate.Cli.Flights;
+using Alate.Cli;
 
 namespace Alate.Tests.Cli
 {

@@ -1,7 +1,6 @@
 using System.IO;
 using System.Text;
 using Alate.Cli;
-using Alate.Cli.Output;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

@@ -1,5 +1,5 @@
 using System.Linq;
-using Alate.Cli.Pictures;
+using Alate.Drawing;
 using NUnit.Framework;
 using NUnit.Framework.Constraints;
 using Unity.Mathematics;

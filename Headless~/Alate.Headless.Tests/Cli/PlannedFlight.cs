@@ -1,6 +1,5 @@
 using System.CommandLine;
-using Alate.Cli.Commands;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

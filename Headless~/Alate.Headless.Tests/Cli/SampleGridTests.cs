@@ -1,4 +1,4 @@
-using Alate.Cli.Pictures.Photos;
+using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;

@@ -3,8 +3,8 @@ using System.IO;
 using System.Linq;
 using System.Xml.Linq;
 using Alate.Authoring;
-using Alate.Cli.Input;
 using Alate.Editor.Tests;
+using Alate.Formats;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Numerics;
 using System.Text.Json;
-using Alate.Cli.Validation;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

@@ -3,8 +3,7 @@ using System.Linq;
 using System.Text;
 using System.Text.Json;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Output;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

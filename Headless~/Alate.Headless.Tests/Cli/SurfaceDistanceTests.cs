@@ -1,8 +1,6 @@
 using System;
 using System.Linq;
-using Alate.Cli.Accuracy;
-using Alate.Cli.Comparisons;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

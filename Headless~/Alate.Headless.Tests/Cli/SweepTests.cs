@@ -2,9 +2,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
-using Alate.Cli.Flights;
-using Alate.Cli.Parameters;
-using Alate.Cli.Sweeps;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

@@ -4,11 +4,6 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Alate.Cli;
-using Alate.Cli.Commands;
-using Alate.Cli.Figures;
-using Alate.Cli.Flights;
-using Alate.Cli.Projects;
-using Alate.Cli.Validation;
 using Alate.Flight;
 using NUnit.Framework;
 

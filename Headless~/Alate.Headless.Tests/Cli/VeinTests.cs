@@ -1,6 +1,5 @@
 using System.Linq;
-using Alate.Cli.Figures;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

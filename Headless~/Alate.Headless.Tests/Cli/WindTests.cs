@@ -3,8 +3,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
-using Alate.Cli.Pictures;
-using Alate.Cli.Winds;
+using Alate.Cli;
+using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
 

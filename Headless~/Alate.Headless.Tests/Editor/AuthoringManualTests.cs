@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using System.Text.RegularExpressions;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using Alate.Editor;
 using NUnit.Framework;
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Alate.Authoring;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using Alate.Fitting;
 using Alate.Geometry;
 using NUnit.Framework;

@@ -5,7 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using Alate.Fitting;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -1,6 +1,6 @@
 using System;
 using System.Globalization;
-using Alate.Cli.FreeFlights;
+using Alate.Cli;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Cli.Flights;
+using Alate.Cli;
 using Alate.Flight;
 using Unity.Collections;
 using Unity.Mathematics;

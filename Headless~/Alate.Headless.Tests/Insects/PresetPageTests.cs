@@ -1,6 +1,6 @@
 using System.Linq;
 using System.Reflection;
-using Alate.Cli.Parameters;
+using Alate.Cli;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -6,7 +6,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using System.Threading;
 using System.Threading.Tasks;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using Alate.Tests.Cli;
 using NUnit.Framework;
 

@@ -1,9 +1,7 @@
 using System;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Views;
-using Alate.Cli.Winds;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -2,7 +2,7 @@ using System.IO;
 using System.IO.Compression;
 using System.Linq;
 using System.Text.Json;
-using Alate.Cli.Views;
+using Alate.Cli;
 using Alate.Tests.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -3,9 +3,8 @@ using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
 using Alate.Catalogue;
-using Alate.Cli.Output;
-using Alate.Cli.Projects;
-using Alate.Cli.Views;
+using Alate.Cli;
+using Alate.Formats;
 using Alate.Tests.Cli;
 using NUnit.Framework;
 

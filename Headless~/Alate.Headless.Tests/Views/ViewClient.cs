@@ -5,7 +5,7 @@ using System.Text;
 using System.Text.Json;
 using System.Threading;
 using System.Threading.Tasks;
-using Alate.Cli.Views;
+using Alate.Cli;
 
 namespace Alate.Tests.Views
 {

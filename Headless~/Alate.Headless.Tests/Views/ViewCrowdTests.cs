@@ -4,7 +4,7 @@ using System.Net.Http;
 using System.Net.Sockets;
 using System.Net.WebSockets;
 using System.Threading.Tasks;
-using Alate.Cli.Views;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Views

@@ -2,7 +2,7 @@ using System;
 using System.Net.Http;
 using System.Threading.Tasks;
 using Alate.Catalogue;
-using Alate.Cli.Views;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Views

@@ -4,8 +4,7 @@ using System.Linq;
 using System.Text.Json;
 using System.Threading.Tasks;
 using Alate.Catalogue;
-using Alate.Cli.Flights;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -137,7 +136,7 @@ namespace Alate.Tests.Views
         [Test]
         public void SettingsOfASpecies_AreThoseOfItsPreset()
         {
-            var settings = Alate.Cli.Views.ViewSettings.Of(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+            var settings = ViewSettings.Of(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
             FlightPlan plan = settings.Plan(ComparisonColumn.FullModel), own = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
             WingPreset preset = InsectCatalogue.Find("monarch").Wings[0].CreatePreset();
 

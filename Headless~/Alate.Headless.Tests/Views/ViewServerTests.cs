@@ -8,7 +8,7 @@ using System.Net.WebSockets;
 using System.Security.Cryptography;
 using System.Text;
 using System.Threading.Tasks;
-using Alate.Cli.Views;
+using Alate.Cli;
 using Alate.Tests.Cli;
 using NUnit.Framework;
 

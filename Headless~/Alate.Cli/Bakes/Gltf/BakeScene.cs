@@ -1,0 +1,116 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json.Nodes;
+using Alate.Crowds;
+using Alate.Formats;
+using Unity.Mathematics;
+
+namespace Alate.Cli;
+
+/// <summary>The parts of a glTF file of a baked insect that all forms have: vertices, primitives by material, the file around them. Metres, Y up, facing +Z.</summary>
+internal sealed class BakeScene(InsectBake bake)
+{
+    private readonly JsonArray m_Materials = [];
+    private readonly Dictionary<BakedPart, int> m_MaterialOf = [];
+
+    public GlbBuffer Buffer { get; } = new();
+
+    public JsonArray Nodes { get; } = [];
+
+    public JsonArray Meshes { get; } = [];
+
+    public JsonArray Animations { get; } = [];
+
+    /// <summary>Positions of a frame.</summary>
+    public float3[] Positions(IEnumerable<float3> insect) => insect.Select(position => FileAxes.ToGltf(position) * bake.MetresPerUnit).ToArray();
+
+    /// <summary>Attributes of the vertices at rest.</summary>
+    public JsonObject RestAttributes() => Attributes(
+        Positions(bake.Surface.Positions.Select(position => (float3)position)), Array.ConvertAll(bake.Surface.Normals, FileAxes.Unit));
+
+    /// <summary>Attributes of the vertices: what never changes beside positions and normals.</summary>
+    public JsonObject Attributes(float3[] positions, float3[] normals)
+    {
+        var attributes = new JsonObject
+        {
+            ["POSITION"] = Buffer.AddVectors(positions),
+            ["NORMAL"] = Buffer.AddVectors(normals),
+            ["TEXCOORD_0"] = Buffer.AddPairs(Array.ConvertAll(bake.Surface.Uvs, uv => new float2(uv.x, 1f - uv.y))),
+        };
+        if (bake.Surface.Parts.Any(part => part.HasColours))
+            attributes["COLOR_0"] = Buffer.AddColours(bake.Surface.Colours);
+        return attributes;
+    }
+
+    /// <summary>A mesh of all parts over the same vertices.</summary>
+    /// <param name="attributes">Of every part.</param>
+    /// <param name="targets">Shapes of every part; null for none.</param>
+    public JsonObject Mesh(JsonObject attributes, JsonArray targets = null)
+    {
+        var primitives = new JsonArray();
+        foreach (BakedPart part in bake.Surface.Parts)
+        {
+            var primitive = new JsonObject
+            {
+                ["attributes"] = attributes.DeepClone(),
+                ["indices"] = Buffer.AddIndices(SurfaceMesh.Turned(part.Triangles), bake.Surface.VertexCount),
+                ["material"] = MaterialOf(part),
+                ["mode"] = 4,
+            };
+            if (targets != null)
+                primitive["targets"] = targets.DeepClone();
+            primitives.Add(primitive);
+        }
+
+        return new JsonObject { ["name"] = bake.Name, ["primitives"] = primitives };
+    }
+
+    /// <summary>Adds a node with a mesh.</summary>
+    public int AddMeshNode(JsonObject mesh)
+    {
+        Meshes.Add(mesh);
+        Nodes.Add(new JsonObject { ["name"] = bake.Name, ["mesh"] = Meshes.Count - 1 });
+        return Nodes.Count - 1;
+    }
+
+    /// <summary>Times of the frames of a clip, and of its first again, seconds.</summary>
+    public int Times(BakedClip clip, int count) => Buffer.AddScalars(Enumerable.Range(0, count + 1).Select(key => key / (clip.Frequency * count)).ToArray());
+
+    /// <summary>Writes the file.</summary>
+    /// <param name="roots">Nodes of the scene.</param>
+    /// <param name="skins">Null for none.</param>
+    /// <param name="stream">Where to.</param>
+    public void Write(IEnumerable<int> roots, JsonArray skins, Stream stream)
+    {
+        var gltf = new JsonObject
+        {
+            ["asset"] = new JsonObject { ["version"] = "2.0", ["generator"] = "Alate Insect Wings" },
+            ["scene"] = 0,
+            ["scenes"] = new JsonArray(new JsonObject { ["name"] = bake.Name, ["nodes"] = new JsonArray(roots.Select(root => (JsonNode)root).ToArray()) }),
+            ["nodes"] = Nodes,
+            ["meshes"] = Meshes,
+            ["materials"] = m_Materials,
+            ["accessors"] = Buffer.Accessors,
+            ["bufferViews"] = Buffer.Views,
+        };
+        if (skins != null)
+            gltf["skins"] = skins;
+        if (Animations.Count > 0)
+            gltf["animations"] = Animations;
+        byte[] binary = Buffer.ToArray();
+        gltf["buffers"] = new JsonArray(new JsonObject { ["byteLength"] = binary.Length });
+        GlbWriter.Write(gltf, binary, stream);
+    }
+
+    private int MaterialOf(BakedPart part)
+    {
+        if (m_MaterialOf.TryGetValue(part, out int material))
+            return material;
+        bool isGlass = part.HasColours && part.Triangles.Any(vertex => bake.Surface.Colours[vertex].a < byte.MaxValue);
+        m_Materials.Add(GltfMaterial.Of(part.HasColours, isGlass, part.Name));
+        m_MaterialOf.Add(part, m_Materials.Count - 1);
+        return m_Materials.Count - 1;
+    }
+}

@@ -1,0 +1,30 @@
+using System;
+using System.IO;
+using System.Linq;
+
+namespace Alate.Cli;
+
+/// <summary>Finds the picture on a Wavefront OBJ file's material.</summary>
+internal static class ObjMaterial
+{
+    private const string k_Picture = "map_Kd";
+
+    /// <summary>Text of a library with one material of a picture.</summary>
+    public static string Write(string name, string picture) => $"newmtl {name}\nKd 1 1 1\n{k_Picture} {picture}\n";
+
+    /// <summary>Path of the first picture that the material library of a mesh names; null where there is none on the disk.</summary>
+    /// <param name="mesh">Path of the mesh.</param>
+    /// <param name="library">Name of its library; null for none.</param>
+    public static string FindPicture(string mesh, string library)
+    {
+        if (library == null)
+            return null;
+        string folder = Path.GetDirectoryName(Path.GetFullPath(mesh)), path = Path.Combine(folder, library);
+        if (!File.Exists(path))
+            return null;
+        string line = TextFile.Read(path, reader => reader.ReadToEnd().Split('\n'))
+            .Select(text => text.Trim()).FirstOrDefault(text => text.StartsWith(k_Picture + ' ', StringComparison.Ordinal));
+        string picture = line == null ? null : Path.Combine(folder, line[(k_Picture.Length + 1)..].Trim());
+        return picture != null && Path.GetExtension(picture).Equals(".png", StringComparison.OrdinalIgnoreCase) && File.Exists(picture) ? picture : null;
+    }
+}

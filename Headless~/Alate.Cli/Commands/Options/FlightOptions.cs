@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Drawing;
+
+namespace Alate.Cli;
+
+/// <summary>Options that several commands have.</summary>
+internal static class FlightOptions
+{
+    /// <summary>Names of species; none stands for all of them.</summary>
+    public static Argument<string[]> AnySpecies() => new("SPECIES")
+    {
+        Arity = ArgumentArity.ZeroOrMore,
+        Description = $"The insects: {string.Join(", ", InsectCatalogue.Names)}; all where none is named.",
+    };
+
+    public static Option<double?> Speed() => Numbers.Optional(
+        "--speed", "M/S", 0, PlanRange.MostSpeed,
+        $"Speed of the body ahead, metres per second, 0 to {PlanRange.MostSpeed}. [default: 0.65 of the species' top speed, an insect's 1.3]");
+
+    public static Option<int?> Substeps() => Numbers.OptionalCount(
+        "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps,
+        $"Substeps of a beat, {WingParameters.MinSubsteps} to {WingParameters.MaxSubsteps}. [default: the species']");
+
+    public static Option<InsectVariant?> Variant() => Choice.Optional<InsectVariant>(
+        "--variant", "Which numbers of the species: the tables', measured ones where there are any, softer ones, or those with which its wings carry it. [default: standard]", new()
+        {
+            ["standard"] = InsectVariant.Standard,
+            ["biological"] = InsectVariant.Biological,
+            ["expressive"] = InsectVariant.Expressive,
+            ["flight"] = InsectVariant.Flight,
+        });
+
+    public static Option<PictureView?> View() => Choice.Optional(
+        "--view", "The side the picture shows. [default: front-left]", PictureView.ByName);
+}

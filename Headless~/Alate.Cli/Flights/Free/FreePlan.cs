@@ -1,0 +1,31 @@
+using System.Collections.Generic;
+using Alate.Catalogue;
+using Unity.Mathematics;
+
+namespace Alate.Cli;
+
+/// <summary>A free flight: who, where to, in what wind.</summary>
+internal sealed record FreePlan
+{
+    public InsectDefinition Insect { get; init; }
+
+    /// <summary>Places to fly to one after the other, metres from the start; the last is held. One at the start hovers.</summary>
+    public IReadOnlyList<float3> Points { get; init; }
+
+    /// <summary>Seed of an erratic track that is flown in place of <see cref="Points"/>; null flies those.</summary>
+    public int? WanderSeed { get; init; }
+
+    public double Seconds { get; init; } = 10;
+
+    /// <summary>Velocity of a gust of one second in the middle of the flight, m/s.</summary>
+    public float3 Gust { get; init; }
+
+    /// <summary>Outer help, 0 to 1.</summary>
+    public double Aid { get; init; }
+
+    /// <summary>Seconds of a step.</summary>
+    public double Step { get; init; } = 0.02;
+
+    /// <summary>Null is out/SPECIES-free.</summary>
+    public string Folder { get; init; }
+}

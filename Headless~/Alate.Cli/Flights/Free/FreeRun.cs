@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using Alate.Catalogue;
+using Alate.Flight;
+using Unity.Mathematics;
+
+namespace Alate.Cli;
+
+/// <summary>Flies a plan.</summary>
+internal static class FreeRun
+{
+    /// <summary>Flies; tells the steps done.</summary>
+    /// <exception cref="UserException">The insect does not fly.</exception>
+    public static FreeRecord Fly(FreePlan plan, Action<int> progress)
+    {
+        using FlightModel model = CatalogueFlight.CreateModel(plan.Insect);
+        using TrimTable table = CatalogueFlight.CreateTable(plan.Insect, model)
+            ?? throw new UserException($"The {plan.Insect.DisplayName} has no trim table: 'trim {plan.Insect.Name}' says at which speeds it flies.");
+        using var flight = new FreeFlight(model, table) { Aid = (float)plan.Aid };
+        bool hovers = plan.Points is { Count: 1 } && math.all(plan.Points[0] == 0f);
+        // What cannot stand still swims about instead.
+        IFlightPilot pilot = plan.WanderSeed is { } seed ? new CoursePilot(seed) : hovers && table.Speeds[0] > 0f ? new CoursePilot(1) : new PointPilot(plan.Points);
+        var moments = new List<FreeMoment>();
+        int steps = (int)Math.Ceiling(plan.Seconds / plan.Step - 1e-9);
+        for (int step = 0; step < steps; step++)
+        {
+            bool gusts = flight.Time >= 0.5 * plan.Seconds && flight.Time < 0.5 * plan.Seconds + 1;
+            flight.Wind = gusts ? plan.Gust : default;
+            FlightCommand command = pilot.Command(flight.Situation((float)plan.Step));
+            flight.Step(command, (float)plan.Step);
+            moments.Add(Moment(flight));
+            progress(step + 1);
+        }
+
+        return new FreeRecord(plan.Insect, moments, model.Centre, model.Weight, Beat(plan, model, moments));
+    }
+
+    /// <summary>A flight as it is after its last step.</summary>
+    public static FreeMoment Moment(FreeFlight flight)
+    {
+        WingReading wing = flight.World.Read(flight.Wings[0]);
+        return new FreeMoment(
+            flight.Time, flight.Position, flight.Rotation, flight.Velocity, flight.AngularVelocity, flight.Reference.Velocity, flight.Wind, wing.Phase, wing.Frequency,
+            wing.Amplitude.x, flight.Force, flight.Moment, flight.Power, flight.AidPower, flight.State);
+    }
+
+    // The beat of the flight's middle, on the spot: its shapes stand for those of the whole flight in pictures.
+    private static FlightRecord Beat(FreePlan plan, FlightModel model, List<FreeMoment> moments)
+    {
+        FreeMoment middle = moments[moments.Count / 2];
+        float3 ahead = math.rotate(middle.Rotation, new float3(0f, 0f, 1f));
+        var beat = new FlightPlan
+        {
+            Species = plan.Insect.Name,
+            Variant = InsectVariant.Flight,
+            Speed = math.length(middle.Wanted.xz),
+            Climb = middle.Wanted.y,
+            PitchDegrees = math.degrees(math.asin(math.clamp(ahead.y, -1f, 1f))),
+            Drive = new WingDrive { frequency = (float)middle.Frequency, amplitude = (float)(middle.Amplitude / model.Wings[0].Parameters.amplitude.x) },
+        };
+        return TetheredFlight.Fly(beat);
+    }
+}

@@ -1,0 +1,33 @@
+using System.Collections.Concurrent;
+using Alate.Catalogue;
+using Alate.Drawing;
+using UnityEngine;
+
+namespace Alate.Cli;
+
+/// <summary>Paintings of the catalogue's wings, each made once.</summary>
+internal static class WingPainting
+{
+    /// <summary>Columns of the painted ones: a scale of a butterfly's wing margin is then three pixels wide.</summary>
+    private const int k_Width = 1024;
+
+    private static readonly ConcurrentDictionary<WingPattern, WingTexture> s_Painted = new();
+
+    /// <summary>The painting of a wing of the catalogue; null where it has none.</summary>
+    public static WingTexture Of(WingDefinition wing) => wing.Pattern == null ? null : s_Painted.GetOrAdd(wing.Pattern, _ => Paint(wing));
+
+    // Square pixels, in a size that every viewer halves without a rest.
+    private static WingTexture Paint(WingDefinition wing)
+    {
+        double depth = wing.Contour.Front - wing.Contour.Rear;
+        int height = 1;
+        while (height < k_Width && 1.4 * height < k_Width * depth)
+            height *= 2;
+        Color32[] pixels = wing.Pattern.Paint(wing.Contour, k_Width, height);
+        var picture = new Texture2D(k_Width, height);
+        picture.SetPixels32(pixels);
+        byte[] png = picture.EncodeToPNG();
+        UnityEngine.Object.DestroyImmediate(picture);
+        return WingTexture.Of(png);
+    }
+}

@@ -1,0 +1,45 @@
+using System;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Drawing;
+using Unity.Mathematics;
+
+namespace Alate.Cli;
+
+/// <summary>Looks of flown insects and their wings in photos.</summary>
+internal static class FlightPhoto
+{
+    /// <summary>Scene of an insect that was flown.</summary>
+    /// <param name="flight">The flight.</param>
+    /// <param name="view">From where it is seen; null is from where its plan says.</param>
+    /// <param name="surfaceOf">Looks of the wings, by their numbers; null for their own.</param>
+    public static PhotoScene Scene(FlightRecord flight, PictureView? view = null, Func<int, RecordedWing, PhotoSurface> surfaceOf = null)
+    {
+        float3[] places = Array.ConvertAll(flight.Insect.Body.positions, place => (float3)place);
+        float3[] normals = Array.ConvertAll(flight.Insect.Body.normals, normal => (float3)normal);
+        var body = new PhotoPart(PhotoSurface.Of(flight.Insect.Body), 1f, _ => (places, normals));
+        return new PhotoScene(view ?? flight.Plan.View, Reach(flight), [body, .. flight.Wings.Select((wing, k) => Part(wing, (surfaceOf ?? Surface)(k + 1, wing)))]);
+    }
+
+    /// <summary>Farthest that a wing comes from the middle of the thorax, metres.</summary>
+    public static float Reach(FlightRecord flight) => flight.Wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length);
+
+    /// <summary>A wing in its pattern, its picture or the colours of its vertices, or pale where it has none.</summary>
+    /// <param name="index">Its number among the surfaces of the picture.</param>
+    /// <param name="wing">The wing.</param>
+    public static PhotoSurface Surface(int index, RecordedWing wing)
+    {
+        InsectWing own = wing.Wing;
+        if (own.Pattern is WingPattern pattern)
+            return Thin(Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale), (place, softness) => Shading.Linear(pattern.ColourAt(place.x, place.z, softness)), true);
+        if (own.Surface.uvs != null && own.Texture is WingTexture picture)
+            return Thin(Array.ConvertAll(own.Surface.uvs, uv => new float4(uv, 0f, 0f)), (place, _) => picture.ColourAt(place.xy), true);
+        return own.Colours != null ? Thin(Array.ConvertAll(own.Colours, colour => Shading.Linear(colour)), (colour, _) => colour) : Thin(new float4[wing.Rest.Length], null);
+
+        PhotoSurface Thin(float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false) =>
+            PhotoSurface.Thin(index, wing.Rest, wing.Triangles, values, colourOf, hasPattern);
+    }
+
+    private static PhotoPart Part(RecordedWing wing, PhotoSurface surface) =>
+        new(surface, wing.Placement.Length, wing.At, Array.ConvertAll(wing.Rest, wing.Placement.ToBody));
+}

@@ -1,0 +1,53 @@
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Alate.Formats;
+using Unity.Mathematics;
+
+namespace Alate.Cli;
+
+/// <summary>Flies a plan freely, shows how it gets on, and writes what came of it: all of the files or none.</summary>
+internal static class FreeReport
+{
+    private const string k_Trajectory = "trajectory.csv", k_Forces = "forces.csv", k_Path = "path.png", k_Glb = "flight.glb";
+
+    /// <summary>Factor from which on it is told that the picture shows the insect larger than its way.</summary>
+    private const float k_Larger = 1.5f;
+
+    /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
+    public static void Run(FreePlan plan, TextWriter output)
+    {
+        string path = plan.Folder ?? Path.Combine("out", plan.Insect.Name + "-free");
+        using var folder = OutputFolder.Prepare(path, k_Trajectory, k_Forces, k_Path, k_Glb);
+        var terminal = new Terminal(output);
+        FreeRecord record = null;
+        float factor = 1f;
+        terminal.ShowProgress((int)(plan.Seconds / plan.Step), (steps, stage) =>
+        {
+            record = FreeRun.Fly(plan, steps);
+            stage("drawing");
+            folder.Write(k_Path, stream => stream.Write(PathPicture.Draw(record, out factor)));
+            stage("writing");
+            folder.Write(k_Trajectory, stream => CsvTable.Write(stream, TrajectoryTable.Of(record)));
+            folder.Write(k_Forces, stream => CsvTable.Write(stream, ForceTable.Of(record)));
+            folder.Write(k_Glb, stream => WingsGlb.Write(record.Beat, stream, record));
+        });
+        folder.Commit();
+        FreeMoment last = record.Moments[^1];
+        double error = System.Math.Sqrt(record.Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
+        output.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{plan.Insect.DisplayName}: {last.Time:0.##} s by its own wings, from the origin to "
+            + $"{last.Position.x:0.00}, {last.Position.y:0.00}, {last.Position.z:0.00} m; "
+            + $"velocity off by {error:0.000} m/s (bob and all)"));
+        output.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"mean lift {record.Moments.Average(at => at.Force.y) / record.Weight:0.000} of the weight, "
+            + $"{100 * record.UpstrokeShare:0} % of it on the upstroke; "
+            + $"power {1e3 * record.Moments.Average(at => at.Power):0.###} mW; "
+            + $"aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW"));
+        if (factor >= k_Larger)
+            output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
+        terminal.ShowFiles(path, k_Trajectory, k_Forces, k_Path, k_Glb);
+    }
+}

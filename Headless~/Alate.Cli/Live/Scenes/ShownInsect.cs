@@ -1,0 +1,143 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json.Nodes;
+using Alate.Catalogue;
+
+namespace Alate.Cli;
+
+/// <summary>The insect of one page, once for each column of the model, with what the page has set.</summary>
+internal sealed class ShownInsect : IDisposable
+{
+    /// <summary>States in a second, at most.</summary>
+    public const int Rate = 30;
+
+    private const uint k_Magic = 0x54414C41; // ALAT
+
+    private List<LiveFlight> m_Flights = [];
+    private OwnWing m_Own;
+    private uint m_Sequence;
+
+    /// <exception cref="UserException">The species does not fly with its own numbers.</exception>
+    public ShownInsect(ViewSettings settings)
+    {
+        Scene = Make(settings, null);
+    }
+
+    public ViewSettings Settings { get; private set; }
+
+    /// <summary>Description of what flies, for the page.</summary>
+    public JsonObject Scene { get; private set; }
+
+    /// <summary>Takes what a page asks for.</summary>
+    /// <returns>True where another insect, or other columns, fly now, so that the page needs a new <see cref="Scene"/>.</returns>
+    /// <exception cref="UserException">A value is wrong; nothing is changed.</exception>
+    public bool Change(ViewRequest request)
+    {
+        ViewSettings settings = request.Apply(Settings);
+        bool isOther = settings.Species != Settings.Species || settings.Variant != Settings.Variant || settings.IsCompared != Settings.IsCompared;
+        OwnWing own = settings.Species != Settings.Species || request.IsCatalogue ? null : m_Own;
+        if (isOther || own != m_Own)
+        {
+            Scene = Make(settings, own);
+            return true;
+        }
+
+        if (settings == Settings)
+            return false;
+        foreach (LiveFlight flight in m_Flights)
+            flight.Change(settings.Plan(flight.Column));
+        Settings = settings;
+        return false;
+    }
+
+    /// <summary>Takes a wing of the viewer's own.</summary>
+    /// <exception cref="UserException">The file is no wing; what flew flies on.</exception>
+    public void Take(string name, byte[] content)
+    {
+        Scene = Make(Settings, OwnWing.Read(name, content));
+    }
+
+    /// <summary>Lets a moment pass and writes the state of all columns.</summary>
+    public void Advance(StateBuffer state) => Advance(state, Settings.IsPaused ? 0.0 : Settings.Slow / Rate);
+
+    /// <summary>Writes the states of a settled beat, each behind its length.</summary>
+    /// <param name="frames">States, evenly in time.</param>
+    /// <param name="stream">Where to.</param>
+    public void Bake(int frames, Stream stream)
+    {
+        const int k_SettledBeats = 8, k_StepsPerBeat = 4;
+        double period = 1.0 / m_Flights[0].Frequency;
+        var state = new StateBuffer();
+        foreach (LiveFlight flight in m_Flights)
+        {
+            for (int k = 0; k < k_SettledBeats * k_StepsPerBeat; k++)
+                flight.Advance(period / k_StepsPerBeat);
+        }
+
+        Advance(state, 0.0);
+        for (int k = 0; k < frames; k++)
+        {
+            stream.Write(BitConverter.GetBytes(state.Length));
+            stream.Write(state.Content.Span);
+            Advance(state, period / frames);
+        }
+    }
+
+    private void Advance(StateBuffer state, double seconds)
+    {
+        state.Clear();
+        state.Add(k_Magic);
+        state.Add((uint)m_Flights.Count);
+        state.Add(m_Flights[0].Time);
+        state.Add(m_Sequence++);
+        state.Add(0u);
+        foreach (LiveFlight flight in m_Flights)
+        {
+            flight.Advance(seconds);
+            flight.Write(state);
+        }
+    }
+
+    /// <summary>A settled beat of what flies as a file for other programs.</summary>
+    public byte[] Save()
+    {
+        FlightPlan plan = Settings.Plan(ComparisonColumn.FullModel);
+        using var flight = new TetheredFlight(plan, InsectOf(Settings, m_Own));
+        using var file = new MemoryStream();
+        WingsGlb.Write(flight.Run(_ => { }), file);
+        return file.ToArray();
+    }
+
+    public void Dispose()
+    {
+        m_Flights.ForEach(flight => flight.Dispose());
+    }
+
+    private JsonObject Make(ViewSettings settings, OwnWing own)
+    {
+        Insect insect = InsectOf(settings, own);
+        var flights = new List<LiveFlight>();
+        try
+        {
+            foreach (ComparisonColumn column in settings.Columns)
+                flights.Add(new LiveFlight(settings.Plan(column), insect));
+        }
+        catch
+        {
+            flights.ForEach(flight => flight.Dispose());
+            throw;
+        }
+
+        m_Flights.ForEach(flight => flight.Dispose());
+        (m_Flights, m_Own, Settings) = (flights, own, settings);
+        return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, own?.Remark ?? "");
+    }
+
+    private static Insect InsectOf(ViewSettings settings, OwnWing own)
+    {
+        FlightPlan plan = settings.Plan(ComparisonColumn.FullModel);
+        return own == null ? Insect.Of(plan) : own.Fit(KnownSpecies.Find(settings.Species, settings.Variant), plan);
+    }
+}

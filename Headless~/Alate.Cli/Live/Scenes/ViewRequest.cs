@@ -1,0 +1,117 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+using System.Text.Json;
+using Alate.Catalogue;
+
+namespace Alate.Cli;
+
+/// <summary>A message of a page: what to change, a file that follows, or a wish for one.</summary>
+internal sealed class ViewRequest
+{
+    private const int k_Depth = 4, k_LongestName = 200;
+
+    private readonly Dictionary<string, double> m_Values = [];
+    private string m_Species, m_Variant;
+    private bool? m_IsCompared, m_IsPaused;
+
+    private ViewRequest()
+    {
+    }
+
+    /// <summary>Name of a file whose content is the next binary message; null for none.</summary>
+    public string File { get; private set; }
+
+    /// <summary>True where the page wants the beat as a GLB file.</summary>
+    public bool IsSave { get; private set; }
+
+    /// <summary>True where the viewer's own wing is to go.</summary>
+    public bool IsCatalogue { get; private set; }
+
+    /// <summary>Reads a message.</summary>
+    /// <exception cref="FormatException">It is not one of the page's.</exception>
+    public static ViewRequest Read(ReadOnlyMemory<byte> text)
+    {
+        try
+        {
+            using var json = JsonDocument.Parse(text, new JsonDocumentOptions { MaxDepth = k_Depth });
+            var request = new ViewRequest();
+            foreach (JsonProperty property in json.RootElement.EnumerateObject())
+                request.Take(property);
+            return request;
+        }
+        catch (Exception problem) when (problem is JsonException or InvalidOperationException or DecoderFallbackException)
+        {
+            throw new FormatException("That message is none of this page's.");
+        }
+    }
+
+    /// <summary>Settings with the changes of this message.</summary>
+    /// <exception cref="UserException">There is no such species, variant or slider, or a value is out of its range.</exception>
+    public ViewSettings Apply(ViewSettings settings)
+    {
+        if (m_Species != null || m_Variant != null)
+        {
+            InsectVariant variant = Variant();
+            bool isCompared = settings.IsCompared;
+            settings = ViewSettings.Of(KnownSpecies.Find(m_Species ?? settings.Species, variant), variant);
+            settings = settings with { IsCompared = isCompared };
+        }
+
+        foreach ((string name, double value) in m_Values)
+            settings = ViewSlider.Set(settings, name, value);
+        return settings with { IsCompared = m_IsCompared ?? settings.IsCompared, IsPaused = m_IsPaused ?? settings.IsPaused };
+    }
+
+    private InsectVariant Variant()
+    {
+        if (m_Variant == null)
+            return InsectVariant.Standard;
+        foreach (InsectVariant variant in Enum.GetValues<InsectVariant>())
+        {
+            if (KnownSpecies.Word(variant) == m_Variant)
+                return variant;
+        }
+
+        throw new UserException($"There is no variant {Quote.Of(m_Variant)}. Known: {string.Join(", ", Enum.GetValues<InsectVariant>().Select(KnownSpecies.Word))}.");
+    }
+
+    private void Take(JsonProperty property)
+    {
+        switch (property.Name)
+        {
+            case "species":
+                m_Species = Shown(property.Value.GetString());
+                break;
+            case "variant":
+                m_Variant = Shown(property.Value.GetString());
+                break;
+            case "compare":
+                m_IsCompared = property.Value.GetBoolean();
+                break;
+            case "paused":
+                m_IsPaused = property.Value.GetBoolean();
+                break;
+            case "values":
+                foreach (JsonProperty value in property.Value.EnumerateObject())
+                    m_Values[value.Name] = value.Value.GetDouble();
+                break;
+            case "file":
+                File = Shown(property.Value.GetString());
+                break;
+            case "save":
+                IsSave = property.Value.GetBoolean();
+                break;
+            case "catalogue":
+                IsCatalogue = property.Value.GetBoolean();
+                break;
+            default:
+                throw new FormatException($"A message of this page has no {Quote.Of(property.Name)}.");
+        }
+    }
+
+    // Nobody needs more of it in an answer.
+    private static string Shown(string text) =>
+        text == null ? throw new FormatException("A name is missing.") : text.Length > k_LongestName ? text[..k_LongestName] : text;
+}

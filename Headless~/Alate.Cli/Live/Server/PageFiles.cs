@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Security.Cryptography;
+using System.Text;
+
+namespace Alate.Cli;
+
+/// <summary>Files of the page, by their names behind the address: a list of its own, so that no path of a request is ever one of the disk.</summary>
+internal sealed class PageFiles
+{
+    /// <summary>The page itself.</summary>
+    public const string Index = "index.html";
+
+    private const string k_Folder = "Page/", k_MapMark = "/*IMPORT MAP*/", k_ModeMark = "/*MODE*/";
+
+    private readonly Dictionary<string, Func<byte[]>> m_Files = [];
+
+    /// <param name="three">Where three.js is.</param>
+    /// <param name="isLive">Served with the simulation; else from a folder with baked insects.</param>
+    public PageFiles(ThreeSource three, bool isLive)
+    {
+        string map = three.ImportMap();
+        foreach (string resource in typeof(PageFiles).Assembly.GetManifestResourceNames().Where(name => name.StartsWith(k_Folder, StringComparison.Ordinal)))
+            m_Files[resource[k_Folder.Length..]] = () => Resource(resource);
+        byte[] index = Encoding.UTF8.GetBytes(
+            Encoding.UTF8.GetString(Resource(k_Folder + Index)).Replace(k_MapMark, map).Replace(k_ModeMark, isLive ? "live" : "baked"));
+        m_Files[Index] = () => index;
+        foreach (string name in three.Names)
+            m_Files[$"three/{name}"] = () => three.Read(name);
+        string scripts = three.IsPublic ? " " + ThreeSource.Server : "";
+        SecurityPolicy = $"default-src 'none'; script-src 'self' 'sha256-{Convert.ToBase64String(SHA256.HashData(Encoding.UTF8.GetBytes(map)))}'{scripts}; style-src 'self'; "
+            + "connect-src 'self' ws://127.0.0.1:* ws://localhost:*; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    }
+
+    /// <summary>Sources that the page may load from, as the header of an answer.</summary>
+    public string SecurityPolicy { get; }
+
+    public IEnumerable<string> Names => m_Files.Keys;
+
+    /// <summary>A file by its name; null where there is none.</summary>
+    public byte[] Find(string name) => m_Files.TryGetValue(name, out Func<byte[]> read) ? read() : null;
+
+    /// <summary>Content type of a file.</summary>
+    public static string TypeOf(string name) => Path.GetExtension(name) switch
+    {
+        ".html" => "text/html; charset=utf-8",
+        ".css" => "text/css; charset=utf-8",
+        ".js" => "text/javascript; charset=utf-8",
+        ".svg" => "image/svg+xml",
+        _ => "application/octet-stream",
+    };
+
+    private static byte[] Resource(string name)
+    {
+        using Stream stream = Assembly.GetExecutingAssembly().GetManifestResourceStream(name);
+        using var content = new MemoryStream();
+        stream.CopyTo(content);
+        return content.ToArray();
+    }
+}

@@ -1,0 +1,122 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Flight;
+using Unity.Mathematics;
+
+namespace Alate.Cli;
+
+/// <summary>Free flight of the catalogue's monarch, level at 1.3 m/s. Degrees and per cent.</summary>
+/// <param name="UpForce">Share of the upstroke in the mean size of the force.</param>
+/// <param name="UpSupport">Share of the upstroke in the upward impulse.</param>
+/// <param name="Power">To the air, W/kg.</param>
+/// <param name="DownAttack">Mean angle of attack in the middle of the downstroke.</param>
+/// <param name="UpAttack">In the middle of the upstroke.</param>
+/// <param name="PitchBob">Half of the range of the pitch.</param>
+internal sealed record FreeMonarch(double UpForce, double UpSupport, double Power, double DownAttack, double UpAttack, double PitchBob)
+{
+    private const float k_Speed = 1.3f;
+
+    /// <summary>Speed and climb of the measured monarch, m/s.</summary>
+    private const float k_ClimbingSpeed = 1.28f, k_Climb = 0.75f;
+
+    private const int k_Beats = 60;
+
+    /// <summary>Time of the means.</summary>
+    private const double k_Seconds = 12;
+
+    private static readonly FlightCondition s_Climb = new(k_ClimbingSpeed, k_Climb);
+
+    /// <summary>Flies with so many substeps of a beat, by the species' trim table.</summary>
+    public static FreeMonarch Fly(int substeps)
+    {
+        InsectDefinition monarch = InsectCatalogue.Find("monarch");
+        using FlightModel model = CatalogueFlight.CreateModel(monarch);
+        using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
+        Refine(model, parameters => substeps);
+        var level = SteadyFlight.Fly(model, table, new FlightCondition(k_Speed, 0f), k_Seconds);
+        (double down, double up) = Attacks(model, table);
+        return new FreeMonarch(100 * level.UpForce, 100 * level.UpSupport, level.PowerPerMass, down, up, level.PitchBob);
+    }
+
+    /// <summary>Trim of the measured climb with the body held still, which closes at any fineness of time.</summary>
+    /// <param name="substeps">Of a beat.</param>
+    /// <param name="start">Where to begin; null for none.</param>
+    /// <param name="measured">Pitch of the thorax and stroke plane off the vertical, radians.</param>
+    /// <param name="force">Up and ahead over the weight, of the beat of the trim at the measured pitch and stroke plane.</param>
+    /// <returns>The trim; null where it does not close.</returns>
+    public static TrimState Climb(int substeps, TrimState start, (double Pitch, double Plane) measured, out (double Up, double Ahead) force)
+    {
+        using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
+        Refine(model, parameters => substeps);
+        using var solver = new TrimSolver(model) { HoldsStill = true };
+        TrimState trim = solver.Solve(s_Climb, start ?? solver.Start(), out double[] residual);
+        TrimState animal = trim.Copy();
+        animal.z[0] = measured.Pitch;
+        animal.z[3] = measured.Plane - measured.Pitch;
+        double[] left = solver.Residual(animal, s_Climb, out _);
+        force = (1 + left[0], left[1]);
+        return TrimSolver.Norm(residual) < TrimSolver.Closed ? trim : null;
+    }
+
+    /// <summary>Half of the range of the pitch in the climb, radians, where the body bobs by the forces of its beat: at the species' substeps, and from there at more.</summary>
+    /// <param name="fineness">Factor on the species' substeps.</param>
+    /// <param name="left">Largest part of what lift, thrust and pitching moment then lack, over weight and weight times wing length.</param>
+    public static (double Bob, double Fine) ClimbingBobs(int fineness, out double left)
+    {
+        using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
+        TrimState climbing = MeasuredClimb(model, out _);
+        left = double.NaN;
+        if (climbing == null)
+            return (double.NaN, double.NaN);
+        Refine(model, parameters => fineness * parameters.substepsPerBeat);
+        using var solver = new TrimSolver(model);
+        TrimState fine = solver.Solve(s_Climb, climbing, out double[] residual);
+        left = TrimSolver.Norm(residual);
+        return (climbing.PitchBob, fine.PitchBob);
+    }
+
+    /// <summary>Trim of the monarch in the climb that Kang and Sridhar measured; null where it does not close.</summary>
+    public static TrimState MeasuredClimb(FlightModel model, out string missing)
+    {
+        using var solver = new TrimSolver(model);
+        using var climbs = new TrimTable([k_ClimbingSpeed], [0f, k_Climb / 3, k_Climb * 2 / 3, k_Climb]);
+        var bake = new TrimBake(model);
+        TrimState climbing = bake.Trims(solver, climbs)[0, 3];
+        missing = bake.Problems[0, 3];
+        return climbing;
+    }
+
+    private static void Refine(FlightModel model, Func<WingParameters, int> substeps)
+    {
+        foreach (FlightWing wing in model.Wings)
+        {
+            WingParameters parameters = wing.Parameters;
+            parameters.substepsPerBeat = substeps(parameters);
+            wing.Parameters = parameters;
+        }
+    }
+
+    // Means over the patches of the right wing, within a twentieth of a beat of the middle of each stroke.
+    private static (double Down, double Up) Attacks(FlightModel model, TrimTable table)
+    {
+        using var flight = new FreeFlight(model, table, new FlightCondition(k_Speed, 0f));
+        var command = FlightCommand.Fly(new float3(0f, 0f, k_Speed), 0f);
+        WingHandle wing = flight.Wings[0];
+        flight.World.RecordPatches(wing, true);
+        var down = new List<double>();
+        var up = new List<double>();
+        while (flight.Beats < k_Beats)
+        {
+            flight.Step(command, 1f / (32f * flight.World.Read(wing).Frequency));
+            WingReading reading = flight.World.Read(wing);
+            double turn = reading.Phase / (2 * Math.PI);
+            List<double> stroke = Math.Abs(turn - 0.25) < 0.05 ? down : Math.Abs(turn - 0.75) < 0.05 ? up : null;
+            if (flight.Beats >= k_Beats / 2)
+                stroke?.Add(Enumerable.Range(0, reading.PatchCount).Average(patch => math.degrees((double)reading.PatchAngleOfAttack(patch))));
+        }
+
+        return (down.Average(), up.Average());
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using Alate.Formats;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Drawing;
+
+/// <summary>A picture of insects with labels, on paper of its own so that it reads on any ground.</summary>
+internal sealed class PixelPage
+{
+    /// <summary>Pixels of a unit of length.</summary>
+    public const float Fineness = 1.5f;
+
+    private static readonly float3 s_Ink = Shading.Colour(0x3d3a34), s_Pale = Shading.Colour(0x746d60);
+
+    private readonly List<(PhotoScene Scene, Pose Pose, StripPanel Panel)> m_Photos = [];
+    private readonly List<(float2[] Points, float Pen, float3 Colour)> m_Strokes = [];
+    private readonly List<string> m_Texts = [];
+
+    /// <summary>Texts that are written, in order.</summary>
+    public IReadOnlyList<string> Texts => m_Texts;
+
+    /// <summary>Adds a pose of an insect.</summary>
+    public void Add(PhotoScene scene, Pose pose, StripPanel panel) => m_Photos.Add((scene, pose, panel));
+
+    /// <summary>Adds a line of text.</summary>
+    /// <param name="x">Where its anchor lies.</param>
+    /// <param name="y">Its base line.</param>
+    /// <param name="size">Size of the letters.</param>
+    /// <param name="text">Any characters.</param>
+    /// <param name="anchor">start, middle or end.</param>
+    /// <param name="look">t for pale, b for bold, or nothing.</param>
+    public void Text(float x, float y, float size, string text, string anchor = "start", string look = "")
+    {
+        (List<float2[]> strokes, float pen) = Lettering.Strokes(text, size, look == "b");
+        float left = x - (anchor == "end" ? 1f : anchor == "middle" ? 0.5f : 0f) * Lettering.Width(text, size);
+        foreach (float2[] stroke in strokes)
+            m_Strokes.Add((Array.ConvertAll(stroke, point => point + new float2(left, y)), pen, look == "t" ? s_Pale : s_Ink));
+        m_Texts.Add(text);
+    }
+
+    /// <summary>Adds a straight line.</summary>
+    public void Line(float x1, float y1, float x2, float y2, int rgb, float thickness = 1f) =>
+        m_Strokes.Add(([new float2(x1, y1), new float2(x2, y2)], 0.5f * thickness, Shading.Colour(rgb)));
+
+    /// <summary>The whole file.</summary>
+    /// <param name="width">Units of the picture.</param>
+    /// <param name="height">Units of the picture.</param>
+    /// <param name="title">What it shows, for those who do not see it.</param>
+    public byte[] Finish(float width, float height, string title)
+    {
+        var size = (int2)math.round(Fineness * new float2(width, height));
+        return IndexedPng.Write(size.x, size.y, Draw(size), [title, .. m_Texts]);
+    }
+
+    /// <summary>The pixels, rows from above.</summary>
+    public Color32[] Draw(int2 size)
+    {
+        var pixels = new float3[size.x * size.y];
+        Array.Fill(pixels, Shading.Paper);
+        foreach ((PhotoScene scene, Pose pose, StripPanel panel) in m_Photos)
+            Blend(pixels, size, scene.Draw(pose, panel, Fineness), (int2)math.round(Fineness * new float2(panel.Left, panel.Top)), PhotoScene.SizeOf(panel, Fineness));
+        foreach ((float2[] points, float pen, float3 colour) in m_Strokes)
+        {
+            foreach ((int pixel, float covered) in Pen.Cover(size, Array.ConvertAll(points, point => Fineness * point), pen * Fineness))
+                pixels[pixel] = math.lerp(pixels[pixel], colour, covered);
+        }
+
+        return Array.ConvertAll(pixels, pixel =>
+        {
+            var bytes = (int3)math.round(255f * math.saturate(pixel));
+            return new Color32((byte)bytes.x, (byte)bytes.y, (byte)bytes.z, byte.MaxValue);
+        });
+    }
+
+    // What is paper in a photo leaves its neighbours as they are: insects may reach beyond their panels.
+    private static void Blend(float3[] pixels, int2 size, Color32[] photo, int2 corner, int2 photoSize)
+    {
+        for (int k = 0; k < photo.Length; k++)
+        {
+            int2 place = corner + new int2(k % photoSize.x, k / photoSize.x);
+            var colour = new float3(photo[k].r, photo[k].g, photo[k].b);
+            if (math.all(place >= 0) && math.all(place < size) && math.any(math.abs(colour / 255f - Shading.Paper) > 0.004f))
+                pixels[place.y * size.x + place.x] = colour / 255f;
+        }
+    }
+}

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Drawing;
+
+/// <summary>An insect that is ready to be painted at any phase of a beat: its surfaces, the camera and the light.</summary>
+internal sealed class PhotoScene
+{
+    private const float k_DistanceOverReach = 5f, k_Softness = 0.6f, k_TrailDot = 1.3f;
+
+    /// <summary>Nearest places of a trail that are drawn, over the camera's distance.</summary>
+    private const float k_NearestTrail = 0.4f;
+
+    private readonly IReadOnlyList<PhotoPart> m_Parts;
+    private readonly float m_Reach;
+    private readonly PictureCamera m_Camera;
+    private readonly Shading m_Shading;
+
+    /// <param name="view">From where it is seen.</param>
+    /// <param name="reach">Farthest that any of it comes from the middle of the thorax, metres.</param>
+    /// <param name="parts">The body first, then the wings.</param>
+    public PhotoScene(PictureView view, float reach, IReadOnlyList<PhotoPart> parts)
+    {
+        m_Parts = parts;
+        m_Reach = reach;
+        m_Camera = new PictureCamera(view, k_DistanceOverReach * reach);
+        m_Shading = new Shading(m_Camera);
+    }
+
+    /// <summary>Linear light of the dots along a way.</summary>
+    public static float3 TrailLight { get; } = new(0.3f, 0.27f, 0.22f);
+
+    /// <summary>Returns this insect from another side.</summary>
+    public PhotoScene From(PictureView view) => new(view, m_Reach, m_Parts);
+
+    /// <summary>The insect at a phase, 0 to 1 beats.</summary>
+    public Pose PoseAt(double turns) => PoseAt(turns, quaternion.identity, float3.zero);
+
+    /// <summary>The insect at a phase, 0 to 1 beats, turned about the middle of its thorax and then moved, metres.</summary>
+    /// <param name="turns">The phase.</param>
+    /// <param name="turn">How it is turned.</param>
+    /// <param name="way">Where it is.</param>
+    /// <param name="trail">Where it was; null for nowhere.</param>
+    public Pose PoseAt(double turns, quaternion turn, float3 way, IEnumerable<float3> trail = null)
+    {
+        var pose = new Pose();
+        foreach (PhotoPart part in m_Parts)
+        {
+            (float3[] places, float3[] normals) = part.At(turns);
+            pose.Places.Add(Array.ConvertAll(places, Seen));
+            pose.Normals.Add(Array.ConvertAll(normals, normal => math.rotate(turn, normal)));
+        }
+
+        pose.Trail.AddRange((trail ?? []).Select(m_Camera.Project).Where(place => place.z > k_NearestTrail * m_Camera.Distance));
+        return pose;
+
+        float3 Seen(float3 place) => m_Camera.Project(way + math.rotate(turn, place));
+    }
+
+    /// <summary>The insect with its wings as they are made, flat.</summary>
+    public Pose Rest()
+    {
+        Pose pose = PoseAt(0.0);
+        for (int k = 0; k < m_Parts.Count; k++)
+        {
+            if (m_Parts[k].Rest is not { } rest)
+                continue;
+            pose.Places[k] = Array.ConvertAll(rest, m_Camera.Project);
+            pose.Normals[k] = Array.ConvertAll(rest, _ => new float3(0f, 1f, 0f));
+        }
+
+        return pose;
+    }
+
+    /// <summary>Pixels of a panel.</summary>
+    public static int2 SizeOf(StripPanel panel, float fineness) => (int2)math.ceil(fineness * new float2(panel.Width, panel.Height));
+
+    /// <summary>Paints a pose in a panel, rows from above.</summary>
+    /// <param name="pose">The pose.</param>
+    /// <param name="panel">Where it lies in a picture; only its size and what it shows count.</param>
+    /// <param name="fineness">Pixels of a unit of the picture.</param>
+    public Color32[] Draw(Pose pose, StripPanel panel, float fineness)
+    {
+        int2 size = SizeOf(panel, fineness);
+        var grid = new SampleGrid(size.x, size.y);
+        for (int k = 0; k < m_Parts.Count; k++)
+        {
+            float3[] seen = Array.ConvertAll(pose.Places[k], place =>
+            {
+                float3 placed = panel.Place(place);
+                return new float3(SampleGrid.k_Fineness * fineness * placed.xy, placed.z);
+            });
+            m_Parts[k].Surface.Draw(grid, seen, pose.Normals[k], m_Shading, k_Softness / (fineness * panel.Scale * m_Parts[k].Length));
+        }
+
+        foreach (float3 place in pose.Trail)
+            grid.AddDisc(SampleGrid.k_Fineness * fineness * panel.Place(place).xy, SampleGrid.k_Fineness * fineness * k_TrailDot * m_Camera.Distance / place.z, place.z, TrailLight);
+        return grid.Pixels(Shading.ToLinear(Shading.Paper));
+    }
+}

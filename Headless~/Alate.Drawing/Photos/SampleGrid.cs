@@ -1,0 +1,189 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Drawing;
+
+/// <summary>
+/// The light of a picture, several samples a pixel: at each the nearest solid thing, and the see-through things before it.
+/// </summary>
+internal sealed class SampleGrid
+{
+    /// <summary>Samples along a side of a pixel.</summary>
+    public const int k_Fineness = 3;
+
+    private const int k_None = -1;
+
+    /// <summary>Of the depth: two sheets of one surface that are nearer to each other are the same, met twice at an edge of its triangles.</summary>
+    private const float k_SameSheet = 1e-4f;
+
+    private readonly float[] m_Depths;
+    private readonly float3[] m_Lights;
+    private readonly int[] m_Newest;
+    private readonly List<GlassSample> m_Glass = [];
+
+    /// <param name="width">Pixels.</param>
+    /// <param name="height">Pixels.</param>
+    public SampleGrid(int width, int height)
+    {
+        Width = width;
+        Height = height;
+        int count = width * height * k_Fineness * k_Fineness;
+        m_Depths = new float[count];
+        m_Lights = new float3[count];
+        m_Newest = new int[count];
+        Array.Fill(m_Depths, float.PositiveInfinity);
+        Array.Fill(m_Newest, k_None);
+    }
+
+    /// <summary>Pixels.</summary>
+    public int Width { get; }
+
+    /// <summary>Pixels.</summary>
+    public int Height { get; }
+
+    /// <summary>Returns true where a surface at a depth would be visible at a sample, given the solid surfaces so far.</summary>
+    public bool IsSeen(int x, int y, float depth) =>
+        x >= 0 && x < k_Fineness * Width && y >= 0 && y < k_Fineness * Height && depth < m_Depths[Index(x, y)];
+
+    /// <summary>Adds what is seen at a sample.</summary>
+    /// <param name="x">Column of the sample.</param>
+    /// <param name="y">Row of the sample, from above.</param>
+    /// <param name="depth">Distance from the viewer.</param>
+    /// <param name="light">Linear light, and the opacity.</param>
+    /// <param name="surface">Whose it is.</param>
+    public void Add(int x, int y, float depth, float4 light, int surface)
+    {
+        const float k_Solid = 0.995f;
+        int index = Index(x, y);
+        if (light.w >= k_Solid)
+        {
+            m_Depths[index] = depth;
+            m_Lights[index] = light.xyz;
+            return;
+        }
+
+        for (int k = m_Newest[index]; k != k_None; k = m_Glass[k].Next)
+        {
+            if (m_Glass[k].Surface == surface && math.abs(m_Glass[k].Depth - depth) < k_SameSheet * depth)
+                return;
+        }
+
+        m_Glass.Add(new GlassSample(depth, light, surface, m_Newest[index]));
+        m_Newest[index] = m_Glass.Count - 1;
+    }
+
+    /// <summary>Adds a solid disc.</summary>
+    /// <param name="middle">Column and row, samples.</param>
+    /// <param name="radius">Samples.</param>
+    /// <param name="depth">Distance from the viewer.</param>
+    /// <param name="light">Linear light.</param>
+    public void AddDisc(float2 middle, float radius, float depth, float3 light)
+    {
+        int2 low = (int2)math.floor(middle - radius), high = (int2)math.ceil(middle + radius);
+        for (int y = low.y; y <= high.y; y++)
+        {
+            for (int x = low.x; x <= high.x; x++)
+            {
+                if (math.distance(new float2(x, y) + 0.5f, middle) <= radius && IsSeen(x, y, depth))
+                    Add(x, y, depth, new float4(light, 1f), k_None);
+            }
+        }
+    }
+
+    /// <summary>
+    /// The pixels, row by row from above: samples weigh the less the farther they lie from the middle of a pixel, up to its neighbours' middles, so that thin lines at any slope look equally wide.
+    /// Encoded values are averaged, not light: a dark line between two rows of pixels is then as dark as one on a row.
+    /// </summary>
+    /// <param name="paper">What is behind all, linear light.</param>
+    public Color32[] Pixels(float3 paper)
+    {
+        float3 ground = Shading.ToEncoded(paper);
+        float3[] seen = Encoded(paper, ground);
+        var pixels = new Color32[Width * Height];
+        for (int y = 0; y < Height; y++)
+        {
+            for (int x = 0; x < Width; x++)
+                pixels[y * Width + x] = Bytes(IsPaperAround(x, y) ? ground : Mean(seen, new int2(x, y) * k_Fineness + k_Fineness / 2));
+        }
+
+        return pixels;
+    }
+
+    // Sample by sample, as it is shown.
+    private float3[] Encoded(float3 paper, float3 ground)
+    {
+        var seen = new float3[m_Depths.Length];
+        var sheets = new List<GlassSample>();
+        for (int k = 0; k < seen.Length; k++)
+            seen[k] = IsPaper(k) ? ground : Shading.ToEncoded(Seen(k, paper, sheets));
+        return seen;
+    }
+
+    private float3 Mean(float3[] seen, int2 middle)
+    {
+        float3 sum = 0f;
+        for (int y = 1 - k_Fineness; y < k_Fineness; y++)
+        {
+            int row = math.clamp(middle.y + y, 0, k_Fineness * Height - 1);
+            float3 across = 0f;
+            for (int x = 1 - k_Fineness; x < k_Fineness; x++)
+                across += (k_Fineness - math.abs(x)) * seen[Index(math.clamp(middle.x + x, 0, k_Fineness * Width - 1), row)];
+            sum += (k_Fineness - math.abs(y)) * across;
+        }
+
+        return sum / (k_Fineness * k_Fineness * k_Fineness * k_Fineness);
+    }
+
+    private bool IsPaper(int index) => m_Newest[index] == k_None && float.IsPositiveInfinity(m_Depths[index]);
+
+    // Nothing but paper in what a pixel takes its colour from.
+    private bool IsPaperAround(int x, int y)
+    {
+        int left = math.max(k_Fineness * x - 1, 0), right = math.min(k_Fineness * (x + 1), k_Fineness * Width - 1), bottom = math.min(k_Fineness * (y + 1), k_Fineness * Height - 1);
+        for (int row = math.max(k_Fineness * y - 1, 0); row <= bottom; row++)
+        {
+            for (int index = Index(left, row); index <= Index(right, row); index++)
+            {
+                if (!IsPaper(index))
+                    return false;
+            }
+        }
+
+        return true;
+    }
+
+    private static Color32 Bytes(float3 encoded)
+    {
+        var shown = (int3)math.round(255f * encoded);
+        return new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
+    }
+
+    private float3 Seen(int index, float3 paper, List<GlassSample> sheets)
+    {
+        float3 light = math.select(m_Lights[index], paper, float.IsPositiveInfinity(m_Depths[index]));
+        if (m_Newest[index] == k_None)
+            return light;
+        sheets.Clear();
+        for (int k = m_Newest[index]; k != k_None; k = m_Glass[k].Next)
+        {
+            if (m_Glass[k].Depth < m_Depths[index])
+                sheets.Add(m_Glass[k]);
+        }
+
+        sheets.Sort((one, other) => other.Depth.CompareTo(one.Depth));
+        foreach (GlassSample sheet in sheets)
+            light = math.lerp(light, sheet.Light.xyz, sheet.Light.w);
+        return light;
+    }
+
+    private int Index(int x, int y) => y * k_Fineness * Width + x;
+
+    /// <summary>Layer seen through at a sample.</summary>
+    /// <param name="Depth">Distance from the viewer.</param>
+    /// <param name="Light">Linear light, and the opacity.</param>
+    /// <param name="Surface">Whose it is.</param>
+    /// <param name="Next">The one that was added before, at the same sample.</param>
+    private readonly record struct GlassSample(float Depth, float4 Light, int Surface, int Next);
+}

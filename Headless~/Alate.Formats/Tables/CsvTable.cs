@@ -1,0 +1,20 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+
+namespace Alate.Formats;
+
+/// <summary>Writes rows with commas between their cells; a cell with a comma or a quote in it is quoted.</summary>
+internal static class CsvTable
+{
+    public static void Write(Stream stream, IEnumerable<IReadOnlyList<string>> rows)
+    {
+        using var text = new StreamWriter(stream, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
+        foreach (IReadOnlyList<string> row in rows)
+            text.WriteLine(string.Join(',', row.Select(Cell)));
+    }
+
+    private static string Cell(string text) => text.AsSpan().IndexOfAny(",\"\n") < 0 ? text : $"\"{text.Replace("\"", "\"\"")}\"";
+}

@@ -1,0 +1,96 @@
+using System.Collections.Generic;
+
+namespace Alate.Tests.Architecture
+{
+    /// <summary>Arrows of the command line: between its assemblies and the package's, and between its rooms, in layers.</summary>
+    internal static class CommandLineRooms
+    {
+        /// <summary>The assemblies of the package and of the command line, and those each may use.</summary>
+        public static readonly IReadOnlyDictionary<string, string[]> Assemblies = new Dictionary<string, string[]>(Rooms.Assemblies)
+        {
+            ["Alate.Formats"] = ["Alate.Model"],
+            ["Alate.Drawing"] = ["Alate.Formats", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Cli"] =
+            [
+                "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Fitting", "Alate.Flight", "Alate.Formats",
+                "Alate.Geometry", "Alate.Model",
+            ],
+        };
+
+        /// <summary>[assembly or room] Rooms and those each may use.</summary>
+        public static readonly IReadOnlyDictionary<string, IReadOnlyDictionary<string, string[]>> Within = new Dictionary<string, IReadOnlyDictionary<string, string[]>>
+        {
+            ["Alate.Formats"] = new Dictionary<string, string[]>
+            {
+                ["Gltf"] = [],
+                ["Meshes"] = [],
+                ["Png"] = [],
+                ["Tables"] = [],
+            },
+            ["Alate.Drawing"] = new Dictionary<string, string[]>
+            {
+                ["Charts"] = [],
+                ["Lettering"] = [],
+                ["Photos"] = [],
+                ["Pages"] = ["Lettering", "Photos"],
+            },
+            ["Alate.Cli"] = new Dictionary<string, string[]>
+            {
+                ["Base"] = [],
+                ["Projects"] = ["Base"],
+                ["Flights"] = ["Base"],
+                ["Bakes"] = ["Base"],
+                ["Films"] = ["Base", "Flights"],
+                ["Studies"] = ["Base", "Flights"],
+                ["Live"] = ["Base", "Flights"],
+                ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies"],
+                ["Alate.Cli"] = ["Base", "Commands"],
+            },
+            ["Alate.Cli/Base"] = new Dictionary<string, string[]>
+            {
+                ["Errors"] = [],
+                ["Files"] = ["Errors"],
+                ["Input"] = ["Errors"],
+                ["Terminals"] = ["Files"],
+            },
+            ["Alate.Cli/Flights"] = new Dictionary<string, string[]>
+            {
+                ["Plans"] = [],
+                ["Insects"] = ["Plans"],
+                ["Runs"] = ["Insects", "Plans"],
+                ["Measures"] = ["Runs"],
+                ["Free"] = ["Plans", "Runs"],
+                ["Pictures"] = ["Free", "Insects", "Measures", "Plans", "Runs"],
+                ["Reports"] = ["Free", "Insects", "Measures", "Pictures", "Plans", "Runs"],
+            },
+            ["Alate.Cli/Bakes"] = new Dictionary<string, string[]>
+            {
+                ["Gltf"] = [],
+                ["Bakes"] = ["Gltf"],
+            },
+            ["Alate.Cli/Studies"] = new Dictionary<string, string[]>
+            {
+                ["Accuracy"] = [],
+                ["Comparisons"] = [],
+                ["Pages"] = [],
+                ["Skeletons"] = [],
+                ["Species"] = [],
+                ["Sweeps"] = [],
+                ["Trims"] = [],
+                ["Winds"] = [],
+                ["Validation"] = ["Pages"],
+                ["Figures"] = ["Accuracy", "Pages", "Validation", "Winds"],
+            },
+            ["Alate.Cli/Live"] = new Dictionary<string, string[]>
+            {
+                ["Scenes"] = [],
+                ["Server"] = ["Scenes"],
+            },
+            ["Alate.Cli/Commands"] = new Dictionary<string, string[]>
+            {
+                ["Options"] = [],
+                ["Commands"] = ["Options"],
+            },
+        };
+    }
+}
