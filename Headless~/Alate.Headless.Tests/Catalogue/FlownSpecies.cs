@@ -35,11 +35,7 @@ namespace Alate.Tests.Insects
         public static IEnumerable<float3[]> Poses(RecordedWing wing)
         {
             for (int phase = 0; phase < k_Phases; phase++)
-            {
-                var places = new float3[wing.Rest.Length];
-                wing.At(phase / (double)k_Phases, places, new float3[places.Length]);
-                yield return places;
-            }
+                yield return wing.At(phase / (double)k_Phases).Positions;
         }
 
         /// <summary>A wing's triangles whose corners lie at rest within a span, wing lengths.</summary>

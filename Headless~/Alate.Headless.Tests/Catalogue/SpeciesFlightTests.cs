@@ -62,13 +62,10 @@ namespace Alate.Tests.Insects
             const int k_Phases = 12;
             RecordedWing fore = flight.Wings[0], hind = flight.Wings[2];
             int[] edge = FrontEdge(hind.Rest);
-            var ahead = new float3[fore.Rest.Length];
-            var behind = new float3[hind.Rest.Length];
             double[] gaps = new double[k_Phases];
             for (int phase = 0; phase < k_Phases; phase++)
             {
-                fore.At(phase / (double)k_Phases, ahead, new float3[ahead.Length]);
-                hind.At(phase / (double)k_Phases, behind, new float3[behind.Length]);
+                float3[] ahead = fore.At(phase / (double)k_Phases).Positions, behind = hind.At(phase / (double)k_Phases).Positions;
                 gaps[phase] = edge.Max(vertex => ahead.Min(place => math.distance(place, behind[vertex]))) / fore.Placement.Length;
             }
 

@@ -97,12 +97,7 @@ namespace Alate.Tests.Cli
         private static FlightPlan Plan(string name, InsectVariant variant) =>
             new FlightPlan { Species = name, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(name)) };
 
-        private static float3[] Shape(RecordedWing wing, int key)
-        {
-            var places = new float3[wing.Rest.Length];
-            wing.At((double)key / k_KeyFrames, places, new float3[places.Length]);
-            return places;
-        }
+        private static float3[] Shape(RecordedWing wing, int key) => wing.At((double)key / k_KeyFrames).Positions;
 
         private static float Farthest(float3[] one, float3[] other) => one.Zip(other, math.distance).Max();
     }

@@ -4,7 +4,7 @@ using System.Linq;
 using System.Xml.Linq;
 using Alate.Authoring;
 using Alate.Editor.Tests;
-using Alate.Formats;
+using Alate.Cli;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -150,10 +150,9 @@ namespace Alate.Tests.Cli
             {
                 JsonElement primitive = m_File.Primitive(wing.Placement.IsLeft ? k_Left : k_Right);
                 double[] times = Times;
-                var flown = new float3[wing.Rest.Length];
                 foreach (double share in new[] { 0.0, 1.0 / 3.0, 0.71, 1.0 })
                 {
-                    wing.At(share, flown, new float3[flown.Length]);
+                    float3[] flown = wing.At(share).Positions;
                     float3[] played = Played(primitive, share * times[times.Length - 1]);
                     for (int k = 0; k < flown.Length; k++)
                         Assert.That(math.distance(played[k], MirrorX(flown[k])), Is.LessThan(6e-5f), $"metres, at {share} of the beat");
