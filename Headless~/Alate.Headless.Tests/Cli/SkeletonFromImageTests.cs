@@ -3,8 +3,8 @@ using System.IO;
 using System.Linq;
 using System.Xml.Linq;
 using Alate.Authoring;
-using Alate.Editor.Tests;
 using Alate.Cli;
+using Alate.Editor.Tests;
 using NUnit.Framework;
 using UnityEngine;
 
