@@ -58,7 +58,7 @@ namespace Alate.Tests.Architecture
                 ["Plans"] = [],
                 ["Insects"] = ["Plans"],
                 ["Runs"] = ["Insects", "Plans"],
-                ["Measures"] = ["Runs"],
+                ["Measures"] = ["Insects", "Plans", "Runs"],
                 ["Free"] = ["Plans", "Runs"],
                 ["Pictures"] = ["Free", "Insects", "Measures", "Plans", "Runs"],
                 ["Reports"] = ["Free", "Insects", "Measures", "Pictures", "Plans", "Runs"],
