@@ -14,8 +14,6 @@ internal sealed class Listener(int group, bool records, Action<TestReport> repor
 {
     private double m_Before = Now;
 
-    public Action Stop { get; set; }
-
     public bool HasFailed { get; private set; }
 
     private static double Now => Process.GetCurrentProcess().TotalProcessorTime.TotalSeconds;
@@ -36,10 +34,7 @@ internal sealed class Listener(int group, bool records, Action<TestReport> repor
         if (result.Test.IsSuite && !failed)
             return;
         Report(TestReport.Test, result.Test.FullName, failed ? FirstLine(result.Message) : null);
-        if (!failed)
-            return;
-        HasFailed = true;
-        Stop?.Invoke();
+        HasFailed |= failed;
     }
 
     public void TestOutput(TestOutput output)

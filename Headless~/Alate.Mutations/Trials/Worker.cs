@@ -42,7 +42,7 @@ internal static class Worker
     public static IEnumerable<string> Classes(string assembly)
     {
         var runner = new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder());
-        return Leaves(runner.Load(Assembly.Load(assembly), Settings(null)))
+        return Leaves(runner.Load(Assembly.Load(assembly), Settings(null, false)))
             .Where(IsPlain).Select(test => test.TypeInfo.FullName).Distinct();
     }
 
@@ -53,16 +53,14 @@ internal static class Worker
         // Beside the class what surrounds all tests of the assembly.
         string[] types = assembly.GetTypes().Where(type => type.IsDefined(typeof(NUnit.Framework.SetUpFixtureAttribute), false))
             .Select(type => type.FullName).Append(group.Type).ToArray();
-        ITest suite = runner.Load(assembly, Settings(types));
+        ITest suite = runner.Load(assembly, Settings(types, !records));
         HashSet<string> names = group.Tests?.ToHashSet();
         IEnumerable<ITest> chosen = Leaves(suite)
             .Where(test => test.TypeInfo?.FullName == group.Type && IsPlain(test) && (names == null || names.Contains(test.FullName)));
-        if (!records)
-            listener.Stop = () => runner.StopRun(false);
         runner.Run(listener, new Chosen(chosen));
     }
 
-    private static Dictionary<string, object> Settings(string[] types)
+    private static Dictionary<string, object> Settings(string[] types, bool stops)
     {
         var settings = new Dictionary<string, object>
         {
@@ -70,6 +68,7 @@ internal static class Worker
             // What a test meets is asked for between it and the next.
             ["SynchronousEvents"] = true,
             ["RunOnMainThread"] = true,
+            ["StopOnError"] = stops,
             ["RandomSeed"] = 1,
         };
         if (types != null)
