@@ -6,8 +6,6 @@ using System.Text.Json;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Alate.Cli;
-using Alate.Drawing;
-using Alate.Formats;
 using NUnit.Framework;
 
 namespace Alate.Tests.Architecture
