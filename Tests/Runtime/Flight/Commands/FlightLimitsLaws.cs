@@ -22,16 +22,19 @@ namespace Alate.Tests.Flight
         [Test]
         public void SpeedToStopWithin_IsTheInverseOfTheStoppingDistance([Values(0.001f, 0.05f, 0.6f, 4f)] float distance)
         {
-            Assert.That(s_Limits.StoppingDistance(s_Limits.SpeedToStopWithin(distance)), Is.EqualTo(distance).Within(1e-5f * (1f + distance)));
+            Assert.That(s_Limits.StoppingDistance(s_Limits.SpeedToStopWithin(distance)),
+                Is.EqualTo(distance).Within(1e-5f * (1f + distance)));
         }
 
         [Test]
-        public void WithoutAnyWay_ThereIsNoSpeed([Values(0f, -0.1f, -9f)] float distance) => Assert.That(s_Limits.SpeedToStopWithin(distance), Is.Zero);
+        public void WithoutAnyWay_ThereIsNoSpeed([Values(0f, -0.1f, -9f)] float distance) =>
+            Assert.That(s_Limits.SpeedToStopWithin(distance), Is.Zero);
 
         [Test]
         public void Limits_AreThoseThatWereGiven()
         {
-            Assert.That(new float4(s_Limits.TopSpeed, s_Limits.LeastClimb, s_Limits.MostClimb, s_Limits.Acceleration), Is.EqualTo(new float4(1.3f, -0.3f, 0.25f, 2.5f)));
+            Assert.That(new float4(s_Limits.TopSpeed, s_Limits.LeastClimb, s_Limits.MostClimb, s_Limits.Acceleration),
+                Is.EqualTo(new float4(1.3f, -0.3f, 0.25f, 2.5f)));
         }
     }
 }

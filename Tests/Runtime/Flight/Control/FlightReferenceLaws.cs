@@ -69,7 +69,8 @@ namespace Alate.Tests.Flight
             }
         }
 
-        // Ahead a slow insect follows 0.35 of the acceleration, one of 0.45 of its top speed all of it; across its nose it goes with the air.
+        // Ahead a slow insect follows 0.35 of the acceleration, one of 0.45 of its top speed all of it; across its nose it goes with the
+        // air.
         [TestCase(0f, 0.35f)]
         [TestCase(0.2925f, 0.675f)]
         [TestCase(0.6f, 1f)]
@@ -94,7 +95,8 @@ namespace Alate.Tests.Flight
             for (int step = 0; step < 300; step++)
             {
                 float3 wanted = step % 30 == 0 ? random.NextFloat3(-3f, 3f) : reference.Velocity + 1f;
-                most = math.max(most, math.length(reference.Step(wanted, float.NaN, random.NextFloat3(-0.5f, 0.5f), default, m_Table, k_Step).acceleration));
+                most = math.max(most, math.length(reference.Step(wanted, float.NaN, random.NextFloat3(-0.5f, 0.5f), default, m_Table,
+                    k_Step).acceleration));
             }
 
             Assert.That(most, Is.EqualTo(acceleration).Within(1e-3f), "all of it is used, and no more");
@@ -118,7 +120,8 @@ namespace Alate.Tests.Flight
             Assert.That(reference.Velocity.y - updraft, Is.EqualTo(wanted > 0f ? 0.2f : -0.3f).Within(1e-3f));
         }
 
-        // Allowed errors: up to 0.15 m/s none of the error is taken over, beyond it what is more, at 6 per second, along the heading's axes.
+        // Allowed errors: up to 0.15 m/s none of the error is taken over, beyond it what is more, at 6 per second, along the heading's
+        // axes.
         [TestCase(0.1f)]
         [TestCase(0.149f)]
         [TestCase(0.2f)]
@@ -180,7 +183,8 @@ namespace Alate.Tests.Flight
             for (int step = 0; step < 300; step++)
                 reference.Step(new float3(0f, 0f, 0.8f), 2f, new float3(side, 0f, 0f), default, m_Table, k_Step);
             Assert.That(reference.Heading, Is.EqualTo(math.atan2(-side, 0.8f)).Within(0.01f));
-            Assert.That(math.distance(reference.Velocity, new float3(0f, 0f, 0.8f)), Is.LessThan(0.01f), "and its way over ground the wanted one");
+            Assert.That(math.distance(reference.Velocity, new float3(0f, 0f, 0.8f)), Is.LessThan(0.01f),
+                "and its way over ground the wanted one");
         }
 
         [Test]
@@ -189,7 +193,8 @@ namespace Alate.Tests.Flight
             FlightReference reference = Ahead(0.4f);
             float fastest = 0f;
             for (int step = 0; step < 50; step++)
-                fastest = math.max(fastest, math.abs(reference.Step(new float3(0f, 0f, 0.4f), 0f, new float3(4f, 0f, 0f), default, m_Table, k_Step).turning));
+                fastest = math.max(fastest, math.abs(reference.Step(new float3(0f, 0f, 0.4f), 0f, new float3(4f, 0f, 0f), default,
+                    m_Table, k_Step).turning));
             Assert.That(fastest, Is.EqualTo(10f).Within(1e-3f));
         }
 
@@ -236,12 +241,15 @@ namespace Alate.Tests.Flight
             {
                 random = step % 50 == 0 ? Random.CreateFromIndex(seed + (uint)step) : random;
                 Random same = random;
-                float3 wanted = 1.5f * same.NextFloat3(-1f, 1f), wind = 0.3f * same.NextFloat3(-1f, 1f), error = 0.3f * same.NextFloat3(-1f, 1f);
+                float3 wanted = 1.5f * same.NextFloat3(-1f, 1f), wind = 0.3f * same.NextFloat3(-1f, 1f),
+                    error = 0.3f * same.NextFloat3(-1f, 1f);
                 float heading = same.NextBool() ? same.NextFloat(-2f, 2f) : float.NaN;
                 one.Step(wanted, heading, wind, error, m_Table, k_Step);
-                other.Step(math.rotate(turn, side * wanted), mirrored ? -heading : heading + by, math.rotate(turn, side * wind), side * error, m_Table, k_Step);
+                other.Step(math.rotate(turn, side * wanted), mirrored ? -heading : heading + by, math.rotate(turn, side * wind),
+                    side * error, m_Table, k_Step);
                 Assert.That(math.distance(math.rotate(turn, side * one.Velocity), other.Velocity), Is.LessThan(2e-3f), $"step {step}");
-                Assert.That(Headings.Wrap((mirrored ? -one.Heading : one.Heading + by) - other.Heading), Is.Zero.Within(5e-3f), $"step {step}");
+                Assert.That(Headings.Wrap((mirrored ? -one.Heading : one.Heading + by) - other.Heading), Is.Zero.Within(5e-3f),
+                    $"step {step}");
             }
         }
 
@@ -268,6 +276,7 @@ namespace Alate.Tests.Flight
 
         private static FlightReference Ahead(float speed) => new FlightReference(new float3(0f, 0f, speed), 0f, default);
 
-        private void Step(ref FlightReference reference, float3 wanted) => reference.Step(wanted, float.NaN, default, default, m_Table, k_Step);
+        private void Step(ref FlightReference reference, float3 wanted) =>
+            reference.Step(wanted, float.NaN, default, default, m_Table, k_Step);
     }
 }

@@ -44,7 +44,8 @@ namespace Alate.Tests.Play.Flight
             FlightCommand command = default;
             yield return Fly(settings, units, new float3(0.1f, 0f, 0f), made => command = made, group);
             float near = 1f - 0.1f / (5f * k_Length);
-            Assert.That(math.distance(command.velocity, s_Own + 0.5f * 0.8f * near * new float3(-1f, 0f, 0f)), Is.LessThan(1e-4f), "of whatever group");
+            Assert.That(math.distance(command.velocity, s_Own + 0.5f * 0.8f * near * new float3(-1f, 0f, 0f)), Is.LessThan(1e-4f),
+                "of whatever group");
         }
 
         [UnityTest]
@@ -70,9 +71,11 @@ namespace Alate.Tests.Play.Flight
         private static FlockSettings Settings() => new FlockSettings { speed = 0.8f, sight = 20f, room = 5f };
 
         // Two pilots, each asked twice: the first time the neighbour is not there yet.
-        private IEnumerator Fly(FlockSettings settings, float units, float3 way, System.Action<FlightCommand> take, int group = 0, float fast = 1f)
+        private IEnumerator Fly(FlockSettings settings, float units, float3 way, System.Action<FlightCommand> take, int group = 0,
+            float fast = 1f)
         {
-            FlockPilot one = Keep(new GameObject("one")).AddComponent<FlockPilot>(), other = Keep(new GameObject("other")).AddComponent<FlockPilot>();
+            FlockPilot one = Keep(new GameObject("one")).AddComponent<FlockPilot>(),
+                other = Keep(new GameObject("other")).AddComponent<FlockPilot>();
             one.Settings = other.Settings = settings;
             other.Settings.group = group;
             one.Obstacles.avoid = other.Obstacles.avoid = false;

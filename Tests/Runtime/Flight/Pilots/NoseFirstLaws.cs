@@ -9,7 +9,8 @@ namespace Alate.Tests.Flight
     public sealed class NoseFirstLaws
     {
         [Test]
-        public void AFastInsect_IsLedRoundAnArc_OrBrakes([Values(-1.7f, -1.5f, -1.1f, -0.9f, 0.9f, 1.1f, 1.5f, 1.7f)] float off, [Values(0.4f, 1.2f)] float speed)
+        public void AFastInsect_IsLedRoundAnArc_OrBrakes([Values(-1.7f, -1.5f, -1.1f, -0.9f, 0.9f, 1.1f, 1.5f, 1.7f)] float off,
+            [Values(0.4f, 1.2f)] float speed)
         {
             const float course = 0.7f, flown = 0.8f;
             FlightCommand limited = NoseFirst.Limit(FlightCommand.Fly(speed * Along(course + off)), Situation(flown * Along(course), 2f));
@@ -31,8 +32,10 @@ namespace Alate.Tests.Flight
         public void ASlowInsect_GoesSlowlyAsideAndBack(float right, float ahead, float leftRight, float leftAhead)
         {
             const float heading = 0.4f;
-            FlightCommand limited = NoseFirst.Limit(FlightCommand.Fly(right * Along(heading + 0.5f * math.PI) + ahead * Along(heading)), Situation(0.1f * Along(2f), heading));
-            Assert.That(math.distance(limited.velocity, leftRight * Along(heading + 0.5f * math.PI) + leftAhead * Along(heading)), Is.LessThan(1e-5f));
+            FlightCommand limited = NoseFirst.Limit(FlightCommand.Fly(right * Along(heading + 0.5f * math.PI) + ahead * Along(heading)),
+                Situation(0.1f * Along(2f), heading));
+            Assert.That(math.distance(limited.velocity, leftRight * Along(heading + 0.5f * math.PI) + leftAhead * Along(heading)),
+                Is.LessThan(1e-5f));
             Assert.That(limited.heading, Is.NaN);
         }
 
@@ -67,7 +70,8 @@ namespace Alate.Tests.Flight
             Assert.That(fast.velocity.z, Is.EqualTo(1f));
         }
 
-        // Up 0.03 m/s and 0.6 for each m/s beyond slow flight; down 0.15, from 0.8 m/s on half of what is more than 0.5; 0.03 while it turns.
+        // Up 0.03 m/s and 0.6 for each m/s beyond slow flight; down 0.15, from 0.8 m/s on half of what is more than 0.5; 0.03 while it
+        // turns.
         [TestCase(0f, 0.03f, -0.15f)]
         [TestCase(0.25f, 0.03f, -0.15f)]
         [TestCase(0.5f, 0.18f, -0.15f)]
@@ -77,7 +81,8 @@ namespace Alate.Tests.Flight
             FlightSituation situation = Situation(flown * Along(0.3f), 0.3f);
             Assert.That(NoseFirst.Limit(FlightCommand.Fly(new float3(0f, 9f, 0f)), situation).velocity.y, Is.EqualTo(climb).Within(1e-6f));
             Assert.That(NoseFirst.Limit(FlightCommand.Fly(new float3(0f, -9f, 0f)), situation).velocity.y, Is.EqualTo(sink).Within(1e-6f));
-            Assert.That(NoseFirst.Limit(FlightCommand.Fly(new float3(0f, -0.1f, 0f)), situation).velocity.y, Is.EqualTo(-0.1f).Within(1e-6f));
+            Assert.That(NoseFirst.Limit(FlightCommand.Fly(new float3(0f, -0.1f, 0f)), situation).velocity.y,
+                Is.EqualTo(-0.1f).Within(1e-6f));
         }
 
         [Test]
@@ -110,17 +115,22 @@ namespace Alate.Tests.Flight
             foreach (uint seed in Seeds.Usual)
             {
                 var random = new Random(seed);
-                float3 wanted = random.NextFloat(0f, 1.3f) * random.NextFloat3(-1f, 1f), flown = random.NextFloat(0f, 1f) * random.NextFloat3(-1f, 1f);
+                float3 wanted = random.NextFloat(0f, 1.3f) * random.NextFloat3(-1f, 1f),
+                    flown = random.NextFloat(0f, 1f) * random.NextFloat3(-1f, 1f);
                 float heading = random.NextBool() ? random.NextFloat(-3f, 3f) : float.NaN, own = random.NextFloat(-3f, 3f);
                 FlightCommand one = NoseFirst.Limit(FlightCommand.Fly(wanted, heading), Situation(flown, own));
                 FlightCommand other = NoseFirst.Limit(
-                    FlightCommand.Fly(math.rotate(turn, side * wanted), mirrored ? -heading : heading + by), Situation(math.rotate(turn, side * flown), mirrored ? -own : own + by));
+                    FlightCommand.Fly(math.rotate(turn, side * wanted), mirrored ? -heading : heading + by),
+                        Situation(math.rotate(turn, side * flown), mirrored ? -own : own + by));
                 Assert.That(math.distance(math.rotate(turn, side * one.velocity), other.velocity), Is.LessThan(1e-4f), $"seed {seed}");
-                Assert.That(float.IsNaN(one.heading) ? !float.IsNaN(other.heading) : math.abs(Headings.Wrap((mirrored ? -one.heading : one.heading + by) - other.heading)) > 1e-4f, Is.False, $"seed {seed}");
+                Assert.That(float.IsNaN(one.heading) ? !float.IsNaN(other.heading)
+                    : math.abs(Headings.Wrap((mirrored ? -one.heading : one.heading + by) - other.heading)) > 1e-4f, Is.False,
+                    $"seed {seed}");
             }
         }
 
-        private static FlightSituation Situation(float3 flown, float heading) => new FlightSituation { referenceVelocity = flown, velocity = 9f, heading = heading };
+        private static FlightSituation Situation(float3 flown, float heading) =>
+            new FlightSituation { referenceVelocity = flown, velocity = 9f, heading = heading };
 
         private static float3 Along(float course) => new float3(math.sin(course), 0f, math.cos(course));
     }

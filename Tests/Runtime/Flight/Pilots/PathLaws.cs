@@ -10,7 +10,8 @@ namespace Alate.Tests.Flight
     {
         private const float k_Speed = 1.2f, k_Acceleration = 2.5f;
 
-        // An arc that cuts the corner by 0.15 m has the radius 0.15 / (1/cos(turn/2) − 1), is flown at √(a r), begins r tan(turn/2) before the corner, and is steered into
+        // An arc that cuts the corner by 0.15 m has the radius 0.15 / (1/cos(turn/2) − 1), is flown at √(a r), begins r tan(turn/2)
+        // before the corner, and is steered into
         // as much earlier as the insect takes to answer: 0.2 s of what it flies across the new way.
         [Test]
         public void ACorner_IsBegunBeforeItsArc_ByTheTimeOfTheAnswer([Values(60f, 90f, 110f)] float degrees, [Values(1f, 10f)] float units)
@@ -21,9 +22,11 @@ namespace Alate.Tests.Flight
             Vector3[] points = Corner(degrees, units);
             Assert.That(Fly(points, 4f - lead - 0.01f, units, out float3 before), Is.EqualTo(1));
             Assert.That(Fly(points, 4f - lead + 0.01f, units, out float3 after), Is.EqualTo(2));
-            Assert.That(math.length(before), Is.EqualTo(math.sqrt(speed * speed + k_Acceleration * 0.01f)).Within(1e-3f).Or.EqualTo(k_Speed).Within(1e-3f));
+            Assert.That(math.length(before), Is.EqualTo(math.sqrt(speed * speed + k_Acceleration
+                * 0.01f)).Within(1e-3f).Or.EqualTo(k_Speed).Within(1e-3f));
             Assert.That(math.normalize(before).z, Is.EqualTo(1f).Within(1e-5f));
-            Assert.That(math.distance(after, speed * Along(math.radians(degrees))), Is.LessThan(1e-4f), "round the corner as fast as its arc");
+            Assert.That(math.distance(after, speed * Along(math.radians(degrees))), Is.LessThan(1e-4f),
+                "round the corner as fast as its arc");
         }
 
         // v² = v₀² + 2 (a/2) d: half of the acceleration is left for the turn.
@@ -31,7 +34,8 @@ namespace Alate.Tests.Flight
         public void BeforeACorner_TheInsectBrakesInTime([Values(0.1f, 0.2f, 0.3f)] float left)
         {
             Vector3[] points = Corner(90f, 1f);
-            float radius = 0.15f / (math.sqrt(2f) - 1f), speed = math.sqrt(k_Acceleration * radius), lead = radius + 0.2f * speed * math.sqrt(0.5f);
+            float radius = 0.15f / (math.sqrt(2f) - 1f), speed = math.sqrt(k_Acceleration * radius),
+                lead = radius + 0.2f * speed * math.sqrt(0.5f);
             Fly(points, 4f - lead - left, 1f, out float3 velocity);
             Assert.That(velocity.z, Is.EqualTo(math.min(math.sqrt(speed * speed + k_Acceleration * left), k_Speed)).Within(1e-3f));
         }
@@ -148,7 +152,8 @@ namespace Alate.Tests.Flight
         }
 
         private static Vector3[] Corner(float degrees, float units) =>
-            new[] { Vector3.zero, new Vector3(0f, 0f, 4f * units), (Vector3)(units * (new float3(0f, 0f, 4f) + 4f * Along(math.radians(degrees)))) };
+            new[] { Vector3.zero, new Vector3(0f, 0f, 4f * units),
+                (Vector3)(units * (new float3(0f, 0f, 4f) + 4f * Along(math.radians(degrees)))) };
 
         private static float3 Along(float course) => new float3(math.sin(course), 0f, math.cos(course));
 

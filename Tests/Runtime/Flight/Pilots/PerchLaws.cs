@@ -75,7 +75,8 @@ namespace Alate.Tests.Flight
             situation.heading = 0.5f;
             float away = 0.5f + math.radians(degrees);
             situation.referenceVelocity = 0.7f * Along(away);
-            plan.Sit(new PerchSpot { position = situation.position, normal = new float3(0f, math.cos(math.radians(slope)), 0f) + math.sin(math.radians(slope)) * Along(0.5f) });
+            plan.Sit(new PerchSpot { position = situation.position,
+                normal = new float3(0f, math.cos(math.radians(slope)), 0f) + math.sin(math.radians(slope)) * Along(0.5f) });
             plan.TakeOff(PerchSettings.Default);
             float3 threat = float.IsNaN(threatFrom) ? float.NaN : situation.position + 2f * Along(0.5f + math.radians(threatFrom));
             float3 velocity = plan.Next(situation, PerchSettings.Default, threat, default).velocity;
@@ -142,7 +143,8 @@ namespace Alate.Tests.Flight
             Assert.That(plan.WantsSpot, Is.False);
             plan.Land(new PerchSpot { normal = new float3(0f, 1f, 0f) }, k_Stand);
             FlightCommand between = FlightCommand.Fly(new float3(1f, 2f, 3f));
-            Assert.That(plan.Next(Situation(), PerchSettings.Default, 1f, between).velocity, Is.EqualTo(between.velocity), "so does one that something comes near");
+            Assert.That(plan.Next(Situation(), PerchSettings.Default, 1f, between).velocity, Is.EqualTo(between.velocity),
+                "so does one that something comes near");
             Assert.That(plan.Stage, Is.EqualTo(PerchStage.Between));
         }
 
@@ -180,7 +182,8 @@ namespace Alate.Tests.Flight
             Assert.That(rest.Fold, Is.EqualTo(0.01f / settings.foldTime).Within(1e-5f), "it begins again");
         }
 
-        // An insect that stays 1.4 cm beside its line is steered back at 2 per second of it, and by a drift that grows by 1 per second of it, up to 0.05 m/s; one that
+        // An insect that stays 1.4 cm beside its line is steered back at 2 per second of it, and by a drift that grows by 1 per second
+        // of it, up to 0.05 m/s; one that
         // is 1.6 cm off learns none.
         [Test]
         public void ADriftOffTheLine_IsLearned_UpToItsBound([Values(-0.014f, 0.014f, 0.016f)] float beside)

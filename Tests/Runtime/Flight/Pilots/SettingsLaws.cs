@@ -7,7 +7,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Flight
 {
-    /// <summary>Settings of pilots: every number has a range, which sliders, the check of what is typed, and the default keep alike.</summary>
+    /// <summary>
+    /// Settings of pilots: every number has a range, which sliders, the check of what is typed, and the default keep alike.
+    /// </summary>
     public sealed class SettingsLaws
     {
         private static IEnumerable<FieldInfo> Fields => new[] { typeof(WanderSettings), typeof(FlockSettings), typeof(PerchSettings) }
@@ -21,7 +23,8 @@ namespace Alate.Tests.Flight
             float usual = (float)field.GetValue(defaults);
             Assert.That(usual, Is.InRange(range.min, range.max));
             float inside = 0.3f * range.min + 0.7f * range.max;
-            foreach ((float given, float kept) in new[] { (-1e9f, range.min), (1e9f, range.max), (float.NaN, usual), (inside, inside), (float.NegativeInfinity, range.min) })
+            foreach ((float given, float kept) in new[] { (-1e9f, range.min), (1e9f, range.max), (float.NaN, usual), (inside, inside),
+                (float.NegativeInfinity, range.min) })
             {
                 object settings = Default(field.DeclaringType);
                 field.SetValue(settings, given);

@@ -14,14 +14,16 @@ namespace Alate.Tests.Flight
         // As fast as the insect can stop 0.1 m before the rim; from there on, and beyond it, back in, at most at half of its top speed.
         [Test]
         public void ABox_IsBrakedBefore_OnEverySide(
-            [Values(0, 1, 2)] int axis, [Values(-1f, 1f)] float side, [Values(-3f, -0.2f, 0.05f, 0.12f, 0.3f, 0.9f)] float left, [Values(1f, 10f)] float units)
+            [Values(0, 1, 2)] int axis, [Values(-1f, 1f)] float side, [Values(-3f, -0.2f, 0.05f, 0.12f, 0.3f, 0.9f)] float left,
+                [Values(1f, 10f)] float units)
         {
             var volume = new FlightVolume(VolumeShape.Box, new Vector3(1f, 2f, 3f), units * new Vector3(8f, -6f, 10f));
             float3 place = default, wanted = 0.2f;
             place[axis] = side * (0.5f * math.abs(volume.size[axis]) - units * left);
             wanted[axis] = 1.1f * side;
             float3 held = volume.Hold(wanted, (float3)volume.centre + place, s_Limits, units);
-            float room = left - 0.1f, most = room >= 0f ? s_Limits.SpeedToStopWithin(room) : -math.min(s_Limits.SpeedToStopWithin(-room), 0.65f);
+            float room = left - 0.1f, most = room >= 0f ? s_Limits.SpeedToStopWithin(room)
+                : -math.min(s_Limits.SpeedToStopWithin(-room), 0.65f);
             float3 expected = wanted;
             expected[axis] = side * math.min(1.1f, most);
             Assert.That(math.distance(held, expected), Is.LessThan(1e-4f));

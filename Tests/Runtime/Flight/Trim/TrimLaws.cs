@@ -24,7 +24,8 @@ namespace Alate.Tests.Flight
             Assert.That(read.z, Is.EqualTo(state.z).Within(1e-6));
             Assert.That(read.bob, Is.EqualTo(state.bob).Within(1e-6));
             WingDrive drive = state.Drive(frequency);
-            Assert.That(new[] { drive.frequency / frequency, drive.amplitude, drive.tilt, drive.meanSweep }, Is.EqualTo(new[] { state.z[1], state.z[2], state.z[3], state.z[4] }).Within(1e-5));
+            Assert.That(new[] { drive.frequency / frequency, drive.amplitude, drive.tilt, drive.meanSweep },
+                Is.EqualTo(new[] { state.z[1], state.z[2], state.z[3], state.z[4] }).Within(1e-5));
             Assert.That(drive.meanFeather + drive.meanFlap, Is.Zero);
             TrimState copy = state.Copy();
             copy.z[0] = copy.bob[0] = 9;
@@ -98,7 +99,8 @@ namespace Alate.Tests.Flight
             Assert.That(table.LevelClimb, Is.EqualTo(1));
             table.Open(0, 2);
             table.Open(1, 0);
-            foreach ((float speed, float least, float most) in new[] { (-1f, -0.3f, 0.1f), (0f, -0.3f, 0.1f), (0.25f, -0.1f, 0.25f), (0.5f, 0.1f, 0.4f), (0.85f, -0.1f, 0.4f), (9f, -0.3f, 0.4f) })
+            foreach ((float speed, float least, float most) in new[] { (-1f, -0.3f, 0.1f), (0f, -0.3f, 0.1f), (0.25f, -0.1f, 0.25f),
+                (0.5f, 0.1f, 0.4f), (0.85f, -0.1f, 0.4f), (9f, -0.3f, 0.4f) })
             {
                 table.Climbs(speed, out float slowest, out float fastest);
                 Assert.That(slowest, Is.EqualTo(least).Within(1e-6f), $"{speed} m/s");
@@ -112,18 +114,21 @@ namespace Alate.Tests.Flight
             Assert.That(none, Is.Zero);
             Assert.That(neither, Is.Zero);
             table.Acceleration = 0.7f;
-            Assert.That(new float4(table.Limits.TopSpeed, table.Limits.LeastClimb, table.Limits.MostClimb, table.Limits.Acceleration), Is.EqualTo(new float4(0.5f, -0.3f, 0.4f, 0.7f)));
+            Assert.That(new float4(table.Limits.TopSpeed, table.Limits.LeastClimb, table.Limits.MostClimb, table.Limits.Acceleration),
+                Is.EqualTo(new float4(0.5f, -0.3f, 0.4f, 0.7f)));
         }
 
         [Test]
         public void TheNearestTrim_IsNearestInSpeedAndClimb()
         {
             using TrimTable table = Table(out float[][] points);
-            foreach ((float speed, float climb, int s, int c) in new[] { (0.24f, -0.11f, 0, 0), (0.26f, -0.09f, 1, 1), (0.9f, 0.26f, 2, 2), (-5f, 9f, 0, 2), (0.8f, -9f, 1, 0) })
+            foreach ((float speed, float climb, int s, int c) in new[] { (0.24f, -0.11f, 0, 0), (0.26f, -0.09f, 1, 1),
+                (0.9f, 0.26f, 2, 2), (-5f, 9f, 0, 2), (0.8f, -9f, 1, 0) })
             {
                 float[] point = points[3 * s + c];
                 WingDrive drive = table.DriveNear(speed, climb);
-                Assert.That(new float4(drive.frequency, drive.amplitude, drive.tilt, drive.meanSweep), Is.EqualTo(new float4(point[1], point[2], point[3], point[4])), $"{speed}, {climb}");
+                Assert.That(new float4(drive.frequency, drive.amplitude, drive.tilt, drive.meanSweep),
+                    Is.EqualTo(new float4(point[1], point[2], point[3], point[4])), $"{speed}, {climb}");
             }
         }
 
@@ -186,7 +191,8 @@ namespace Alate.Tests.Flight
                 Assert.That((loads.harmonics[k, 2] - (k == 5 ? 1 : 0)).Magnitude, Is.LessThan(1e-5));
             }
 
-            Assert.That(loads.damping, Is.EqualTo(new double[,] { { 1, 4, 7 }, { 2, 5, 8 }, { 3, 6, 9 } }).Within(1e-5), "rows are loads, columns what they are damped by");
+            Assert.That(loads.damping, Is.EqualTo(new double[,] { { 1, 4, 7 }, { 2, 5, 8 }, { 3, 6, 9 } }).Within(1e-5),
+                "rows are loads, columns what they are damped by");
         }
 
         // The system with its integrals and last commands, run one beat, is what each of them says.

@@ -24,13 +24,15 @@ namespace Alate.Tests
 
         // Nothing up to 0.4 m/s, all of m · 4/s · error from 0.6 m/s on, half a weight at the most.
         [Test]
-        public void TheForce_IsAgainstTheErrorOfTheVelocity([Values(0.1f, 0.39f, 0.45f, 0.5f, 0.6f, 0.8f, 4f)] float speed, [Values(0.3f, 1f)] float strength)
+        public void TheForce_IsAgainstTheErrorOfTheVelocity([Values(0.1f, 0.39f, 0.45f, 0.5f, 0.6f, 0.8f, 4f)] float speed,
+            [Values(0.3f, 1f)] float strength)
         {
             FlyingBody body = Body(strength);
             float3 direction = math.normalize(new float3(1f, -2f, 3f));
             body.velocity = body.reference.velocity + speed * direction;
             BodyAid.Evaluate(ref body, 0f);
-            float share = math.saturate(2f * (speed / 0.4f - 1f)), expected = strength * math.min(4f * k_Mass * share * speed, 0.5f * k_Weight);
+            float share = math.saturate(2f * (speed / 0.4f - 1f)),
+                expected = strength * math.min(4f * k_Mass * share * speed, 0.5f * k_Weight);
             Assert.That(math.distance(body.aidForce, -expected * direction), Is.LessThan(1e-5f * k_Weight));
             Assert.That(math.length(body.aidMoment), Is.Zero);
             Assert.That(body.aidPower, Is.EqualTo(math.dot(body.aidForce, body.velocity)).Within(1e-8f));
@@ -38,7 +40,8 @@ namespace Alate.Tests
 
         // A turn of the body, critically damped at four times its beat: J (ω² e + 2 ω w).
         [Test]
-        public void TheMoment_TurnsTheBodyBack([Values(0, 2)] int axis, [Values(-1f, 1f)] float sign, [Values(0.5f, 0.53f, 0.6f, 0.8f)] float angle, [Values(0.2f, 1f)] float strength)
+        public void TheMoment_TurnsTheBodyBack([Values(0, 2)] int axis, [Values(-1f, 1f)] float sign,
+            [Values(0.5f, 0.53f, 0.6f, 0.8f)] float angle, [Values(0.2f, 1f)] float strength)
         {
             FlyingBody body = Body(strength);
             body.inertia = 1e-11f * new float3x3(2f, 0.3f, -0.2f, 0.3f, 3f, 0.4f, -0.2f, 0.4f, 4f);
@@ -51,7 +54,8 @@ namespace Alate.Tests
             BodyAid.Evaluate(ref body, 0f);
             float omega = 4f * k_Frequency;
             float share = math.saturate(2f * (angle / (math.PI / 6f) - 1f));
-            float3 turn = math.rotate(math.conjugate(body.rotation), math.rotate(heading, omega * omega * share * error + 2f * omega * rate));
+            float3 turn = math.rotate(math.conjugate(body.rotation),
+                math.rotate(heading, omega * omega * share * error + 2f * omega * rate));
             float3 expected = angle > math.PI / 6f ? -strength * math.mul(body.inertia, turn) : default;
             Assert.That(math.length(expected), Is.LessThan(strength * k_Weight * k_Length), "not bounded here");
             Assert.That(math.distance(body.aidMoment, expected), Is.LessThan(1e-3f * math.length(expected) + 1e-15f));
@@ -94,7 +98,8 @@ namespace Alate.Tests
             body.velocity = body.reference.velocity;
             BodyAid.Evaluate(ref body, 0f);
             float omega = 4f * k_Frequency, expected = -1e-11f * omega * omega * math.clamp(off, -0.8f, 0.8f);
-            Assert.That(math.distance(math.rotate(body.rotation, body.aidMoment), new float3(0f, expected, 0f)), Is.LessThan(1e-4f * math.abs(expected)));
+            Assert.That(math.distance(math.rotate(body.rotation, body.aidMoment), new float3(0f, expected, 0f)),
+                Is.LessThan(1e-4f * math.abs(expected)));
         }
 
         [Test]
@@ -131,7 +136,8 @@ namespace Alate.Tests
             body.table = m_Table.View;
             body.reference.heading = 0.8f;
             body.reference.velocity = new float3(0.3f, 0.1f, -0.2f);
-            body.rotation = math.mul(quaternion.AxisAngle(new float3(0f, 1f, 0f), 0.8f), quaternion.AxisAngle(new float3(1f, 0f, 0f), -0.5f));
+            body.rotation = math.mul(quaternion.AxisAngle(new float3(0f, 1f, 0f), 0.8f),
+                quaternion.AxisAngle(new float3(1f, 0f, 0f), -0.5f));
             return body;
         }
     }

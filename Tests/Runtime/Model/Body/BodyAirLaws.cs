@@ -4,7 +4,9 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests
 {
-    /// <summary>Air that a wing on a body meets, and the force that it gives back: one air in both frames, right wings and left ones.</summary>
+    /// <summary>
+    /// Air that a wing on a body meets, and the force that it gives back: one air in both frames, right wings and left ones.
+    /// </summary>
     public sealed unsafe class BodyAirLaws
     {
         // Air that any point of a wing meets, less what the body moves by: seen from the wing, in its lengths, it is the same.
@@ -25,7 +27,8 @@ namespace Alate.Tests
             {
                 float3 point = random.NextFloat3(-1f, 1f), onBody = wing.hinge + wing.length * math.mul(wing.axes, point);
                 float3 air = math.rotate(back, body.wind - body.middleVelocity) - math.cross(body.middleSpin, onBody);
-                Assert.That(math.distance(wing.length * math.mul(wing.axes, wind - math.cross(spin, hinge + point)), air), Is.LessThan(1e-5f));
+                Assert.That(math.distance(wing.length * math.mul(wing.axes, wind - math.cross(spin, hinge + point)), air),
+                    Is.LessThan(1e-5f));
             }
 
             float3 gravity = wing.length * math.mul(wing.axes, met->gravity[2]);
@@ -81,15 +84,18 @@ namespace Alate.Tests
                 float3 velocity = random.NextFloat3(-1f, 1f), spin = random.NextFloat3(-1f, 1f);
                 float3 v = wing.ToWing(velocity) / wing.length, w = wing.ToWing(spin) * (left ? -1f : 1f);
                 float work = unit * (math.dot(force, v) + math.dot(moment, w));
-                Assert.That(math.dot(air.force, velocity) + math.dot(air.moment, spin), Is.EqualTo(work).Within(1e-4f * unit / wing.length));
+                Assert.That(math.dot(air.force, velocity) + math.dot(air.moment, spin),
+                    Is.EqualTo(work).Within(1e-4f * unit / wing.length));
                 float lost = unit * (math.dot(v, math.mul(uu, v)) + 2f * math.dot(v, math.mul(uw, w)) + math.dot(w, math.mul(ww, w)));
                 air.damping.Multiply(velocity, spin, out float3 dampingForce, out float3 dampingMoment);
-                Assert.That(math.dot(dampingForce, velocity) + math.dot(dampingMoment, spin), Is.EqualTo(lost).Within(1e-3f * unit / (wing.length * wing.length)));
+                Assert.That(math.dot(dampingForce, velocity) + math.dot(dampingMoment, spin),
+                    Is.EqualTo(lost).Within(1e-3f * unit / (wing.length * wing.length)));
             }
 
             BodyAir twice = air;
             twice.Add(wing, pack.Pack);
-            Assert.That(math.distance(twice.force, 2f * air.force) + math.distance(twice.moment, 2f * air.moment), Is.LessThan(1e-6f), "wings add up");
+            Assert.That(math.distance(twice.force, 2f * air.force) + math.distance(twice.moment, 2f * air.moment), Is.LessThan(1e-6f),
+                "wings add up");
             Assert.That(twice.power, Is.EqualTo(2f * air.power));
             Assert.That(math.distance(twice.damping.uw.c1, 2f * air.damping.uw.c1), Is.LessThan(1e-6f));
         }
@@ -131,11 +137,13 @@ namespace Alate.Tests
             for (int column = 0; column < 3; column++)
             {
                 // Velocity up, ahead along the world's axes, and turning about X: what each takes away, up, ahead and about X.
-                float3 velocity = math.rotate(math.conjugate(body.middleRotation), new float3(0f, column == 0 ? 1f : 0f, column == 1 ? 1f : 0f));
+                float3 velocity = math.rotate(math.conjugate(body.middleRotation),
+                    new float3(0f, column == 0 ? 1f : 0f, column == 1 ? 1f : 0f));
                 var spin = new float3(column == 2 ? 1f : 0f, 0f, 0f);
                 float3 force = math.rotate(body.middleRotation, math.mul(air.damping.uu, velocity) + math.mul(air.damping.uw, spin));
                 float3 moment = math.mul(math.transpose(air.damping.uw), velocity) + math.mul(air.damping.ww, spin);
-                Assert.That(math.distance(body.damping[column], new float3(force.y, force.z, moment.x)), Is.LessThan(1e-5f), $"column {column}");
+                Assert.That(math.distance(body.damping[column], new float3(force.y, force.z, moment.x)), Is.LessThan(1e-5f),
+                    $"column {column}");
             }
         }
 
@@ -143,7 +151,8 @@ namespace Alate.Tests
         public void SymmetricSystems_AreSolved_AsTheyAreMultiplied([Values(1u, 2u, 3u, 4u)] uint seed)
         {
             var random = Random.CreateFromIndex(seed);
-            var matrix = new Symmetric6 { uu = Symmetric(ref random) + 4f * float3x3.identity, uw = Any(ref random), ww = Symmetric(ref random) + 4f * float3x3.identity };
+            var matrix = new Symmetric6 { uu = Symmetric(ref random) + 4f * float3x3.identity, uw = Any(ref random),
+                ww = Symmetric(ref random) + 4f * float3x3.identity };
             float3 u = random.NextFloat3(-1f, 1f), w = random.NextFloat3(-1f, 1f);
             matrix.Multiply(u, w, out float3 force, out float3 moment);
             Assert.That(math.distance(force, math.mul(matrix.uu, u) + math.mul(matrix.uw, w)), Is.LessThan(1e-5f));
@@ -190,7 +199,8 @@ namespace Alate.Tests
             return ref matrix.c2;
         }
 
-        private static float3x3 Any(ref Random random) => new float3x3(random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f));
+        private static float3x3 Any(ref Random random) =>
+            new float3x3(random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f));
 
         private static float3x3 Symmetric(ref Random random)
         {

@@ -4,7 +4,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests
 {
-    /// <summary>Errors that the feedback measures, commands that it makes of them, and its integral.</summary>
+    /// <summary>Errors that the feedback measures, and commands that it makes of them.</summary>
     public sealed unsafe class BodyFeedbackLaws
     {
         [Test]
@@ -15,15 +15,19 @@ namespace Alate.Tests
             Fill(point, ref random);
             point[TrimPoint.Pitch] = random.NextFloat(-0.3f, 1.2f);
             FlyingBody body = default;
-            body.reference = new BodyReference { heading = random.NextFloat(-3f, 3f), velocity = random.NextFloat3(-1f, 1f), turning = random.NextFloat(-2f, 2f) };
-            var bob = new BodyBob { velocity = random.NextFloat3(-0.2f, 0.2f), turn = random.NextFloat(-0.2f, 0.2f), rate = random.NextFloat(-5f, 5f) };
+            body.reference = new BodyReference { heading = random.NextFloat(-3f, 3f), velocity = random.NextFloat3(-1f, 1f),
+                turning = random.NextFloat(-2f, 2f) };
+            var bob = new BodyBob { velocity = random.NextFloat3(-0.2f, 0.2f), turn = random.NextFloat(-0.2f, 0.2f),
+                rate = random.NextFloat(-5f, 5f) };
             float3 velocity = random.NextFloat3(-1f, 1f), turn = random.NextFloat3(-0.8f, 0.8f), rate = random.NextFloat3(-9f, 9f);
 
             // Out of the trimmed attitude, nose up by the pitch along the heading, turned by the error along the heading's axes.
             quaternion heading = About(1, body.reference.heading);
-            body.rotation = math.mul(BodyMotion.Turn(math.rotate(heading, turn + new float3(bob.turn, 0f, 0f))), math.mul(heading, About(0, -point[TrimPoint.Pitch])));
+            body.rotation = math.mul(BodyMotion.Turn(math.rotate(heading, turn + new float3(bob.turn, 0f, 0f))),
+                math.mul(heading, About(0, -point[TrimPoint.Pitch])));
             body.velocity = body.reference.velocity + math.rotate(heading, velocity + bob.velocity);
-            body.spin = math.rotate(math.conjugate(body.rotation), math.rotate(heading, rate + new float3(bob.rate, body.reference.turning, 0f)));
+            body.spin = math.rotate(math.conjugate(body.rotation),
+                math.rotate(heading, rate + new float3(bob.rate, body.reference.turning, 0f)));
             quaternion wanted = BodyFeedback.Errors(ref body, point, bob);
             Assert.That(math.distance(body.velocityError, velocity), Is.LessThan(1e-5f));
             Assert.That(math.distance(body.turnError, turn), Is.LessThan(1e-5f));
@@ -104,7 +108,8 @@ namespace Alate.Tests
             Assert.That(body.clipped, Is.Zero);
         }
 
-        // The lean that a turn needs goes by the scene's gravity: more on the moon, at most one radian, none where nothing is to be held up.
+        // The lean that a turn needs goes by the scene's gravity: more on the moon, at most one radian, none where nothing is to be held
+        // up.
         [TestCase(9.81f, 2f / 9.81f)]
         [TestCase(4f, 0.5f)]
         [TestCase(0.5f, 1f)]
@@ -119,7 +124,8 @@ namespace Alate.Tests
             body.gravity = new float3(0f, -gravity, 0f);
             body.reference.acceleration = new float3(2f, 0f, 0f);
             BodyFeedback.Sample(ref body, 0f, point);
-            Assert.That(-body.Last(4), Is.EqualTo(0.1f * lean).Within(1e-6f), "the error of the roll is that of an upright body less its lean");
+            Assert.That(-body.Last(4), Is.EqualTo(0.1f * lean).Within(1e-6f),
+                "the error of the roll is that of an upright body less its lean");
         }
 
         [Test]
@@ -136,14 +142,16 @@ namespace Alate.Tests
             Assert.That(math.distance(-new float3(body.Last(4), body.Last(0), body.Last(1)), counted), Is.LessThan(1e-6f));
         }
 
-        // Limits of the manual in their own units: 15 % of the frequency, 0.2 of the amplitude, 20° of tilt and mean sweep, 0.2 and 15° between the sides.
+        // Limits of the manual in their own units: 15 % of the frequency, 0.2 of the amplitude, 20° of tilt and mean sweep, 0.2 and 15°
+        // between the sides.
         [Test]
         public void EveryCommand_IsHeldAtItsLimit_UpAndDown([Values(0, 1, 2, 3, 4, 5)] int command, [Values(-1f, 1f)] float sign)
         {
             float[] limits = { 0.15f * 12f, 0.2f, math.radians(20f), math.radians(20f), 0.2f, math.radians(15f) };
             float* point = stackalloc float[TrimPoint.Floats];
             Clear(point);
-            point[(command < 4 ? TrimPoint.LongGains + command * 10 : TrimPoint.SideGains + (command - 4) * 8) + (command < 4 ? 1 : 0)] = -100f;
+            point[(command < 4 ? TrimPoint.LongGains + command * 10 : TrimPoint.SideGains + (command - 4) * 8) + (command < 4 ? 1 : 0)] =
+                -100f;
             FlyingBody body = default;
             body.frequency = 12f;
             body.rotation = quaternion.identity;
@@ -162,7 +170,8 @@ namespace Alate.Tests
             Assert.That(right.meanSweep, Is.EqualTo(command == 3 ? change : 0f).Within(1e-6f));
             Assert.That(right.meanFeather, Is.EqualTo(command == 5 ? change : 0f).Within(1e-6f));
             Assert.That(left.meanFeather, Is.EqualTo(-right.meanFeather));
-            Assert.That(new float3(left.frequency, left.tilt, left.meanSweep), Is.EqualTo(new float3(right.frequency, right.tilt, right.meanSweep)));
+            Assert.That(new float3(left.frequency, left.tilt, left.meanSweep),
+                Is.EqualTo(new float3(right.frequency, right.tilt, right.meanSweep)));
             Assert.That(right.meanFlap, Is.Zero);
         }
 
@@ -178,88 +187,6 @@ namespace Alate.Tests
             point[TrimPoint.Drive] = 5000f;
             point[TrimPoint.Drive + 1] = 9f;
             Assert.That(BodyFeedback.Drive(body, point, 1f).IsValid);
-        }
-
-        [Test]
-        public void TheIntegral_GrowsByErrorAndTime_WhileNothingIsClippedOrLost()
-        {
-            float* point = stackalloc float[TrimPoint.Floats];
-            Clear(point);
-            FlyingBody body = default;
-            body.rotation = quaternion.identity;
-            body.velocity = new float3(0.1f, -0.2f, 0.3f);
-            float3 sum = default;
-            foreach (float time in new[] { 0.05f, 0.1f, 0.02f })
-            {
-                body.sinceSample = time;
-                BodyFeedback.Sample(ref body, 0f, point);
-                sum += time * body.velocity;
-                Assert.That(math.distance(body.integral, sum), Is.LessThan(1e-6f));
-                Assert.That(body.sinceSample, Is.Zero, "each time counts once");
-            }
-        }
-
-        // Anti-windup: an error that the wings cannot fly off, or are already flying off as hard as they can, must not be stored.
-        [Test]
-        public void TheIntegral_Waits_WhileCommandsAreClipped()
-        {
-            float* point = stackalloc float[TrimPoint.Floats];
-            Clear(point);
-            point[TrimPoint.LongGains + 1] = 100f;
-            FlyingBody body = default;
-            body.rotation = quaternion.identity;
-            body.velocity = new float3(0f, 0f, 0.2f);
-            body.sinceSample = 0.1f;
-            BodyFeedback.Sample(ref body, 0f, point);
-            float3 first = body.integral;
-            Assert.That(body.clipped, Is.EqualTo(1));
-            Assert.That(first.z, Is.EqualTo(0.02f).Within(1e-6f), "what was clipped counts from the next sample on");
-            body.sinceSample = 0.1f;
-            BodyFeedback.Sample(ref body, 0f, point);
-            Assert.That(body.integral, Is.EqualTo(first));
-            Clear(point);
-            for (int k = 0; k < 2; k++)
-            {
-                body.sinceSample = 0.1f;
-                BodyFeedback.Sample(ref body, 0f, point);
-            }
-
-            Assert.That(body.clipped, Is.Zero);
-            Assert.That(body.integral.z, Is.EqualTo(first.z + 0.02f).Within(1e-6f), "and goes on when nothing is");
-        }
-
-        [Test]
-        public void TheIntegral_Waits_WhileTheInsectIsThrownAbout([Values(0.49f, 0.51f)] float speed)
-        {
-            float* point = stackalloc float[TrimPoint.Floats];
-            Clear(point);
-            FlyingBody body = default;
-            body.rotation = quaternion.identity;
-            body.velocity = new float3(0f, speed, 0f);
-            body.sinceSample = 0.1f;
-            BodyFeedback.Sample(ref body, 0f, point);
-            Assert.That(body.integral.y, Is.EqualTo(speed < 0.5f ? 0.1f * speed : 0f).Within(1e-6f));
-        }
-
-        [Test]
-        public void TheIntegral_IsBoundedByAMetre_OnEverySide([Values(0, 1, 2)] int axis, [Values(-1f, 1f)] float sign)
-        {
-            float* point = stackalloc float[TrimPoint.Floats];
-            Clear(point);
-            FlyingBody body = default;
-            body.rotation = quaternion.identity;
-            body.velocity[axis] = sign * 0.4f;
-            for (int beat = 0; beat < 40; beat++)
-            {
-                body.sinceSample = 0.1f;
-                BodyFeedback.Sample(ref body, 0f, point);
-            }
-
-            Assert.That(body.integral[axis], Is.EqualTo(sign).Within(1e-6f));
-            body.velocity = -body.velocity;
-            body.sinceSample = 0.1f;
-            BodyFeedback.Sample(ref body, 0f, point);
-            Assert.That(body.integral[axis], Is.EqualTo(0.96f * sign).Within(1e-5f), "and comes back at once");
         }
 
         // An insect that is mirrored left to right is commanded the same, with the sides exchanged.
@@ -284,7 +211,8 @@ namespace Alate.Tests
                 BodyFeedback.Sample(ref body, 1f, point);
                 BodyFeedback.Sample(ref mirrored, 1f, point);
                 for (int command = 0; command < 6; command++)
-                    Assert.That(mirrored.Last(command), Is.EqualTo(command < 4 ? body.Last(command) : -body.Last(command)).Within(1e-4f), $"command {command}");
+                    Assert.That(mirrored.Last(command), Is.EqualTo(command < 4 ? body.Last(command) : -body.Last(command)).Within(1e-4f),
+                        $"command {command}");
             }
         }
 

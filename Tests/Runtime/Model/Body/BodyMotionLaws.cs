@@ -104,7 +104,8 @@ namespace Alate.Tests
             Assert.That(math.distance(body.velocity, body.wind * (1f - left / 3f)), Is.LessThan(3e-3f));
         }
 
-        // Forces F = −K v of a slow body are taken where it was predicted to be, and K carries them to the middle of the step: (M + hK/2) v₁ = (M − hK/2) v₀.
+        // Forces F = −K v of a slow body are taken where it was predicted to be, and K carries them to the middle of the step: (M +
+        // hK/2) v₁ = (M − hK/2) v₀.
         [Test]
         public void DampingByTheWings_IsTheMidpointRules([Values(1u, 2u, 3u, 4u, 5u, 6u)] uint seed)
         {
@@ -158,7 +159,8 @@ namespace Alate.Tests
             Move(ref body, air, h);
             Assert.That(math.distance(body.velocity, force * h / k_Mass), Is.LessThan(1e-3f * math.length(force) * h / k_Mass));
             Assert.That(math.distance(math.mul(body.inertia, body.spin), moment * h), Is.LessThan(1e-3f * math.length(moment) * h));
-            Assert.That(math.distance(body.force, force), Is.LessThan(1e-3f * math.length(force)), "the reading of the force is all but the weight");
+            Assert.That(math.distance(body.force, force), Is.LessThan(1e-3f * math.length(force)),
+                "the reading of the force is all but the weight");
             Assert.That(math.distance(body.moment, air.moment), Is.LessThan(1e-12f), "that of the moment the wings' alone");
         }
 
@@ -183,9 +185,11 @@ namespace Alate.Tests
             {
                 quaternion turn = BodyMotion.Turn(angle * axis);
                 var expected = Rotation.About(axis.x, axis.y, axis.z, angle * 180.0 / System.Math.PI);
-                Assert.That(math.distance(turn.value, new float4((float)expected.x, (float)expected.y, (float)expected.z, (float)expected.w)), Is.LessThan(1e-6f));
+                Assert.That(math.distance(turn.value,
+                    new float4((float)expected.x, (float)expected.y, (float)expected.z, (float)expected.w)), Is.LessThan(1e-6f));
                 Assert.That(math.distance(BodyMotion.Log(turn), angle * axis), Is.LessThan(3e-6f), $"{angle}");
-                Assert.That(math.distance(BodyMotion.Log(new quaternion(-turn.value)), angle * axis), Is.LessThan(3e-6f), "the other sign is the same rotation");
+                Assert.That(math.distance(BodyMotion.Log(new quaternion(-turn.value)), angle * axis), Is.LessThan(3e-6f),
+                    "the other sign is the same rotation");
             }
 
             Assert.That(math.distance(BodyMotion.Log(BodyMotion.Turn(4f * axis)), (4f - 2f * math.PI) * axis), Is.LessThan(1e-5f));
@@ -214,7 +218,8 @@ namespace Alate.Tests
         private static float3x3 Inertia(ref Random random)
         {
             var axes = new float3x3(random.NextQuaternionRotation());
-            var principal = new float3x3(random.NextFloat(1e-8f, 2e-8f), 0f, 0f, 0f, random.NextFloat(3e-8f, 4e-8f), 0f, 0f, 0f, random.NextFloat(4.5e-8f, 5e-8f));
+            var principal = new float3x3(random.NextFloat(1e-8f, 2e-8f), 0f, 0f, 0f, random.NextFloat(3e-8f, 4e-8f), 0f, 0f, 0f,
+                random.NextFloat(4.5e-8f, 5e-8f));
             return math.mul(math.mul(axes, principal), math.transpose(axes));
         }
 
@@ -229,7 +234,8 @@ namespace Alate.Tests
             };
         }
 
-        private static float3x3 Random3x3(ref Random random) => new float3x3(random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f));
+        private static float3x3 Random3x3(ref Random random) =>
+            new float3x3(random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f), random.NextFloat3(-1f, 1f));
 
         private static double[,] Whole(in Symmetric6 matrix)
         {

@@ -33,7 +33,8 @@ namespace Alate.Tests
                 {
                     memory.View.Read(speed, climb, read);
                     for (int k = 0; k < TrimPoint.Floats; k++)
-                        Assert.That(read[k], Is.EqualTo(Value(k, math.clamp(speed, 0f, 1f), math.clamp(climb, -0.3f, 0.5f))).Within(1e-3f), $"{k} at {speed}, {climb}");
+                        Assert.That(read[k], Is.EqualTo(Value(k, math.clamp(speed, 0f, 1f),
+                            math.clamp(climb, -0.3f, 0.5f))).Within(1e-3f), $"{k} at {speed}, {climb}");
                 }
             }
         }
@@ -116,9 +117,12 @@ namespace Alate.Tests
             var bob = BodyBob.At(point, phase);
             Assert.That(math.distance(body.velocity, mean + math.rotate(along, bob.velocity)), Is.LessThan(1e-5f));
             float3 nose = math.rotate(math.conjugate(along), math.rotate(body.rotation, new float3(0f, 0f, 1f)));
-            Assert.That(math.distance(nose, new float3(0f, math.sin(pitch - bob.turn), math.cos(pitch - bob.turn))), Is.LessThan(1e-5f), "a turn about X is nose down");
-            Assert.That(math.distance(BodyMotion.Log(math.mul(math.conjugate(body.rotation), after.rotation)) / h, body.spin), Is.LessThan(0.2f));
-            Assert.That(math.distance(math.rotate(math.conjugate(body.rotation), after.velocity - body.velocity) / h, body.acceleration), Is.LessThan(0.5f));
+            Assert.That(math.distance(nose, new float3(0f, math.sin(pitch - bob.turn), math.cos(pitch - bob.turn))), Is.LessThan(1e-5f),
+                "a turn about X is nose down");
+            Assert.That(math.distance(BodyMotion.Log(math.mul(math.conjugate(body.rotation), after.rotation)) / h, body.spin),
+                Is.LessThan(0.2f));
+            Assert.That(math.distance(math.rotate(math.conjugate(body.rotation), after.velocity - body.velocity) / h, body.acceleration),
+                Is.LessThan(0.5f));
             Assert.That(math.distance((after.spin - body.spin) / h, body.spinRate), Is.LessThan(30f));
             Assert.That(math.length(body.spinRate), Is.GreaterThan(300f));
             Assert.That(body.middleRotation, Is.EqualTo(body.rotation));

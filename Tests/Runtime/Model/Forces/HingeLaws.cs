@@ -15,7 +15,8 @@ namespace Alate.Tests
             foreach (uint seed in Seeds.Usual)
             {
                 var random = new Random(seed);
-                float angle = random.NextFloat(-0.7f, 0.7f), first = random.NextFloat(-40f, 40f), torque = random.NextFloat(-3f, 3f), seen = random.NextFloat(-9f, 9f);
+                float angle = random.NextFloat(-0.7f, 0.7f), first = random.NextFloat(-40f, 40f), torque = random.NextFloat(-3f, 3f),
+                    seen = random.NextFloat(-9f, 9f);
                 float4 rate = first, mirrored = -first;
                 float4 turned = Bending.Hinge(0.01f, 0.2f, 0.05f, 5f, torque, k_Limit, k_Step, seen, angle, ref rate);
                 float4 back = Bending.Hinge(0.01f, 0.2f, 0.05f, 5f, -torque, k_Limit, k_Step, -seen, -angle, ref mirrored);
@@ -33,10 +34,12 @@ namespace Alate.Tests
             Assert.That(Bending.Hinge(0.01f, 0f, 0f, 0f, 0f, k_Limit, k_Step, 0f, side * 0.49f, ref rate).x, Is.EqualTo(side * k_Limit));
             Assert.That(rate.x, Is.Zero);
             rate = -10f * side;
-            Assert.That(Bending.Hinge(0.01f, 0f, 0f, 0f, 0f, k_Limit, k_Step, 0f, side * 0.9f, ref rate).x, Is.EqualTo(side * k_Limit), "from beyond it is put to its limit");
+            Assert.That(Bending.Hinge(0.01f, 0f, 0f, 0f, 0f, k_Limit, k_Step, 0f, side * 0.9f, ref rate).x, Is.EqualTo(side * k_Limit),
+                "from beyond it is put to its limit");
             Assert.That(rate.x, Is.EqualTo(-10f * side), "and keeps the rate that brings it back");
             rate = 10f * side;
-            Assert.That(Bending.Hinge(0.01f, 0f, 0f, 0f, 0f, k_Limit, k_Step, 0f, 0f, ref rate).x, Is.EqualTo(side * 10f * k_Step).Within(1e-6f));
+            Assert.That(Bending.Hinge(0.01f, 0f, 0f, 0f, 0f, k_Limit, k_Step, 0f, 0f, ref rate).x,
+                Is.EqualTo(side * 10f * k_Step).Within(1e-6f));
             Assert.That(rate.x, Is.EqualTo(10f * side), "within them nothing is held");
         }
 
@@ -51,7 +54,8 @@ namespace Alate.Tests
 
         // The step is linear in the torque: the compliance is the difference of two angles over that of their torques.
         [Test]
-        public void Compliances_AreHowFarATorqueTurnsAHinge([Values(false, true)] bool firstOrder, [Values(false, true)] bool addedMass, [Values(0, 1)] int axis)
+        public void Compliances_AreHowFarATorqueTurnsAHinge([Values(false, true)] bool firstOrder, [Values(false, true)] bool addedMass,
+            [Values(0, 1)] int axis)
         {
             WingParameters parameters = firstOrder ? Monarch.FirstOrder : Monarch.Parameters;
             parameters.options.addedMass = addedMass && !firstOrder;
@@ -62,7 +66,8 @@ namespace Alate.Tests
             StepScratch scratch = flown.scratch;
             var step = ImplicitStep.Of(pack, flown.Substep);
             int bones = pack.rig.boneCount;
-            SoaFloat3[] angles = Copy(pack.bendAngles, bones), rates = Copy(pack.bendRates, bones), earlier = Copy(pack.earlierAngles, bones);
+            SoaFloat3[] angles = Copy(pack.bendAngles, bones), rates = Copy(pack.bendRates, bones),
+                earlier = Copy(pack.earlierAngles, bones);
             SoaFloat3[] earlierRates = Copy(pack.earlierRates, bones), torques = Copy(scratch.torques, bones), found = new SoaFloat3[bones];
             float[] torque = new float[bones];
             for (int way = -1; way <= 1; way++)
@@ -85,7 +90,8 @@ namespace Alate.Tests
                     float angle = axis == 0 ? pack.bendAngles[bone].x.x : pack.bendAngles[bone].y.x;
                     if (way == 1)
                         Assert.That(angle - found[bone].x.x, Is.EqualTo(0.02f).Within(2e-4f), $"bone {bone}");
-                    // The first pass finds the torque that turns a hinge by 0.02 rad, the second one where it is without, the third one where it is with it.
+                    // The first pass finds the torque that turns a hinge by 0.02 rad, the second one where it is without, the third one
+                    // where it is with it.
                     torque[bone] = way == -1 ? 0.02f / compliance : torque[bone];
                     found[bone].x = angle;
                 }

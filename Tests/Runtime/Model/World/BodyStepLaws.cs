@@ -47,7 +47,8 @@ namespace Alate.Tests
                 Assert.That(read.power, Is.EqualTo(power).Within(1e-4f * math.abs(power)));
                 Assert.That(read.aidPower, Is.EqualTo(aid).Within(1e-4f * math.abs(aid)));
                 for (int column = 0; column < 3; column++)
-                    Assert.That(math.distance(read.damping[column], damping[column]), Is.LessThanOrEqualTo(1e-4f * math.length(damping[column])));
+                    Assert.That(math.distance(read.damping[column], damping[column]),
+                        Is.LessThanOrEqualTo(1e-4f * math.length(damping[column])));
                 Assert.That(power, Is.Not.Zero);
                 Assert.That(aid, !held ? Is.Not.Zero : Is.Zero);
                 Assert.That(math.length(damping.c0), held ? Is.Not.Zero : Is.Zero);
@@ -65,7 +66,8 @@ namespace Alate.Tests
                 impulse += 0.004f * (insect.Body.force + CarriedBody.Mass * insect.Body.weight);
             }
 
-            Assert.That(math.distance(CarriedBody.Mass * (insect.Body.velocity - start), impulse), Is.LessThan(1e-3f * math.length(impulse)));
+            Assert.That(math.distance(CarriedBody.Mass * (insect.Body.velocity - start), impulse),
+                Is.LessThan(1e-3f * math.length(impulse)));
         }
 
         // Within a step the reference goes on with its rates.
@@ -74,14 +76,16 @@ namespace Alate.Tests
         {
             using var insect = new CarriedBody(BodyMode.Free);
             SetDetail(insect, detail);
-            insect.Body.reference = new BodyReference { velocity = new float3(1f, 0f, 0f), acceleration = new float3(1f, 2f, 3f), heading = 0.3f, turning = -2f };
+            insect.Body.reference = new BodyReference { velocity = new float3(1f, 0f, 0f), acceleration = new float3(1f, 2f, 3f),
+                heading = 0.3f, turning = -2f };
             for (int step = 0; step < 5; step++)
                 insect.world.Step(0.02f);
             Assert.That(math.distance(insect.Body.reference.velocity, new float3(1.1f, 0.2f, 0.3f)), Is.LessThan(1e-5f));
             Assert.That(insect.Body.reference.heading, Is.EqualTo(0.1f).Within(1e-5f));
         }
 
-        // Where nobody computes its wings a body follows its reference at 5 per second, in the trimmed attitude, and forgets what it had measured.
+        // Where nobody computes its wings a body follows its reference at 5 per second, in the trimmed attitude, and forgets what it had
+        // measured.
         [Test]
         public void ABodyOutOfSight_FollowsItsReference()
         {
@@ -94,14 +98,17 @@ namespace Alate.Tests
                 insect.world.Step(0.01f);
             float left = math.exp(-1f);
             Assert.That(math.distance(insect.Body.velocity, (1f - left) * insect.Body.reference.velocity), Is.LessThan(1e-5f));
-            Assert.That(math.distance(insect.Body.position, (0.2f - 0.2f * (1f - left)) * insect.Body.reference.velocity), Is.LessThan(2e-4f));
+            Assert.That(math.distance(insect.Body.position, (0.2f - 0.2f * (1f - left)) * insect.Body.reference.velocity),
+                Is.LessThan(2e-4f));
             Assert.That(math.length(insect.Body.integral) + insect.Body.tilt, Is.Zero);
             float phase = insect.world.Read(insect.right).Phase;
-            quaternion trimmed = math.mul(quaternion.AxisAngle(new float3(0f, 1f, 0f), 0.4f), quaternion.AxisAngle(new float3(1f, 0f, 0f), 0.1f * math.cos(phase) - 0.5f));
+            quaternion trimmed = math.mul(quaternion.AxisAngle(new float3(0f, 1f, 0f), 0.4f),
+                quaternion.AxisAngle(new float3(1f, 0f, 0f), 0.1f * math.cos(phase) - 0.5f));
             Assert.That(math.abs(math.dot(trimmed.value, insect.Body.rotation.value)), Is.EqualTo(1f).Within(1e-6f));
         }
 
-        // Its wings settle for the beat under way and a whole one, then carry it from where it has got to. A beat that is over before a whole substep has passed does not count.
+        // Its wings settle for the beat under way and a whole one, then carry it from where it has got to. A beat that is over before a
+        // whole substep has passed does not count.
         [Test]
         public void ABodyThatComesIntoSight_IsCarriedOnceItsWingsHaveSettled()
         {
@@ -173,7 +180,8 @@ namespace Alate.Tests
             for (int k = 0; k < FlightCommands.Count; k++)
                 Assert.That(body.Last(k), Is.Zero);
             float3 sum = body.integral + body.velocityError + body.turnError + body.rateError + body.force + body.moment;
-            Assert.That(math.length(sum) + body.tilt + body.aidPower + body.power + body.sinceSample + body.latched + body.clipped, Is.Zero);
+            Assert.That(math.length(sum) + body.tilt + body.aidPower + body.power + body.sinceSample + body.latched + body.clipped,
+                Is.Zero);
         }
 
         private static void SetDetail(CarriedBody insect, WingDetail detail)

@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>A body with a right and a left wing of the monarch in a world of its own, and a table of one trim; nothing that it does is tuned.</summary>
+    /// <summary>
+    /// A body with a right and a left wing of the monarch in a world of its own, and a table of one trim; nothing that it does is tuned.
+    /// </summary>
     internal sealed class CarriedBody : IDisposable
     {
         public const float Mass = 4.3e-4f, WingMass = 1.2e-5f, Frequency = 11f;

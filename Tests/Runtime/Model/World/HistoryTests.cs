@@ -17,11 +17,14 @@ namespace Alate.Tests
         private const int k_Settling = 6, k_Back = 4;
         private const double k_Same = 1e-3, k_Felt = 1e-5;
 
-        // A wing that was made up for a time beats as one that has always been commanded so: nothing glides on from the last beat before it.
+        // A wing that was made up for a time beats as one that has always been commanded so: nothing glides on from the beat before it.
         [Test]
         public void AfterAResume_NothingOfTheLastCommandIsLeft()
         {
-            var drive = new WingDrive { frequency = 12f, amplitude = 0.7f, meanFlap = 0.5f, meanSweep = 0.2f, meanFeather = -0.3f, tilt = 0.4f };
+            var drive = new WingDrive { frequency = 12f, amplitude = 0.7f, meanFlap = 0.5f };
+            drive.meanSweep = 0.2f;
+            drive.meanFeather = -0.3f;
+            drive.tilt = 0.4f;
             WingRig rig = Monarch.Rig(32);
             using (var world = new WingWorld())
             {
@@ -37,7 +40,10 @@ namespace Alate.Tests
                 world.Resume(changed, 10f / 12f);
                 world.Resume(always, (10f + phase) / 12f);
                 for (int chain = 0; chain < 5; chain++)
-                    Assert.That(math.distance(world.Read(changed).JointPosition(chain, 4), world.Read(always).JointPosition(chain, 4)), Is.LessThan(1e-3f), $"chain {chain}");
+                {
+                    float3 tip = world.Read(changed).JointPosition(chain, 4), wanted = world.Read(always).JointPosition(chain, 4);
+                    Assert.That(math.distance(tip, wanted), Is.LessThan(1e-3f), $"chain {chain}");
+                }
             }
         }
 

@@ -1,0 +1,97 @@
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests
+{
+    /// <summary>Integral of the velocity's error: what it sums, when it waits, and how far it goes.</summary>
+    public sealed unsafe class FeedbackIntegralLaws
+    {
+        [Test]
+        public void TheIntegral_GrowsByErrorAndTime_WhileNothingIsClippedOrLost()
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            Clear(point);
+            FlyingBody body = default;
+            body.rotation = quaternion.identity;
+            body.velocity = new float3(0.1f, -0.2f, 0.3f);
+            float3 sum = default;
+            foreach (float time in new[] { 0.05f, 0.1f, 0.02f })
+            {
+                body.sinceSample = time;
+                BodyFeedback.Sample(ref body, 0f, point);
+                sum += time * body.velocity;
+                Assert.That(math.distance(body.integral, sum), Is.LessThan(1e-6f));
+                Assert.That(body.sinceSample, Is.Zero, "each time counts once");
+            }
+        }
+
+        // Anti-windup: an error that the wings cannot fly off, or are already flying off as hard as they can, must not be stored.
+        [Test]
+        public void TheIntegral_Waits_WhileCommandsAreClipped()
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            Clear(point);
+            point[TrimPoint.LongGains + 1] = 100f;
+            FlyingBody body = default;
+            body.rotation = quaternion.identity;
+            body.velocity = new float3(0f, 0f, 0.2f);
+            body.sinceSample = 0.1f;
+            BodyFeedback.Sample(ref body, 0f, point);
+            float3 first = body.integral;
+            Assert.That(body.clipped, Is.EqualTo(1));
+            Assert.That(first.z, Is.EqualTo(0.02f).Within(1e-6f), "what was clipped counts from the next sample on");
+            body.sinceSample = 0.1f;
+            BodyFeedback.Sample(ref body, 0f, point);
+            Assert.That(body.integral, Is.EqualTo(first));
+            Clear(point);
+            for (int k = 0; k < 2; k++)
+            {
+                body.sinceSample = 0.1f;
+                BodyFeedback.Sample(ref body, 0f, point);
+            }
+
+            Assert.That(body.clipped, Is.Zero);
+            Assert.That(body.integral.z, Is.EqualTo(first.z + 0.02f).Within(1e-6f), "and goes on when nothing is");
+        }
+
+        [Test]
+        public void TheIntegral_Waits_WhileTheInsectIsThrownAbout([Values(0.49f, 0.51f)] float speed)
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            Clear(point);
+            FlyingBody body = default;
+            body.rotation = quaternion.identity;
+            body.velocity = new float3(0f, speed, 0f);
+            body.sinceSample = 0.1f;
+            BodyFeedback.Sample(ref body, 0f, point);
+            Assert.That(body.integral.y, Is.EqualTo(speed < 0.5f ? 0.1f * speed : 0f).Within(1e-6f));
+        }
+
+        [Test]
+        public void TheIntegral_IsBoundedByAMetre_OnEverySide([Values(0, 1, 2)] int axis, [Values(-1f, 1f)] float sign)
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            Clear(point);
+            FlyingBody body = default;
+            body.rotation = quaternion.identity;
+            body.velocity[axis] = sign * 0.4f;
+            for (int beat = 0; beat < 40; beat++)
+            {
+                body.sinceSample = 0.1f;
+                BodyFeedback.Sample(ref body, 0f, point);
+            }
+
+            Assert.That(body.integral[axis], Is.EqualTo(sign).Within(1e-6f));
+            body.velocity = -body.velocity;
+            body.sinceSample = 0.1f;
+            BodyFeedback.Sample(ref body, 0f, point);
+            Assert.That(body.integral[axis], Is.EqualTo(0.96f * sign).Within(1e-5f), "and comes back at once");
+        }
+
+        private static void Clear(float* point)
+        {
+            for (int k = 0; k < TrimPoint.Floats; k++)
+                point[k] = 0f;
+        }
+    }
+}
