@@ -75,8 +75,11 @@ namespace Alate.Tests.Flight
             situation.heading = 0.5f;
             float away = 0.5f + math.radians(degrees);
             situation.referenceVelocity = 0.7f * Along(away);
-            plan.Sit(new PerchSpot { position = situation.position,
-                normal = new float3(0f, math.cos(math.radians(slope)), 0f) + math.sin(math.radians(slope)) * Along(0.5f) });
+            plan.Sit(new PerchSpot
+            {
+                position = situation.position,
+                normal = new float3(0f, math.cos(math.radians(slope)), 0f) + math.sin(math.radians(slope)) * Along(0.5f)
+            });
             plan.TakeOff(PerchSettings.Default);
             float3 threat = float.IsNaN(threatFrom) ? float.NaN : situation.position + 2f * Along(0.5f + math.radians(threatFrom));
             float3 velocity = plan.Next(situation, PerchSettings.Default, threat, default).velocity;

@@ -151,8 +151,12 @@ namespace Alate.Tests
         public void SymmetricSystems_AreSolved_AsTheyAreMultiplied([Values(1u, 2u, 3u, 4u)] uint seed)
         {
             var random = Random.CreateFromIndex(seed);
-            var matrix = new Symmetric6 { uu = Symmetric(ref random) + 4f * float3x3.identity, uw = Any(ref random),
-                ww = Symmetric(ref random) + 4f * float3x3.identity };
+            var matrix = new Symmetric6
+            {
+                uu = Symmetric(ref random) + 4f * float3x3.identity,
+                uw = Any(ref random),
+                ww = Symmetric(ref random) + 4f * float3x3.identity
+            };
             float3 u = random.NextFloat3(-1f, 1f), w = random.NextFloat3(-1f, 1f);
             matrix.Multiply(u, w, out float3 force, out float3 moment);
             Assert.That(math.distance(force, math.mul(matrix.uu, u) + math.mul(matrix.uw, w)), Is.LessThan(1e-5f));

@@ -15,10 +15,18 @@ namespace Alate.Tests
             Fill(point, ref random);
             point[TrimPoint.Pitch] = random.NextFloat(-0.3f, 1.2f);
             FlyingBody body = default;
-            body.reference = new BodyReference { heading = random.NextFloat(-3f, 3f), velocity = random.NextFloat3(-1f, 1f),
-                turning = random.NextFloat(-2f, 2f) };
-            var bob = new BodyBob { velocity = random.NextFloat3(-0.2f, 0.2f), turn = random.NextFloat(-0.2f, 0.2f),
-                rate = random.NextFloat(-5f, 5f) };
+            body.reference = new BodyReference
+            {
+                heading = random.NextFloat(-3f, 3f),
+                velocity = random.NextFloat3(-1f, 1f),
+                turning = random.NextFloat(-2f, 2f)
+            };
+            var bob = new BodyBob
+            {
+                velocity = random.NextFloat3(-0.2f, 0.2f),
+                turn = random.NextFloat(-0.2f, 0.2f),
+                rate = random.NextFloat(-5f, 5f)
+            };
             float3 velocity = random.NextFloat3(-1f, 1f), turn = random.NextFloat3(-0.8f, 0.8f), rate = random.NextFloat3(-9f, 9f);
 
             // Out of the trimmed attitude, nose up by the pitch along the heading, turned by the error along the heading's axes.

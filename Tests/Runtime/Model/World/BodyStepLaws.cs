@@ -76,8 +76,13 @@ namespace Alate.Tests
         {
             using var insect = new CarriedBody(BodyMode.Free);
             SetDetail(insect, detail);
-            insect.Body.reference = new BodyReference { velocity = new float3(1f, 0f, 0f), acceleration = new float3(1f, 2f, 3f),
-                heading = 0.3f, turning = -2f };
+            insect.Body.reference = new BodyReference
+            {
+                velocity = new float3(1f, 0f, 0f),
+                acceleration = new float3(1f, 2f, 3f),
+                heading = 0.3f,
+                turning = -2f
+            };
             for (int step = 0; step < 5; step++)
                 insect.world.Step(0.02f);
             Assert.That(math.distance(insect.Body.reference.velocity, new float3(1.1f, 0.2f, 0.3f)), Is.LessThan(1e-5f));
