@@ -59,7 +59,9 @@ internal static class MutationRun
                     .ToDictionary(one => one.Number, one => one.Mutant);
                 foreach (int number in own.Where(one => one.Value.Sites.Count == 0).Select(one => one.Key).DefaultIfEmpty()
                     .Concat(MutatedAssembly.Emit(project, own, folder)).Where(number => number > 0))
+                {
                     refused.Add(number);
+                }
             });
             left.Clear();
             foreach (int number in refused.Distinct().Order())
@@ -85,7 +87,7 @@ internal static class MutationRun
         string bin = Path.Combine(scratch, k_Tests);
         File.Copy(typeof(MutationRun).Assembly.Location, Path.Combine(bin, "Alate.Mutations.dll"), true);
 
-        List<Project> projects = Project.Read(ProjectFiles(root), scratch).ToList();
+        var projects = Project.Read(ProjectFiles(root), scratch).ToList();
         var candidates = Candidates(projects, root, options.Asks).ToList();
         if (candidates.Count == 0)
             throw new FormatException($"No room begins with {string.Join(" or ", options.Rooms)}.");

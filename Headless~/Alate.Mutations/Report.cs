@@ -18,7 +18,8 @@ internal sealed class Report(IReadOnlyList<(string Room, Mutant Mutant, Verdict 
     {
         var table = new StringBuilder("| room | mutants | found | survived | not reached | equivalent | score |\n");
         table.Append("|---|---|---|---|---|---|---|\n");
-        foreach (var room in results.GroupBy(result => result.Room).OrderBy(room => room.Key, StringComparer.Ordinal))
+        foreach (IGrouping<string, (string Room, Mutant Mutant, Verdict Verdict)> room
+            in results.GroupBy(result => result.Room).OrderBy(room => room.Key, StringComparer.Ordinal))
             table.Append(Row(room.Key, room.Select(result => result.Verdict.Outcome).ToList()));
         return table.Append(Row("all", results.Select(result => result.Verdict.Outcome).ToList())).ToString();
     }

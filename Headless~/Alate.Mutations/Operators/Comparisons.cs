@@ -13,7 +13,14 @@ internal static class Comparisons
 {
     private static readonly Dictionary<string, string> s_Opposites = new()
     {
-        ["<"] = ">=", [">="] = "<", [">"] = "<=", ["<="] = ">", ["=="] = "!=", ["!="] = "==", ["&&"] = "||", ["||"] = "&&",
+        ["<"] = ">=",
+        [">="] = "<",
+        [">"] = "<=",
+        ["<="] = ">",
+        ["=="] = "!=",
+        ["!="] = "==",
+        ["&&"] = "||",
+        ["||"] = "&&",
     };
 
     private static readonly Dictionary<string, string> s_Neighbours = new() { ["<"] = "<=", ["<="] = "<", [">"] = ">=", [">="] = ">" };

@@ -15,7 +15,15 @@ internal static class Swaps
 
     private static readonly Dictionary<string, string> s_Axes = new()
     {
-        ["x"] = "y", ["y"] = "z", ["z"] = "x", ["xy"] = "yx", ["xz"] = "zx", ["yz"] = "zy", ["zy"] = "yz", ["yx"] = "xy", ["zx"] = "xz",
+        ["x"] = "y",
+        ["y"] = "z",
+        ["z"] = "x",
+        ["xy"] = "yx",
+        ["xz"] = "zx",
+        ["yz"] = "zy",
+        ["zy"] = "yz",
+        ["yx"] = "xy",
+        ["zx"] = "xz",
     };
 
     public static IEnumerable<Change> Of(SyntaxNode node, SemanticModel model)

@@ -66,7 +66,7 @@ internal sealed class Mutant
     private static List<Change> Uses(Project project, Change change, SemanticModel model)
     {
         var sites = new List<Change>();
-        var variable = change.Node.Ancestors().OfType<VariableDeclaratorSyntax>().First();
+        VariableDeclaratorSyntax variable = change.Node.Ancestors().OfType<VariableDeclaratorSyntax>().First();
         ISymbol symbol = model.GetDeclaredSymbol(variable);
         ITypeSymbol type = symbol is IFieldSymbol field ? field.Type : ((ILocalSymbol)symbol).Type;
         string whole = variable.Initializer.Value.ToString();

@@ -33,7 +33,8 @@ internal static class MutatedAssembly
     {
         CSharpCompilation compilation = project.Compilation;
         string name = MutantSwitch.Name(project.Name);
-        var sites = mutants.SelectMany(mutant => mutant.Value.Sites.Select(site => (mutant.Key, Site: site)));
+        IEnumerable<(int Key, Change Site)> sites =
+            mutants.SelectMany(mutant => mutant.Value.Sites.Select(site => (mutant.Key, Site: site)));
         foreach (IGrouping<SyntaxTree, (int Key, Change Site)> tree in sites.GroupBy(site => site.Site.Node.SyntaxTree))
         {
             ILookup<SyntaxNode, (int Key, Change Site)> byNode = tree.ToLookup(site => site.Site.Node);
@@ -54,7 +55,7 @@ internal static class MutatedAssembly
     {
         Change site = mutant.Site;
         SyntaxNode plain = inner.WithoutTrivia();
-        SyntaxNode wrapped = inner is StatementSyntax statement
+        SyntaxNode wrapped = inner is StatementSyntax
             ? SyntaxFactory.IfStatement(SyntaxFactory.ParseExpression(test),
                 SyntaxFactory.ParseStatement($"{{{site.After}}}", options: language),
                 SyntaxFactory.ElseClause(SyntaxFactory.Block((StatementSyntax)plain)))

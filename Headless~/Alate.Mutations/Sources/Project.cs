@@ -65,7 +65,8 @@ internal sealed class Project
     private static Project Parse(string file)
     {
         string[] lines = File.ReadAllLines(file);
-        var arguments = CSharpCommandLineParser.Default.Parse(lines.Skip(1).Where(line => line.Length > 0), lines[0], null);
+        CSharpCommandLineArguments arguments =
+            CSharpCommandLineParser.Default.Parse(lines.Skip(1).Where(line => line.Length > 0), lines[0], null);
         IEnumerable<SyntaxTree> trees = arguments.SourceFiles.Select(source =>
         {
             using FileStream stream = File.OpenRead(source.Path);

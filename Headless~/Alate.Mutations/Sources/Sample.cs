@@ -50,7 +50,7 @@ internal sealed class Sample
     /// <summary>Each turn draws an operator, then one of its mutants; a line is drawn once.</summary>
     private static IEnumerable<Mutant> Order(IEnumerable<Mutant> mutants, Random random)
     {
-        List<List<Mutant>> left = mutants.GroupBy(mutant => mutant.Operator)
+        var left = mutants.GroupBy(mutant => mutant.Operator)
             .OrderBy(group => group.Key, StringComparer.Ordinal).Select(group => group.ToList()).ToList();
         var lines = new HashSet<(string, int)>();
         while (left.Count > 0)

@@ -53,7 +53,7 @@ internal sealed class OperatorTests
 
     private static Mutant[] Mutants(string member)
     {
-        Project project = Project.Of("Sample", "Sample.cs", $$"""
+        var project = Project.Of("Sample", "Sample.cs", $$"""
             using System;
             using System.Collections.Generic;
             struct Vector3 { public float X, y, z; }

@@ -52,7 +52,7 @@ internal sealed class PlantedMutantTests
             File.Copy(Path.Combine(here, file), Path.Combine(m_Folder, file));
         const string settings = ".runtimeconfig.json";
         File.Copy(Path.Combine(here, "Alate.Mutations" + settings), Path.Combine(m_Folder, "AlateTiny" + settings));
-        Project project = Project.Of("AlateTiny", "Tiny.cs", k_Source);
+        var project = Project.Of("AlateTiny", "Tiny.cs", k_Source);
         IEnumerable<Mutant> mutants = Mutant.Of(project, project.Compilation.SyntaxTrees.Single(), "Tiny.cs")
             .Where(mutant => mutant.Line < 14);
         m_Drawn = MutationRun.Build(new Sample(mutants.Select(mutant => ("tiny", mutant)), 1), 100, [project], m_Folder);

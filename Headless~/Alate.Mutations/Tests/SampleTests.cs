@@ -46,7 +46,7 @@ internal sealed class SampleTests
         foreach (string room in new[] { "a", "b" })
         {
             string lines = string.Join('\n', Enumerable.Range(0, 20).Select(i => $"float F{i}(float a, float b) => a - b * {i + 2}f;"));
-            Project project = Project.Of(room, room, $"class C {{ {lines} }}");
+            var project = Project.Of(room, room, $"class C {{ {lines} }}");
             foreach (Mutant mutant in Mutant.Of(project, project.Compilation.SyntaxTrees.Single(), room))
                 yield return (room, mutant);
         }

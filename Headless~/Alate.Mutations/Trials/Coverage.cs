@@ -24,11 +24,11 @@ internal sealed class Coverage
     public static Coverage Record(string[] assemblies, Func<WorkerProcess> worker)
     {
         var coverage = new Coverage();
-        List<TestGroup> groups = assemblies
+        var groups = assemblies
             .SelectMany(assembly => worker().Classes(assembly).Select(type => new TestGroup(assembly, type, null))).ToList();
         Parallel.For(0, 2, half =>
         {
-            List<TestGroup> own = groups.Where((_, i) => i % 2 == half).ToList();
+            var own = groups.Where((_, i) => i % 2 == half).ToList();
             if (own.Count == 0)
                 return;
             WorkerProcess process = worker();
@@ -53,7 +53,8 @@ internal sealed class Coverage
         {
             var tests = one.Tests.Where(test => !Failing.Contains(test.Key))
                 .Where(test => one.Always.Contains(mutant) || test.Value.Hits.Contains(mutant)).ToList();
-            foreach (var part in tests.GroupBy(test => test.Value.Seconds > k_Slow))
+            foreach (IGrouping<bool, KeyValuePair<string, (double Seconds, HashSet<int> Hits)>> part
+                in tests.GroupBy(test => test.Value.Seconds > k_Slow))
             {
                 var group = new TestGroup(one.Assembly, one.Type, part.Select(test => test.Key).ToList());
                 groups.Add((group, one.SetUp + part.Sum(test => test.Value.Seconds)));

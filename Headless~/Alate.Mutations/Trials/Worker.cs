@@ -20,7 +20,7 @@ internal static class Worker
     /// <param name="reportFile">File to which a line of JSON a report is added.</param>
     public static int Run(string planFile, string reportFile)
     {
-        var plan = JsonSerializer.Deserialize<List<TestGroup>>(File.ReadAllText(planFile));
+        List<TestGroup> plan = JsonSerializer.Deserialize<List<TestGroup>>(File.ReadAllText(planFile));
         using var report = new StreamWriter(reportFile) { AutoFlush = true };
         bool records = Environment.GetEnvironmentVariable(MutantSwitch.HitsVariable) != null;
         Console.SetOut(TextWriter.Null);
@@ -54,7 +54,7 @@ internal static class Worker
         string[] types = assembly.GetTypes().Where(type => type.IsDefined(typeof(NUnit.Framework.SetUpFixtureAttribute), false))
             .Select(type => type.FullName).Append(group.Type).ToArray();
         ITest suite = runner.Load(assembly, Settings(types, !records));
-        HashSet<string> names = group.Tests?.ToHashSet();
+        var names = group.Tests?.ToHashSet();
         IEnumerable<ITest> chosen = Leaves(suite)
             .Where(test => test.TypeInfo?.FullName == group.Type && IsPlain(test) && (names == null || names.Contains(test.FullName)));
         runner.Run(listener, new Chosen(chosen));
