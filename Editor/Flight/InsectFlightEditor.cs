@@ -18,6 +18,7 @@ namespace Alate.Editor
                 "Bake Trims…", "Finds the steady flights of this insect and the gains that hold it, saves them as an asset and assigns it. Takes about a minute; can be cancelled.");
         }
 
+        private readonly RecordingPanel m_Recording = new RecordingPanel();
         private string m_Answer = "";
 
         /// <inheritdoc/>
@@ -41,6 +42,8 @@ namespace Alate.Editor
 
             if (m_Answer.Length > 0)
                 EditorGUILayout.LabelField(m_Answer, EditorStyles.wordWrappedMiniLabel);
+            if (Application.isPlaying && targets.Length == 1)
+                m_Recording.Draw((InsectFlight)target);
             DrawDefaultInspector();
         }
 

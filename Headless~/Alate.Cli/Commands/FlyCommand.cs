@@ -43,6 +43,8 @@ internal static class FlyCommand
         + "  fly firefly --variant biological\n"
         + "  fly monarch --speed 0.8 --climb 0.5 --pitch 30 --elasticity 0.5 --out climbing\n"
         + "  fly monarch --free --to 1,0.5,4 --gust 1,0,0 --seconds 12\n"
+        + "  fly monarch --free --pilot wander --gust 0,-2,0 --record gust.txt\n"
+        + "  fly --free --replay gust.txt\n"
         + "  fly dragonfly --kinematics Documentation~/kinematics/dragonfly-flight-1.json --speed 0.685 --climb -0.146\n"
         + "  fly dragonfly --kinematics Documentation~/kinematics/dragonfly-tethered.json --speed 0 --induced-flow 1.2\n"
         + "  fly --mesh wing.obj --skeleton wing.json --species monarch --texture photo.png --out mine\n"

@@ -28,7 +28,8 @@ internal sealed class PathLabels(Color32[] pixels, int width)
         Fill(k_Margin, below - 3 * k_BarHeight, k_BarHeight, 2 * k_BarHeight);
         Fill(k_Margin + bar - k_BarHeight, below - 3 * k_BarHeight, k_BarHeight, 2 * k_BarHeight);
         string text = length < 0.01 ? (1000 * length).ToString("0.###", CultureInfo.InvariantCulture) + " mm"
-            : length < 1 ? (100 * length).ToString("0.###", CultureInfo.InvariantCulture) + " cm" : length.ToString("0.###", CultureInfo.InvariantCulture) + " m";
+            : length < 1 ? (100 * length).ToString("0.###", CultureInfo.InvariantCulture) + " cm"
+            : length.ToString("0.###", CultureInfo.InvariantCulture) + " m";
         Write(text, k_Margin, below - 6 * k_BarHeight);
     }
 
@@ -37,8 +38,11 @@ internal sealed class PathLabels(Color32[] pixels, int width)
         (List<float2[]> strokes, float pen) = Lettering.Strokes(text, k_Size, isBold: false);
         foreach (float2[] stroke in strokes)
         {
-            foreach ((int pixel, float covered) in Pen.Cover(new int2(width, pixels.Length / width), Array.ConvertAll(stroke, point => point + new float2(left, baseLine)), pen))
+            foreach ((int pixel, float covered) in Pen.Cover(
+                new int2(width, pixels.Length / width), Array.ConvertAll(stroke, point => point + new float2(left, baseLine)), pen))
+            {
                 pixels[pixel] = Color.Lerp(pixels[pixel], s_Ink, covered);
+            }
         }
     }
 

@@ -87,7 +87,7 @@ namespace Alate.Tests.Flight
         [TestCase("", "no recording")]
         [TestCase("time_s,x_m\n", "no recording")]
         [TestCase("alate flight 2\nsomething new\n", "another version, 'alate flight 2'; this one reads 1")]
-        [TestCase("alate flight 1\nmodel 1\n", "cut off behind line 3")]
+        [TestCase("alate flight 1\nmodel 1\n", "cut off at line 3")]
         [TestCase("alate flight 1\nmodel 1\nend 0\n", "which insect starts how")]
         [TestCase("alate flight 1\nmodel 1\nstart 0 0 0\nend 0\n", "no step")]
         public void WhatIsNoRecording_IsSaidInOneLine(string text, string said) => AssertRefused(text, said);

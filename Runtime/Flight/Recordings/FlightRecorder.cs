@@ -68,16 +68,7 @@ namespace Alate.Flight
                 return;
             }
 
-            Recording.Steps.Add(new RecordedStep
-            {
-                length = length,
-                count = count,
-                velocity = math.all(math.isfinite(command.velocity)) ? command.velocity : default,
-                heading = math.isfinite(command.heading) ? command.heading : float.NaN,
-                wind = body.wind,
-                gravity = body.gravity,
-                aid = body.aid,
-            });
+            Recording.Steps.Add(new RecordedStep(command, length, count) { wind = body.wind, gravity = body.gravity, aid = body.aid });
         }
 
         /// <summary>Ends the recording; the first reason counts.</summary>

@@ -25,5 +25,17 @@ namespace Alate.Flight
 
         /// <summary>Outer help, 0 to 1.</summary>
         public float aid;
+
+        /// <param name="command">Command; a velocity that is not finite counts as none, as in flight.</param>
+        /// <param name="length">Seconds of a step of the wings.</param>
+        /// <param name="count">Number of steps of the wings.</param>
+        public RecordedStep(in FlightCommand command, float length, int count)
+            : this()
+        {
+            this.length = length;
+            this.count = count;
+            velocity = math.all(math.isfinite(command.velocity)) ? command.velocity : default;
+            heading = math.isfinite(command.heading) ? command.heading : float.NaN;
+        }
     }
 }

@@ -42,10 +42,17 @@ namespace Alate.Flight
                 string name = space < 0 ? line : line.Substring(0, space), value = space < 0 ? "" : line.Substring(space + 1);
                 if (name == RecordingText.End)
                     return Ended(value);
-                Take(name, value);
+                try
+                {
+                    Take(name, value);
+                }
+                catch (FormatException) when (m_Text.Peek() < 0)
+                {
+                    throw Cut();
+                }
             }
 
-            throw new FormatException($"It is cut off behind line {m_Line}: its last line must be '{RecordingText.End}'.");
+            throw Cut();
         }
 
         private FlightRecording Ended(string value)
@@ -188,6 +195,9 @@ namespace Alate.Flight
         }
 
         private static float3 Vector(float[] numbers, int from) => new float3(numbers[from], numbers[from + 1], numbers[from + 2]);
+
+        private FormatException Cut() =>
+            new FormatException($"It is cut off at line {m_Line}: the last line of a recording is '{RecordingText.End}'.");
 
         private FormatException Wrong(string why) => new FormatException($"Line {m_Line}: {why}.");
 

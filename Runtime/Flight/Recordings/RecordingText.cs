@@ -36,7 +36,7 @@ namespace Alate.Flight
             Line(text, Insect, Word(recording.Insect));
             Line(text, Model, recording.KeyText);
             if (recording.Options.Length > 0)
-                Line(text, Options, recording.Options);
+                Line(text, Options, recording.Options.Replace('\n', ' ').Replace('\r', ' '));
             FlightStart start = recording.Start;
             if (start.settled)
                 Line(text, Start, $"{Text(start.condition.Speed)} {Text(start.condition.Climb)} {Text(start.heading)}");

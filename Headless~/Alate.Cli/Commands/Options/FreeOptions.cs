@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Flight;
 using Unity.Mathematics;
 
 namespace Alate.Cli;
@@ -26,9 +28,23 @@ internal sealed class FreeOptions
     private readonly Option<double> m_Aid = Numbers.Option("--aid", "A", 0, 0, 1, "With --free: help from outside after a tumble, 0 to 1.");
     private readonly Option<double> m_Step = Numbers.Option("--step", "S", 0.02, 0.001, 0.05, "With --free: step of the game, seconds, 0.001 to 0.05.");
 
+    private readonly Option<string> m_Record = new("--record")
+    {
+        HelpName = "FILE",
+        Description = "With --free: a file that gets all that the flight met, to be flown again.",
+    };
+
+    private readonly Option<string> m_Replay = new("--replay")
+    {
+        HelpName = "FILE",
+        Description = "With --free: a recorded flight, of --record or of a scene, that is flown again.",
+    };
+
+    private Option[] Flown => [m_Pilot, m_To, m_Points, m_Seed, m_Gust, m_Aid, m_Step];
+
     public void AddTo(Command command)
     {
-        foreach (Option option in new Option[] { m_Free, m_Pilot, m_To, m_Points, m_Seed, m_Gust, m_Aid, m_Step })
+        foreach (Option option in (Option[])[m_Free, .. Flown, m_Record, m_Replay])
             command.Options.Add(option);
     }
 
@@ -38,7 +54,7 @@ internal sealed class FreeOptions
     {
         if (parsed.GetValue(m_Free))
             return true;
-        Option given = new Option[] { m_Pilot, m_To, m_Points, m_Seed, m_Gust, m_Aid, m_Step }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
+        Option given = ((Option[])[.. Flown, m_Record, m_Replay]).FirstOrDefault(option => IsGiven(parsed, option));
         return given == null ? false : throw new UserException($"{given.Name} needs --free.");
     }
 
@@ -46,9 +62,13 @@ internal sealed class FreeOptions
     /// <exception cref="UserException">Options that exclude or need each other, or a file that has no places.</exception>
     public FreePlan Plan(ParseResult parsed, string species, double? seconds, string folder)
     {
+        if (parsed.GetValue(m_Replay) is { } recorded)
+            return PlanReplay(parsed, recorded, species, seconds, folder);
         double[] gust = parsed.GetValue(m_Gust);
         return new FreePlan
         {
+            RecordFile = parsed.GetValue(m_Record),
+            Options = string.Join(' ', Flown.Where(option => IsGiven(parsed, option)).Select(option => parsed.GetResult(option)).Select(Said)),
             Insect = KnownSpecies.Find(species ?? throw new UserException($"Which species? Known: {string.Join(", ", InsectCatalogue.Names)}."), InsectVariant.Flight),
             Points = PointsOf(parsed, out bool wanders),
             WanderSeed = wanders ? parsed.GetValue(m_Seed) ?? 1 : null,
@@ -59,6 +79,28 @@ internal sealed class FreeOptions
             Folder = folder,
         };
     }
+
+    private FreePlan PlanReplay(ParseResult parsed, string file, string species, double? seconds, string folder)
+    {
+        Option given = ((Option[])[.. Flown, m_Record]).FirstOrDefault(option => IsGiven(parsed, option));
+        if (given != null || seconds != null)
+            throw new UserException($"--replay takes no {given?.Name ?? "--seconds"}: the recording says it.");
+        var replay = Replay.Read(file);
+        if (species != null && !string.Equals(species, replay.Insect.Name, StringComparison.OrdinalIgnoreCase))
+            throw new UserException($"'{file}' was flown by the {replay.Insect.Name}, not by '{species}'.");
+        FlightRecording recording = replay.Recording;
+        return new FreePlan
+        {
+            Insect = replay.Insect,
+            Replay = replay,
+            Seconds = recording.Seconds,
+            Folder = folder,
+        };
+    }
+
+    private static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };
+
+    private static string Said(OptionResult option) => string.Join(' ', option.Tokens.Select(token => token.Value).Prepend(option.Option.Name));
 
     private List<float3> PointsOf(ParseResult parsed, out bool wanders)
     {

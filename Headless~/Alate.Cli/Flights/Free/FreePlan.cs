@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Alate.Catalogue;
 using Unity.Mathematics;
@@ -25,6 +26,18 @@ internal sealed record FreePlan
 
     /// <summary>Seconds of a step.</summary>
     public double Step { get; init; } = 0.02;
+
+    /// <summary>Recorded flight that is flown again in place of all that; null for none.</summary>
+    public Replay Replay { get; init; }
+
+    /// <summary>File into which the flight is recorded; null for none.</summary>
+    public string RecordFile { get; init; }
+
+    /// <summary>Options of the command line that say where to, as a recording tells them.</summary>
+    public string Options { get; init; } = "";
+
+    /// <summary>Number of steps.</summary>
+    public int Steps => Replay?.Recording.Steps.Count ?? (int)Math.Ceiling(Seconds / Step - 1e-9);
 
     /// <summary>Null is out/SPECIES-free.</summary>
     public string Folder { get; init; }

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Flight;
 using Unity.Mathematics;
 
 namespace Alate.Cli;
@@ -11,8 +12,12 @@ namespace Alate.Cli;
 /// <param name="Centre">Centre of mass from the middle of the thorax, metres.</param>
 /// <param name="Weight">N.</param>
 /// <param name="Beat">A beat on the spot as in the middle of the flight, for pictures.</param>
-internal sealed record FreeRecord(InsectDefinition Insect, IReadOnlyList<FreeMoment> Moments, float3 Centre, double Weight, FlightRecord Beat)
+internal sealed record FreeRecord(
+    InsectDefinition Insect, IReadOnlyList<FreeMoment> Moments, float3 Centre, double Weight, FlightRecord Beat)
 {
+    /// <summary>All that is needed to fly it again.</summary>
+    public FlightRecording Recording { get; init; }
+
     /// <summary>Middle of the thorax, metres.</summary>
     public float3 Thorax(in FreeMoment at) => at.Position - math.rotate(at.Rotation, Centre);
 

@@ -13,26 +13,53 @@ internal static class FreeRun
     /// <exception cref="UserException">The insect does not fly.</exception>
     public static FreeRecord Fly(FreePlan plan, Action<int> progress)
     {
-        using FlightModel model = CatalogueFlight.CreateModel(plan.Insect);
+        using FlightModel model = plan.Replay?.CreateModel() ?? CatalogueFlight.CreateModel(plan.Insect);
         using TrimTable table = CatalogueFlight.CreateTable(plan.Insect, model)
-            ?? throw new UserException($"The {plan.Insect.DisplayName} has no trim table: 'trim {plan.Insect.Name}' says at which speeds it flies.");
-        using var flight = new FreeFlight(model, table) { Aid = (float)plan.Aid };
-        bool hovers = plan.Points is { Count: 1 } && math.all(plan.Points[0] == 0f);
-        // What cannot stand still swims about instead.
-        IFlightPilot pilot = plan.WanderSeed is { } seed ? new CoursePilot(seed) : hovers && table.Speeds[0] > 0f ? new CoursePilot(1) : new PointPilot(plan.Points);
+            ?? throw new UserException(
+                $"The {plan.Insect.DisplayName} has no trim table: 'trim {plan.Insect.Name}' says at which speeds it flies.");
+        FlightRecording recording = plan.Replay?.Recording ?? NewRecording(plan, model);
+        using FreeFlight flight = recording.StartFlight(model, table);
+        IFlightPilot pilot = plan.Replay == null ? PilotOf(plan, table) : null;
         var moments = new List<FreeMoment>();
-        int steps = (int)Math.Ceiling(plan.Seconds / plan.Step - 1e-9);
-        for (int step = 0; step < steps; step++)
+        int push = 0;
+        for (int step = 0; step < plan.Steps; step++)
         {
-            bool gusts = flight.Time >= 0.5 * plan.Seconds && flight.Time < 0.5 * plan.Seconds + 1;
-            flight.Wind = gusts ? plan.Gust : default;
-            FlightCommand command = pilot.Command(flight.Situation((float)plan.Step));
-            flight.Step(command, (float)plan.Step);
+            if (pilot != null)
+                recording.Steps.Add(Next(plan, flight, pilot));
+            recording.Fly(flight, step, ref push);
             moments.Add(Moment(flight));
             progress(step + 1);
         }
 
-        return new FreeRecord(plan.Insect, moments, model.Centre, model.Weight, Beat(plan, model, moments));
+        return new FreeRecord(plan.Insect, moments, model.Centre, model.Weight, Beat(plan, model, moments)) { Recording = recording };
+    }
+
+    private static FlightRecording NewRecording(FreePlan plan, FlightModel model) => new()
+    {
+        Package = PackageRoot.Version,
+        Insect = plan.Insect.Name,
+        Key = model.Key,
+        Options = plan.Options,
+        Start = new FlightStart { settled = true },
+    };
+
+    // What cannot stand still swims about instead.
+    private static IFlightPilot PilotOf(FreePlan plan, TrimTable table)
+    {
+        bool hovers = plan.Points is { Count: 1 } && math.all(plan.Points[0] == 0f);
+        return plan.WanderSeed is { } seed ? new CoursePilot(seed)
+            : hovers && table.Speeds[0] > 0f ? new CoursePilot(1) : new PointPilot(plan.Points);
+    }
+
+    private static RecordedStep Next(FreePlan plan, FreeFlight flight, IFlightPilot pilot)
+    {
+        bool gusts = flight.Time >= 0.5 * plan.Seconds && flight.Time < 0.5 * plan.Seconds + 1;
+        return new RecordedStep(pilot.Command(flight.Situation((float)plan.Step)), (float)plan.Step, 1)
+        {
+            wind = gusts ? plan.Gust : default,
+            gravity = flight.Gravity,
+            aid = (float)plan.Aid,
+        };
     }
 
     /// <summary>A flight as it is after its last step.</summary>
@@ -40,7 +67,8 @@ internal static class FreeRun
     {
         WingReading wing = flight.World.Read(flight.Wings[0]);
         return new FreeMoment(
-            flight.Time, flight.Position, flight.Rotation, flight.Velocity, flight.AngularVelocity, flight.Reference.Velocity, flight.Wind, wing.Phase, wing.Frequency,
+            flight.Time, flight.Position, flight.Rotation, flight.Velocity, flight.AngularVelocity, flight.Reference.Velocity, flight.Wind,
+            wing.Phase, wing.Frequency,
             wing.Amplitude.x, flight.Force, flight.Moment, flight.Power, flight.AidPower, flight.State);
     }
 
@@ -56,7 +84,8 @@ internal static class FreeRun
             Speed = math.length(middle.Wanted.xz),
             Climb = middle.Wanted.y,
             PitchDegrees = math.degrees(math.asin(math.clamp(ahead.y, -1f, 1f))),
-            Drive = new WingDrive { frequency = (float)middle.Frequency, amplitude = (float)(middle.Amplitude / model.Wings[0].Parameters.amplitude.x) },
+            Drive = new WingDrive { frequency = (float)middle.Frequency, amplitude = (float)(middle.Amplitude
+                / model.Wings[0].Parameters.amplitude.x) },
         };
         return TetheredFlight.Fly(beat);
     }

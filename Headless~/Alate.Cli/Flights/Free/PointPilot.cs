@@ -18,7 +18,8 @@ internal sealed class PointPilot(IReadOnlyList<float3> points) : IFlightPilot
         if (m_Next < points.Count - 1 && math.length(way) < k_Reached)
             way = points[++m_Next] - situation.position;
         float distance = math.length(way);
-        float speed = math.min(k_Rate * distance, math.min(math.sqrt(situation.limits.Acceleration * distance), 0.9f * situation.limits.TopSpeed));
+        float speed = math.min(
+            k_Rate * distance, math.min(math.sqrt(situation.limits.Acceleration * distance), 0.9f * situation.limits.TopSpeed));
         float3 velocity = math.normalizesafe(way) * speed;
         velocity.y = math.clamp(k_Rate * way.y, situation.limits.LeastClimb, situation.limits.MostClimb);
         return FlightCommand.Fly(velocity, situation.heading);

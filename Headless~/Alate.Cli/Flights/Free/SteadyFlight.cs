@@ -17,12 +17,14 @@ namespace Alate.Cli;
 /// <param name="Flap">From end to end.</param>
 /// <param name="Lift">Mean upward force over the weight.</param>
 /// <param name="DownLift">Mean upward force over the weight in the half stroke downwards.</param>
-/// <param name="UpSupport">Share of the upward impulse that falls on the half stroke upwards, 0 to 1; not a number where the body floats.</param>
+/// <param name="UpSupport">Share of the upward impulse that falls on the half stroke upwards, 0 to 1; not a number where the body
+/// floats.</param>
 /// <param name="UpForce">Share of the half stroke upwards in the mean size of the force, 0 to 1.</param>
 /// <param name="Power">Mean power that the wings give to the air, W.</param>
 /// <param name="PowerPerMass">The same over the mass, W/kg.</param>
 internal sealed record SteadyFlight(
-    double Speed, double Climb, double Error, double Pitch, double PitchBob, double HeightBob, double Frequency, double Flap, double Lift, double DownLift, double UpSupport,
+    double Speed, double Climb, double Error, double Pitch, double PitchBob, double HeightBob, double Frequency, double Flap, double Lift,
+    double DownLift, double UpSupport,
     double UpForce, double Power, double PowerPerMass)
 {
     /// <summary>Steps of a beat, seconds flown before the means, and seconds of the means; slow beats take more.</summary>
@@ -57,13 +59,17 @@ internal sealed record SteadyFlight(
         FreeMoment first = moments[0], last = moments[^1];
         double time = last.Time - first.Time;
         float3 velocity = (last.Position - first.Position) / (float)time;
-        List<double> pitches = moments.ConvertAll(at => math.degrees((double)math.asin(math.clamp(math.rotate(at.Rotation, new float3(0f, 0f, 1f)).y, -1f, 1f))));
+        List<double> pitches = moments.ConvertAll(
+            at => math.degrees((double)math.asin(math.clamp(math.rotate(at.Rotation, new float3(0f, 0f, 1f)).y, -1f, 1f))));
         List<double> heights = moments.ConvertAll(at => at.Position.y - velocity.y * (at.Time - first.Time));
         List<FreeMoment> down = moments.FindAll(at => at.Phase < Math.PI), up = moments.FindAll(at => at.Phase >= Math.PI);
-        double lift = moments.Sum(at => at.Force.y), size = moments.Sum(at => math.length(at.Force)), power = moments.Average(at => at.Power);
+        double lift = moments.Sum(at => at.Force.y), size = moments.Sum(at => math.length(at.Force)),
+            power = moments.Average(at => at.Power);
         return new SteadyFlight(
-            velocity.z, velocity.y, math.length(velocity - wanted), pitches.Average(), 0.5 * (pitches.Max() - pitches.Min()), 500 * (heights.Max() - heights.Min()),
+            velocity.z, velocity.y, math.length(velocity - wanted), pitches.Average(), 0.5 * (pitches.Max() - pitches.Min()),
+            500 * (heights.Max() - heights.Min()),
             moments.Average(at => at.Frequency), 2 * math.degrees(moments.Average(at => at.Amplitude)), lift / moments.Count / model.Weight,
-            down.Average(at => at.Force.y) / model.Weight, model.Floats ? double.NaN : up.Sum(at => at.Force.y) / lift, up.Sum(at => math.length(at.Force)) / size, power, power / model.Mass);
+            down.Average(at => at.Force.y) / model.Weight, model.Floats ? double.NaN : up.Sum(at => at.Force.y) / lift,
+            up.Sum(at => math.length(at.Force)) / size, power, power / model.Mass);
     }
 }

@@ -1,6 +1,8 @@
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Text;
+using Alate.Flight;
 using Alate.Formats;
 using Unity.Mathematics;
 
@@ -19,10 +21,12 @@ internal static class FreeReport
     {
         string path = plan.Folder ?? Path.Combine("out", plan.Insect.Name + "-free");
         using var folder = OutputFolder.Prepare(path, k_Trajectory, k_Forces, k_Path, k_Glb);
+        if (plan.RecordFile != null)
+            OutputFile.Check(plan.RecordFile);
         var terminal = new Terminal(output);
         FreeRecord record = null;
         float factor = 1f;
-        terminal.ShowProgress((int)(plan.Seconds / plan.Step), (steps, stage) =>
+        terminal.ShowProgress(plan.Steps, (steps, stage) =>
         {
             record = FreeRun.Fly(plan, steps);
             stage("drawing");
@@ -32,6 +36,8 @@ internal static class FreeReport
             folder.Write(k_Forces, stream => CsvTable.Write(stream, ForceTable.Of(record)));
             folder.Write(k_Glb, stream => WingsGlb.Write(record.Beat, stream, record));
         });
+        if (plan.RecordFile != null)
+            OutputFile.Write(plan.RecordFile, stream => stream.Write(Encoding.UTF8.GetBytes(RecordingText.Write(record.Recording))));
         folder.Commit();
         FreeMoment last = record.Moments[^1];
         double error = System.Math.Sqrt(record.Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
@@ -48,6 +54,15 @@ internal static class FreeReport
             + $"aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW"));
         if (factor >= k_Larger)
             output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
+        if (plan.Replay is { } replay)
+            output.WriteLine(Replayed(replay.Recording));
+        if (plan.RecordFile != null)
+            output.WriteLine($"{plan.RecordFile} has the flight for --replay.");
         terminal.ShowFiles(path, k_Trajectory, k_Forces, k_Path, k_Glb);
     }
+
+    private static string Replayed(FlightRecording recording) => recording.Package == PackageRoot.Version
+        ? "Flown again from its recording: the same to the bit on the same kind of processor."
+        : $"Flown again from its recording, by version {PackageRoot.Version}; it was made by "
+            + $"{(recording.Package.Length > 0 ? recording.Package : "a scene")}, whose flight may differ.";
 }

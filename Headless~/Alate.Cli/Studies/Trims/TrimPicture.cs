@@ -15,14 +15,17 @@ internal static class TrimPicture
     public static string Draw(InsectDefinition insect, IReadOnlyList<TrimRow> rows)
     {
         const float k_Width = 500f, k_Height = 280f;
-        double[] speeds = rows.Select(row => row.Speed).Distinct().OrderBy(speed => speed).ToArray(), climbs = rows.Select(row => row.Climb).Distinct().OrderBy(climb => climb).ToArray();
+        double[] speeds = rows.Select(row => row.Speed).Distinct().OrderBy(speed => speed).ToArray(),
+            climbs = rows.Select(row => row.Climb).Distinct().OrderBy(climb => climb).ToArray();
         var page = new SvgPage();
         page.Text(26f, 38f, 22f, $"{insect.DisplayName}: trim over speed", look: "b");
-        page.Text(26f, 60f, 13f, "Speed ahead, m/s. Lines: climb " + string.Join(", ", climbs.Select(LineChart.Label)) + " m/s, from blue to red.", look: "t");
+        page.Text(26f, 60f, 13f,
+            "Speed ahead, m/s. Lines: climb " + string.Join(", ", climbs.Select(LineChart.Label)) + " m/s, from blue to red.", look: "t");
         (string Title, Func<TrimRow, double> Of)[] charts =
         [
             ("Pitch, °", row => row.Pitch), ("Frequency, Hz", row => row.Frequency), ("Flap from end to end, °", row => row.Flap),
-            ("Tilt of the stroke, °", row => row.Tilt), ("Middle of the stroke ahead, °", row => row.Sweep), ("Bob of the pitch, ±°", row => row.PitchBob), ("Power to the air, mW", row => row.Power),
+            ("Tilt of the stroke, °", row => row.Tilt), ("Middle of the stroke ahead, °", row => row.Sweep),
+            ("Bob of the pitch, ±°", row => row.PitchBob), ("Power to the air, mW", row => row.Power),
         ];
         for (int k = 0; k < charts.Length; k++)
         {
@@ -30,12 +33,18 @@ internal static class TrimPicture
             for (int c = 0; c < climbs.Length; c++)
             {
                 double climb = climbs[c];
-                IEnumerable<double> values = speeds.Select(speed => rows.FirstOrDefault(row => row.Speed == speed && row.Climb == climb && row.Closes) is { } row ? charts[k].Of(row) : double.NaN);
+                IEnumerable<double> values = speeds.Select(
+                    speed => rows.FirstOrDefault(row => row.Speed == speed && row.Climb == climb && row.Closes) is { } row
+                        ? charts[k].Of(row)
+                        : double.NaN);
                 curves.Add(new ChartCurve(values.ToList(), s_Colours[c % s_Colours.Length], false));
             }
 
             if (speeds.Length > 1)
-                new LineChart(speeds, false, 12f + k % 2 * k_Width, 76f + k / 2 * k_Height, k_Width - 20f, k_Height).Draw(page, charts[k].Title, curves);
+            {
+                new LineChart(speeds, false, 12f + k % 2 * k_Width, 76f + k / 2 * k_Height, k_Width - 20f, k_Height)
+                    .Draw(page, charts[k].Title, curves);
+            }
         }
 
         return page.Finish(2f * k_Width + 12f, 88f + (charts.Length + 1) / 2 * k_Height, $"Trim curves of the {insect.DisplayName}");

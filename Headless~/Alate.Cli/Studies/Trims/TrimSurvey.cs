@@ -29,14 +29,16 @@ internal static class TrimSurvey
         if (trim == null)
         {
             const double none = double.NaN;
-            return new TrimRow(condition.Speed, condition.Climb, false, none, none, none, none, none, none, none, none, none, none, none, problem ?? "does not close");
+            return new TrimRow(condition.Speed, condition.Climb, false, none, none, none, none, none, none, none, none, none, none, none,
+                problem ?? "does not close");
         }
 
         double[] residual = solver.Residual(trim, condition, out double power);
         const double degree = Math.PI / 180;
         return new TrimRow(
             condition.Speed, condition.Climb, true, trim.Pitch / degree, trim.PitchBob / degree, trim.FrequencyScale * model.Frequency,
-            2 * model.Wings[0].Parameters.amplitude.x / degree * trim.AmplitudeScale, trim.AmplitudeScale, trim.Tilt / degree, trim.MeanSweep / degree,
+            2 * model.Wings[0].Parameters.amplitude.x / degree * trim.AmplitudeScale, trim.AmplitudeScale, trim.Tilt / degree,
+            trim.MeanSweep / degree,
             1e3 * power, residual[0], residual[1], residual[2], null);
     }
 }

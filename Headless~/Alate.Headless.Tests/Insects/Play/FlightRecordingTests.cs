@@ -3,8 +3,11 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Editor;
 using Alate.Flight;
+using Alate.Tests.Cli;
 using NUnit.Framework;
+using StandIns;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -92,6 +95,30 @@ namespace Alate.Tests.Play
             Assert.That((flight.IsRecording, flight.State), Is.EqualTo((true, FlightState.Flying)));
             flight.enabled = false;
             Assert.That(flight.IsRecording, Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator TheInspector_RecordsStopsAndSaves_AndTheCommandFliesTheFile()
+        {
+            InsectFlight flight = Hatch("firefly");
+            using var run = new CommandRun();
+            string file = Path.Combine(run.Folder, "scene.txt");
+            var panel = new RecordingPanel(_ => file);
+            Assert.That(DrawnInspector.Of(() => panel.Draw(flight)).Buttons, Is.EqualTo(new[] { "Record" }));
+
+            DrawnInspector.Press(() => panel.Draw(flight), "Record");
+            Assert.That(DrawnInspector.Of(() => panel.Draw(flight)).Buttons, Is.EqualTo(new[] { "Stop" }));
+            flight.Velocity = new Vector3(0f, 0f, 0.5f);
+            yield return Frames(60);
+            DrawnInspector.Press(() => panel.Draw(flight), "Stop");
+            DrawnInspector.Press(() => panel.Draw(flight), "Save Recording…");
+
+            FlightRecording recording = flight.Recorder.Recording;
+            Assert.That(File.ReadAllText(file), Is.EqualTo(RecordingText.Write(recording)));
+            Assert.That(run.Run("fly", "--free", "--replay", file, "--out", run.Out), Is.Zero, run.Errors);
+            string[] rows = File.ReadAllLines(Path.Combine(run.Out, "trajectory.csv"));
+            Assert.That(rows, Has.Length.EqualTo(1 + recording.Steps.Count));
+            Assert.That(run.Output, Does.Contain("Flown again"));
         }
 
         private WindZone Gust(float speed, Quaternion direction)

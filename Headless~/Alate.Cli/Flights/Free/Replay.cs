@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using Alate.Catalogue;
+using Alate.Flight;
+
+namespace Alate.Cli;
+
+/// <summary>A recorded flight that is to be flown again.</summary>
+/// <param name="Insect">The insect.</param>
+/// <param name="Recording">Its flight.</param>
+internal sealed record Replay(InsectDefinition Insect, FlightRecording Recording)
+{
+    /// <summary>Reads a recording and finds its insect.</summary>
+    /// <exception cref="UserException">The file cannot be read or is no recording, or no insect flies by its numbers.</exception>
+    public static Replay Read(string file) => TextFile.Read(file, text =>
+    {
+        FlightRecording recording = RecordingReader.Read(text);
+        return new Replay(InsectOf(recording), recording);
+    });
+
+    /// <summary>Makes the model of the insect, its wings placed as they were.</summary>
+    /// <exception cref="UserException">The insect has other numbers today.</exception>
+    public FlightModel CreateModel()
+    {
+        FlightModel model = CatalogueFlight.CreateModel(Insect);
+        if (Recording.Wings.Count == 0)
+            return model;
+        using (model)
+        {
+            IReadOnlyList<FlightWing> wings = Recording.PlacedWings(model.Wings)
+                ?? throw new UserException(
+                    $"The recording has {Recording.Wings.Count} wings, which are not those of the {Insect.DisplayName}.");
+            return new FlightModel(wings, Insect.FlightParts, model.Mass, model.FluidDensity, model.GravityShare);
+        }
+    }
+
+    // A scene does not know the catalogue: its insect is found by the numbers by which it flies.
+    private static InsectDefinition InsectOf(FlightRecording recording)
+    {
+        if (recording.Insect.Length > 0 && !InsectCatalogue.TryFind(recording.Insect, out _))
+            throw new FormatException($"The insect '{recording.Insect}' is not known here.");
+        foreach (InsectDefinition insect in InsectCatalogue.All)
+        {
+            if (!CatalogueFlight.Flies(insect) || recording.Insect.Length > 0 && insect.Name != recording.Insect)
+                continue;
+            using FlightModel model = CatalogueFlight.CreateModel(insect);
+            if (model.Key == recording.Key)
+                return insect;
+        }
+
+        string who = recording.Insect.Length > 0 ? $"the {recording.Insect}" : "an insect";
+        throw new FormatException(
+            $"It was flown by {who} with numbers of another version, key {recording.KeyText}; none of the catalogue has them.");
+    }
+}

@@ -1,0 +1,15 @@
+using System.Reflection;
+
+namespace UnityEditor.PackageManager;
+
+public sealed class PackageInfo
+{
+    internal PackageInfo()
+    {
+    }
+
+    public string version { get; internal init; }
+
+    /// <summary>Null, as in Unity for an assembly that comes in no package.</summary>
+    public static PackageInfo FindForAssembly(Assembly assembly) => null;
+}
