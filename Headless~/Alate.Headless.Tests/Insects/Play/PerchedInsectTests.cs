@@ -2,6 +2,7 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Flight;
@@ -33,6 +34,31 @@ namespace Alate.Tests.Play
         [Category("Long")]
         public IEnumerator OnTwoHundredSlopes_InsectsSit_AndNoWingIsBelowThem(
             [Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string name, [Values(0.01f, 0.02f)] float step) => Perch(name, step, 200);
+
+        // Makes the recordings of the folder Flights.
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator TheWayToASlope_IsRecorded([Values("swallowtail")] string name, [Values(124)] int seed, [Values(0.01f, 0.02f)] float step)
+        {
+            Time.captureDeltaTime = step;
+            InsectDefinition species = InsectCatalogue.Find(name);
+            var visit = new PerchVisit(seed, Hatch(species), species, species.Wings[0].CreatePreset());
+            visit.Flight.StartRecording();
+            yield return Frames(20);
+            visit.Begin(SlopeBelow(visit.Flight, Random.CreateFromIndex((uint)seed)));
+            while (visit.Flight.IsRecording && !visit.IsOver)
+            {
+                yield return null;
+                visit.Add(step);
+            }
+
+            yield return Frames(50);
+            visit.Flight.StopRecording();
+            string file = Path.Combine(Path.GetTempPath(), $"{name}-slope-{seed}-{step}.txt");
+            File.WriteAllText(file, RecordingText.Write(visit.Flight.Recorder.Recording));
+            TestContext.Out.WriteLine($"{file}: {(visit.HasTumbled ? "tumbles" : "does not tumble")}, {visit.Flight.Recorder.Ended}");
+        }
 
         private IEnumerator Perch(string name, float step, int count)
         {
