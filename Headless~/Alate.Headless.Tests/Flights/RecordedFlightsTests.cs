@@ -1,8 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Alate.Cli.FreeFlights;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
