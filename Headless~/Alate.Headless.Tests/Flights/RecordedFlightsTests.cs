@@ -46,6 +46,6 @@ namespace Alate.Tests.Flights
         private static IEnumerable<string> Files() => s_Flights.Keys;
 
         private static List<FreeMoment> Fly(Replay replay) =>
-            FreeRun.Fly(new FreePlan { Insect = replay.Insect, Replay = replay }, _ => { }).Moments.ToList();
+            FreeRun.Fly(new FreePlan { Insect = replay.Species, Replay = replay }, _ => { }).Moments.ToList();
     }
 }

@@ -86,12 +86,12 @@ internal sealed class FreeOptions
         if (given != null || seconds != null)
             throw new UserException($"--replay takes no {given?.Name ?? "--seconds"}: the recording says it.");
         var replay = Replay.Read(file);
-        if (species != null && !string.Equals(species, replay.Insect.Name, StringComparison.OrdinalIgnoreCase))
-            throw new UserException($"'{file}' was flown by the {replay.Insect.Name}, not by '{species}'.");
+        if (species != null && !string.Equals(species, replay.Species.Name, StringComparison.OrdinalIgnoreCase))
+            throw new UserException($"'{file}' was flown by the {replay.Species.Name}, not by '{species}'.");
         FlightRecording recording = replay.Recording;
         return new FreePlan
         {
-            Insect = replay.Insect,
+            Insect = replay.Species,
             Replay = replay,
             Seconds = recording.Seconds,
             Folder = folder,

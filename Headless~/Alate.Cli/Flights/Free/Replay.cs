@@ -6,9 +6,9 @@ using Alate.Flight;
 namespace Alate.Cli;
 
 /// <summary>A recorded flight that is to be flown again.</summary>
-/// <param name="Insect">The insect.</param>
+/// <param name="Species">The insect.</param>
 /// <param name="Recording">Its flight.</param>
-internal sealed record Replay(InsectDefinition Insect, FlightRecording Recording)
+internal sealed record Replay(InsectDefinition Species, FlightRecording Recording)
 {
     /// <summary>Reads a recording and finds its insect.</summary>
     /// <exception cref="UserException">The file cannot be read or is no recording, or no insect flies by its numbers.</exception>
@@ -22,15 +22,15 @@ internal sealed record Replay(InsectDefinition Insect, FlightRecording Recording
     /// <exception cref="UserException">The insect has other numbers today.</exception>
     public FlightModel CreateModel()
     {
-        FlightModel model = CatalogueFlight.CreateModel(Insect);
+        FlightModel model = CatalogueFlight.CreateModel(Species);
         if (Recording.Wings.Count == 0)
             return model;
         using (model)
         {
             IReadOnlyList<FlightWing> wings = Recording.PlacedWings(model.Wings)
                 ?? throw new UserException(
-                    $"The recording has {Recording.Wings.Count} wings, which are not those of the {Insect.DisplayName}.");
-            return new FlightModel(wings, Insect.FlightParts, model.Mass, model.FluidDensity, model.GravityShare);
+                    $"The recording has {Recording.Wings.Count} wings, which are not those of the {Species.DisplayName}.");
+            return new FlightModel(wings, Species.FlightParts, model.Mass, model.FluidDensity, model.GravityShare);
         }
     }
 
