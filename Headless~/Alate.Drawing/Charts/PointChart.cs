@@ -83,7 +83,9 @@ internal sealed class PointChart
     public static void Mark(SvgPage page, float2 place, string colour, CurveLook look)
     {
         if (look == CurveLook.Discs)
+        {
             page.Append($"<circle cx=\"{place.x:0.#}\" cy=\"{place.y:0.#}\" r=\"3\" fill=\"{colour}\"/>\n");
+        }
         else if (look == CurveLook.Squares)
         {
             page.Append($"<rect x=\"{place.x - 2.7f:0.#}\" y=\"{place.y - 2.7f:0.#}\" width=\"5.4\" height=\"5.4\"");

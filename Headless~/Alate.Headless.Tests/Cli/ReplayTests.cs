@@ -49,7 +49,7 @@ namespace Alate.Tests.Cli
             string[] words = [Cli, "fly", "--free", "--replay", m_File, "--out", Path.Combine(m_Run.Folder, "process")];
             foreach (string word in words)
                 start.ArgumentList.Add(word);
-            using Process process = Process.Start(start);
+            using var process = Process.Start(start);
             string errors = process.StandardError.ReadToEndAsync().Result + process.StandardOutput.ReadToEnd();
             process.WaitForExit();
 

@@ -181,7 +181,7 @@ namespace Alate.Flight
         private float[] Numbers(string value, int count)
         {
             string[] words = value.Split(' ');
-            var numbers = new float[words.Length];
+            float[] numbers = new float[words.Length];
             for (int k = 0; k < words.Length; k++)
             {
                 if (words.Length != count || !float.TryParse(words[k], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[k])
