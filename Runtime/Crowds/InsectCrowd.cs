@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
@@ -233,7 +234,7 @@ namespace Alate.Crowds
             for (int plane = 0; plane < m_Planes.Length; plane++)
                 m_Buffers.planes[plane] = new float4(m_Planes[plane].normal, m_Planes[plane].distance);
             job.eye = eye.transform.position;
-            job.halfHeight = eye.orthographic ? 0f : math.tan(0.5f * math.radians(eye.fieldOfView));
+            job.halfHeight = eye.orthographic ? 0f : Elementary.Tan(0.5f * math.radians(eye.fieldOfView));
             job.flatHeight = eye.orthographic ? eye.orthographicSize : 0f;
             return job;
         }

@@ -103,7 +103,7 @@ namespace Alate.Fitting
                 PlanPoint ahead = m_Sheet.plane.ToPlan(Directions.Unit(given));
                 ahead -= side * PlanPoint.Dot(ahead, side);
                 if (ahead.LengthSquared > k_InPlane * k_InPlane)
-                    side = side * Math.Cos(k_Tilt) + PlanPoint.Unit(ahead) * Math.Sin(k_Tilt);
+                    side = side * Elementary.Cos(k_Tilt) + PlanPoint.Unit(ahead) * Elementary.Sin(k_Tilt);
             }
 
             int first = 0;

@@ -145,7 +145,7 @@ namespace Alate.Fitting
         // Successive over-relaxation, every other node at a time as on a chessboard: those of one colour do not wait for each other.
         private void Solve()
         {
-            double over = 2.0 / (1.0 + Math.Sin(Math.PI / k_Across));
+            double over = 2.0 / (1.0 + Elementary.Sin(Math.PI / k_Across));
             for (int sweep = 0; sweep < k_MostSweeps; sweep++)
             {
                 if (Math.Max(Relax(0, over), Relax(1, over)) < k_Converged)

@@ -97,7 +97,7 @@ namespace Alate.Fitting
             foreach (int place in NeighboursOf(at))
             {
                 PlanPoint way = m_Plan[place] - m_Plan[at];
-                double turn = Math.Atan2(PlanPoint.Cross(back, way), PlanPoint.Dot(back, way));
+                double turn = Elementary.Atan2(PlanPoint.Cross(back, way), PlanPoint.Dot(back, way));
                 turn = turn < 0.0 ? turn + 2.0 * Math.PI : turn;
                 if (place != before && turn < least)
                 {

@@ -36,14 +36,14 @@ namespace Alate.Fitting
         {
             double rootShare = Math.Max(0.0, 1.0 - 0.5 * attempt);
             PlanPoint from = Inside(outline, marks.Base, k_Depth * Math.Max(0, attempt - k_OnBase)), first = outline.At(marks.Tip) - from;
-            double begin = Math.Atan2(first.z, first.x), turn = Turn(outline, marks, from);
+            double begin = Elementary.Atan2(first.z, first.x), turn = Turn(outline, marks, from);
             PlanPoint front = outline.At(marks.LeadingRoot), rear = outline.At(marks.TrailingRoot);
             var made = new PlanPoint[chains][];
             double most = double.MaxValue;
             for (int i = 0; i < chains; i++)
             {
                 double share = (double)i / (chains - 1), angle = begin - turn * share;
-                var direction = new PlanPoint(Math.Cos(angle), Math.Sin(angle));
+                var direction = new PlanPoint(Elementary.Cos(angle), Elementary.Sin(angle));
                 double reach = Math.Min(Math.Max(Reach(outline.Line, from, direction), k_LeastReach), most);
                 if (i == 0)
                     most = k_MostReach * reach;
@@ -84,7 +84,7 @@ namespace Alate.Fitting
             for (int k = 1; k <= steps; k++)
             {
                 PlanPoint at = outline.At(marks.Tip + (marks.Last - marks.Tip) * k / steps) - from;
-                turn += Math.Atan2(PlanPoint.Cross(at, before), PlanPoint.Dot(before, at));
+                turn += Elementary.Atan2(PlanPoint.Cross(at, before), PlanPoint.Dot(before, at));
                 before = at;
             }
 

@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 
 namespace Alate.Fitting
 {
@@ -32,7 +33,7 @@ namespace Alate.Fitting
             int end = EndOfTop(values, top, 1, least);
             for (int k = EndOfTop(values, top, -1, least); k <= end; k++)
             {
-                double weight = Math.Exp(sharpness * (values[k] - values[top])), share = (double)k / steps;
+                double weight = Elementary.Exp(sharpness * (values[k] - values[top])), share = (double)k / steps;
                 sum += weight;
                 first += weight * share;
                 second += weight * share * share;

@@ -134,9 +134,9 @@ namespace Alate.Fitting
             {
                 PlanPoint at = place(from + (to - from) * k / steps) - Base;
                 if (at.LengthSquared > 0.0 && before.LengthSquared > 0.0)
-                    angle += Math.Atan2(PlanPoint.Cross(before, at), PlanPoint.Dot(before, at));
+                    angle += Elementary.Atan2(PlanPoint.Cross(before, at), PlanPoint.Dot(before, at));
                 before = at;
-                values[k] = 0.5 * Math.Log(Math.Max(at.LengthSquared, 1e-12)) + k_Spiral * angle;
+                values[k] = 0.5 * Elementary.Log(Math.Max(at.LengthSquared, 1e-12)) + k_Spiral * angle;
             }
 
             return SoftMaximum.Find(

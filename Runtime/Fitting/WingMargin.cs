@@ -81,7 +81,7 @@ namespace Alate.Fitting
         private double Angle(PlanPoint from, PlanPoint to)
         {
             PlanPoint a = from - m_Marks.Base, b = to - m_Marks.Base;
-            return Math.Atan2(PlanPoint.Cross(b, a), PlanPoint.Dot(a, b));
+            return Elementary.Atan2(PlanPoint.Cross(b, a), PlanPoint.Dot(a, b));
         }
     }
 }

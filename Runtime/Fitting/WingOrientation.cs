@@ -68,9 +68,9 @@ namespace Alate.Fitting
         private static PlanPoint Span(PlanPoint centre, PlanPoint ahead)
         {
             PlanPoint lateral = WingView.Across(ahead, centre);
-            double sweep = Math.Atan2(PlanPoint.Cross(centre, lateral), PlanPoint.Dot(centre, lateral));
+            double sweep = Elementary.Atan2(PlanPoint.Cross(centre, lateral), PlanPoint.Dot(centre, lateral));
             double angle = Math.Min(Math.Max(sweep, -k_MostSweep), k_MostSweep);
-            return centre * Math.Cos(angle) + new PlanPoint(-centre.z, centre.x) * Math.Sin(angle);
+            return centre * Elementary.Cos(angle) + new PlanPoint(-centre.z, centre.x) * Elementary.Sin(angle);
         }
 
         // The wing bulges to the rear of the line from its base to its far end.

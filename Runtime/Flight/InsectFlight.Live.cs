@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -130,7 +131,7 @@ namespace Alate.Flight
         {
             // The turn about the vertical is taken over; pitch and roll are the flight's own.
             float turn = Headings.Of(toRotation) - Headings.Of(fromRotation);
-            var turned = quaternion.AxisAngle(new float3(0f, 1f, 0f), turn);
+            var turned = Rotations.AboutY(turn);
             bool turns = math.abs(turn) > 1e-3f;
             if (turns)
             {
@@ -246,7 +247,7 @@ namespace Alate.Flight
             ref FlyingBody body = ref world.Body(m_Body);
             if (IsLost(body))
                 return;
-            Quaternion rotation = math.slerp((quaternion)m_FromRotation, body.rotation, math.saturate(alpha));
+            Quaternion rotation = Rotations.Slerp((quaternion)m_FromRotation, body.rotation, math.saturate(alpha));
             Show(rotation, m_From + (Vector3)(body.position * (m_Units * math.saturate(alpha))));
         }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -114,7 +115,7 @@ namespace Alate.Flight
             m_IsLossTold = true;
             m_Carried?.Place(place, Quaternion.identity);
             Detach();
-            transform.SetPositionAndRotation(place, quaternion.AxisAngle(new float3(0f, 1f, 0f), math.isfinite(heading) ? heading : 0f));
+            transform.SetPositionAndRotation(place, Rotations.AboutY(math.isfinite(heading) ? heading : 0f));
             foreach (LiveWing wing in live.wings)
                 wing.Place();
             return Attach(live, world);

@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Model")]
 [assembly: InternalsVisibleTo("Alate.Fitting")]
 [assembly: InternalsVisibleTo("Alate")]
+[assembly: InternalsVisibleTo("Alate.Flight")]
 [assembly: InternalsVisibleTo("Alate.Crowds")]
 [assembly: InternalsVisibleTo("Alate.Catalogue")]
 [assembly: InternalsVisibleTo("Alate.Authoring")]

@@ -81,8 +81,8 @@ namespace Alate.Geometry
                 zz += p.z * p.z;
             }
 
-            double angle = 0.5 * Math.Atan2(2.0 * xz, xx - zz);
-            return new PlanPoint(Math.Cos(angle), Math.Sin(angle));
+            double angle = 0.5 * Elementary.Atan2(2.0 * xz, xx - zz);
+            return new PlanPoint(Elementary.Cos(angle), Elementary.Sin(angle));
         }
 
         /// <summary>Cosine of the angle by which it turns at a corner: 1 where it goes straight on.</summary>

@@ -60,8 +60,9 @@ namespace Alate.Tests.Architecture
         {
             ["Alate.Geometry"] = new Dictionary<string, string[]>
             {
-                ["Geometry"] = [],
-                ["Triangulation"] = ["Geometry"],
+                ["Elementary"] = [],
+                ["Geometry"] = ["Elementary"],
+                ["Triangulation"] = ["Elementary", "Geometry"],
                 ["Filling"] = ["Geometry", "Triangulation"],
             },
             ["Alate.Model"] = new Dictionary<string, string[]>

@@ -50,7 +50,7 @@ namespace Alate.Catalogue
             stretches.Add(Polyline.Trace(steps, share =>
             {
                 double distance = (from + share * (to - from)) * margin.Length;
-                return margin.At(distance) + Inward(margin, distance, 0.5 * (to - from) * margin.Length) * (depth * Math.Sin(Math.PI * share));
+                return margin.At(distance) + Inward(margin, distance, 0.5 * (to - from) * margin.Length) * (depth * Elementary.Sin(Math.PI * share));
             }));
         }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
@@ -84,7 +85,7 @@ namespace Alate.Crowds
                 Frequency = Frequency,
                 Velocity = m_Flight.velocity,
                 AngularVelocity = m_Flight.angularVelocity,
-                Attitude = m_Steady == null ? quaternion.RotateX(-math.radians(m_Motion.PitchDegrees)) : m_Steady.Attitude,
+                Attitude = m_Steady == null ? Rotations.AboutX(-math.radians(m_Motion.PitchDegrees)) : m_Steady.Attitude,
                 RightBeat = m_Steady?.Right,
                 LeftBeat = m_Steady?.Left,
                 Frames = kept,
@@ -241,7 +242,7 @@ namespace Alate.Crowds
                         error.between = math.max(error.between, math.distance(blended, flown[step].Positions[vertex]) / wing.Length);
                         float3 normal = math.normalizesafe(from.Normals[vertex] + to.Normals[vertex]);
                         float cosine = math.clamp(math.dot(normal, flown[step].Normals[vertex]), -1f, 1f);
-                        error.normalBetween = math.max(error.normalBetween, math.degrees(math.acos(cosine)));
+                        error.normalBetween = math.max(error.normalBetween, math.degrees(Elementary.Acos(cosine)));
                     }
                 }
             }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Crowds
@@ -112,7 +113,7 @@ namespace Alate.Crowds
 
         private static float3 ToBody(float3 world, float pitch)
         {
-            math.sincos(pitch, out float sine, out float cosine);
+            Elementary.SinCos(pitch, out float sine, out float cosine);
             return new float3(world.x, cosine * world.y - sine * world.z, sine * world.y + cosine * world.z);
         }
     }

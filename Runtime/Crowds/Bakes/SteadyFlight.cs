@@ -1,4 +1,5 @@
 using Alate.Flight;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Crowds
@@ -99,7 +100,7 @@ namespace Alate.Crowds
             Left = Scaled(Left, share);
         }
 
-        private static float3 Along(float heading, float3 vector) => math.rotate(quaternion.RotateY(heading), vector);
+        private static float3 Along(float heading, float3 vector) => math.rotate(Rotations.AboutY(heading), vector);
 
         private static WingDrive Sum(in WingDrive a, in WingDrive b) => new WingDrive
         {

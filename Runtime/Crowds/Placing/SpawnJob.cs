@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Alate.Geometry;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -60,7 +61,7 @@ namespace Alate.Crowds
             float widest = math.cmin(half.xz), circle = widest * math.lerp(k_LeastCircle, 1f, math.sqrt(spread.x) * spread.y);
             float2 middle = (half.xz - circle) * (2f * random.NextFloat2() - 1f);
             float angle = 2f * math.PI * spread.z + (circle > 0f ? side * size * speed * fast / circle * time : 0f);
-            math.sincos(angle, out float sine, out float cosine);
+            Elementary.SinCos(angle, out float sine, out float cosine);
             var place = new float3(middle.x + circle * cosine, half.y * (2f * random.NextFloat() - 1f), middle.y + circle * sine);
             var ahead = quaternion.LookRotation(new float3(-side * sine, 0f, side * cosine), new float3(0f, 1f, 0f));
 

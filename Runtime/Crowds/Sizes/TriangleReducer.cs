@@ -210,7 +210,8 @@ namespace Alate.Crowds
             foreach (int to in m_Neighbours)
             {
                 float3 place = m_Places[to];
-                double cost = m_Quadrics[vertex].At(place.x, place.y, place.z) + k_Way * math.pow((double)math.lengthsq(place - m_Places[vertex]), 2.0);
+                double way = math.lengthsq(place - m_Places[vertex]);
+                double cost = m_Quadrics[vertex].At(place.x, place.y, place.z) + k_Way * way * way;
                 if (cost < best.Cost && CanMove(vertex, to))
                     best = (cost, to);
             }

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -9,7 +10,7 @@ namespace Alate.Flight
         public static float Of(quaternion rotation)
         {
             float3 ahead = math.rotate(rotation, new float3(0f, 0f, 1f));
-            return math.atan2(ahead.x, ahead.z);
+            return Elementary.Atan2(ahead.x, ahead.z);
         }
 
         /// <summary>Angle less whole turns, −π to π.</summary>

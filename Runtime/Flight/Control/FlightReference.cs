@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -85,7 +86,7 @@ namespace Alate.Flight
         /// <summary>Reference turned about the world's up, radians.</summary>
         internal FlightReference Turned(float by)
         {
-            var turn = quaternion.AxisAngle(new float3(0f, 1f, 0f), by);
+            var turn = Rotations.AboutY(by);
             FlightReference turned = this;
             turned.m_Velocity = math.rotate(turn, m_Velocity);
             turned.m_Rate = math.rotate(turn, m_Rate);
@@ -108,7 +109,7 @@ namespace Alate.Flight
             wanted = math.all(math.isfinite(wanted)) ? wanted * math.min(1f, OuterBounds.Speed / math.max(largest, 1f)) : default;
             FlightLimits limits = table.Limits;
             m_Cruising = math.min(k_Cruising, k_CruisingShare * limits.TopSpeed);
-            Wind += (1f - math.exp(-dt / k_WindFilter)) * (wind - Wind);
+            Wind += (1f - Elementary.Exp(-dt / k_WindFilter)) * (wind - Wind);
             wanted.y = Climb(wanted.y, limits, dt);
             float3 target = OnAnArc(Bounded(wanted, table, limits), limits);
             float3 rate = Followed((target - m_Velocity) * (1f / k_Filter), limits);
@@ -118,10 +119,10 @@ namespace Alate.Flight
             reference.heading = Heading;
             reference.turning = m_Turning;
             Heading += m_Turning * dt;
-            m_Velocity += rate * dt + Lost(error) * (1f - math.exp(-k_Yield * dt));
+            m_Velocity += rate * dt + Lost(error) * (1f - Elementary.Exp(-k_Yield * dt));
 
             float3 air = m_Velocity - Wind;
-            math.sincos(Heading, out float sin, out float cos);
+            Elementary.SinCos(Heading, out float sin, out float cos);
             reference.airSpeed = air.x * sin + air.z * cos;
             reference.climb = air.y;
             return reference;
@@ -140,14 +141,14 @@ namespace Alate.Flight
             float size = math.length(error);
             if (!(size > k_Lost) || AirSpeed < m_Cruising)
                 return default;
-            return math.rotate(quaternion.AxisAngle(new float3(0f, 1f, 0f), Heading), error * (1f - k_Lost / size));
+            return math.rotate(Rotations.AboutY(Heading), error * (1f - k_Lost / size));
         }
 
         // Ahead and up a slow insect follows less, across its nose it goes with the air at once.
         private float3 Followed(float3 rate, in FlightLimits limits)
         {
             float most = limits.Acceleration * math.lerp(k_SlowShare, 1f, math.saturate(AirSpeed / (k_Nimble * limits.TopSpeed)));
-            math.sincos(Heading, out float sin, out float cos);
+            Elementary.SinCos(Heading, out float sin, out float cos);
             var right = new float3(cos, 0f, -sin);
             float3 aside = math.dot(rate, right) * right, ahead = rate - aside;
             ahead *= math.min(1f, most / math.max(math.length(ahead), 1e-6f));
@@ -177,7 +178,7 @@ namespace Alate.Flight
             if (speed < m_Cruising && wanted > m_Cruising)
             {
                 // From hovering it turns first, then goes.
-                float aim = math.atan2(to.x, to.y);
+                float aim = Elementary.Atan2(to.x, to.y);
                 if (math.abs(Headings.Wrap(aim - Heading)) < k_Aligned)
                     return target;
                 m_Aim = aim;
@@ -187,11 +188,11 @@ namespace Alate.Flight
 
             if (speed < m_Cruising || wanted < 1e-3f)
                 return target;
-            float angle = math.atan2(from.y * to.x - from.x * to.y, math.dot(from, to));
+            float angle = Elementary.Atan2(from.y * to.x - from.x * to.y, math.dot(from, to));
             float most = limits.TurnRate(speed) * k_Filter;
             if (math.abs(angle) <= most)
                 return target;
-            math.sincos(math.clamp(angle, -most, most), out float sin, out float cos);
+            Elementary.SinCos(math.clamp(angle, -most, most), out float sin, out float cos);
             float2 along = from / speed;
             float length = math.abs(angle) > 0.5f * math.PI ? math.max(wanted, m_Cruising) : wanted;
             float2 turned = length * new float2(along.x * cos + along.y * sin, along.y * cos - along.x * sin);
@@ -202,7 +203,7 @@ namespace Alate.Flight
         {
             float2 air = (m_Velocity - Wind).xz;
             float speed = math.length(air);
-            float course = math.atan2(air.x, air.y);
+            float course = Elementary.Atan2(air.x, air.y);
             if (speed <= m_Cruising && math.isfinite(m_Aim))
                 wanted = m_Aim;
             else if (speed > m_Cruising || (!math.isfinite(wanted) && speed > 0.5f * m_Cruising))
@@ -216,7 +217,7 @@ namespace Alate.Flight
             }
 
             float turning = math.clamp(k_Turning * error, -k_MostTurning, k_MostTurning);
-            m_Turning += (1f - math.exp(-dt / k_Filter)) * (turning - m_Turning);
+            m_Turning += (1f - Elementary.Exp(-dt / k_Filter)) * (turning - m_Turning);
         }
     }
 }

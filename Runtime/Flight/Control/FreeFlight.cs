@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -36,7 +37,7 @@ namespace Alate.Flight
             body.mode = start.settled ? BodyMode.Held : BodyMode.Free;
             body.steered = 1;
             body.table = table.View;
-            math.sincos(start.heading, out float sin, out float cos);
+            Elementary.SinCos(start.heading, out float sin, out float cos);
             FlightCondition condition = start.condition;
             var velocity = new float3(sin * condition.Speed, condition.Climb, cos * condition.Speed);
             body.reference = new BodyReference { velocity = velocity, heading = start.heading, airSpeed = condition.Speed, climb = condition.Climb };

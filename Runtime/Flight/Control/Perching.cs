@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -112,7 +113,7 @@ namespace Alate.Flight
                 wings.BeatRaised();
             m_Time += dt;
             float share = math.saturate(m_Time / m_WayTime);
-            body.rotation = math.slerp(m_FromRotation, m_Seat, Smooth(share / k_TurnShare));
+            body.rotation = Rotations.Slerp(m_FromRotation, m_Seat, Smooth(share / k_TurnShare));
             m_Feet = math.lerp(m_FromFeet, m_Spot, Smooth(share)) + m_FromVelocity * (m_WayTime * share * (1f - share) * (1f - share));
 
             // The height has a course of its own, in place of its share of the straight way.
@@ -163,7 +164,7 @@ namespace Alate.Flight
                 wings.BeatWhole();
             }
 
-            body.rotation = math.slerp(m_FromRotation, body.rotation, Smooth(m_Time / m_WayTime));
+            body.rotation = Rotations.Slerp(m_FromRotation, body.rotation, Smooth(m_Time / m_WayTime));
             Hold(ref body);
         }
 
@@ -243,7 +244,7 @@ namespace Alate.Flight
         // On the surface, looking along a heading.
         private readonly quaternion Facing(float heading)
         {
-            math.sincos(heading, out float sin, out float cos);
+            Elementary.SinCos(heading, out float sin, out float cos);
             var ahead = new float3(sin, 0f, cos);
             ahead = math.normalizesafe(ahead - m_Normal * math.dot(ahead, m_Normal), math.normalizesafe(math.cross(new float3(1f, 0f, 0f), m_Normal), new float3(0f, 0f, 1f)));
             return quaternion.LookRotation(ahead, m_Normal);

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -58,21 +59,21 @@ namespace Alate.Flight
 
         private static float2 OnTheWay(float2 wanted, float2 way, float speed, float flown)
         {
-            float course = math.atan2(way.x, way.y), off = Headings.Wrap(math.atan2(wanted.x, wanted.y) - course);
+            float course = Elementary.Atan2(way.x, way.y), off = Headings.Wrap(Elementary.Atan2(wanted.x, wanted.y) - course);
             if (math.abs(off) > k_Brake)
                 return default;
             if (math.abs(off) <= k_Arc)
                 return wanted;
-            math.sincos(course + k_Arc * math.sign(off), out float sin, out float cos);
+            Elementary.SinCos(course + k_Arc * math.sign(off), out float sin, out float cos);
             return math.min(speed, flown) * new float2(sin, cos);
         }
 
         private static float Turn(ref float3 velocity, float wantedHeading, float heading, float speed)
         {
-            math.sincos(heading, out float sin, out float cos);
+            Elementary.SinCos(heading, out float sin, out float cos);
             float ahead = velocity.x * sin + velocity.z * cos, aside = velocity.x * cos - velocity.z * sin;
-            float off = Headings.Wrap(math.atan2(velocity.x, velocity.z) - heading);
-            float course = math.atan2(velocity.x, velocity.z);
+            float off = Headings.Wrap(Elementary.Atan2(velocity.x, velocity.z) - heading);
+            float course = Elementary.Atan2(velocity.x, velocity.z);
             bool turns = speed > k_Turning && math.abs(off) > k_TurningAngle;
             float most = turns ? k_TurningSpeed : MostAside;
             ahead = math.max(turns ? math.min(ahead, most) : ahead, -math.min(most, k_Back));

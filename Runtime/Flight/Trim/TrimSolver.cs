@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -124,7 +125,11 @@ namespace Alate.Flight
             double[] preferred = Preferred(condition);
             double sum = 0;
             for (int k = 0; k < preferred.Length; k++)
-                sum += Math.Pow((state.z[k] - preferred[k]) / s_Scales[k], 2);
+            {
+                double off = (state.z[k] - preferred[k]) / s_Scales[k];
+                sum += off * off;
+            }
+
             return sum;
         }
 

@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -45,7 +46,7 @@ namespace Alate.Flight
                     {
                         double at = 2 * Math.PI * step / 90 * (k + 1);
                         int place = 2 * (2 * TrimPoint.Harmonics + k);
-                        sum += bob[place] * Math.Cos(at) + bob[place + 1] * Math.Sin(at);
+                        sum += bob[place] * Elementary.Cos(at) + bob[place + 1] * Elementary.Sin(at);
                     }
 
                     least = Math.Min(least, sum);

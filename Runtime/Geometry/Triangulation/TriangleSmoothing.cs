@@ -108,7 +108,7 @@ namespace Alate.Geometry
                 for (int direction = 0; direction < k_Directions; direction++)
                 {
                     double angle = 2.0 * Math.PI * direction / k_Directions;
-                    PlanPoint tried = mesh.points[point] + new PlanPoint(Math.Cos(angle), Math.Sin(angle)) * (step * reach);
+                    PlanPoint tried = mesh.points[point] + new PlanPoint(Elementary.Cos(angle), Elementary.Sin(angle)) * (step * reach);
                     double found = Worst(mesh, around, tried);
                     if (found <= worst)
                         continue;

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -27,7 +28,7 @@ namespace Alate
         public float metresPerUnit;
 
         /// <summary>Pitch of the body, radians, nose up positive; 0 where there is no gravity to tell.</summary>
-        public float Pitch => math.asin(math.clamp(-math.dot(forward, math.normalizesafe(gravity)), -1f, 1f));
+        public float Pitch => Elementary.Asin(math.clamp(-math.dot(forward, math.normalizesafe(gravity)), -1f, 1f));
 
         /// <summary>Surroundings of a wing, in its own frame (<see cref="WingSurroundings"/>).</summary>
         public WingSurroundings Around(in PlacedWing wing, float wingLength, float gravityShare)

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -89,7 +90,7 @@ namespace Alate
 
         private void CloseWindow()
         {
-            float share = m_Moving ? 1f - math.exp(-m_Window / k_Smoothing) : 1f;
+            float share = m_Moving ? 1f - Elementary.Exp(-m_Window / k_Smoothing) : 1f;
             TakeOver((m_Position - m_WindowPosition) / m_Window, Rate(m_WindowRotation, m_Rotation, m_Window), share);
             m_WindowPosition = m_Position;
             m_WindowRotation = m_Rotation;
@@ -111,7 +112,7 @@ namespace Alate
             float sine = axis.magnitude;
             if (sine < 1e-6f)
                 return Vector3.zero;
-            float angle = 2f * math.atan2(sine, sign * turn.w);
+            float angle = 2f * Elementary.Atan2(sine, sign * turn.w);
             return axis * (angle / (sine * seconds));
         }
     }

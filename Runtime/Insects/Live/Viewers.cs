@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -46,7 +47,7 @@ namespace Alate
             {
                 m_Position = camera.transform.position;
                 m_IsParallel = camera.orthographic;
-                m_Factor = bias / (m_IsParallel ? camera.orthographicSize : math.tan(0.5f * math.radians(camera.fieldOfView)));
+                m_Factor = bias / (m_IsParallel ? camera.orthographicSize : Elementary.Tan(0.5f * math.radians(camera.fieldOfView)));
             }
 
             public float ScreenHeight(float3 centre, float radius) =>

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -119,7 +120,7 @@ namespace Alate
                 m_Direction = transform.forward;
                 m_Radius = zone.mode == WindZoneMode.Spherical ? math.max(zone.radius, 1e-6f) : 0f;
                 m_Main = numbers.x;
-                m_Steady = 1f + numbers.y * math.sin(2f * math.PI * numbers.z * time);
+                m_Steady = 1f + numbers.y * Elementary.Sin(2f * math.PI * numbers.z * time);
                 m_Turbulence = k_TurbulenceShare * numbers.w;
                 m_GustTime = k_TurbulenceRate * time;
             }
@@ -136,6 +137,6 @@ namespace Alate
         }
 
         // Smooth noise in [-1, 1] from two sines whose rates have no common period.
-        private static float Gust(float t) => 0.5f * (math.sin(t) + math.sin(2.414f * t + 1.3f));
+        private static float Gust(float t) => 0.5f * (Elementary.Sin(t) + Elementary.Sin(2.414f * t + 1.3f));
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -49,11 +50,11 @@ namespace Alate
                 for (int n = 0; n < count; n++)
                 {
                     double angle = 2.0 * Math.PI * k * n / count;
-                    cos += share * degrees[n] * Math.Cos(angle);
-                    sin += share * degrees[n] * Math.Sin(angle);
+                    cos += share * degrees[n] * Elementary.Cos(angle);
+                    sin += share * degrees[n] * Elementary.Sin(angle);
                 }
 
-                harmonics[k - 1] = new Vector2((float)Math.Sqrt(cos * cos + sin * sin), (float)(Math.Atan2(-sin, cos) * 180.0 / Math.PI));
+                harmonics[k - 1] = new Vector2((float)Math.Sqrt(cos * cos + sin * sin), (float)(Elementary.Atan2(-sin, cos) * 180.0 / Math.PI));
             }
 
             return new AngleSeries((float)(sum / count), harmonics);
@@ -65,7 +66,7 @@ namespace Alate
         {
             float angle = mean;
             for (int k = 0; harmonics != null && k < harmonics.Length; k++)
-                angle += harmonics[k].x * math.cos((k + 1) * 2f * math.PI * turns + math.radians(harmonics[k].y));
+                angle += harmonics[k].x * Elementary.Cos((k + 1) * 2f * math.PI * turns + math.radians(harmonics[k].y));
             return angle;
         }
 

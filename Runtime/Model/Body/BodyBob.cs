@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -17,7 +18,7 @@ namespace Alate
         public static unsafe BodyBob At(float* point, float phase)
         {
             float* sums = stackalloc float[TrimPoint.Bobbing];
-            math.sincos(phase, out float sin, out float cos);
+            Elementary.SinCos(phase, out float sin, out float cos);
             float s = sin, c = cos;
             for (int q = 0; q < TrimPoint.Bobbing; q++)
                 sums[q] = 0f;

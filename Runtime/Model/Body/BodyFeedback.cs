@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -76,7 +77,7 @@ namespace Alate
         /// <returns>The wanted heading.</returns>
         public static quaternion Errors(ref FlyingBody body, float* point, in BodyBob bob)
         {
-            quaternion wanted = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading), back = math.conjugate(wanted);
+            quaternion wanted = Rotations.AboutY(body.reference.heading), back = math.conjugate(wanted);
             float3 turned = BodyMotion.Log(math.mul(body.rotation, math.conjugate(Trimmed(wanted, point))));
             body.velocityError = math.rotate(back, body.velocity - body.reference.velocity) - bob.velocity;
             body.turnError = math.rotate(back, turned) - new float3(bob.turn, 0f, 0f);
@@ -91,18 +92,18 @@ namespace Alate
         /// </summary>
         public static float3 TurnApart(in FlyingBody body, float* point, in BodyBob bob, out quaternion heading)
         {
-            var wanted = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
+            var wanted = Rotations.AboutY(body.reference.heading);
             quaternion error = math.mul(body.rotation, math.conjugate(Trimmed(wanted, point)));
             float4 e = error.value.w < 0f ? -error.value : error.value;
-            float off = 2f * math.atan2(e.y, e.w);
-            var twist = quaternion.AxisAngle(new float3(0f, 1f, 0f), off);
+            float off = 2f * Elementary.Atan2(e.y, e.w);
+            var twist = Rotations.AboutY(off);
             heading = math.mul(wanted, twist);
             float3 tilt = math.rotate(math.conjugate(heading), BodyMotion.Log(math.mul(error, math.conjugate(twist))));
             return tilt + new float3(-bob.turn, math.clamp(off, -k_MostHeading, k_MostHeading), 0f);
         }
 
         private static quaternion Trimmed(quaternion heading, float* point) =>
-            math.mul(heading, quaternion.AxisAngle(new float3(1f, 0f, 0f), -point[TrimPoint.Pitch]));
+            math.mul(heading, Rotations.AboutX(-point[TrimPoint.Pitch]));
 
         // By the scene's gravity, against which the lift leans; where there is none nothing is to be held up.
         private static float Lean(in FlyingBody body)
@@ -114,7 +115,7 @@ namespace Alate
         /// <summary>Acceleration of the reference to the right of its heading, m/s².</summary>
         private static float LateralAcceleration(in BodyReference reference)
         {
-            math.sincos(reference.heading, out float sin, out float cos);
+            Elementary.SinCos(reference.heading, out float sin, out float cos);
             return reference.acceleration.x * cos - reference.acceleration.z * sin;
         }
 

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -73,8 +74,8 @@ namespace Alate
         /// <summary>Sets attitude and motion to the trim's with its bob.</summary>
         public static unsafe void Place(ref FlyingBody body, float* point, in BodyBob bob, float3 velocity)
         {
-            var heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
-            body.rotation = math.normalize(math.mul(heading, quaternion.AxisAngle(new float3(1f, 0f, 0f), bob.turn - point[TrimPoint.Pitch])));
+            var heading = Rotations.AboutY(body.reference.heading);
+            body.rotation = math.normalize(math.mul(heading, Rotations.AboutX(bob.turn - point[TrimPoint.Pitch])));
             body.velocity = velocity + math.rotate(heading, bob.velocity);
             body.spin = new float3(bob.rate, 0f, 0f);
             body.acceleration = body.spinRate = default;
@@ -95,7 +96,7 @@ namespace Alate
             BodyBob after = BodyBob.At(point, phase + step), before = BodyBob.At(point, phase - step);
             Place(ref body, point, BodyBob.At(point, phase), velocity);
             float perStep = 0.5f * rate / step;
-            float3 acceleration = math.rotate(quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading), perStep * (after.velocity - before.velocity));
+            float3 acceleration = math.rotate(Rotations.AboutY(body.reference.heading), perStep * (after.velocity - before.velocity));
             body.acceleration = math.rotate(math.conjugate(body.rotation), acceleration);
             body.spinRate = new float3(perStep * (after.rate - before.rate), 0f, 0f);
         }
@@ -112,8 +113,8 @@ namespace Alate
         public static quaternion Turn(float3 by)
         {
             float angle = math.length(by);
-            float sinc = angle > 1e-4f ? math.sin(0.5f * angle) / angle : 0.5f - angle * angle * (1f / 48f);
-            return new quaternion(by.x * sinc, by.y * sinc, by.z * sinc, math.cos(0.5f * angle));
+            float sinc = angle > 1e-4f ? Elementary.Sin(0.5f * angle) / angle : 0.5f - angle * angle * (1f / 48f);
+            return new quaternion(by.x * sinc, by.y * sinc, by.z * sinc, Elementary.Cos(0.5f * angle));
         }
 
         /// <summary>Rotation vector of a rotation, the short way.</summary>
@@ -121,7 +122,7 @@ namespace Alate
         {
             float4 v = q.value.w < 0f ? -q.value : q.value;
             float sine = math.length(v.xyz);
-            return sine < 1e-6f ? 2f * v.xyz : v.xyz * (2f * math.atan2(sine, v.w) / sine);
+            return sine < 1e-6f ? 2f * v.xyz : v.xyz * (2f * Elementary.Atan2(sine, v.w) / sine);
         }
     }
 }

@@ -46,9 +46,9 @@ namespace Alate
         {
             ref readonly LaneParameters p = ref *pack.parameters;
             int perChain = pack.rig.jointsPerChain - 1, chain = bone / perChain;
-            float4 factor = p.numbers.stiffnessRoot * math.pow(p.numbers.stiffnessTip / p.numbers.stiffnessRoot, pack.rig.chainRatio[chain]);
+            float4 factor = p.numbers.stiffnessRoot * SoaMath.Pow(p.numbers.stiffnessTip / p.numbers.stiffnessRoot, pack.rig.chainRatio[chain]);
             float4 atRoot = p.bendScale * factor * factor * pack.rig.jointInertias[chain * perChain];
-            return atRoot * math.exp(-pack.rig.jointRatio[bone - chain * perChain] / p.numbers.stiffnessDecay);
+            return atRoot * SoaMath.Exp(-pack.rig.jointRatio[bone - chain * perChain] / p.numbers.stiffnessDecay);
         }
 
         // Keeps the mean stiffness of the joints that veins stiffen and membrane softens.

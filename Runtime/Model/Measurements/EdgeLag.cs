@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -36,7 +37,7 @@ namespace Alate
             {
                 float before = beat[(k + beat.Count - 1) % beat.Count].Phase, after = beat[(k + 1) % beat.Count].Phase;
                 float share = beat.Count > 2 ? 0.5f * Turn(after - before) : math.PI;
-                math.sincos(beat[k].Phase, out float sine, out float cosine);
+                Elementary.SinCos(beat[k].Phase, out float sine, out float cosine);
                 sum += height(beat[k]) * share / math.PI * new float2(cosine, sine);
             }
 
@@ -49,7 +50,7 @@ namespace Alate
             float2 one = Fundamental(beat, first), other = Fundamental(beat, second);
             if (math.length(one) < k_LeastSwing || math.length(other) < k_LeastSwing)
                 return 0f;
-            return Wrap(math.atan2(other.y, other.x) - math.atan2(one.y, one.x));
+            return Wrap(Elementary.Atan2(other.y, other.x) - Elementary.Atan2(one.y, one.x));
         }
 
         private static float Wrap(float angle) => angle - 2f * math.PI * math.round(angle / (2f * math.PI));

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -18,7 +19,7 @@ namespace Alate
             float3 edge = LeadingEdge(inner, outer, positions);
             float3 from = Across(inner.Chord(positions), edge);
             float3 to = Across(outer.Chord(positions), edge);
-            return math.atan2(math.dot(math.cross(from, to), edge), math.dot(from, to));
+            return Elementary.Atan2(math.dot(math.cross(from, to), edge), math.dot(from, to));
         }
 
         /// <summary>Unit vector along the leading edge, from the inner to the outer section.</summary>

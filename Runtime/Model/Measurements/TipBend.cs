@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -25,6 +26,6 @@ namespace Alate
 
         /// <summary>Angle of the tip above the root's plane, radians, up positive.</summary>
         /// <param name="tip">The tip as the root sees it, <see cref="BeatFrame.AtRoot"/>.</param>
-        public static float Angle(float3 tip) => math.atan2(tip.y, math.length(tip.xz));
+        public static float Angle(float3 tip) => Elementary.Atan2(tip.y, math.length(tip.xz));
     }
 }

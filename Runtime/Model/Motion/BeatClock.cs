@@ -22,7 +22,7 @@ namespace Alate
 
         /// <summary>Slope shape function of Fig. 5, s(u) = 1 / (1 + exp(−16 (|u|/u_max − ½))).</summary>
         /// <param name="relativeSpeed">|u| / u_max.</param>
-        public static float4 Slope(float4 relativeSpeed) => 1f / (1f + math.exp(-16f * (relativeSpeed - 0.5f)));
+        public static float4 Slope(float4 relativeSpeed) => 1f / (1f + SoaMath.Exp(-16f * (relativeSpeed - 0.5f)));
 
         /// <summary>Puts the chosen wings at the start of their first cycle.</summary>
         public static void Reset(ref BeatState beat, in LaneParameters parameters, in LaneSurroundings air, bool4 lanes)

@@ -37,7 +37,7 @@ namespace Alate
             }
 
             float4 share = math.min(excess * SoaMath.SafeReciprocal(room), 1f);
-            float4 beyond = 1f + k_Beyond * math.log(math.max(whole * SoaMath.SafeReciprocal(sum), 1f));
+            float4 beyond = 1f + k_Beyond * SoaMath.Log(math.max(whole * SoaMath.SafeReciprocal(sum), 1f));
             float4 delay = 0f;
             pack.chainDelays[0] = 0f;
             for (int i = 0; i < strips; i++)

@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 
 namespace Alate
 {
@@ -21,7 +22,7 @@ namespace Alate
             double usual = UsualWidth(skeleton, rest);
             areKnown = usual > 0.0;
             for (int bone = 0; bone < factors.Length; bone++)
-                factors[bone] = areKnown ? (float)Math.Min(Math.Max(Math.Pow(Width(skeleton, rest, bone) / usual, k_Power), k_Least), k_Most) : 1f;
+                factors[bone] = areKnown ? (float)Math.Min(Math.Max(Elementary.Pow(Width(skeleton, rest, bone) / usual, k_Power), k_Least), k_Most) : 1f;
             return factors;
         }
 

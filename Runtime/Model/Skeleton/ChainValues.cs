@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 
 namespace Alate
 {
@@ -20,7 +21,7 @@ namespace Alate
         public static double At(float[] values, double place)
         {
             (float before, float after, double share) = Around(values, place);
-            return before * Math.Pow((double)after / before, share);
+            return before * Elementary.Pow((double)after / before, share);
         }
 
         /// <summary>Value at a place of the chain, linear between two values.</summary>

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -90,8 +91,9 @@ namespace Alate
             prescribedWaves[lane] = p.kinematics.waves ? 1f : 0f;
             amplitude[lane] = p.amplitude * p.amplitudeScale;
             wholeFlap[lane] = p.amplitude.x;
-            phaseSin[lane] = math.sin(p.phase);
-            phaseCos[lane] = math.cos(p.phase);
+            Elementary.SinCos(p.phase, out float3 sin, out float3 cos);
+            phaseSin[lane] = sin;
+            phaseCos[lane] = cos;
             tilt[lane] = p.tilt;
             chordDelay[lane] = math.PI * p.chordDelay;
             spanDelay[lane] = math.PI * p.spanDelay;

@@ -1,4 +1,5 @@
 using System;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -60,8 +61,8 @@ namespace Alate
         public void SetHarmonic(DrivenAngle angle, int harmonic, float amplitude, float phase)
         {
             int k = Index(angle, harmonic);
-            Set(k, amplitude * math.cos(phase));
-            Set(k + 1, -amplitude * math.sin(phase));
+            Set(k, amplitude * Elementary.Cos(phase));
+            Set(k + 1, -amplitude * Elementary.Sin(phase));
         }
 
         /// <summary>Describes the first number that is out of its range; null where there is none.</summary>

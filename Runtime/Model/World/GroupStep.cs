@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -174,7 +175,7 @@ namespace Alate
         {
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
-            float3 before = body.velocity, mean = math.lerp(before, body.reference.velocity, 1f - math.exp(-k_Following * dt));
+            float3 before = body.velocity, mean = math.lerp(before, body.reference.velocity, 1f - Elementary.Exp(-k_Following * dt));
             BodyMotion.PlaceOnBob(ref body, point, phase, rate, mean);
             body.velocity = mean;
             body.Move(dt * 0.5f * (before + mean));

@@ -114,7 +114,7 @@ namespace Alate
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);
-            float4 kept = math.exp(-k_Fading * pack.beat->frequency * h);
+            float4 kept = SoaMath.Exp(-k_Fading * pack.beat->frequency * h);
             CarriedSurface.Turn(pack, scratch);
             Bending.Relax(pack, scratch, kept);
             Bending.Pose(pack, scratch);

@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine.Scripting.APIUpdating;
 
@@ -131,7 +132,7 @@ namespace Alate
 
         /// <summary>Angle of attack of a patch in the last substep (Eq. 10), radians, 0…π/2.</summary>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
-        public float PatchAngleOfAttack(int patch) => math.asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
+        public float PatchAngleOfAttack(int patch) => Elementary.Asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
 
         /// <summary>Adds the force of the air on each patch in the last substep to the four joints around it, as the step itself shares it out.</summary>
         /// <param name="loads">[chain · m + joint] Wing masses · L/s².</param>

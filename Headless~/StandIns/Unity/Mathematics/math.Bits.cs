@@ -54,6 +54,12 @@ public static partial class @math
     public static float4 asfloat(uint4 x) => new(x.lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static long aslong(double x) => BitConverter.DoubleToInt64Bits(x);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double asdouble(long x) => BitConverter.Int64BitsToDouble(x);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static uint hash(float2 v) => hash(asuint(v));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

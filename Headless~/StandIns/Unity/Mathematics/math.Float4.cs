@@ -9,17 +9,20 @@ public static partial class @math
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 abs(float4 x) => new() { lanes = Vector128.Abs(x.lanes) };
 
+    // As in Unity, the second argument where both are zeros, on every processor.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 min(float4 x, float4 y) => Sse.IsSupported
         ? new(Vector128.ConditionalSelect(
             Vector128.IsNaN(y.lanes), x.lanes, Sse.Min(x.lanes, y.lanes)))
-        : new(Vector128.MinNumber(x.lanes, y.lanes));
+        : new(Vector128.ConditionalSelect(
+            Vector128.IsNaN(y.lanes) | Vector128.LessThan(x.lanes, y.lanes), x.lanes, y.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 max(float4 x, float4 y) => Sse.IsSupported
         ? new(Vector128.ConditionalSelect(
             Vector128.IsNaN(y.lanes), x.lanes, Sse.Max(x.lanes, y.lanes)))
-        : new(Vector128.MaxNumber(x.lanes, y.lanes));
+        : new(Vector128.ConditionalSelect(
+            Vector128.IsNaN(y.lanes) | Vector128.GreaterThan(x.lanes, y.lanes), x.lanes, y.lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 clamp(float4 valueToClamp, float4 lowerBound, float4 upperBound) =>
@@ -61,11 +64,12 @@ public static partial class @math
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 lerp(float4 start, float4 end, float4 t) => new() { lanes = start.lanes + t.lanes * (end.lanes - start.lanes) };
 
+    // Sums in Unity's order: those of Vector128 leave it to the processor.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float dot(float4 x, float4 y) => Vector128.Dot(x.lanes, y.lanes);
+    public static float dot(float4 x, float4 y) => x.x * y.x + x.y * y.y + x.z * y.z + x.w * y.w;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float csum(float4 x) => Vector128.Sum(x.lanes);
+    public static float csum(float4 x) => (x.x + x.y) + (x.z + x.w);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float4 select(float4 falseValue, float4 trueValue, bool4 test) =>

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -59,7 +60,7 @@ namespace Alate.Flight
             return NoseFirst.Limit(FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles)), situation);
         }
 
-        private static float3 Ahead(float heading) => new float3(math.sin(heading), 0f, math.cos(heading));
+        private static float3 Ahead(float heading) => new float3(Elementary.Sin(heading), 0f, Elementary.Cos(heading));
 
         private void OnEnable()
         {

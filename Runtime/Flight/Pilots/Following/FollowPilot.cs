@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -170,7 +171,7 @@ namespace Alate.Flight
             m_HasHome = false;
             float3 moved = m_HasSeen ? (goal - m_Seen) / (math.max(situation.deltaTime, 1e-4f) * situation.unitsPerMetre) : default;
             moved = math.clamp(moved, -OuterBounds.Speed, OuterBounds.Speed);
-            m_TargetVelocity = m_HasSeen ? math.lerp(m_TargetVelocity, moved, 1f - math.exp(-situation.deltaTime / k_Smoothing)) : default;
+            m_TargetVelocity = m_HasSeen ? math.lerp(m_TargetVelocity, moved, 1f - Elementary.Exp(-situation.deltaTime / k_Smoothing)) : default;
             m_Seen = goal;
             m_HasSeen = true;
             return PathFollower.Towards(situation, goal, m_TargetVelocity, m_Speed);

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -104,11 +105,11 @@ namespace Alate.Flight
         // The arc that cuts a corner by a distance d has the radius r = d / (1 / cos(turn / 2) - 1), touches the stretches at r tan(turn / 2), and is flown at √(a r).
         private static void Corner(in FlightLimits limits, float3 before, float3 after, float speed, out float corner, out float lead)
         {
-            float half = 0.5f * math.acos(math.clamp(math.dot(before, after), -1f, 1f));
-            float cos = math.max(math.cos(half), 0.05f);
+            float half = 0.5f * Elementary.Acos(math.clamp(math.dot(before, after), -1f, 1f));
+            float cos = math.max(Elementary.Cos(half), 0.05f);
             float radius = k_CornerCut / math.max(1f / cos - 1f, 1e-4f);
             corner = math.clamp(math.sqrt(limits.Acceleration * radius), k_CornerSpeed, math.max(speed, k_CornerSpeed));
-            lead = math.min(corner * corner / limits.Acceleration * math.min(math.tan(half), 2f) + 0.2f * corner * math.sin(half), limits.StoppingDistance(corner) + 0.3f);
+            lead = math.min(corner * corner / limits.Acceleration * math.min(Elementary.Tan(half), 2f) + 0.2f * corner * Elementary.Sin(half), limits.StoppingDistance(corner) + 0.3f);
         }
 
         private static int Index(int index, int count, bool loop) => loop ? (index % count + count) % count : math.clamp(index, 0, count - 1);

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -199,10 +200,10 @@ namespace Alate.Flight
         {
             m_HasCourse = true;
             bool isNear = math.length(off.xz) < k_Near;
-            m_Heading = isNear ? situation.heading + math.PI : math.atan2(-off.x, -off.z);
+            m_Heading = isNear ? situation.heading + math.PI : Elementary.Atan2(-off.x, -off.z);
             if (math.isfinite(m_Spot.heading))
                 m_Heading += math.clamp(Headings.Wrap(m_Spot.heading - m_Heading), -k_MostTurn, k_MostTurn);
-            math.sincos(m_Heading, out float sin, out float cos);
+            Elementary.SinCos(m_Heading, out float sin, out float cos);
             var course = new float2(sin, cos);
             float2 down = m_Spot.normal.xz;
             float most = k_Rise * m_Spot.normal.y - k_Clearance;
@@ -212,7 +213,7 @@ namespace Alate.Flight
                 float outwards = math.clamp(most / math.length(down), -1f, 1f);
                 float2 aside = math.normalizesafe(course - slope * math.dot(course, slope), new float2(slope.y, -slope.x));
                 course = outwards * slope + math.sqrt(1f - outwards * outwards) * aside;
-                m_Heading = math.atan2(course.x, course.y);
+                m_Heading = Elementary.Atan2(course.x, course.y);
             }
 
             m_Line = math.normalize(new float3(-course.x, k_Rise, -course.y));
@@ -224,7 +225,7 @@ namespace Alate.Flight
             IsFlaring = false;
             Attempts++;
             m_RoundTime = k_RoundTime;
-            math.sincos(situation.heading, out float sin, out float cos);
+            Elementary.SinCos(situation.heading, out float sin, out float cos);
             var ahead = new float3(sin, 0f, cos);
             m_Round = math.min(k_RoundSpeed, situation.limits.TopSpeed) * math.normalizesafe(ahead + m_Spot.normal * new float3(1f, 0f, 1f)) + new float3(0f, situation.limits.MostClimb, 0f);
             return Wish(FlightWish.Land, m_Round, situation);
@@ -240,7 +241,7 @@ namespace Alate.Flight
         }
 
         private void UpdateSlip(in FlightSituation situation) =>
-            m_Slip += (1f - math.exp(-situation.deltaTime / k_SlipTime)) * (situation.velocity - situation.referenceVelocity - m_Slip);
+            m_Slip += (1f - Elementary.Exp(-situation.deltaTime / k_SlipTime)) * (situation.velocity - situation.referenceVelocity - m_Slip);
 
         private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation)
         {

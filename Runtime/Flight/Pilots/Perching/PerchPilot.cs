@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Alate.Geometry;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -137,7 +138,7 @@ namespace Alate.Flight
         // Ahead and down: a place that the insect can turn to.
         private static bool FindSurface(in FlightSituation situation, in PerchSettings settings, out PerchSpot spot)
         {
-            var ahead = new Vector3(math.sin(situation.heading), -1f, math.cos(situation.heading));
+            var ahead = new Vector3(Elementary.Sin(situation.heading), -1f, Elementary.Cos(situation.heading));
             spot = default;
             if (!Physics.Raycast(situation.position, ahead, out RaycastHit hit, settings.searchDistance, settings.surfaces, QueryTriggerInteraction.Ignore))
                 return false;

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;
 
@@ -116,7 +117,7 @@ namespace Alate.Flight
                 m_Left -= situation.deltaTime;
             if (m_Left > 0f && !isThreatened)
                 return new FlightCommand { wish = FlightWish.Perch, spot = Landing.Spot, heading = Landing.Spot.heading };
-            var ahead = new float3(math.sin(situation.heading), 0f, math.cos(situation.heading));
+            var ahead = new float3(Elementary.Sin(situation.heading), 0f, Elementary.Cos(situation.heading));
             float3 downhill = Landing.Spot.normal * new float3(1f, 0f, 1f);
             float3 from = isThreatened ? math.normalizesafe((situation.position - threat) * new float3(1f, 0f, 1f)) : default;
             float3 away = ahead + 0.7f * from;

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -28,7 +29,7 @@ namespace Alate.Flight
             if (since > 0f && settings.bask > 0f)
             {
                 float turns = since * settings.fanRate / 60f;
-                wanted = 1f - settings.bask * (settings.fanRate > 0f ? 0.5f - 0.5f * math.cos(2f * math.PI * turns) : 1f);
+                wanted = 1f - settings.bask * (settings.fanRate > 0f ? 0.5f - 0.5f * Elementary.Cos(2f * math.PI * turns) : 1f);
             }
 
             float most = dt / settings.foldTime;

@@ -1,3 +1,4 @@
+using Alate.Geometry;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;
 
@@ -91,7 +92,7 @@ namespace Alate.Flight
         {
             m_Left -= situation.deltaTime;
             float3 home = (float3)volume.centre - situation.position;
-            float homeward = math.atan2(home.x, home.z);
+            float homeward = Elementary.Atan2(home.x, home.z);
             float room = (k_Room * limits.TurnRadius(speed) + limits.StoppingDistance(speed)) * situation.unitsPerMetre;
             float3 ahead = situation.position + room * Along(m_WantedCourse);
             ahead.y = volume.centre.y;
@@ -107,7 +108,7 @@ namespace Alate.Flight
             {
                 float course = m_WantedCourse + math.radians(settings.turnSpread) * Normal();
                 float3 biased = Along(course) + settings.homing * math.saturate(math.length(home.xz) / (0.5f * math.cmin(math.abs(((float3)volume.size).xz)))) * Along(homeward);
-                m_WantedCourse = math.atan2(biased.x, biased.z);
+                m_WantedCourse = Elementary.Atan2(biased.x, biased.z);
                 Stretch(settings);
             }
         }
@@ -115,23 +116,23 @@ namespace Alate.Flight
         // Straight stretches of exponential length: turns that come at random.
         private void Stretch(in WanderSettings settings)
         {
-            m_Left = -settings.straightTime * math.log(1f - m_Random.NextFloat());
+            m_Left = -settings.straightTime * Elementary.Log(1f - m_Random.NextFloat());
             m_Pace = 1f + k_SpeedSpread * m_Random.NextFloat(-1f, 1f);
         }
 
         // An Ornstein-Uhlenbeck process, exact for any step.
         private void Climb(in FlightLimits limits, in WanderSettings settings, float dt)
         {
-            float kept = math.exp(-dt / settings.bobTime);
+            float kept = Elementary.Exp(-dt / settings.bobTime);
             m_Climb = kept * m_Climb + settings.bob * math.sqrt(1f - kept * kept) * Normal();
             m_Climb = math.clamp(m_Climb, limits.LeastClimb, limits.MostClimb);
         }
 
-        private float Normal() => math.sqrt(-2f * math.log(1f - m_Random.NextFloat())) * math.cos(2f * math.PI * m_Random.NextFloat());
+        private float Normal() => math.sqrt(-2f * Elementary.Log(1f - m_Random.NextFloat())) * Elementary.Cos(2f * math.PI * m_Random.NextFloat());
 
         private static float3 Along(float course)
         {
-            math.sincos(course, out float sin, out float cos);
+            Elementary.SinCos(course, out float sin, out float cos);
             return new float3(sin, 0f, cos);
         }
     }
