@@ -34,7 +34,7 @@ namespace Alate
         }
 
         /// <summary>Share of ė that a substep of backward Euler keeps, β = exp(−2 ζ_E Ω dt).</summary>
-        public static float4 Retention(float4 springDamping, float4 anchorRate, float dt) =>
+        public static float4 Retention(float4 springDamping, float4 anchorRate, float4 dt) =>
             SoaMath.Exp(-2f * springDamping * anchorRate * dt);
 
         // Turns e and ė, of now and of one substep earlier, with the driven motion.

@@ -57,7 +57,7 @@ namespace Alate
                     break;
                 }
 
-                value = LineSearch(pack, scratch, value, active);
+                value = LineSearch(pack, scratch, value, active, moved);
                 convex = false;
                 active = moved;
             }
@@ -65,15 +65,15 @@ namespace Alate
             return iterations;
         }
 
-        // The last step is a full one: it is shorter than the tolerance, and nobody asks for the energy that it leads to.
+        // The last step of a wing is a full one: it is shorter than the tolerance, and nobody asks for the energy that it leads to.
         private static void Finish(in WingPack pack, in StepScratch scratch, bool4 active)
         {
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
                 scratch.positions[joint] = SoaFloat3.Select(scratch.positions[joint], scratch.positions[joint] + scratch.step[joint], active);
         }
 
-        // Halves the step of each wing until its energy falls; leaves the linearisation at the accepted positions.
-        private static float4 LineSearch(in WingPack pack, in StepScratch scratch, float4 value, bool4 active)
+        // Halves the step of each wing that goes on until its energy falls; leaves the linearisation at the accepted positions.
+        private static float4 LineSearch(in WingPack pack, in StepScratch scratch, float4 value, bool4 active, bool4 goesOn)
         {
             float4 slope = Slope(pack, scratch);
             float4 length = math.select(0f, 1f, active);
@@ -84,7 +84,7 @@ namespace Alate
                 for (int joint = 0; joint < pack.rig.jointCount; joint++)
                     scratch.candidate[joint] = SoaFloat3.Select(scratch.positions[joint], scratch.positions[joint] + scratch.step[joint] * length, moving);
                 found = SpringEnergy.Linearise(pack, scratch, scratch.candidate, false);
-                bool4 tooHigh = !(found <= value + k_Decrease * length * slope + k_Rounding * math.abs(value)) & moving;
+                bool4 tooHigh = !(found <= value + k_Decrease * length * slope + k_Rounding * math.abs(value)) & moving & goesOn;
                 if (!math.any(tooHigh))
                     break;
                 length = math.select(length, halving < k_MaxHalvings ? 0.5f * length : 0f, tooHigh);

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Unity.Mathematics;
 
 namespace Alate
 {
@@ -9,10 +10,10 @@ namespace Alate
     internal static unsafe class CarriedSurface
     {
         /// <summary>Fills turns, carriedPositions, carriedFrames, carriedSpans and carriedTurning.</summary>
-        public static void Evaluate(in WingPack pack, in StepScratch scratch, float dt)
+        public static void Evaluate(in WingPack pack, in StepScratch scratch, float4 dt)
         {
             Turn(pack, scratch);
-            float ahead = pack.options.timeScheme == TimeScheme.BackwardEuler ? 0f : dt;
+            float4 ahead = pack.options.timeScheme == TimeScheme.BackwardEuler ? 0f : dt;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
                 CarryJoint(pack, scratch, joint, pack.rig.BoneOf(joint), ahead);
         }
@@ -24,7 +25,7 @@ namespace Alate
                 scratch.turns[bone] = scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
         }
 
-        private static void CarryJoint(in WingPack pack, in StepScratch scratch, int joint, int bone, float ahead)
+        private static void CarryJoint(in WingPack pack, in StepScratch scratch, int joint, int bone, float4 ahead)
         {
             JointMotion* motion = pack.motions + joint;
             SoaQuaternion deformed = SoaQuaternion.Conjugate(pack.drivenRotations[bone]) * pack.pose[joint].rotation;

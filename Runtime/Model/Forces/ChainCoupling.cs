@@ -43,9 +43,9 @@ namespace Alate
         private static void Couple(
             in WingPack pack, in StepScratch scratch, in ImplicitStep step, float4* angles, float4* rates, float4* compliances, float free, float4 factor)
         {
-            if (!Begin(pack, scratch, angles, compliances, free, factor))
+            bool4 coupled = Begin(pack, scratch, angles, compliances, free, factor), running = coupled;
+            if (!math.any(coupled))
                 return;
-            bool4 running = true;
             for (int pass = 0; pass < k_Passes; pass++)
             {
                 float4 largest = 0f;
@@ -64,21 +64,22 @@ namespace Alate
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 float4 held = math.min(math.max(scratch.coupledAngles[bone], -limit), limit);
-                rates[3 * bone] += (held - angles[3 * bone]) * inverse;
-                angles[3 * bone] = held;
+                rates[3 * bone] = math.select(rates[3 * bone], rates[3 * bone] + (held - angles[3 * bone]) * inverse, coupled);
+                angles[3 * bone] = math.select(angles[3 * bone], held, coupled);
             }
         }
 
-        // Angles, no forces, and the strips' compliances; false, at once, where no strip of any wing is beyond its free slope.
-        private static bool Begin(in WingPack pack, in StepScratch scratch, float4* angles, float4* compliances, float free, float4 factor)
+        // Angles, no forces, and the strips' compliances; returns the wings of which a strip is beyond its free slope, at once where there are none.
+        private static bool4 Begin(in WingPack pack, in StepScratch scratch, float4* angles, float4* compliances, float free, float4 factor)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
                 scratch.coupledAngles[bone] = angles[3 * bone];
             float4 steepest = 0f;
             for (int k = 0; k < pack.rig.stripCount; k++)
                 steepest = math.max(steepest, math.abs(Slope(pack, scratch, pack.rig.strips + k)));
-            if (!math.any(steepest > free))
-                return false;
+            bool4 coupled = steepest > free;
+            if (!math.any(coupled))
+                return coupled;
             for (int k = 0; k < pack.rig.stripCount; k++)
             {
                 Strip* strip = pack.rig.strips + k;
@@ -95,7 +96,7 @@ namespace Alate
                 scratch.stripForces[k] = 0f;
             }
 
-            return true;
+            return coupled;
         }
 
         // How the strip is tilted out of its plane, or strained in it, by the bends of both chains on the way to it.

@@ -48,7 +48,7 @@ namespace Alate
         /// <summary>
         /// Advances the phase by one substep; a wing that completes its cycle latches the body's current speed and pitch.
         /// </summary>
-        public static void Advance(ref BeatState beat, in LaneParameters parameters, in LaneSurroundings air, CycleChange change, float dt)
+        public static void Advance(ref BeatState beat, in LaneParameters parameters, in LaneSurroundings air, CycleChange change, float4 dt)
         {
             beat.rate = Rate(beat, change);
             beat.phase += beat.rate * dt;

@@ -14,10 +14,8 @@ namespace Alate
         public static void Evaluate(in WingPack pack, in SkinTarget target, float alpha, DualQuaternion* palette)
         {
             JointPose* before = pack.pose, after = pack.pose;
-            float blend = 0f;
-            if (pack.substeps > 0)
+            if (PackSlots.Span(pack, target.lane, alpha, out int slot, out float blend))
             {
-                PackSlots.Span(pack, math.saturate(alpha) * pack.substeps, out int slot, out blend);
                 before = pack.slots + slot * pack.rig.jointCount;
                 after = before + pack.rig.jointCount;
             }

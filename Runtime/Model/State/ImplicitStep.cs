@@ -13,7 +13,7 @@ namespace Alate
         private const float k_LargestRatio = 2.4f;
 
         /// <summary>Length of the substep, seconds.</summary>
-        public float dt;
+        public float4 dt;
 
         /// <summary>Ratio of dt to the substep before; 0 for a wing without a past.</summary>
         public float4 ratio;
@@ -28,7 +28,7 @@ namespace Alate
         public float4 before;
 
         /// <summary>Makes the next substep of a pack.</summary>
-        public static unsafe ImplicitStep Of(in WingPack pack, float dt)
+        public static unsafe ImplicitStep Of(in WingPack pack, float4 dt)
         {
             if (pack.options.timeScheme == TimeScheme.BackwardEuler)
                 return new ImplicitStep { dt = dt, length = dt, now = 1f, before = 0f };

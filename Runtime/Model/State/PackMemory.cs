@@ -32,10 +32,11 @@ namespace Alate
         /// <summary>Allocates a pack for a rig, its lanes empty.</summary>
         public PackMemory(in RigView rig, in ModelOptions options, in PackKey packKey = default)
         {
-            m_Bytes = Layout(rig, null, out _);
+            m_Bytes = Layout(rig.jointCount, rig.boneCount, rig.chainCount, null, out _);
             m_Block = (byte*)UnsafeUtility.MallocTracked(m_Bytes, 64, Allocator.Persistent, 0);
             UnsafeUtility.MemClear(m_Block, m_Bytes);
-            Layout(rig, m_Block, out view);
+            Layout(rig.jointCount, rig.boneCount, rig.chainCount, m_Block, out view);
+            view.rig = rig;
             view.options = options;
             view.clock = packKey.clock;
             view.detail = packKey.detail;
@@ -53,6 +54,8 @@ namespace Alate
                 view.Set(l, parameters);
                 view.surroundings->Set(l, surroundings);
                 view.parameters->drive.Set(l, default, false);
+                view.substeps[l] = 0f;
+                view.slotStride[l] = 1f;
             }
 
             view.readings->resets[lane] = 0f;
@@ -62,12 +65,6 @@ namespace Alate
         /// <summary>Takes over the state of a wing from another pack, or another lane, into a lane.</summary>
         public void Take(PackMemory from, int fromLane, int lane)
         {
-            if (Count == 1)
-            {
-                view.substeps = from.view.substeps;
-                view.slotStride = from.view.slotStride;
-            }
-
             for (int l = 0; l < WingPack.Lanes; l++)
             {
                 if (Writes(lane, l))
@@ -132,17 +129,23 @@ namespace Alate
             long count = m_Bytes / sizeof(float4);
             for (long k = 0; k < count; k++)
                 target[4 * k + lane] = source[4 * k + fromLane];
-            if (from.view.substeps != view.substeps || from.view.slotStride != view.slotStride)
-                PackSlots.Resample(from.view, fromLane, view, lane);
+            view.substeps[lane] = from.view.substeps[fromLane];
+            view.slotStride[lane] = from.view.slotStride[fromLane];
         }
 
-        private static long Layout(in RigView rig, byte* block, out WingPack view)
+        /// <summary>Returns the number of float4 that a substep changes, poses of the step apart; grows with each of the counts.</summary>
+        public static int StateCount(int joints, int bones, int chains)
         {
-            int joints = rig.jointCount, bones = rig.boneCount;
+            Layout(joints, bones, chains, null, out WingPack view);
+            return view.stateCount;
+        }
+
+        private static long Layout(int joints, int bones, int chains, byte* block, out WingPack view)
+        {
             var carver = new BlockCarver(block);
             view = default;
-            view.rig = rig;
-            view.slotStride = 1;
+            view.slotStride = 1f;
+            view.state = (float4*)block;
             view.parameters = (LaneParameters*)carver.Take<LaneParameters>(1);
             view.surroundings = (LaneSurroundings*)carver.Take<LaneSurroundings>(1);
             view.series = (float4*)carver.Take<float4>(WingKinematics.Count);
@@ -154,7 +157,7 @@ namespace Alate
             view.torsionStiffness = (float4*)carver.Take<float4>(bones);
             view.torsionDamping = (float4*)carver.Take<float4>(bones);
             view.bendStiffening = (float4*)carver.Take<float4>(bones);
-            view.chainDelays = (float4*)carver.Take<float4>(rig.chainCount);
+            view.chainDelays = (float4*)carver.Take<float4>(chains);
             view.bendAngles = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             view.bendRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             view.earlierAngles = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
@@ -172,6 +175,7 @@ namespace Alate
             view.earlierOffsetRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
             view.motions = (JointMotion*)carver.Take<JointMotion>(joints);
             view.pose = (JointPose*)carver.Take<JointPose>(joints);
+            view.stateCount = (int)(carver.Size / sizeof(float4));
             view.slots = (JointPose*)carver.Take<JointPose>(joints * WingPack.PoseSlots);
             return carver.Size;
         }

@@ -1,60 +1,69 @@
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Resamples the poses of a step when a wing moves to a pack whose step has other substeps.</summary>
+    /// <summary>Poses of a wing within its last step: slot 0 is the start, then every <see cref="WingPack.slotStride"/> substeps, and the end.</summary>
     internal static unsafe class PackSlots
     {
         /// <summary>Floats of a pose in one lane: rotation x y z w, position x y z.</summary>
         private const int k_Floats = 7;
 
-        /// <summary>Writes a wing's poses at the times of the new pack's slots; without a step to read from, its current pose.</summary>
-        public static void Resample(in WingPack from, int fromLane, in WingPack to, int lane)
+        /// <summary>Finds the slots around a time of a wing's last step, 0 its start, 1 its end, and the share between them; false before the first step.</summary>
+        public static bool Span(in WingPack pack, int lane, float alpha, out int slot, out float blend)
         {
-            int joints = to.rig.jointCount;
-            if (to.substeps == 0 || from.substeps == 0)
+            float4 substeps = pack.substeps, strides = pack.slotStride;
+            int count = (int)substeps[lane], stride = (int)strides[lane];
+            slot = 0;
+            blend = 0f;
+            if (count == 0)
+                return false;
+            float time = math.saturate(alpha) * count;
+            slot = math.min((int)(time / stride), (count + stride - 1) / stride - 1);
+            int start = slot * stride;
+            blend = (time - start) / (math.min(start + stride, count) - start);
+            return true;
+        }
+
+        /// <summary>Keeps the pose at the start of a step, and lays out the slots of its substeps.</summary>
+        public static void Begin(ref WingPack pack)
+        {
+            pack.slotStride = math.floor((pack.substeps + (WingPack.PoseSlots - 2)) / (WingPack.PoseSlots - 1));
+            KeepAll(pack, 0);
+        }
+
+        /// <summary>Keeps the pose after substep k of the wings that have a slot for it.</summary>
+        public static void Keep(in WingPack pack, int k)
+        {
+            float4 substeps = pack.substeps, strides = pack.slotStride;
+            if (math.all(substeps == substeps.x))
             {
-                for (int k = 0; k < joints * WingPack.PoseSlots; k++)
-                    Mix((float*)(from.pose + k % joints) + fromLane, (float*)(from.pose + k % joints) + fromLane, 0f, (float*)(to.slots + k) + lane);
+                int stride = (int)strides.x;
+                if (k % stride == 0 || k == (int)substeps.x)
+                    KeepAll(pack, (k + stride - 1) / stride);
                 return;
             }
 
-            int last = LastSlot(to);
-            for (int slot = 0; slot <= last; slot++)
+            for (int lane = 0; lane < WingPack.Lanes; lane++)
             {
-                float time = math.min(slot * to.slotStride, to.substeps) * (float)from.substeps / to.substeps;
-                Span(from, time, out int before, out float blend);
-                JointPose* a = from.slots + before * joints;
-                for (int joint = 0; joint < joints; joint++)
-                {
-                    Mix((float*)(a + joint) + fromLane, (float*)(a + joints + joint) + fromLane, blend,
-                        (float*)(to.slots + slot * joints + joint) + lane);
-                }
+                int count = (int)substeps[lane], stride = (int)strides[lane];
+                if (k <= count && (k % stride == 0 || k == count))
+                    KeepLane(pack, (k + stride - 1) / stride, lane);
             }
         }
 
-        /// <summary>Finds the slots around a time, in substeps of the last step, and the share between them.</summary>
-        public static void Span(in WingPack pack, float time, out int slot, out float blend)
+        private static void KeepAll(in WingPack pack, int slot)
         {
-            slot = math.min((int)(time / pack.slotStride), LastSlot(pack) - 1);
-            int start = slot * pack.slotStride;
-            blend = (time - start) / (math.min(start + pack.slotStride, pack.substeps) - start);
+            int joints = pack.rig.jointCount;
+            UnsafeUtility.MemCpy(pack.slots + slot * joints, pack.pose, (long)joints * sizeof(JointPose));
         }
 
-        private static int LastSlot(in WingPack pack) => (pack.substeps + pack.slotStride - 1) / pack.slotStride;
-
-        private static void Mix(float* a, float* b, float blend, float* result)
+        private static void KeepLane(in WingPack pack, int slot, int lane)
         {
-            float dot = 0f;
-            for (int c = 0; c < 4; c++)
-                dot += a[WingPack.Lanes * c] * b[WingPack.Lanes * c];
-            float sign = dot < 0f ? -1f : 1f;
-            for (int c = 0; c < k_Floats; c++)
-            {
-                int at = WingPack.Lanes * c;
-                float other = c < 4 ? sign * b[at] : b[at];
-                result[at] = a[at] + blend * (other - a[at]);
-            }
+            int count = k_Floats * pack.rig.jointCount;
+            float* from = (float*)pack.pose + lane, to = (float*)(pack.slots + slot * pack.rig.jointCount) + lane;
+            for (int k = 0; k < count; k++)
+                to[WingPack.Lanes * k] = from[WingPack.Lanes * k];
         }
     }
 }

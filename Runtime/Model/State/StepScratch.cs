@@ -87,6 +87,10 @@ namespace Alate
         public SoaFloat3* rollTo;
         public JointPose* pose;
 
+        /// <summary>State and patch loads of wings that wait while others of their pack take more substeps.</summary>
+        public float4* waiting;
+        public PatchLoad* waitingLoads;
+
         /// <summary>Lays the arrays out one behind the other; with <paramref name="memory"/> null it only measures.</summary>
         /// <returns>Bytes needed.</returns>
         public static long Layout(in RigSize size, byte* memory, out StepScratch scratch)
@@ -147,6 +151,9 @@ namespace Alate
             scratch.rollFrom = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.rollTo = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
             scratch.pose = (JointPose*)carver.Take<JointPose>(joints);
+            // A chain has at least two joints.
+            scratch.waiting = (float4*)carver.Take<float4>(PackMemory.StateCount(joints, bones, joints));
+            scratch.waitingLoads = (PatchLoad*)carver.Take<PatchLoad>(patches);
             return carver.Size;
         }
     }

@@ -115,11 +115,18 @@ namespace Alate
         /// <summary>[slot][joint] Poses within the last step, every <see cref="slotStride"/> substeps; slot 0 is its start.</summary>
         public JointPose* slots;
 
-        /// <summary>Number of substeps of the last step; 0 before the first.</summary>
-        public int substeps;
+        /// <summary>Start of the state that a substep changes, poses of the step apart, and how many float4 it has.</summary>
+        public float4* state;
+        public int stateCount;
 
-        /// <summary>Number of substeps from slot to slot; the last slot may follow sooner.</summary>
-        public int slotStride;
+        /// <summary>Number of substeps of each wing's last step; 0 before the first.</summary>
+        public float4 substeps;
+
+        /// <summary>Length of each of those substeps, seconds; while a step is planned, of all together.</summary>
+        public float4 substepLength;
+
+        /// <summary>Number of substeps from slot to slot of each wing; the last slot may follow sooner.</summary>
+        public float4 slotStride;
 
         /// <summary>Writes the parameters of one wing, which are in range.</summary>
         public readonly void Set(int lane, in WingParameters p)

@@ -1,4 +1,5 @@
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
 
 namespace Alate
 {
@@ -27,6 +28,34 @@ namespace Alate
             return packs[wing->pack].beat;
         }
 
+        /// <summary>Number of substeps of a body, which are those of its wings, and their length, seconds.</summary>
+        public int Substeps(in FlyingBody body, out float h)
+        {
+            BodyWing* wing = wings + body.firstWing;
+            float4 substeps = packs[wing->pack].substeps, length = packs[wing->pack].substepLength;
+            h = length[wing->lane];
+            return (int)substeps[wing->lane];
+        }
+
+        /// <summary>Gives all wings of a body the largest number of substeps and the shortest time that one of them has.</summary>
+        public void JoinSubsteps(in FlyingBody body)
+        {
+            float most = 1f, time = float.PositiveInfinity;
+            for (int k = body.firstWing; k < body.firstWing + body.wingCount; k++)
+            {
+                float4 substeps = packs[wings[k].pack].substeps, whole = packs[wings[k].pack].substepLength;
+                most = math.max(most, substeps[wings[k].lane]);
+                time = math.min(time, whole[wings[k].lane]);
+            }
+
+            for (int k = body.firstWing; k < body.firstWing + body.wingCount; k++)
+            {
+                SetSubsteps(wings[k].pack, wings[k].lane, most, time);
+                for (int lane = wings[k].firstCopy; lane < wings[k].endCopy; lane++)
+                    SetSubsteps(wings[k].pack, lane, most, time);
+            }
+        }
+
         /// <summary>Commands the next beat of a wing.</summary>
         public void Command(in BodyWing wing, in WingDrive drive)
         {
@@ -34,6 +63,12 @@ namespace Alate
             parameters->drive.Set(wing.lane, drive, true);
             for (int lane = wing.firstCopy; lane < wing.endCopy; lane++)
                 parameters->drive.Set(lane, drive, true);
+        }
+
+        private void SetSubsteps(int pack, int lane, float count, float time)
+        {
+            packs[pack].substeps[lane] = count;
+            packs[pack].substepLength[lane] = time;
         }
     }
 }

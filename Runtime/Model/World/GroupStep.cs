@@ -40,29 +40,61 @@ namespace Alate
                 return;
             }
 
-            int count = substeps;
-            for (int k = 0; substeps == 0 && k < group.packCount; k++)
-                count = math.max(count, PackStep.SubstepCount(lists.Pack(group, k), ref dt));
-            float h = dt / count;
+            int most = Plan(group, lists, dt, substeps);
             for (int k = 0; k < group.packCount; k++)
-                PackStep.BeginStep(ref lists.Pack(group, k), count);
+                PackStep.BeginStep(ref lists.Pack(group, k));
             for (int k = 0; k < group.bodyCount; k++)
                 Begin(ref lists.Body(group, k));
-            for (int step = 1; step <= count; step++)
+            for (int step = 1; step <= most; step++)
             {
                 for (int k = 0; k < group.bodyCount; k++)
-                    Prepare(ref lists.Body(group, k), lists, h);
+                {
+                    if (Takes(lists.Body(group, k), lists, step, out float h))
+                        Prepare(ref lists.Body(group, k), lists, h);
+                }
+
                 for (int k = 0; k < group.packCount; k++)
-                    PackStep.Substep(ref lists.Pack(group, k), scratch, h, step, count);
+                {
+                    if (step <= PackStep.MostSubsteps(lists.Pack(group, k)))
+                        PackStep.Substep(ref lists.Pack(group, k), scratch, step);
+                }
+
                 for (int k = 0; k < group.bodyCount; k++)
-                    Carry(ref lists.Body(group, k), lists, h);
+                {
+                    if (Takes(lists.Body(group, k), lists, step, out float h))
+                        Carry(ref lists.Body(group, k), lists, h);
+                }
             }
 
             for (int k = 0; k < group.packCount; k++)
-                PackStep.EndStep(lists.Pack(group, k), count);
+                PackStep.EndStep(lists.Pack(group, k));
             for (int k = 0; k < group.bodyCount; k++)
-                End(ref lists.Body(group, k), count);
+                End(ref lists.Body(group, k), lists);
         }
+
+        // Substeps of all packs: wings that carry a body take as many as the one of them that needs most. Returns the largest number.
+        private static int Plan(in PackGroup group, in GroupLists lists, float dt, int substeps)
+        {
+            for (int k = 0; k < group.packCount; k++)
+            {
+                ref WingPack pack = ref lists.Pack(group, k);
+                PackStep.Plan(ref pack, dt);
+                if (substeps == 0)
+                    continue;
+                pack.substeps = substeps;
+                pack.substepLength = dt;
+            }
+
+            for (int k = 0; substeps == 0 && k < group.bodyCount; k++)
+                lists.JoinSubsteps(lists.Body(group, k));
+            int most = 1;
+            for (int k = 0; k < group.packCount; k++)
+                most = math.max(most, PackStep.MostSubsteps(lists.Pack(group, k)));
+            return most;
+        }
+
+        // True where a body has a substep of this number, and how long it is.
+        private static bool Takes(in FlyingBody body, in GroupLists lists, int step, out float h) => lists.Substeps(body, out h) >= step;
 
         private static void Begin(ref FlyingBody body)
         {
@@ -72,8 +104,9 @@ namespace Alate
             body.power = 0f;
         }
 
-        private static void End(ref FlyingBody body, int count)
+        private static void End(ref FlyingBody body, in GroupLists lists)
         {
+            int count = lists.Substeps(body, out _);
             body.force /= count;
             body.moment /= count;
             body.damping = body.damping * (1f / count);

@@ -32,9 +32,9 @@ namespace Alate
         /// <summary>
         /// Evaluates the mean rates of the deformation from the last pose to the new one, for the surface that the next substep carries on.
         /// </summary>
-        public static void Motions(in WingPack pack, in StepScratch scratch, float dt)
+        public static void Motions(in WingPack pack, in StepScratch scratch, float4 dt)
         {
-            float inverse = 1f / dt;
+            float4 inverse = 1f / dt;
             bool euler = pack.options.timeScheme == TimeScheme.BackwardEuler;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {

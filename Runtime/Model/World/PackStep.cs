@@ -49,46 +49,64 @@ namespace Alate
                 return;
 
             StrongestWind.Derive(pack);
-            int count = SubstepCount(pack, ref dt);
-            float h = dt / count;
-            BeginStep(ref pack, count);
-            for (int k = 1; k <= count; k++)
-                Substep(ref pack, scratch, h, k, count);
-            EndStep(pack, count);
-        }
-
-        /// <summary>Substep k of a step, 1 to its count.</summary>
-        public static void Substep(ref WingPack pack, in StepScratch scratch, float h, int k, int count)
-        {
-            if (pack.carries)
-                StrongestWind.Derive(pack);
-            if (pack.detail == WingDetail.WavesOnly)
-                WavesSubstep(pack, scratch, h);
-            else
-                Substep(pack, scratch, h);
-            if (k % pack.slotStride == 0 || k == count)
-                KeepPose(pack, (k + pack.slotStride - 1) / pack.slotStride);
+            Plan(ref pack, dt);
+            BeginStep(ref pack);
+            int most = MostSubsteps(pack);
+            for (int k = 1; k <= most; k++)
+                Substep(ref pack, scratch, k);
+            EndStep(pack);
         }
 
         /// <summary>
-        /// Number of substeps for the fastest wing of the pack and for the fastest air; shortens <paramref name="dt"/> where a step would span more than 16 beats.
+        /// Chooses number and whole length of each wing's substeps by its own beat and air: no wing's motion depends on which others share its pack.
         /// </summary>
-        public static int SubstepCount(in WingPack pack, ref float dt)
+        public static void Plan(ref WingPack pack, float dt)
+        {
+            float4 time = dt;
+            pack.substeps = SubstepCounts(pack, ref time);
+            pack.substepLength = time;
+        }
+
+        /// <summary>Largest number of substeps of a wing of the pack.</summary>
+        public static int MostSubsteps(in WingPack pack) => (int)math.cmax(pack.substeps);
+
+        /// <summary>Runs substep k of a step, from 1, for the wings that have as many; the others wait.</summary>
+        public static void Substep(ref WingPack pack, in StepScratch scratch, int k)
+        {
+            bool4 waits = pack.substeps < k;
+            bool some = math.any(waits);
+            if (some)
+                SetAside(pack, scratch);
+            if (pack.carries)
+                StrongestWind.Derive(pack);
+            if (pack.detail == WingDetail.WavesOnly)
+                WavesSubstep(pack, scratch, pack.substepLength);
+            else
+                Substep(pack, scratch, pack.substepLength);
+            if (some)
+                PutBack(pack, scratch, waits);
+            PackSlots.Keep(pack, k);
+        }
+
+        /// <summary>
+        /// Number of substeps of each wing for its beat and for the fastest air; shortens <paramref name="dt"/> where a step would span more than 16 beats.
+        /// </summary>
+        public static float4 SubstepCounts(in WingPack pack, ref float4 dt)
         {
             float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
             float4 perBeat = SubstepsPerBeat(pack);
             // What a controller commands changes from beat to beat, and with it the count must not.
             bool4 commanded = pack.parameters->drive.commanded > 0f;
-            float4 rates = math.select(frequency, math.max(frequency, k_FlightFrequency * pack.parameters->numbers.maxFrequency), commanded) * perBeat;
+            float4 rate = math.select(
+                frequency, math.max(frequency, k_FlightFrequency * pack.parameters->numbers.maxFrequency), commanded) * perBeat;
             if (pack.detail != WingDetail.WavesOnly)
-                rates = math.max(rates, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->numbers.maxFrequency));
-            float rate = math.cmax(rates);
-            dt = math.min(dt, k_MostBeats / math.cmax(frequency));
-            return math.max((int)math.ceil(dt * rate - k_CountRounding), 1);
+                rate = math.max(rate, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->numbers.maxFrequency));
+            dt = math.min(dt, k_MostBeats / frequency);
+            return math.max(math.ceil(dt * rate - k_CountRounding), 1f);
         }
 
         /// <summary>Runs one substep: the model, in the order of its equations.</summary>
-        public static void Substep(in WingPack pack, in StepScratch scratch, float h)
+        public static void Substep(in WingPack pack, in StepScratch scratch, float4 h)
         {
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
             DelayedWaves.Evaluate(pack, scratch);
@@ -109,7 +127,7 @@ namespace Alate
         }
 
         /// <summary>Runs one substep of the beat and its waves alone; bends and stretches fade.</summary>
-        public static void WavesSubstep(in WingPack pack, in StepScratch scratch, float h)
+        public static void WavesSubstep(in WingPack pack, in StepScratch scratch, float4 h)
         {
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
             DelayedWaves.Evaluate(pack, scratch);
@@ -145,21 +163,20 @@ namespace Alate
                 PackReset.Recover(pack, scratch, broken);
         }
 
-        /// <summary>Starts the readings of a step with so many substeps.</summary>
-        public static void BeginStep(ref WingPack pack, int count)
+        /// <summary>Starts the poses and readings of a step.</summary>
+        public static void BeginStep(ref WingPack pack)
         {
-            pack.substeps = count;
-            pack.slotStride = (count + WingPack.PoseSlots - 2) / (WingPack.PoseSlots - 1);
-            KeepPose(pack, 0);
+            pack.substepLength /= pack.substeps;
+            PackSlots.Begin(ref pack);
             pack.readings->airForce = default;
             pack.readings->airMoment = default;
             pack.readings->newtonIterations = default;
         }
 
         /// <summary>Ends the readings of a step.</summary>
-        public static void EndStep(in WingPack pack, int count)
+        public static void EndStep(in WingPack pack)
         {
-            float mean = 1f / count;
+            float4 mean = 1f / pack.substeps;
             pack.readings->airForce *= mean;
             pack.readings->airMoment *= mean;
             pack.readings->newtonIterations *= mean;
@@ -167,7 +184,7 @@ namespace Alate
         }
 
         /// <summary>Makes the substep's end the start of the next.</summary>
-        public static void Keep(in WingPack pack, in StepScratch scratch, float substep)
+        public static void Keep(in WingPack pack, in StepScratch scratch, float4 substep)
         {
             int joints = pack.rig.jointCount, bones = pack.rig.boneCount;
             *pack.lastSubstep = substep;
@@ -176,10 +193,24 @@ namespace Alate
             UnsafeUtility.MemCpy(pack.drivenRotations, scratch.drivenRotations, (long)bones * sizeof(SoaQuaternion));
         }
 
-        private static void KeepPose(in WingPack pack, int slot)
+        private static void SetAside(in WingPack pack, in StepScratch scratch)
         {
-            int joints = pack.rig.jointCount;
-            UnsafeUtility.MemCpy(pack.slots + slot * joints, pack.pose, (long)joints * sizeof(JointPose));
+            UnsafeUtility.MemCpy(scratch.waiting, pack.state, (long)pack.stateCount * sizeof(float4));
+            if (pack.recordedLoads != null)
+                UnsafeUtility.MemCpy(scratch.waitingLoads, pack.recordedLoads, (long)pack.rig.patchCount * sizeof(PatchLoad));
+        }
+
+        private static void PutBack(in WingPack pack, in StepScratch scratch, bool4 lanes)
+        {
+            PutBack(pack.state, scratch.waiting, pack.stateCount, lanes);
+            if (pack.recordedLoads != null)
+                PutBack((float4*)pack.recordedLoads, (float4*)scratch.waitingLoads, pack.rig.patchCount * (sizeof(PatchLoad) / sizeof(float4)), lanes);
+        }
+
+        private static void PutBack(float4* state, float4* waiting, int count, bool4 lanes)
+        {
+            for (int k = 0; k < count; k++)
+                state[k] = math.select(state[k], waiting[k], lanes);
         }
     }
 }

@@ -70,7 +70,14 @@ namespace Alate
         public int Resets => (int)Readings->resets[m_Lane];
 
         /// <summary>Number of substeps of the last step.</summary>
-        public int Substeps => m_Pack.substeps;
+        public int Substeps
+        {
+            get
+            {
+                float4 substeps = m_Pack.substeps;
+                return (int)substeps[m_Lane];
+            }
+        }
 
         /// <summary>Position of a joint, wing lengths from the hinge.</summary>
         public float3 JointPosition(int chain, int joint) => m_Pack.pose[Joint(chain, joint)].position[m_Lane];
@@ -80,10 +87,9 @@ namespace Alate
         /// </summary>
         public float3 JointPosition(int chain, int joint, float alpha)
         {
-            if (m_Pack.substeps == 0)
+            if (!PackSlots.Span(m_Pack, m_Lane, alpha, out int slot, out float blend))
                 return JointPosition(chain, joint);
             int at = Joint(chain, joint);
-            PackSlots.Span(m_Pack, math.saturate(alpha) * m_Pack.substeps, out int slot, out float blend);
             JointPose* before = m_Pack.slots + slot * m_Pack.rig.jointCount;
             return math.lerp(before[at].position[m_Lane], before[m_Pack.rig.jointCount + at].position[m_Lane], blend);
         }

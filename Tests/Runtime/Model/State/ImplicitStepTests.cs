@@ -16,7 +16,7 @@ namespace Alate.Tests
             Assert.That(step.now.x, Is.EqualTo(4.0 / 3.0).Within(1e-6));
             Assert.That(step.before.x, Is.EqualTo(1.0 / 3.0).Within(1e-6));
             Assert.That(step.length.x, Is.EqualTo(2.0 / 3.0 * dt).Within(1e-6 * dt));
-            Assert.That(step.dt, Is.EqualTo(dt));
+            Assert.That(step.dt.x, Is.EqualTo(dt));
         }
 
         [TestCase(0f)]
@@ -102,7 +102,7 @@ namespace Alate.Tests
         {
             Assert.That(step.now.x, Is.EqualTo(1f));
             Assert.That(step.before.x, Is.Zero);
-            Assert.That(step.length.x, Is.EqualTo(step.dt));
+            Assert.That(step.length.x, Is.EqualTo(step.dt.x));
         }
 
         private static ImplicitStep After(float last, float dt, TimeScheme scheme = TimeScheme.SecondOrder)

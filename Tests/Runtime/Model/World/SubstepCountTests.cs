@@ -50,8 +50,8 @@ namespace Alate.Tests
 
         private static int Count(PackFixture fixture)
         {
-            float dt = k_Frame;
-            return PackStep.SubstepCount(fixture.Pack, ref dt);
+            float4 dt = k_Frame;
+            return (int)PackStep.SubstepCounts(fixture.Pack, ref dt).x;
         }
     }
 }
