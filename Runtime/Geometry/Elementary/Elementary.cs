@@ -4,7 +4,8 @@ using Unity.Mathematics;
 namespace Alate.Geometry
 {
     /// <summary>
-    /// Elementary functions by sums, products, quotients and roots alone, which every processor rounds alike; those of the systems' libraries differ in their last bits.
+    /// Elementary functions by sums, products, quotients and roots alone, which every processor rounds alike; those of the systems'
+    /// libraries differ in their last bits.
     /// Angles in radians. The polynomials were fitted for this class by Remez' exchange, to less than a quarter of the last bit.
     /// </summary>
     internal static partial class Elementary
@@ -27,7 +28,10 @@ namespace Alate.Geometry
         /// <summary>Size above which the arguments of <see cref="Atan2(double, double)"/> are scaled, so that their sum is finite.</summary>
         private const double k_Huge = 1e300, k_ToModest = 1e-20;
 
-        /// <summary>Sine and cosine; within 1.5 units in the last place up to a million radians; beyond, those of an angle that differs by less than its own last bit.</summary>
+        /// <summary>
+        /// Sine and cosine; within 1.5 units in the last place up to a million radians; beyond, those of an angle that differs by less than
+        /// its own last bit.
+        /// </summary>
         public static void SinCos(double angle, out double sin, out double cos)
         {
             if (math.abs(angle) > k_LargestExact)

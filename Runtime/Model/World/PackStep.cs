@@ -204,7 +204,10 @@ namespace Alate
         {
             PutBack(pack.state, scratch.waiting, pack.stateCount, lanes);
             if (pack.recordedLoads != null)
-                PutBack((float4*)pack.recordedLoads, (float4*)scratch.waitingLoads, pack.rig.patchCount * (sizeof(PatchLoad) / sizeof(float4)), lanes);
+            {
+                int count = pack.rig.patchCount * (sizeof(PatchLoad) / sizeof(float4));
+                PutBack((float4*)pack.recordedLoads, (float4*)scratch.waitingLoads, count, lanes);
+            }
         }
 
         private static void PutBack(float4* state, float4* waiting, int count, bool4 lanes)
