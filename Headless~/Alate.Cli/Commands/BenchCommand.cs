@@ -11,10 +11,21 @@ internal static class BenchCommand
     public static Command Create(TextWriter output)
     {
         var json = new Option<string>("--json") { HelpName = "FILE", Description = "Also write the ratios as JSON to this file." };
+        var hash = new Option<bool>("--hash")
+        {
+            Description = "Measure nothing: run four scenes in several ways and compare the hashes of their results with the held ones.",
+        };
         var command = new Command(
-            "bench", "Measures the kernels against naive baselines within one process. Build with -c Release.") { json };
-        HelpExamples.Set(command, "Example:\n  bench --json bench.json");
-        command.SetAction(parsed => Run(parsed.GetValue(json), stream => BenchmarkSuite.Run(stream, output)));
+            "bench", "Measures the kernels against naive baselines within one process. Build with -c Release.") { json, hash };
+        HelpExamples.Set(command, "Examples:\n  bench --json bench.json\n  bench --hash");
+        command.Validators.Add(parsed =>
+        {
+            if (parsed.GetValue(hash) && parsed.GetValue(json) != null)
+                parsed.AddError("--hash measures nothing: leave out --json.");
+        });
+        command.SetAction(parsed => parsed.GetValue(hash)
+            ? SceneHashes.Run(output)
+            : Run(parsed.GetValue(json), stream => BenchmarkSuite.Run(stream, output)));
         return command;
     }
 
