@@ -4,7 +4,7 @@ using System.Linq;
 using System.Reflection;
 using System.Text.RegularExpressions;
 using Alate.Benchmarks;
-using Alate.Cli.Projects;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Determinism
