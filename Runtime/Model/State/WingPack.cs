@@ -7,7 +7,7 @@ namespace Alate
     /// arrays are indexed by joint or bone, every element holds the four wings.
     /// </summary>
     /// <remarks>
-    /// 616 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies one block,
+    /// 672 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies one block,
     /// of 15,488 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the largest part: rendering takes any time within a step without
     /// stepping again. Every byte of the block belongs to a lane, so that a wing moves to another pack by copying each fourth float.
     /// </remarks>

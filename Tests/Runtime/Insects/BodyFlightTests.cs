@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>What the wings of a body take from its flight.</summary>
+    /// <summary>Commands that the wings of a body take from its flight.</summary>
     public sealed class BodyFlightTests
     {
         [Test]

@@ -23,9 +23,10 @@ namespace Alate.Tests
             WingRig rig = Monarch.Rig(16);
             using (var world = new WingWorld())
             {
-                WingHandle slow = world.Add(rig, Monarch.Parameters, Air(0)), fast = world.Add(rig, Monarch.Parameters, Air(3));
+                WingHandle slow = world.Add(rig, Monarch.Parameters, Air(0)), fast = world.Add(rig, Monarch.Parameters, Air(6));
                 rig.Release();
-                world.Step(k_Frame);
+                for (int frame = 0; frame < k_Frames; frame++)
+                    world.Step(k_Frame); // frequencies are latched at the start of a beat
                 Assert.That(world.Read(fast).Substeps, Is.GreaterThan(world.Read(slow).Substeps));
             }
         }
