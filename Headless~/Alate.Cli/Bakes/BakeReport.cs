@@ -54,7 +54,8 @@ internal static class BakeReport
         return name;
     }
 
-    private static IEnumerable<IReadOnlyList<string>> Rows(InsectBake bake)
+    /// <summary>A row for each clip with what its bake differs from the flown wings by, under a heading.</summary>
+    public static IEnumerable<IReadOnlyList<string>> Rows(InsectBake bake)
     {
         yield return ["clip", "frames", "loop Hz", "between frames %", "normals °", "loop end %", "linear skin %"];
         foreach (BakedClip clip in bake.Clips)
