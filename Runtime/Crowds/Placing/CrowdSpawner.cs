@@ -19,11 +19,12 @@ namespace Alate.Crowds
         private const int k_Batch = 256;
 
         private const float k_LeastSpeed = 0f, k_SlowestSpeed = 0.8f, k_FastestSpeed = 1.2f, k_MostSpeed = 4f;
+        private const float k_Width = 20f, k_Height = 4f;
         private const float k_LeastVariation = 0f, k_Variation = 0.15f, k_MostVariation = 0.9f;
 
         [SerializeField]
         [Tooltip("Size of the box in which the insects fly, world units from side to side.")]
-        private Vector3 m_Area = new Vector3(20f, 4f, 20f);
+        private Vector3 m_Area = new Vector3(k_Width, k_Height, k_Width);
 
         [SerializeField]
         [Range(k_LeastSpeed, k_MostSpeed)]
@@ -51,10 +52,13 @@ namespace Alate.Crowds
         private InsectCrowd m_Crowd;
         private float m_Time;
 
-        /// <summary>Size of the box, world units from side to side; negative sizes count as positive ones.</summary>
+        /// <summary>
+        /// Size of the box, world units from side to side; negative sizes count as positive ones, a size that is no number as the default's, and one
+        /// beyond 10⁷ as that.
+        /// </summary>
         public Vector3 Area
         {
-            get => m_Area;
+            get => new Vector3(Side(m_Area.x, k_Width), Side(m_Area.y, k_Height), Side(m_Area.z, k_Width));
             set => m_Area = value;
         }
 
@@ -117,7 +121,7 @@ namespace Alate.Crowds
             var job = new SpawnJob
             {
                 toWorld = float4x4.TRS(transform.position, transform.rotation, 1f),
-                half = 0.5f * math.abs((float3)m_Area),
+                half = 0.5f * (float3)Area,
                 speed = math.length((float3)shown.velocity),
                 speeds = Speeds,
                 sizes = m_SizeVariation,
@@ -132,5 +136,7 @@ namespace Alate.Crowds
         }
 
         private void Update() => Advance(Time.deltaTime);
+
+        private static float Side(float size, float normal) => NumberRange.Clamp(math.abs(size), 0f, OuterBounds.Distance, normal);
     }
 }

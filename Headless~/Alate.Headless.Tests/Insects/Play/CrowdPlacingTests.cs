@@ -57,6 +57,8 @@ namespace Alate.Tests.Play.Headless
             spawner.Speeds = new Vector2(-1f, 9f);
             spawner.SizeVariation = 2f;
             Assert.That((spawner.Speeds, spawner.SizeVariation), Is.EqualTo((new Vector2(0f, 4f), 0.9f)));
+            spawner.Area = new Vector3(-3f, float.NaN, float.PositiveInfinity);
+            Assert.That(spawner.Area, Is.EqualTo(new Vector3(3f, 4f, 1e7f)));
             spawner.Speeds = new Vector2(float.NaN, float.NaN);
             spawner.SizeVariation = float.NaN;
             Assert.That((spawner.Speeds, spawner.SizeVariation), Is.EqualTo((new Vector2(0.8f, 1.2f), 0.15f)));
