@@ -4,18 +4,32 @@ using System.IO;
 
 namespace Alate.Cli;
 
-/// <summary>The command line. Bad usage or input: one line on stderr and exit code 2. Ctrl-C: nothing is left behind, exit code 130.</summary>
+/// <summary>
+/// The command line. Bad usage or input: one line on stderr and exit code 2. An error of the program's own: one line that asks for a report, exit code 70.
+/// Ctrl-C: nothing is left behind, exit code 130.
+/// </summary>
 public static class Program
 {
+    /// <summary>Exit codes of bad usage or input, and of an error of the program's own (EX_SOFTWARE of sysexits.h).</summary>
+    private const int k_BadInput = 2, k_OwnError = 70;
+
+    /// <summary>Variable of the environment; <c>1</c> prints where an error of the program's own comes from.</summary>
+    private const string k_Trace = "ALATE_TRACE";
+
     public static int Main(string[] args)
     {
         using IDisposable watch = Interruption.Watch();
-        return Run(args, Console.IsOutputRedirected ? new RedirectedOutput(Console.Out) : Console.Out, Console.Error);
+        TextWriter output = Console.IsOutputRedirected ? new RedirectedOutput(Console.Out) : Console.Out;
+        return Run(args, output, Console.Error, Environment.GetEnvironmentVariable(k_Trace) == "1");
     }
 
     /// <summary>Runs one command.</summary>
-    /// <returns>The exit code: 0 for success, 2 for bad usage or input.</returns>
-    internal static int Run(string[] args, TextWriter output, TextWriter errors)
+    /// <param name="args">Its words.</param>
+    /// <param name="output">Standard output.</param>
+    /// <param name="errors">Standard error.</param>
+    /// <param name="isTraced">An error of the program's own is printed with its stack trace.</param>
+    /// <returns>The exit code: 0 for success, 2 for bad usage or input, 70 for an error of the program's own.</returns>
+    internal static int Run(string[] args, TextWriter output, TextWriter errors, bool isTraced = false)
     {
         var root = new RootCommand("Flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
         root.Subcommands.Add(FlyCommand.Create(output));
@@ -41,7 +55,7 @@ public static class Program
         // A word is a word: @FILE is no list of more of them.
         ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (UsageProblem.Find(parsed) is string usage)
-            return Fail(usage, errors);
+            return Fail(k_BadInput, usage, errors);
         try
         {
             using var held = HeldFolders.Begin();
@@ -52,21 +66,35 @@ public static class Program
         }
         catch (UserException problem)
         {
-            return Fail(problem.Message, errors);
+            return Fail(k_BadInput, problem.Message, errors);
+        }
+        catch (Exception problem) when (FileProblem.Is(problem))
+        {
+            return Fail(k_BadInput, problem.Message, errors);
+        }
+        catch (Exception problem)
+        {
+            return Fail(k_OwnError, OwnError(problem.GetBaseException()), errors, isTraced ? problem.ToString() : null);
         }
     }
 
-    private static int Fail(string message, TextWriter errors)
+    private static string OwnError(Exception problem) =>
+        $"an error of Alate itself, not of your input: {problem.GetType().Name}: {problem.Message.TrimEnd('.', ' ')}. "
+        + "Please report it with the command that you ran.";
+
+    private static int Fail(int code, string message, TextWriter errors, string trace = null)
     {
         try
         {
             errors.WriteLine("alate: " + Quote.Words(message.ReplaceLineEndings(" ").Trim()));
+            if (trace != null)
+                errors.WriteLine(trace);
         }
         catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ObjectDisposedException)
         {
             // The line has no place to go to; the exit code is left.
         }
 
-        return 2;
+        return code;
     }
 }

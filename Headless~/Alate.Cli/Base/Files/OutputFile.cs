@@ -16,7 +16,7 @@ internal static class OutputFile
     /// <exception cref="UserException">It cannot.</exception>
     public static void Check(string file) => Try(file, () =>
     {
-        if (string.IsNullOrWhiteSpace(file))
+        if (FileProblem.IsNoName(file))
             throw new UserException("Cannot write '': a file needs a name.");
         if (Directory.Exists(file) || Path.GetFileName(file).Length == 0)
             throw new UserException($"Cannot write '{file}': it is a folder, not a file.");

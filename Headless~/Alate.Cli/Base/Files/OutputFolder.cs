@@ -35,12 +35,13 @@ internal sealed class OutputFolder : IDisposable
     /// <exception cref="UserException">They cannot.</exception>
     public static OutputFolder Prepare(string given, params string[] names)
     {
+        if (FileProblem.IsNoName(given))
+            throw new UserException($"Cannot write into '{given}': that is no name of a folder.");
         var folder = new OutputFolder(given, $"into '{given}'");
         try
         {
             folder.Try(() =>
             {
-                ArgumentException.ThrowIfNullOrWhiteSpace(given);
                 folder.Root = Path.GetFullPath(given);
                 folder.Make(folder.Root);
                 folder.Sweep(folder.Root);

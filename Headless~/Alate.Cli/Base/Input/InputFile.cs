@@ -15,7 +15,7 @@ internal static class InputFile
     /// <exception cref="UserException">There is no such file, it is none to read, or it is too large.</exception>
     public static FileStream Open(string path, long most)
     {
-        if (string.IsNullOrWhiteSpace(path))
+        if (FileProblem.IsNoName(path))
             throw new UserException("Cannot read '': a file needs a name.");
         try
         {
@@ -36,7 +36,7 @@ internal static class InputFile
         {
             throw new UserException($"Cannot read '{path}': it links to no file.");
         }
-        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        catch (Exception problem) when (FileProblem.Is(problem))
         {
             throw new UserException($"Cannot read '{path}': {problem.Message}");
         }

@@ -49,7 +49,7 @@ internal sealed class PictureFile
         {
             throw new UserException($"{path}: {problem.Message}");
         }
-        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        catch (Exception problem) when (FileProblem.Is(problem))
         {
             throw new UserException($"Cannot read '{path}': {problem.Message}");
         }

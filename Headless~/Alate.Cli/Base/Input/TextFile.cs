@@ -28,7 +28,7 @@ internal static class TextFile
         {
             throw new UserException($"{path}: {problem.Message}");
         }
-        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        catch (Exception problem) when (FileProblem.Is(problem))
         {
             throw new UserException($"Cannot read '{path}': {problem.Message}");
         }
