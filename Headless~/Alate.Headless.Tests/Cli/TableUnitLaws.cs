@@ -137,7 +137,7 @@ public sealed class TableUnitLaws
             sum += wing.Frames.Average(frame => size.wingMass * size.wingLength * (Math.Cos(radians) * frame.AirForce.y + Math.Sin(radians) * frame.AirForce.z));
         }
 
-        return sum / (9.80665 * flight.Wings[0].Wing.Preset.Size.insectMass);
+        return sum / (9.81 * flight.Wings[0].Wing.Preset.Size.insectMass);
     }
 
     private static double Number(Dictionary<string, string> row, string column) => double.Parse(row[column], CultureInfo.InvariantCulture);

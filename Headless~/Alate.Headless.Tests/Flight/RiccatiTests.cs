@@ -34,6 +34,20 @@ namespace Alate.Tests.FreeFlights
             Assert.That(Riccati.Gains(new double[,] { { 2, 0 }, { 0, 0.5 } }, new double[,] { { 0 }, { 1 } }, new double[] { 1, 1 }), Is.Null);
         }
 
+        // P grows with Q where the commands shrink by the root: smaller units change nothing but the gains' own unit.
+        [Test]
+        public void Gains_KeepTheirShape_WhateverTheUnitOfTheCost([Values(1e-16, 1e-8, 1e8)] double unit)
+        {
+            var random = new Random(9);
+            Matrix<double> a = Fill(random, 5, 5) * 0.9, b = Fill(random, 5, 2);
+            double[] q = { 1, 0.5, 2, 0.1, 0.3 };
+            var gains = Matrix<double>.Build.DenseOfArray(Riccati.Gains(a.ToArray(), b.ToArray(), q));
+            double[] small = Array.ConvertAll(q, weight => unit * weight);
+            var other = Matrix<double>.Build.DenseOfArray(Riccati.Gains(a.ToArray(), (b / Math.Sqrt(unit)).ToArray(), small));
+
+            Assert.That((other / Math.Sqrt(unit) - gains).L2Norm(), Is.LessThan(1e-8 * gains.L2Norm()));
+        }
+
         // P of the invariant subspace inside the unit circle of the pencil x' = …: independent of the doubling.
         private static Matrix<double> Stable(Matrix<double> a, Matrix<double> b, Matrix<double> q)
         {
