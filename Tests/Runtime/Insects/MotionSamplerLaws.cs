@@ -61,6 +61,19 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void JumpsWithEvenMotionBetweenThem_AreJumps()
+        {
+            MotionSampler sampler = default;
+            Vector3 place = default;
+            for (int k = 0; k < 20; k++)
+            {
+                bool jumps = k % 5 == 4;
+                place += jumps ? 3f * Vector3.up : k_Step * Vector3.right;
+                Assert.That(sampler.Sample(place, Quaternion.identity, k_Step, k_Finest, k_Jump, k_Turn), Is.EqualTo(jumps), $"step {k}");
+            }
+        }
+
+        [Test]
         public void ATurnBeyondItsBound_IsAJump_InDegrees()
         {
             foreach ((float degrees, bool jumps) in new[] { (k_Turn - 2f, false), (k_Turn + 2f, true) })
