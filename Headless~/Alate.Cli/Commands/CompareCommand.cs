@@ -21,9 +21,11 @@ internal static class CompareCommand
             Arity = ArgumentArity.OneOrMore,
             Description = $"The insects: {string.Join(", ", InsectCatalogue.Names)}.",
         };
-        Option<double> elasticity = Numbers.Option(
-            "--elasticity", "FACTOR", ComparisonColumn.OtherElasticity, PlanRange.LeastElasticity, PlanRange.MostElasticity,
-            $"Factor on the elasticity in the last column, {PlanRange.LeastElasticity} to {PlanRange.MostElasticity}; below 1 is softer.");
+        Option<double> elasticity = Numbers.Option(FlightNumbers.Elasticity with
+        {
+            Default = ComparisonColumn.OtherElasticity,
+            Help = "Factor on the elasticity in the last column, {range}; below 1 is softer.",
+        });
         Option<int?> phases = Numbers.OptionalCount(
             "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, $"Rows of the pictures, {ComparisonPlan.MinPhases} to {ComparisonPlan.MaxPhases}. [default: 4]");
         Option<InsectVariant?> variant = FlightOptions.Variant();

@@ -85,9 +85,9 @@ public sealed class LiveFlightTests
         FlightPlan plan = settings.Plan(Alate.Catalogue.ComparisonColumn.FullModel);
 
         Assert.That(plan.Wind, Is.EqualTo(new[] { 0.0, 0.0, -2.5 }));
-        Assert.That(plan.AirPastBody.z, Is.EqualTo((float)(-2.5 - settings.Speed)).Within(1e-6f), "with the speed ahead");
+        Assert.That(plan.AirPastBody.z, Is.EqualTo((float)(-2.5 - settings.Flight.Speed)).Within(1e-6f), "with the speed ahead");
         Assert.That(() => ViewSlider.Set(settings, "wind", 5.01), Throws.Exception.With.Message.EqualTo("'wind' must lie between -5 and 5; it is 5.01."));
-        Assert.That(ViewSlider.Set(settings, "substeps", 20.4).Substeps, Is.EqualTo(20));
+        Assert.That(ViewSlider.Set(settings, "substeps", 20.4).Flight.Substeps, Is.EqualTo(20));
         foreach (ViewSlider slider in ViewSlider.All)
         {
             foreach (double value in new[] { slider.Min, slider.Max })

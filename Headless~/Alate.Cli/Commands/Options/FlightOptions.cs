@@ -16,13 +16,9 @@ internal static class FlightOptions
         Description = $"The insects: {string.Join(", ", InsectCatalogue.Names)}; all where none is named.",
     };
 
-    public static Option<double?> Speed() => Numbers.Optional(
-        "--speed", "M/S", 0, PlanRange.MostSpeed,
-        $"Speed of the body ahead, metres per second, 0 to {PlanRange.MostSpeed}. [default: 0.65 of the species' top speed, an insect's 1.3]");
+    public static Option<double?> Speed() => Numbers.Optional(FlightNumbers.Speed);
 
-    public static Option<int?> Substeps() => Numbers.OptionalCount(
-        "--substeps", "N", WingParameters.MinSubsteps, WingParameters.MaxSubsteps,
-        $"Substeps of a beat, {WingParameters.MinSubsteps} to {WingParameters.MaxSubsteps}. [default: the species']");
+    public static Option<int?> Substeps() => Numbers.OptionalCount(FlightNumbers.Substeps);
 
     public static Option<InsectVariant?> Variant() => Choice.Optional<InsectVariant>(
         "--variant", "Which numbers of the species: the tables', measured ones where there are any, softer ones, or those with which its wings carry it. [default: standard]", new()

@@ -13,34 +13,21 @@ internal sealed class FlyOptions
 
     private readonly Option<double?> m_Speed = FlightOptions.Speed();
 
-    private readonly Option<double> m_Climb = Numbers.Option(
-        "--climb", "M/S", 0, -PlanRange.MostSpeed, PlanRange.MostSpeed,
-        $"Speed of the body up, metres per second, {-PlanRange.MostSpeed} to {PlanRange.MostSpeed}; negative sinks.");
+    private readonly Option<double> m_Climb = Numbers.Option(FlightNumbers.Climb);
 
-    private readonly Option<double> m_Pitch = Numbers.Option(
-        "--pitch", "DEG", 0, -PlanRange.MostPitch, PlanRange.MostPitch,
-        $"Pitch of the body, degrees, nose up positive, {-PlanRange.MostPitch} to {PlanRange.MostPitch}.");
+    private readonly Option<double> m_Pitch = Numbers.Option(FlightNumbers.Pitch);
 
-    private readonly Option<double?> m_Seconds = Numbers.Optional(
-        "--seconds", "S", 0, 3600, "Simulated time, seconds, one beat to an hour; its last beat is reported. [default: 8 beats]");
+    private readonly Option<double?> m_Seconds = Numbers.Optional(FlightNumbers.Seconds);
 
-    private readonly Option<double[]> m_Wind = Numbers.Vector(
-        "--wind", "X,Y,Z", PlanRange.MostSpeed,
-        $"Wind, metres per second, each {-PlanRange.MostSpeed} to {PlanRange.MostSpeed}: to the right, up, ahead. [default: 0,0,0]");
+    private readonly Option<double[]> m_Wind = Numbers.Vector(FlightNumbers.Wind);
 
-    private readonly Option<double?> m_Induced = Numbers.Switch(
-        "--induced-flow", "FACTOR", 1, 0, InducedFlow.MostFactor,
-        $"Wings that meet the air which they draw along, by momentum theory, times a wake factor, 0 to {InducedFlow.MostFactor}. [default: none; 1 without FACTOR]");
+    private readonly Option<double?> m_Induced = Numbers.Switch(FlightNumbers.Induced);
 
     private readonly Option<bool> m_AddedMass = new("--added-mass") { Description = "The air that the wings carry along where they are accelerated across their surface." };
 
-    private readonly Option<double?> m_Lag = Numbers.Optional(
-        "--lag", "LAMBDA", WingBounds.ChordDelay.Min, WingBounds.ChordDelay.Max,
-        $"Delay of the trailing edge, half beats, {WingBounds.ChordDelay.Min} to {WingBounds.ChordDelay.Max}. [default: the species']");
+    private readonly Option<double?> m_Lag = Numbers.Optional(FlightNumbers.Lag);
 
-    private readonly Option<double> m_Elasticity = Numbers.Option(
-        "--elasticity", "FACTOR", 1, PlanRange.LeastElasticity, PlanRange.MostElasticity,
-        $"Factor on the species' elasticity, {PlanRange.LeastElasticity} to {PlanRange.MostElasticity}; below 1 is softer.");
+    private readonly Option<double> m_Elasticity = Numbers.Option(FlightNumbers.Elasticity);
 
     private readonly Option<int?> m_Substeps = FlightOptions.Substeps();
 

@@ -16,17 +16,16 @@ internal sealed class FreeOptions
     private static readonly string[] s_Pilots = ["hover", "goto", "points", "wander"];
 
     private const int k_MostPoints = 1000;
-    private const float k_Farthest = 1000f;
     private const double k_DefaultSeconds = 10;
 
     private readonly Option<bool> m_Free = new("--free") { Description = "The wings carry the insect: a flight of its own, not on the spot." };
     private readonly Option<string> m_Pilot = new("--pilot") { HelpName = "hover|goto|points|wander", Description = "With --free: where to. [default: hover, goto with --to, points with --points]" };
-    private readonly Option<double[]> m_To = Numbers.Vector("--to", "X,Y,Z", k_Farthest, "With --free: a place to fly to, metres from the start: right, up, ahead.");
+    private readonly Option<double[]> m_To = Numbers.Vector(FlightNumbers.To);
     private readonly Option<string> m_Points = new("--points") { HelpName = "FILE", Description = "With --free: a file of places, X,Y,Z in metres a line, flown one after the other." };
-    private readonly Option<int?> m_Seed = Numbers.OptionalCount("--seed", "N", 1, int.MaxValue, "With --free: seed of the track of --pilot wander. [default: 1]");
-    private readonly Option<double[]> m_Gust = Numbers.Vector("--gust", "X,Y,Z", 20, "With --free: a gust of one second in the middle of the flight, metres per second.");
-    private readonly Option<double> m_Aid = Numbers.Option("--aid", "A", 0, 0, 1, "With --free: help from outside after a tumble, 0 to 1.");
-    private readonly Option<double> m_Step = Numbers.Option("--step", "S", 0.02, 0.001, 0.05, "With --free: step of the game, seconds, 0.001 to 0.05.");
+    private readonly Option<int?> m_Seed = Numbers.OptionalCount(FlightNumbers.Seed);
+    private readonly Option<double[]> m_Gust = Numbers.Vector(FlightNumbers.Gust);
+    private readonly Option<double> m_Aid = Numbers.Option(FlightNumbers.Aid);
+    private readonly Option<double> m_Step = Numbers.Option(FlightNumbers.Step);
 
     private readonly Option<string> m_Record = new("--record")
     {
@@ -71,7 +70,7 @@ internal sealed class FreeOptions
             Options = string.Join(' ', Flown.Where(option => IsGiven(parsed, option)).Select(option => parsed.GetResult(option)).Select(Said)),
             Insect = KnownSpecies.Find(species ?? throw new UserException($"Which species? Known: {string.Join(", ", InsectCatalogue.Names)}."), InsectVariant.Flight),
             Points = PointsOf(parsed, out bool wanders),
-            WanderSeed = wanders ? parsed.GetValue(m_Seed) ?? 1 : null,
+            WanderSeed = wanders ? parsed.GetValue(m_Seed) ?? (int)FlightNumbers.Seed.Default : null,
             Seconds = Math.Max(seconds ?? k_DefaultSeconds, parsed.GetValue(m_Step)),
             Gust = gust is { Length: 3 } ? new float3((float)gust[0], (float)gust[1], (float)gust[2]) : default,
             Aid = parsed.GetValue(m_Aid),
@@ -139,8 +138,8 @@ internal sealed class FreeOptions
             float[] place = new float[words.Length];
             for (int word = 0; word < words.Length; word++)
             {
-                if (words.Length != 3 || !float.TryParse(words[word], NumberStyles.Float, CultureInfo.InvariantCulture, out place[word]) || !(Math.Abs(place[word]) <= k_Farthest))
-                    throw new UserException($"{file}, line {k + 1}: {Quote.Of(lines[k].Trim())} is no place; X,Y,Z in metres, each up to {k_Farthest}, are needed.");
+                if (words.Length != 3 || !float.TryParse(words[word], NumberStyles.Float, CultureInfo.InvariantCulture, out place[word]) || !(Math.Abs(place[word]) <= FlightNumbers.To.Max))
+                    throw new UserException($"{file}, line {k + 1}: {Quote.Of(lines[k].Trim())} is no place; X,Y,Z in metres, each up to {FlightNumbers.To.Max}, are needed.");
             }
 
             points.Add(new float3(place[0], place[1], place[2]));

@@ -18,6 +18,28 @@ internal static class Numbers
             CustomParser = result => Parse(result, name, Text(result), min, max),
         };
 
+    /// <summary>A number of a flight that has a default.</summary>
+    public static Option<double> Option(FlightNumber number) => Option(number.Option, number.Word, number.Default, number.Min, number.Max, number.Help);
+
+    /// <summary>A number of a flight whose default depends on others.</summary>
+    public static Option<double?> Optional(FlightNumber number) => Optional(number.Option, number.Word, number.Min, number.Max, number.Help);
+
+    /// <summary>A number of a flight whose option may stand alone, which means its default; null when it is not given.</summary>
+    public static Option<double?> Switch(FlightNumber number) => new(number.Option)
+    {
+        Description = number.Help,
+        HelpName = number.Word,
+        Arity = ArgumentArity.ZeroOrOne,
+        CustomParser = result => result.Tokens.Count == 0 ? number.Default : Parse(result, number.Option, Text(result), number.Min, number.Max),
+    };
+
+    /// <summary>A whole number of a flight whose default depends on others.</summary>
+    public static Option<int?> OptionalCount(FlightNumber number) =>
+        OptionalCount(number.Option, number.Word, (int)number.Min, (int)number.Max, number.Help);
+
+    /// <summary>Three numbers of a flight with commas; an empty array when they are not given.</summary>
+    public static Option<double[]> Vector(FlightNumber number) => Vector(number.Option, number.Word, number.Max, number.Help);
+
     /// <summary>A number that must be given.</summary>
     public static Argument<double> Argument(string name, string description) =>
         new(name)
@@ -33,16 +55,6 @@ internal static class Numbers
             Description = description,
             HelpName = unit,
             CustomParser = result => Parse(result, name, Text(result), min, max),
-        };
-
-    /// <summary>An option that may stand alone, which means a number; null when it is not given.</summary>
-    public static Option<double?> Switch(string name, string unit, double alone, double min, double max, string description) =>
-        new(name)
-        {
-            Description = description,
-            HelpName = unit,
-            Arity = ArgumentArity.ZeroOrOne,
-            CustomParser = result => result.Tokens.Count == 0 ? alone : Parse(result, name, Text(result), min, max),
         };
 
     /// <summary>A whole number whose default depends on others.</summary>

@@ -25,7 +25,7 @@ internal sealed record FreePlan
     public double Aid { get; init; }
 
     /// <summary>Seconds of a step.</summary>
-    public double Step { get; init; } = 0.02;
+    public double Step { get; init; } = FlightNumbers.Step.Default;
 
     /// <summary>Recorded flight that is flown again in place of all that; null for none.</summary>
     public Replay Replay { get; init; }

@@ -23,13 +23,13 @@ internal static class FlownParameters
     /// <summary>Everything: first elasticity as a factor on the species', as <c>fly</c> takes it, then the species' sliders, then the flight's numbers.</summary>
     public static IReadOnlyList<FlownParameter> All { get; } =
     [
-        new("elasticity", "× the species'", PlanRange.LeastElasticity, PlanRange.MostElasticity, (plan, value) => plan with { Elasticity = value }),
+        FlightNumbers.Elasticity.Swept(),
         .. OfSpecies.Where(parameter => parameter.Name != "elasticity"),
-        new("substeps-per-beat", "", WingParameters.MinSubsteps, WingParameters.MaxSubsteps, (plan, value) => plan with { Substeps = (int)value }, isWhole: true),
-        new("speed", "m/s", 0, PlanRange.MostSpeed, (plan, value) => plan with { Speed = value }),
-        new("climb", "m/s", -PlanRange.MostSpeed, PlanRange.MostSpeed, (plan, value) => plan with { Climb = value }),
-        new("pitch", "°", -PlanRange.MostPitch, PlanRange.MostPitch, (plan, value) => plan with { PitchDegrees = value }),
-        new("wind", "m/s from ahead", -PlanRange.MostSpeed, PlanRange.MostSpeed, (plan, value) => plan with { Wind = [0, 0, -value] }),
+        FlightNumbers.Substeps.Swept("substeps-per-beat"),
+        FlightNumbers.Speed.Swept(),
+        FlightNumbers.Climb.Swept(),
+        FlightNumbers.Pitch.Swept(),
+        FlightNumbers.Wind.Swept(),
     ];
 
     /// <summary>Finds a number by its name; capitals, hyphens and underscores do not matter.</summary>

@@ -4,18 +4,9 @@ using Alate.Catalogue;
 
 namespace Alate.Cli;
 
-/// <summary>Bounds of a plan's numbers, and checks of those that the model takes as a product with the species' own.</summary>
+/// <summary>Checks of a plan's numbers that the model takes as a product with the species' own.</summary>
 internal static class PlanRange
 {
-    /// <summary>Range of the option <c>--elasticity</c>, a factor on the species' k_e, whatever the species.</summary>
-    public const double LeastElasticity = 0.001, MostElasticity = 1e6;
-
-    /// <summary>Fastest a flight or its wind may be in any direction, m/s.</summary>
-    public const double MostSpeed = 100;
-
-    /// <summary>Steepest pitch up or down, degrees.</summary>
-    public const double MostPitch = 90;
-
     private static readonly WingParameterRange s_Elasticity = Range("elasticity"), s_Density = Range("airDensity"), s_Reference = Range("referenceFrequency");
 
     /// <summary>Refuses a factor on the elasticity that makes too much or too little of the species'.</summary>
@@ -25,8 +16,9 @@ internal static class PlanRange
     public static void CheckElasticity(FlightPlan plan, double factor)
     {
         string subject = KnownSpecies.Titled(plan.Species, plan.Variant);
+        FlightNumber number = FlightNumbers.Elasticity;
         TypedRange.Check(
-            "--elasticity", factor, LeastElasticity, MostElasticity, subject, 1, value => Holds(plan with { Elasticity = value }));
+            number.Option, factor, number.Min, number.Max, subject, number.Default, value => Holds(number.In(plan, value)));
     }
 
     /// <summary>Refuses a value of a parameter that takes the insect out of the model's range.</summary>

@@ -7,32 +7,15 @@ namespace Alate.Cli;
 /// <summary>Settings of what a page shows: an insect and how it flies.</summary>
 internal sealed record ViewSettings
 {
-    public string Species { get; init; }
+    /// <summary>The flight of the whole model.</summary>
+    public FlightPlan Flight { get; init; }
 
-    public InsectVariant Variant { get; init; }
+    public string Species => Flight.Species;
+
+    public InsectVariant Variant => Flight.Variant;
 
     /// <summary>Simulated time over that of the viewer.</summary>
     public double Slow { get; init; }
-
-    /// <summary>Of the body ahead, m/s.</summary>
-    public double Speed { get; init; }
-
-    /// <summary>From ahead, m/s.</summary>
-    public double Wind { get; init; }
-
-    /// <summary>Factor on the species'.</summary>
-    public double Elasticity { get; init; } = 1;
-
-    /// <summary>λ, half beats.</summary>
-    public double Delay { get; init; }
-
-    /// <summary>Factor on the species'.</summary>
-    public double Amplitude { get; init; } = 1;
-
-    /// <summary>Factor on the species'.</summary>
-    public double Frequency { get; init; } = 1;
-
-    public int Substeps { get; init; }
 
     /// <summary>True for the columns of the model beside one another.</summary>
     public bool IsCompared { get; init; }
@@ -48,30 +31,22 @@ internal sealed record ViewSettings
         WingPreset preset = species.Wings[0].CreatePreset(ModelReading.Physical, variant);
         var settings = new ViewSettings
         {
-            Species = species.Name,
-            Variant = variant,
+            Flight = FlightNumbers.Wind.In(FlightPlan.Cruise(species, variant), 0) with
+            {
+                Lag = Math.Round(preset.Wave.chordDelay, 4),
+                Substeps = preset.SubstepsPerBeat,
+            },
             Slow = Math.Round(Math.Clamp(0.8 / preset.Beat.maxFrequency, 0.001, 1), 3),
-            Speed = FlightPlan.CruiseOf(species),
-            Delay = Math.Round(preset.Wave.chordDelay, 4),
-            Substeps = preset.SubstepsPerBeat,
         };
         UnityEngine.Object.DestroyImmediate(preset);
         return settings;
     }
 
     /// <summary>The flight of a column.</summary>
-    public FlightPlan Plan(ComparisonColumn column) => new()
+    public FlightPlan Plan(ComparisonColumn column) => Flight with
     {
-        Species = Species,
-        Variant = Variant,
-        Speed = Speed,
-        Wind = [0, 0, -Wind],
-        Elasticity = Elasticity,
         // The others have no wave that could be late.
-        Lag = column == ComparisonColumn.RigidWing || column == ComparisonColumn.NoWave ? null : Delay,
-        Amplitude = Amplitude,
-        Frequency = Frequency,
-        Substeps = Substeps,
+        Lag = column == ComparisonColumn.RigidWing || column == ComparisonColumn.NoWave ? null : Flight.Lag,
         Column = column,
     };
 }

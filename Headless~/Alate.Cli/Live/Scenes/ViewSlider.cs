@@ -24,15 +24,8 @@ internal sealed record ViewSlider(
     public static IReadOnlyList<ViewSlider> All { get; } =
     [
         new("slow", "slow motion", "× time", 0.001, 1, true, false, settings => settings.Slow, (settings, value) => settings with { Slow = value }),
-        new("speed", "speed", "m/s", 0, 5, false, false, settings => settings.Speed, (settings, value) => settings with { Speed = value }),
-        new("wind", "head wind", "m/s", -5, 5, false, false, settings => settings.Wind, (settings, value) => settings with { Wind = value }),
-        new("elasticity", "elasticity", "×", 0.1, 10, true, false, settings => settings.Elasticity, (settings, value) => settings with { Elasticity = value }),
-        new("delay", "delay of the trailing edge", "half beats", 0, 1, false, false, settings => settings.Delay, (settings, value) => settings with { Delay = value }),
-        new("amplitude", "amplitude", "×", 0, 1.5, false, false, settings => settings.Amplitude, (settings, value) => settings with { Amplitude = value }),
-        new("frequency", "frequency", "×", 0.25, 2, true, false, settings => settings.Frequency, (settings, value) => settings with { Frequency = value }),
-        new(
-            "substeps", "substeps of a beat", "", WingParameters.MinSubsteps, WingParameters.MaxSubsteps, true, true, settings => settings.Substeps,
-            (settings, value) => settings with { Substeps = (int)value }),
+        For(FlightNumbers.Speed), For(FlightNumbers.Wind), For(FlightNumbers.Elasticity), For(FlightNumbers.Lag), For(FlightNumbers.Amplitude),
+        For(FlightNumbers.Frequency), For(FlightNumbers.Substeps),
     ];
 
     /// <summary>Settings with a value that a message names.</summary>
@@ -50,4 +43,9 @@ internal sealed record ViewSlider(
 
         throw new UserException($"There is no slider {Quote.Of(name)}.");
     }
+
+    private static ViewSlider For(FlightNumber number) => new(
+        number.Slider.Name, number.Slider.Title, number.Slider.Unit, number.Slider.Min, number.Slider.Max,
+        number.Slider.IsLogarithmic, number.IsWhole,
+        settings => number.Of(settings.Flight), (settings, value) => settings with { Flight = number.In(settings.Flight, value) });
 }
