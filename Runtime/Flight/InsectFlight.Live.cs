@@ -131,7 +131,7 @@ namespace Alate.Flight
         {
             // The turn about the vertical is taken over; pitch and roll are the flight's own.
             float turn = Headings.Of(toRotation) - Headings.Of(fromRotation);
-            var turned = Rotations.AboutY(turn);
+            quaternion turned = Rotations.AboutY(turn);
             bool turns = math.abs(turn) > 1e-3f;
             if (turns)
             {

@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
-using Unity.Mathematics;
 
 namespace Alate.Benchmarks;
 
@@ -17,7 +16,7 @@ internal static class TetheredScene
     /// <summary>Runs the scene.</summary>
     public static ulong Run(HashVariant variant)
     {
-        List<Specimen> kinds = InsectCatalogue.All.SelectMany(insect => insect.Wings).Select(wing => new Specimen(wing)).ToList();
+        var kinds = InsectCatalogue.All.SelectMany(insect => insect.Wings).Select(wing => new Specimen(wing)).ToList();
         using var world = new WingWorld();
         foreach (Specimen kind in kinds)
         {

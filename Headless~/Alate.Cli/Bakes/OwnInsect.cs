@@ -4,7 +4,6 @@ using System.IO;
 using Alate.Authoring;
 using Alate.Catalogue;
 using Alate.Crowds;
-using Alate.Formats;
 using Unity.Mathematics;
 using UnityEngine;
 

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using Alate.Catalogue;
-using Alate.Drawing;
 
 namespace Alate.Cli;
 

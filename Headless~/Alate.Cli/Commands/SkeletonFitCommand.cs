@@ -5,7 +5,6 @@ using System.IO;
 using System.Text;
 using Alate.Authoring;
 using Alate.Fitting;
-using Alate.Formats;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -3,7 +3,6 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
-using Alate.Drawing;
 
 namespace Alate.Cli;
 

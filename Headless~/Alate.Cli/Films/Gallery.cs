@@ -61,7 +61,7 @@ internal static class Gallery
         InsectDefinition species = InsectCatalogue.Find(exhibit.Species);
         var plan = new FlightPlan { Species = species.Name, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
         using var flight = new TetheredFlight(plan, Insect.Of(plan));
-        var scene = FlightPhoto.Scene(flight.Run(_ => { }), new PictureView("", exhibit.Aside, exhibit.Above));
+        PhotoScene scene = FlightPhoto.Scene(flight.Run(_ => { }), new PictureView("", exhibit.Aside, exhibit.Above));
         Pose pose = scene.PoseAt(exhibit.Turns);
         return scene.Draw(pose, StripPanel.Around(pose, size, k_InsetOverWidth * size.x), 1f);
     }

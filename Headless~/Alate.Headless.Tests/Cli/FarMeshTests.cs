@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Alate.Cli;
-using Alate.Formats;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -22,7 +22,7 @@ public sealed class FreePictureTests
     [TestCase(0.05f, 100)]
     public void AScaleBar_IsOfARoundLength_AboutASixthOfTheWidth(float pixelsPerMetre, int bar)
     {
-        var pixels = Enumerable.Repeat(new Color32(255, 255, 255, 255), 1200 * 300).ToArray();
+        Color32[] pixels = Enumerable.Repeat(new Color32(255, 255, 255, 255), 1200 * 300).ToArray();
         new PathLabels(pixels, 1200).Scale(pixelsPerMetre);
         int[] rows = Enumerable.Range(0, 300).Where(row => Enumerable.Range(24, 4).All(x => pixels[row * 1200 + x].Equals(s_Ink))).ToArray();
         int lowest = rows.Max();

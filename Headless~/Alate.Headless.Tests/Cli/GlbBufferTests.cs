@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Text.Json;
 using System.Text.Json.Nodes;
 using Alate.Formats;
 using NUnit.Framework;
@@ -76,7 +77,7 @@ public sealed class GlbBufferTests
     {
         byte[] picture = [1, 2, 3, 4, 5, 6, 7];
         GlbFile file = Written(buffer => buffer.AddIndices([0, 1, 2], 3), buffer => buffer.AddFile(picture), buffer => buffer.AddScalars([1f]));
-        var views = file.Root.GetProperty("bufferViews");
+        JsonElement views = file.Root.GetProperty("bufferViews");
 
         Assert.That((views[1].GetProperty("byteOffset").GetInt32(), views[1].GetProperty("byteLength").GetInt32()), Is.EqualTo((8, 7)));
         Assert.That(views[2].GetProperty("byteOffset").GetInt32(), Is.EqualTo(16));

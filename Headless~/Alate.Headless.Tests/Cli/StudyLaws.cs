@@ -4,7 +4,6 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
-using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Drawing;
 using Alate.Fitting;

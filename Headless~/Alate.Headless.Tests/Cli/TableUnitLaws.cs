@@ -29,12 +29,18 @@ public sealed class TableUnitLaws
             ("twist_pp_deg", beat.TwistRange), ("tip_bend_pp_deg", beat.TipBendRange), ("tip_bend_max_deg", beat.TipBendMax), ("lag_deg", beat.Lag),
             ("tip_lag_deg", (double)beat.TipLag),
         })
+        {
             Assert.That(Measure(key), Is.EqualTo(180.0 / Math.PI * radians).Within(1e-4), key);
+        }
+
         foreach ((string key, double share) in new[]
         {
             ("camber_min_pct", beat.CamberMin), ("camber_max_pct", beat.CamberMax), ("edge_stretch_p99_pct", beat.Stretch99), ("edge_stretch_max_pct", Stretch(wing)),
         })
+        {
             Assert.That(Measure(key), Is.EqualTo(100.0 * share).Within(1e-4), key);
+        }
+
         Assert.That(WingMeasure.All.Select(measure => measure.Of(summary)).Distinct().Count(), Is.EqualTo(WingMeasure.All.Count), "each its own");
     }
 

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
@@ -41,7 +42,7 @@ namespace Alate.Tests.Determinism
         public void WhatMovesInsects_CallsNoLibraryForSinesAndPowers()
         {
             string root = PackageRoot.Find();
-            var calls = from file in Directory.GetFiles(Path.Combine(root, "Runtime"), "*.cs", SearchOption.AllDirectories)
+            IEnumerable<string> calls = from file in Directory.GetFiles(Path.Combine(root, "Runtime"), "*.cs", SearchOption.AllDirectories)
                 let place = Path.GetRelativePath(root, file).Replace('\\', '/')
                 where !s_Looks.IsMatch(place)
                 from call in s_Library.Matches(File.ReadAllText(file))

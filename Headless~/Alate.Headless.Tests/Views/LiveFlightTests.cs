@@ -13,7 +13,7 @@ public sealed class LiveFlightTests
     [Test]
     public void AState_HasTheJointsOnTheMesh_AndNothingBeyondItsReach()
     {
-        FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
         using var flight = new LiveFlight(plan, Insect.Of(plan));
         flight.Advance(0.13);
         ViewState state = Read(flight);
@@ -36,7 +36,7 @@ public sealed class LiveFlightTests
     [Test]
     public void TimePasses_AsItIsTold_InSmallStepsAndLarge([Values(0.0007, 0.004, 0.03)] double step)
     {
-        FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
         using var flight = new LiveFlight(plan, Insect.Of(plan));
         flight.Advance(0.2);
         double before = Read(flight).Beats[0];
@@ -98,7 +98,7 @@ public sealed class LiveFlightTests
     [Test]
     public void Gusts_StretchMoreThanStillAir()
     {
-        FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
         using var tunnel = new WindTunnel(plan, Insect.Of(plan).Wings[0]);
         WindPoint still = tunnel.Measure(0.0, true), gust = tunnel.Measure(8.0, true), steady = tunnel.Measure(8.0, false);
 

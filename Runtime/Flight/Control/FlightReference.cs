@@ -86,7 +86,7 @@ namespace Alate.Flight
         /// <summary>Reference turned about the world's up, radians.</summary>
         internal FlightReference Turned(float by)
         {
-            var turn = Rotations.AboutY(by);
+            quaternion turn = Rotations.AboutY(by);
             FlightReference turned = this;
             turned.m_Velocity = math.rotate(turn, m_Velocity);
             turned.m_Rate = math.rotate(turn, m_Rate);

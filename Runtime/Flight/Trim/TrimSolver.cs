@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Flight

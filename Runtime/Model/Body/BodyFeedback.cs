@@ -92,11 +92,11 @@ namespace Alate
         /// </summary>
         public static float3 TurnApart(in FlyingBody body, float* point, in BodyBob bob, out quaternion heading)
         {
-            var wanted = Rotations.AboutY(body.reference.heading);
+            quaternion wanted = Rotations.AboutY(body.reference.heading);
             quaternion error = math.mul(body.rotation, math.conjugate(Trimmed(wanted, point)));
             float4 e = error.value.w < 0f ? -error.value : error.value;
             float off = 2f * Elementary.Atan2(e.y, e.w);
-            var twist = Rotations.AboutY(off);
+            quaternion twist = Rotations.AboutY(off);
             heading = math.mul(wanted, twist);
             float3 tilt = math.rotate(math.conjugate(heading), BodyMotion.Log(math.mul(error, math.conjugate(twist))));
             return tilt + new float3(-bob.turn, math.clamp(off, -k_MostHeading, k_MostHeading), 0f);

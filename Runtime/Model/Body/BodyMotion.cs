@@ -74,7 +74,7 @@ namespace Alate
         /// <summary>Sets attitude and motion to the trim's with its bob.</summary>
         public static unsafe void Place(ref FlyingBody body, float* point, in BodyBob bob, float3 velocity)
         {
-            var heading = Rotations.AboutY(body.reference.heading);
+            quaternion heading = Rotations.AboutY(body.reference.heading);
             body.rotation = math.normalize(math.mul(heading, Rotations.AboutX(bob.turn - point[TrimPoint.Pitch])));
             body.velocity = velocity + math.rotate(heading, bob.velocity);
             body.spin = new float3(bob.rate, 0f, 0f);

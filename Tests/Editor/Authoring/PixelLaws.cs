@@ -279,7 +279,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void ThinLines_ArePixelsWide_AsLongAsTheyWere_AndHangTogetherAsBefore()
         {
-            PixelMask bars = new PixelMask(60, 40);
+            var bars = new PixelMask(60, 40);
             for (int k = 0; k < 60 * 40; k++)
             {
                 int x = k % 60, y = k / 60;

@@ -17,7 +17,7 @@ namespace Alate.Tests.Crowds
             BodyFlight flight = motion.FlightOf(4f, 0.5f, 0.02f);
 
             // The clip's attitude takes the body's axes to the level ones: nose up is a negative turn about X.
-            quaternion attitude = quaternion.RotateX(-math.radians(pitch));
+            var attitude = quaternion.RotateX(-math.radians(pitch));
             Assert.That(math.distance(math.rotate(attitude, flight.gravity), new float3(0f, -9.81f, 0f)), Is.LessThan(1e-4f));
             Assert.That(math.distance(math.rotate(attitude, flight.velocity) * 0.02f, new float3(0f, 1f, 2f)), Is.LessThan(1e-4f), "units of 2 cm a second");
             Assert.That(flight.Pitch, Is.EqualTo(math.radians(pitch)).Within(1e-4f));

@@ -33,7 +33,7 @@ namespace Alate.Tests.Crowds
         [TestCase(0xFF336699u, 0.6f, 0.4f, 0.2f)]
         public void ATint_IsRedGreenBlue_FromTheLowestByte_AndOpaque(uint tint, float red, float green, float blue)
         {
-            CrowdPose pose = CrowdPose.At(default, quaternion.identity);
+            var pose = CrowdPose.At(default, quaternion.identity);
             pose.tint = tint;
             CrowdJob job = Run(Job(new[] { pose }));
 
@@ -63,7 +63,7 @@ namespace Alate.Tests.Crowds
         [Test]
         public void Rows_AreThoseOfBothLoops_AtOnePhase()
         {
-            CrowdPose pose = CrowdPose.At(default, quaternion.identity, 0.9f);
+            var pose = CrowdPose.At(default, quaternion.identity, 0.9f);
             pose.nextLoop = 1;
             pose.blend = 0.35f;
             CrowdJob job = Run(Job(new[] { pose }));
@@ -118,7 +118,7 @@ namespace Alate.Tests.Crowds
         [Test]
         public void InsectsWithoutSize_AreNotDrawn([Values(0f, float.NaN)] float scale, [Values] bool culls)
         {
-            CrowdPose pose = CrowdPose.At(default, quaternion.identity);
+            var pose = CrowdPose.At(default, quaternion.identity);
             pose.scale = scale;
             CrowdJob job = Job(new[] { pose, CrowdPose.At(default, quaternion.identity) });
             job.culls = culls;
@@ -254,7 +254,7 @@ namespace Alate.Tests.Crowds
 
         private static CrowdPose Somewhere(ref Random random)
         {
-            CrowdPose pose = CrowdPose.At(random.NextFloat3(-5f, 5f), random.NextQuaternionRotation());
+            var pose = CrowdPose.At(random.NextFloat3(-5f, 5f), random.NextQuaternionRotation());
             pose.scale = random.NextFloat(0.5f, 3f);
             return pose;
         }

@@ -125,7 +125,7 @@ namespace Alate.Tests.Crowds
             for (int vertex = 0; vertex < surface.VertexCount; vertex++)
             {
                 float side = vertex < k_WingVertices ? 1f : vertex < 2 * k_WingVertices ? -1f : 0f;
-                quaternion turn = quaternion.RotateZ(side * angle);
+                var turn = quaternion.RotateZ(side * angle);
                 var root = new float3(0.1f * side, 0f, 0f);
                 frame.Positions[vertex] = root + math.rotate(turn, (float3)surface.Positions[vertex] - root);
                 frame.Normals[vertex] = math.rotate(turn, surface.Normals[vertex]);

@@ -58,7 +58,7 @@ namespace Alate.Tests.Crowds
         {
             // All but the outermost corners of the wings rise by a hundredth of the wing length in the fifth of eight frames, which is one of two that are measured.
             InsectBake bake = PlainBake.Make(1, 1, 1, 1);
-            var flat = bake.Clips[0].Frames[0];
+            BakedFrame flat = bake.Clips[0].Frames[0];
             var frames = new List<BakedFrame>();
             for (int k = 0; k < 8; k++)
             {

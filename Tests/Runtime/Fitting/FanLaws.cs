@@ -126,7 +126,7 @@ namespace Alate.Tests
             Assert.That(ChainInset.Outside(chain, outline), Is.LessThanOrEqualTo(0.004));
             Assert.That((Distance(chain[0], root), Distance(chain[joints - 1], tip)), Is.EqualTo((0.0, 0.0)));
             PlanPoint[] fine = { new PlanPoint(0.1, 1.9), new PlanPoint(0.2, 1.0), new PlanPoint(0.1, 0.1) };
-            PlanPoint[] before = (PlanPoint[])fine.Clone();
+            var before = (PlanPoint[])fine.Clone();
             ChainInset.Apply(fine, outline);
             Assert.That(fine.Zip(before, Distance), Is.All.Zero, "a chain inside stays");
         }

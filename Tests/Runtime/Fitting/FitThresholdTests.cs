@@ -154,7 +154,7 @@ namespace Alate.Tests
             SurfaceMesh plate = TestWings.Rectangle();
             int count = plate.positions.Length;
             float side = Mathf.Sqrt(share);
-            var speck = new[] { new Vector3(2f, 0f, 0f), new Vector3(2f, 0f, side), new Vector3(2f + side, 0f, 0f) };
+            Vector3[] speck = new[] { new Vector3(2f, 0f, 0f), new Vector3(2f, 0f, side), new Vector3(2f + side, 0f, 0f) };
             var both = new SurfaceMesh { name = "Both", positions = plate.positions.Concat(speck).ToArray(), triangles = plate.triangles.Concat(new[] { count, count + 1, count + 2 }).ToArray() };
             if (!isLeftOut)
             {

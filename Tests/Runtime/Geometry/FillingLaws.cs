@@ -29,7 +29,7 @@ namespace Alate.Tests
 
                     // The centre lies as far from all three corners.
                     PlanPoint ab = b - a, ac = c - a;
-                    var centre = a + new PlanPoint(ac.z * ab.LengthSquared - ab.z * ac.LengthSquared, ab.x * ac.LengthSquared - ac.x * ab.LengthSquared) * (0.5 / doubled);
+                    PlanPoint centre = a + new PlanPoint(ac.z * ab.LengthSquared - ab.z * ac.LengthSquared, ab.x * ac.LengthSquared - ac.x * ab.LengthSquared) * (0.5 / doubled);
                     double radius = Math.Sqrt((a - centre).LengthSquared);
                     Assert.That(points.Min(point => Math.Sqrt((point - centre).LengthSquared)), Is.GreaterThan(radius * (1.0 - 1e-6)), $"seed {seed}");
                 }
@@ -170,7 +170,7 @@ namespace Alate.Tests
         private static PlanPoint[] Scattered(uint seed, int count)
         {
             var random = new Random(seed);
-            var points = s_Square.ToList();
+            List<PlanPoint> points = s_Square.ToList();
             for (int k = 0; k < count; k++)
                 points.Add(new PlanPoint(0.05 + 3.9 * random.NextDouble(), 0.05 + 3.9 * random.NextDouble()));
             return points.ToArray();

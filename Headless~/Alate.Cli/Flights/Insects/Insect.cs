@@ -4,7 +4,6 @@ using System.Linq;
 using Alate.Authoring;
 using Alate.Catalogue;
 using Alate.Drawing;
-using Alate.Formats;
 using Unity.Mathematics;
 using UnityEngine;
 

@@ -21,7 +21,7 @@ internal static class BeatStrip
     public static PixelPage Compose(FlightRecord flight, out StripLayout layout)
     {
         var page = new PixelPage();
-        var scene = FlightPhoto.Scene(flight);
+        PhotoScene scene = FlightPhoto.Scene(flight);
         var poses = new List<Pose>();
         for (int k = 0; k < k_Columns * k_Rows; k++)
             poses.Add(scene.PoseAt(k / (double)(k_Columns * k_Rows)));

@@ -21,7 +21,7 @@ internal static class StretchMap
     public static byte[] Draw(FlightRecord flight)
     {
         var largest = flight.Wings.ToDictionary(wing => wing, StretchField.Largest);
-        var scene = FlightPhoto.Scene(
+        PhotoScene scene = FlightPhoto.Scene(
             flight, PictureView.ByName["top"], (index, wing) => PhotoSurface.Thin(
                 index, wing.Rest, wing.Triangles, Array.ConvertAll(largest[wing], stretch => new float4(stretch, 0f, 0f, 0f)),
                 (stretch, _) => new float4(Shading.ToLinear(ColourOf(stretch.x / k_Most)), 1f)));

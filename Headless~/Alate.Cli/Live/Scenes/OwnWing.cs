@@ -6,7 +6,6 @@ using Alate.Authoring;
 using Alate.Catalogue;
 using Alate.Drawing;
 using Alate.Fitting;
-using Alate.Formats;
 using Unity.StandIns;
 using UnityEngine;
 

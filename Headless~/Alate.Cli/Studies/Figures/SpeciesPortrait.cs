@@ -13,7 +13,7 @@ internal static class SpeciesPortrait
     public static byte[] Draw(FlightRecord flight)
     {
         var page = new PixelPage();
-        var scene = FlightPhoto.Scene(flight);
+        PhotoScene scene = FlightPhoto.Scene(flight);
         var layout = new StripLayout(s_Phases.Select(scene.PoseAt).ToList(), s_Phases.Length, 0f, k_Top, k_Panel, 0f);
         for (int k = 0; k < s_Phases.Length; k++)
         {

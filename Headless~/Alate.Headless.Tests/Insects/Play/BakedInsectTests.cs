@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
@@ -141,7 +140,7 @@ namespace Alate.Tests.Play.Headless
             int[] corners = part.Triangles;
 
             // Scaled, then a quarter turn to the right: X goes to -Z and Z to X.
-            var places = corners.Select(corner => surface.Positions[corner]).ToArray();
+            Vector3[] places = corners.Select(corner => surface.Positions[corner]).ToArray();
             Assert.That(places.Select(place => place - new Vector3(0.01f, 0.02f, 0.03f)), Is.EquivalentTo(new[] { Vector3.zero, new Vector3(0f, 0f, 2f), new Vector3(0.5f, 0f, 0f) }).Using<Vector3>((a, b) => (a - b).magnitude < 1e-5f));
             Assert.That(Vector3.Cross(places[1] - places[0], places[2] - places[0]).y, Is.GreaterThan(0f), "the side that was seen is seen");
             Assert.That((part.HasColours, part.Material), Is.EqualTo((false, (Material)null)));

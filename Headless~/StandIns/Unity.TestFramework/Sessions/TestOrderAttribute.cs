@@ -1,7 +1,6 @@
 using System;
 using System.Globalization;
 using System.Linq;
-using NUnit.Framework;
 using NUnit.Framework.Interfaces;
 using NUnit.Framework.Internal;
 using Unity.StandIns;

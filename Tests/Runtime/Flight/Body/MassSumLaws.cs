@@ -29,7 +29,7 @@ namespace Alate.Tests.Flight
                     first[i] += mass[k] * at[k][i];
             }
 
-            float3 centre = new float3((float)(first[0] / whole), (float)(first[1] / whole), (float)(first[2] / whole));
+            var centre = new float3((float)(first[0] / whole), (float)(first[1] / whole), (float)(first[2] / whole));
             float3x3 inertia = default;
             for (int k = 0; k < 6; k++)
             {

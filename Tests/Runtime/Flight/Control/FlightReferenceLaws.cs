@@ -134,7 +134,7 @@ namespace Alate.Tests.Flight
             float3 direction = math.normalize(new float3(1f, -2f, 2f));
             one.Step(new float3(1f, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
             other.Step(new float3(1f, 0f, 0f), float.NaN, default, size * direction, m_Table, k_Step);
-            float3 turned = new float3(direction.z, direction.y, -direction.x);
+            var turned = new float3(direction.z, direction.y, -direction.x);
             float expected = math.max(size - 0.15f, 0f) * (1f - math.exp(-6f * k_Step));
             Assert.That(math.distance(other.Velocity - one.Velocity, expected * turned), Is.LessThan(1e-6f));
         }
@@ -193,8 +193,11 @@ namespace Alate.Tests.Flight
             FlightReference reference = Ahead(0.4f);
             float fastest = 0f;
             for (int step = 0; step < 50; step++)
+            {
                 fastest = math.max(fastest, math.abs(reference.Step(new float3(0f, 0f, 0.4f), 0f, new float3(4f, 0f, 0f), default,
                     m_Table, k_Step).turning));
+            }
+
             Assert.That(fastest, Is.EqualTo(10f).Within(1e-3f));
         }
 

@@ -86,13 +86,13 @@ namespace Alate.Tests.Flight
             WanderSettings settings = WanderSettings.Default;
             settings.turnSpread = 150f;
             settings.speed = 1.2f;
-            var situation = Situation(k_Step);
+            FlightSituation situation = Situation(k_Step);
             var course = new ErraticCourse(3);
-            float turning = 0f, change = 0f, before = 0f;
+            float turning = 0f, change = 0f;
             float3 last = course.Next(situation, s_Open, settings);
             for (int step = 0; step < 5000; step++)
             {
-                before = course.Course;
+                float before = course.Course;
                 float3 now = course.Next(situation, s_Open, settings);
                 turning = math.max(turning, math.abs(Headings.Wrap(course.Course - before)) / k_Step);
                 change = math.max(change, math.length(now - last) / k_Step);

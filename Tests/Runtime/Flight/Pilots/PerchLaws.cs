@@ -145,7 +145,7 @@ namespace Alate.Tests.Flight
             Assert.That(plan.Stage, Is.EqualTo(PerchStage.Between));
             Assert.That(plan.WantsSpot, Is.False);
             plan.Land(new PerchSpot { normal = new float3(0f, 1f, 0f) }, k_Stand);
-            FlightCommand between = FlightCommand.Fly(new float3(1f, 2f, 3f));
+            var between = FlightCommand.Fly(new float3(1f, 2f, 3f));
             Assert.That(plan.Next(Situation(), PerchSettings.Default, 1f, between).velocity, Is.EqualTo(between.velocity),
                 "so does one that something comes near");
             Assert.That(plan.Stage, Is.EqualTo(PerchStage.Between));
@@ -211,7 +211,7 @@ namespace Alate.Tests.Flight
         {
             FlightSituation situation = Situation();
             plan.Land(new PerchSpot { normal = new float3(0f, 1f, 0f), heading = 0f }, k_Stand);
-            float3 seat = new float3(0f, k_Stand + 1.2f * k_Length, 0f);
+            var seat = new float3(0f, k_Stand + 1.2f * k_Length, 0f);
             situation.position = seat + 0.4f * math.normalize(new float3(0f, 0.45f, -1f));
             for (int step = 0; step < 5 && plan.Stage != PerchStage.Perched; step++)
             {

@@ -48,7 +48,7 @@ namespace Alate.Tests
             float3 error = default, rate = new float3(3f, -2f, 1f);
             error[axis] = sign * angle;
             body.velocity = body.reference.velocity;
-            quaternion heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
+            var heading = quaternion.AxisAngle(new float3(0f, 1f, 0f), body.reference.heading);
             body.rotation = math.mul(BodyMotion.Turn(math.rotate(heading, error)), body.rotation);
             body.spin = math.rotate(math.conjugate(body.rotation), math.rotate(heading, rate));
             BodyAid.Evaluate(ref body, 0f);

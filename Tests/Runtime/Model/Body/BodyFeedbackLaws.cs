@@ -219,8 +219,10 @@ namespace Alate.Tests
                 BodyFeedback.Sample(ref body, 1f, point);
                 BodyFeedback.Sample(ref mirrored, 1f, point);
                 for (int command = 0; command < 6; command++)
+                {
                     Assert.That(mirrored.Last(command), Is.EqualTo(command < 4 ? body.Last(command) : -body.Last(command)).Within(1e-4f),
                         $"command {command}");
+                }
             }
         }
 

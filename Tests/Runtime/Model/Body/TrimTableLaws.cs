@@ -33,8 +33,10 @@ namespace Alate.Tests
                 {
                     memory.View.Read(speed, climb, read);
                     for (int k = 0; k < TrimPoint.Floats; k++)
+                    {
                         Assert.That(read[k], Is.EqualTo(Value(k, math.clamp(speed, 0f, 1f),
                             math.clamp(climb, -0.3f, 0.5f))).Within(1e-3f), $"{k} at {speed}, {climb}");
+                    }
                 }
             }
         }

@@ -47,8 +47,11 @@ namespace Alate.Tests
                 Assert.That(read.power, Is.EqualTo(power).Within(1e-4f * math.abs(power)));
                 Assert.That(read.aidPower, Is.EqualTo(aid).Within(1e-4f * math.abs(aid)));
                 for (int column = 0; column < 3; column++)
+                {
                     Assert.That(math.distance(read.damping[column], damping[column]),
                         Is.LessThanOrEqualTo(1e-4f * math.length(damping[column])));
+                }
+
                 Assert.That(power, Is.Not.Zero);
                 Assert.That(aid, !held ? Is.Not.Zero : Is.Zero);
                 Assert.That(math.length(damping.c0), held ? Is.Not.Zero : Is.Zero);
