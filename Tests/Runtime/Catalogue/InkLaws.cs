@@ -41,7 +41,7 @@ namespace Alate.Tests
         {
             float[] grains = Enumerable.Range(0, 4000).Select(k => Tint.Grain(new Vector3(k % 20, k / 20 % 20, k / 400) * 0.37f)).ToArray();
 
-            Assert.That(grains, Is.All.InRange(0f, 1f));
+            Assert.That(grains, Is.All.GreaterThanOrEqualTo(0f).And.All.LessThanOrEqualTo(1f));
             Assert.That(grains.Average(), Is.EqualTo(0.5f).Within(0.03f));
             for (int tenth = 0; tenth < 10; tenth++)
                 Assert.That(grains.Count(grain => (int)(10f * grain) == tenth), Is.InRange(300, 500));

@@ -156,8 +156,10 @@ namespace Alate.Tests.Flight
             using TrimTable speeds = table.WithSpeed(added), climbs = table.WithClimb(added);
             Check(speeds, points, (s, c) => Array.IndexOf(speeds.Speeds, s_Speeds[s]), (s, c) => c);
             Check(climbs, points, (s, c) => s, (s, c) => Array.IndexOf(climbs.ClimbRates, s_Climbs[c]));
-            Assert.That(speeds.Speeds, Has.Length.EqualTo(4).And.Ordered.And.Member(added));
-            Assert.That(climbs.ClimbRates, Has.Length.EqualTo(4).And.Ordered.And.Member(added));
+            Assert.That(speeds.Speeds, Has.Length.EqualTo(4).And.Ordered);
+            Assert.That(speeds.Speeds, Has.Member(added));
+            Assert.That(climbs.ClimbRates, Has.Length.EqualTo(4).And.Ordered);
+            Assert.That(climbs.ClimbRates, Has.Member(added));
             for (int k = 0; k < 3; k++)
             {
                 Assert.That(speeds.IsClosed(Array.IndexOf(speeds.Speeds, added), k), Is.False);
