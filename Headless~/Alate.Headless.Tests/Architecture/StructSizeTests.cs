@@ -20,7 +20,7 @@ namespace Alate.Tests.Architecture
             yield return Said("State/WingPack.cs", "PackReadings", "a wing", ALane(UnsafeUtility.SizeOf<PackReadings>()));
             yield return Said("State/BeatState.cs", "BeatState", "a wing", ALane(UnsafeUtility.SizeOf<BeatState>()));
             yield return Said("State/LaneParameters.cs", "LaneParameters", "a wing", ALane(UnsafeUtility.SizeOf<LaneParameters>()));
-            yield return Said("State/WingParameters.cs", "NumberLanes", "a wing", ALane(UnsafeUtility.SizeOf<NumberLanes>()));
+            yield return Said("State/NumberLanes.cs", "NumberLanes", "a wing", ALane(UnsafeUtility.SizeOf<NumberLanes>()));
             yield return Said("State/LaneSurroundings.cs", "LaneSurroundings", "a wing", ALane(UnsafeUtility.SizeOf<LaneSurroundings>()));
             yield return Said("State/PatchStream.cs", "PatchStream", "a wing", ALane(UnsafeUtility.SizeOf<PatchStream>()));
             yield return Said("Rig/RigView.cs", "RigView", "a rig", UnsafeUtility.SizeOf<RigView>());
