@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Alate.Cli;
+using Alate.Formats;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -103,7 +104,7 @@ namespace Alate.Tests.Cli
         private static string Written()
         {
             using var stream = new MemoryStream();
-            JointTable.Write(MonarchFlight.Level, stream);
+            CsvTable.Write(stream, JointTable.Of(MonarchFlight.Level));
             return Encoding.UTF8.GetString(stream.ToArray());
         }
     }

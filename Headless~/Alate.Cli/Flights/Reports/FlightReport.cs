@@ -33,7 +33,7 @@ internal static class FlightReport
 
             stage("writing");
             folder.Write(k_Glb, stream => WingsGlb.Write(record, stream));
-            folder.Write(k_Joints, stream => JointTable.Write(record, stream));
+            folder.Write(k_Joints, stream => CsvTable.Write(stream, JointTable.Of(record)));
             folder.Write(k_Forces, stream => CsvTable.Write(stream, ForceTable.Of(record)));
             folder.Write(k_Summary, stream => SummaryJson.Write(summary, stream));
         });
