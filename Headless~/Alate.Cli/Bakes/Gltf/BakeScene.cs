@@ -12,14 +12,13 @@ namespace Alate.Cli;
 /// <summary>The parts of a glTF file of a baked insect that all forms have: vertices, primitives by material, the file around them. Metres, Y up, facing +Z.</summary>
 internal sealed class BakeScene(InsectBake bake)
 {
+    private readonly GlbScene m_File = new();
     private readonly JsonArray m_Materials = [];
     private readonly Dictionary<BakedPart, int> m_MaterialOf = [];
 
-    public GlbBuffer Buffer { get; } = new();
+    public GlbBuffer Buffer => m_File.Buffer;
 
-    public JsonArray Nodes { get; } = [];
-
-    public JsonArray Meshes { get; } = [];
+    public JsonArray Nodes => m_File.Nodes;
 
     public JsonArray Animations { get; } = [];
 
@@ -52,13 +51,8 @@ internal sealed class BakeScene(InsectBake bake)
         var primitives = new JsonArray();
         foreach (BakedPart part in bake.Surface.Parts)
         {
-            var primitive = new JsonObject
-            {
-                ["attributes"] = attributes.DeepClone(),
-                ["indices"] = Buffer.AddIndices(SurfaceMesh.Turned(part.Triangles), bake.Surface.VertexCount),
-                ["material"] = MaterialOf(part),
-                ["mode"] = 4,
-            };
+            JsonObject primitive = m_File.Primitive(
+                attributes.DeepClone(), SurfaceMesh.Turned(part.Triangles), bake.Surface.VertexCount, MaterialOf(part));
             if (targets != null)
                 primitive["targets"] = targets.DeepClone();
             primitives.Add(primitive);
@@ -68,12 +62,7 @@ internal sealed class BakeScene(InsectBake bake)
     }
 
     /// <summary>Adds a node with a mesh.</summary>
-    public int AddMeshNode(JsonObject mesh)
-    {
-        Meshes.Add(mesh);
-        Nodes.Add(new JsonObject { ["name"] = bake.Name, ["mesh"] = Meshes.Count - 1 });
-        return Nodes.Count - 1;
-    }
+    public int AddMeshNode(JsonObject mesh) => m_File.AddNode(bake.Name, mesh);
 
     /// <summary>Times of the frames of a clip, and of its first again, seconds.</summary>
     public int Times(BakedClip clip, int count) => Buffer.AddScalars(Enumerable.Range(0, count + 1).Select(key => key / (clip.Frequency * count)).ToArray());
@@ -84,23 +73,14 @@ internal sealed class BakeScene(InsectBake bake)
     /// <param name="stream">Where to.</param>
     public void Write(IEnumerable<int> roots, JsonArray skins, Stream stream)
     {
-        var gltf = new JsonObject
-        {
-            ["asset"] = new JsonObject { ["version"] = "2.0", ["generator"] = "Alate Insect Wings" },
-            ["scene"] = 0,
-            ["scenes"] = new JsonArray(new JsonObject { ["name"] = bake.Name, ["nodes"] = new JsonArray(roots.Select(root => (JsonNode)root).ToArray()) }),
-            ["nodes"] = Nodes,
-            ["meshes"] = Meshes,
-            ["materials"] = m_Materials,
-            ["accessors"] = Buffer.Accessors,
-            ["bufferViews"] = Buffer.Views,
-        };
+        JsonObject gltf = m_File.Begin(bake.Name, roots);
+        gltf["materials"] = m_Materials;
+        m_File.AddAccessors(gltf);
         if (skins != null)
             gltf["skins"] = skins;
         if (Animations.Count > 0)
             gltf["animations"] = Animations;
-        byte[] binary = Buffer.ToArray();
-        gltf["buffers"] = new JsonArray(new JsonObject { ["byteLength"] = binary.Length });
+        byte[] binary = m_File.AddBuffer(gltf);
         GlbWriter.Write(gltf, binary, stream);
     }
 

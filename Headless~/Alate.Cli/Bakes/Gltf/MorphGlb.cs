@@ -29,7 +29,7 @@ internal sealed class MorphGlb
         JsonObject attributes = m_Scene.Attributes(m_Rest, m_RestNormals);
         int[] firsts = bake.Clips.Select(AddTargets).ToArray();
         JsonObject mesh = m_Scene.Mesh(attributes, m_Targets);
-        mesh["weights"] = new JsonArray(Enumerable.Repeat(0, m_Targets.Count).Select(zero => (JsonNode)zero).ToArray());
+        mesh["weights"] = GlbScene.NoWeights(m_Targets.Count);
         int node = m_Scene.AddMeshNode(mesh);
         for (int clip = 0; clip < firsts.Length; clip++)
             m_Scene.Animations.Add(Animation(bake.Clips[clip], firsts[clip], node));
@@ -67,13 +67,8 @@ internal sealed class MorphGlb
         return new JsonObject
         {
             ["name"] = clip.Name,
-            ["samplers"] = new JsonArray(new JsonObject
-            {
-                ["input"] = m_Scene.Times(clip, frames),
-                ["output"] = m_Scene.Buffer.AddScalars(weights),
-                ["interpolation"] = "LINEAR",
-            }),
-            ["channels"] = new JsonArray(new JsonObject { ["sampler"] = 0, ["target"] = new JsonObject { ["node"] = node, ["path"] = "weights" } }),
+            ["samplers"] = new JsonArray(GlbScene.Sampler(m_Scene.Times(clip, frames), m_Scene.Buffer.AddScalars(weights))),
+            ["channels"] = new JsonArray(GlbScene.Channel(0, node, "weights")),
         };
     }
 

@@ -132,12 +132,8 @@ internal sealed class SkinGlb
 
         void Add(string path, int output, int joint)
         {
-            samplers.Add(new JsonObject { ["input"] = times, ["output"] = output, ["interpolation"] = "LINEAR" });
-            channels.Add(new JsonObject
-            {
-                ["sampler"] = samplers.Count - 1,
-                ["target"] = new JsonObject { ["node"] = m_NodeOf[joint], ["path"] = path },
-            });
+            samplers.Add(GlbScene.Sampler(times, output));
+            channels.Add(GlbScene.Channel(samplers.Count - 1, m_NodeOf[joint], path));
         }
     }
 
