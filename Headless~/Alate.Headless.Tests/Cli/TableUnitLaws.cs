@@ -104,6 +104,33 @@ public sealed class TableUnitLaws
     }
 
     [Test]
+    public void RowsOfAComparison_AreThoseOfItsFlights()
+    {
+        var flight = new FlightPlan { Species = "monarch", Substeps = 24, PitchDegrees = 20.0 };
+        List<Comparison> flown = Comparison.Fly(new ComparisonPlan([flight], [ComparisonColumn.RigidWing, ComparisonColumn.FullModel], 1), _ => { });
+        List<Dictionary<string, string>> rows = Rows(stream => ComparisonTable.Write(flown, stream));
+        FlightRecord rigid = TetheredFlight.Fly(flight with { Column = ComparisonColumn.RigidWing }), full = TetheredFlight.Fly(flight);
+        double sum = 0.0, most = 0.0;
+        for (int phase = 0; phase < 24; phase++)
+        {
+            float3[] places = rigid.Wings[0].At(phase / 24.0).Positions, others = full.Wings[0].At(phase / 24.0).Positions;
+            double[] off = places.Zip(others, (a, b) => 100.0 * math.distance(a, b) / rigid.Wings[0].Wing.Preset.Size.wingLength).ToArray();
+            sum += off.Average() / 24.0;
+            most = Math.Max(most, off.Max());
+        }
+
+        Assert.That(rows.Select(row => row["column"]), Is.EqualTo(new[] { ComparisonColumn.RigidWing.Name, ComparisonColumn.FullModel.Name }));
+        Assert.That(Number(rows[0], "distance_from_full_mean_pct"), Is.EqualTo(sum).Within(1).Percent.And.GreaterThan(1.0));
+        Assert.That(Number(rows[0], "distance_from_full_max_pct"), Is.EqualTo(most).Within(1).Percent);
+        Assert.That((Number(rows[1], "distance_from_full_mean_pct"), Number(rows[1], "distance_from_full_max_pct")), Is.EqualTo((0.0, 0.0)));
+        foreach ((Dictionary<string, string> row, FlightRecord record) in new[] { (rows[0], rigid), (rows[1], full) })
+        {
+            Assert.That(Number(row, "lift_over_weight"), Is.EqualTo(Lift(record, 20.0)).Within(1e-3));
+            Assert.That(Number(row, "edge_stretch_max_pct"), Is.EqualTo(100.0 * Stretch(record.Wings[0])).Within(2e-3));
+        }
+    }
+
+    [Test]
     public void RowsOfABake_TellItsErrorsInPerCentAndDegrees()
     {
         InsectBake bake = new BakePlan { Species = InsectCatalogue.Find("fishfly"), Frames = 8 }.Bake(out _);
