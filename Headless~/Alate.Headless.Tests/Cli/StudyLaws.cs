@@ -24,15 +24,18 @@ public sealed class StudyLaws
     public void ASkeletonsPicture_FillsItsPage_WithOneScaleForWingJointsAndHinge(float length, float slenderness)
     {
         SurfaceMesh surface = TestWings.Ellipse(length: length, chord: length / slenderness);
-        SkeletonFit fit = SkeletonFitter.Fit(surface, new SkeletonFitSettings { chains = 5, jointsPerChain = 4, hinge = Vector3.zero, forward = Vector3.forward });
+        SkeletonFit fit = SkeletonFitter.Fit(surface,
+            new SkeletonFitSettings { chains = 5, jointsPerChain = 4, hinge = Vector3.zero, forward = Vector3.forward });
         var svg = XElement.Parse(SkeletonPicture.Draw(fit));
         double[] page = Numbers((string)svg.Attribute("viewBox"));
         double[] path = Numbers(((string)svg.Element(s_Svg + "path").Attribute("d")).Replace('M', ' ').Replace('Z', ' '));
         double[] x = path.Where((_, k) => k % 2 == 0).ToArray(), y = path.Where((_, k) => k % 2 == 1).ToArray();
         double high = Math.Max(x.Max() - x.Min(), y.Max() - y.Min());
 
-        Assert.That((x.Min(), page[2] - x.Min(), page[3] - y.Max(), y.Min()), Is.EqualTo((40.0, 860.0, 40.0, 40.0)).Using<(double, double, double, double)>(
-            (a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) + Math.Abs(a.Item3 - b.Item3) + Math.Abs(a.Item4 - b.Item4) < 0.4));
+        Assert.That((x.Min(), page[2] - x.Min(), page[3] - y.Max(), y.Min()),
+            Is.EqualTo((40.0, 860.0, 40.0, 40.0)).Using<(double, double, double, double)>(
+            (a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) + Math.Abs(a.Item3 - b.Item3)
+                + Math.Abs(a.Item4 - b.Item4) < 0.4));
         Assert.That(high, Is.EqualTo(820.0).Within(0.2), "the longer side is the page less its margins");
 
         double scale = high / Math.Max(Extent(fit.Outline, place => place.x), Extent(fit.Outline, place => place.z));
@@ -43,7 +46,8 @@ public sealed class StudyLaws
         for (int k = 1; k < joints.Length; k++)
         {
             Assert.That(drawn[k].x - drawn[0].x, Is.EqualTo(scale * (joints[k].x - joints[0].x)).Within(0.2));
-            Assert.That(drawn[k].y - drawn[0].y, Is.EqualTo(-scale * (joints[k].z - joints[0].z)).Within(0.2), "the leading edge lies above");
+            Assert.That(drawn[k].y - drawn[0].y, Is.EqualTo(-scale * (joints[k].z - joints[0].z)).Within(0.2),
+                "the leading edge lies above");
         }
     }
 
@@ -53,7 +57,8 @@ public sealed class StudyLaws
         var random = new System.Random(3);
         for (int k = 0; k < 200; k++)
         {
-            double own = Math.Pow(10.0, 4.0 * random.NextDouble() - 2.0), low = own * random.NextDouble(), high = own * (1.0 + 9.0 * random.NextDouble());
+            double own = Math.Pow(10.0, 4.0 * random.NextDouble() - 2.0), low = own * random.NextDouble(),
+                high = own * (1.0 + 9.0 * random.NextDouble());
             (double from, double to) = Told(0.0, 1e6, own, value => value >= low && value <= high);
 
             Assert.That(from, Is.InRange(low * (1.0 - 1e-9), low * (1.0 + 1e-5)), "rounded towards what holds");
@@ -64,8 +69,10 @@ public sealed class StudyLaws
     [Test]
     public void BoundsOfEitherSign_AreFound_AndThoseOfTheOptionAreKept()
     {
-        Assert.That(Told(-90.0, 90.0, 10.0, value => value is >= -30.5 and <= 20.25), Is.EqualTo((-30.5, 20.25)).Using<(double, double)>(Near));
-        Assert.That(Told(-90.0, 90.0, -10.0, value => value is >= -30.5 and <= -2.5), Is.EqualTo((-30.5, -2.5)).Using<(double, double)>(Near));
+        Assert.That(Told(-90.0, 90.0, 10.0, value => value is >= -30.5 and <= 20.25),
+            Is.EqualTo((-30.5, 20.25)).Using<(double, double)>(Near));
+        Assert.That(Told(-90.0, 90.0, -10.0, value => value is >= -30.5 and <= -2.5),
+            Is.EqualTo((-30.5, -2.5)).Using<(double, double)>(Near));
         Assert.That(Told(-5.0, 7.0, 1.0, _ => true, 8.0), Is.EqualTo((-5.0, 7.0)));
         Assert.That(Told(-5.0, 7.0, 0.0, value => value == 0.0, 1.0).From, Is.Zero.Within(1e-20), "nothing but nought holds");
         Assert.That(() => TypedRange.Check("--x", 7.0, -5.0, 7.0, "it", 1.0, value => value <= 7.0), Throws.Nothing, "bounds are taken");
@@ -108,7 +115,8 @@ public sealed class StudyLaws
         string path = folder.PathOf("portrait.png");
         File.WriteAllBytes(path, SpeciesPortrait.Draw(MonarchFlight.Level));
 
-        Assert.That(PngTexts.Of(path).Where(text => text.EndsWith('°')), Is.EqualTo(new[] { "0°", "108°", "216°" }), "0, 0.3 and 0.6 of 360°");
+        Assert.That(PngTexts.Of(path).Where(text => text.EndsWith('°')), Is.EqualTo(new[] { "0°", "108°", "216°" }),
+            "0, 0.3 and 0.6 of 360°");
     }
 
     [Test]
@@ -118,8 +126,10 @@ public sealed class StudyLaws
         List<Color32[]> frames = film.Draw(_ => { });
         int width = film.Size.x, height = film.Size.y;
         Color32 ground = frames[0][0];
-        int[] columns = Enumerable.Range(0, width * height).Where(k => frames.Exists(frame => !frame[k].Equals(ground))).Select(k => k % width).ToArray();
-        int[] rows = Enumerable.Range(0, width * height).Where(k => frames.Exists(frame => !frame[k].Equals(ground))).Select(k => k / width).ToArray();
+        int[] columns = Enumerable.Range(0, width * height).Where(k => frames.Exists(frame => !frame[k].Equals(ground)))
+            .Select(k => k % width).ToArray();
+        int[] rows = Enumerable.Range(0, width * height).Where(k => frames.Exists(frame => !frame[k].Equals(ground)))
+            .Select(k => k / width).ToArray();
         int left = columns.Min(), right = width - 1 - columns.Max(), above = rows.Min(), below = height - 1 - rows.Max();
 
         Assert.That(frames.TrueForAll(frame => frame.Length == width * height), Is.True);
@@ -153,7 +163,8 @@ public sealed class StudyLaws
     {
         UserException problem = Assert.Throws<UserException>(() => TypedRange.Check("--x", typed, min, max, "it", own, holds));
         string[] words = problem.Message.Split(' ');
-        Assert.That(problem.Message, Does.StartWith("--x must lie between ").And.EndWith(FormattableString.Invariant($" for it; it is {typed:0.##}.")
+        Assert.That(problem.Message, Does.StartWith("--x must lie between ")
+            .And.EndWith(FormattableString.Invariant($" for it; it is {typed:0.##}.")
             .Replace("1000000000", "1E+09")));
         return (double.Parse(words[4], CultureInfo.InvariantCulture), double.Parse(words[6], CultureInfo.InvariantCulture));
     }
@@ -162,7 +173,8 @@ public sealed class StudyLaws
 
     private static double Extent(Vector3[] places, Func<Vector3, double> of) => places.Max(of) - places.Min(of);
 
-    private static double Number(XElement element, string name) => double.Parse((string)element.Attribute(name), CultureInfo.InvariantCulture);
+    private static double Number(XElement element, string name) =>
+        double.Parse((string)element.Attribute(name), CultureInfo.InvariantCulture);
 
     private static double[] Numbers(string text) => text.Split([' ', ','], StringSplitOptions.RemoveEmptyEntries)
         .Select(word => double.Parse(word, CultureInfo.InvariantCulture)).ToArray();

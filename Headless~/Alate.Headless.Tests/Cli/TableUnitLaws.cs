@@ -26,7 +26,8 @@ public sealed class TableUnitLaws
         Assert.That(Measure("frequency_hz"), Is.EqualTo(Frequency(wing)).Within(0.1).Percent);
         foreach ((string key, double radians) in new[]
         {
-            ("twist_pp_deg", beat.TwistRange), ("tip_bend_pp_deg", beat.TipBendRange), ("tip_bend_max_deg", beat.TipBendMax), ("lag_deg", beat.Lag),
+            ("twist_pp_deg", beat.TwistRange), ("tip_bend_pp_deg", beat.TipBendRange), ("tip_bend_max_deg", beat.TipBendMax),
+            ("lag_deg", beat.Lag),
             ("tip_lag_deg", (double)beat.TipLag),
         })
         {
@@ -35,13 +36,15 @@ public sealed class TableUnitLaws
 
         foreach ((string key, double share) in new[]
         {
-            ("camber_min_pct", beat.CamberMin), ("camber_max_pct", beat.CamberMax), ("edge_stretch_p99_pct", beat.Stretch99), ("edge_stretch_max_pct", Stretch(wing)),
+            ("camber_min_pct", beat.CamberMin), ("camber_max_pct", beat.CamberMax), ("edge_stretch_p99_pct", beat.Stretch99),
+            ("edge_stretch_max_pct", Stretch(wing)),
         })
         {
             Assert.That(Measure(key), Is.EqualTo(100.0 * share).Within(1e-4), key);
         }
 
-        Assert.That(WingMeasure.All.Select(measure => measure.Of(summary)).Distinct().Count(), Is.EqualTo(WingMeasure.All.Count), "each its own");
+        Assert.That(WingMeasure.All.Select(measure => measure.Of(summary)).Distinct().Count(), Is.EqualTo(WingMeasure.All.Count),
+            "each its own");
     }
 
     [Test]
@@ -52,7 +55,8 @@ public sealed class TableUnitLaws
         var species = new SpeciesWinds(new FlightPlan { Species = "monarch" }, "Monarch", 1.0, [new WingWinds("wing", [now], [before])]);
         List<Dictionary<string, string>> rows = Rows(stream => WindTable.Write([species], true, stream));
 
-        foreach ((WindPoint point, string model, Dictionary<string, string> row) in new[] { (now, "now", rows[0]), (before, "0.1", rows[1]) })
+        foreach ((WindPoint point, string model, Dictionary<string, string> row) in
+            new[] { (now, "now", rows[0]), (before, "0.1", rows[1]) })
         {
             Assert.That((row["species"], row["wing"], row["model"], row["air"]), Is.EqualTo(("monarch", "wing", model, "gusts")));
             Assert.That((Number(row, "wind_m_s"), Number(row, "edge_stretch_max_pct"), Number(row, "edge_stretch_p99_pct")),
@@ -85,12 +89,14 @@ public sealed class TableUnitLaws
         List<Dictionary<string, string>> rows = Rows(stream => SweepTable.Write(sweep, stream));
 
         Assert.That(rows.Select(row => Number(row, "pitch")), Is.EqualTo(Enumerable.Range(0, 9).Select(k => 5.0 * k)));
-        FlightRecord own = TetheredFlight.Fly(flight with { PitchDegrees = 30.0 }), driven = TetheredFlight.Fly(flight with { PitchDegrees = 30.0, HoldJoints = true });
+        FlightRecord own = TetheredFlight.Fly(flight with { PitchDegrees = 30.0 }),
+            driven = TetheredFlight.Fly(flight with { PitchDegrees = 30.0, HoldJoints = true });
         Dictionary<string, string> told = rows[6];
         Assert.That(Number(told, "edge_stretch_max_pct"), Is.EqualTo(100.0 * Stretch(own.Wings[0])).Within(2e-3));
         Assert.That(Number(told, "frequency_hz"), Is.EqualTo(Frequency(own.Wings[0])).Within(0.1).Percent);
         Assert.That(Number(told, "lift_over_weight"), Is.EqualTo(Lift(own, 30.0)).Within(1e-3));
-        Assert.That(Number(told, "camber_load_pp_pct"), Is.EqualTo(100.0 * own.Wings[0].Measurement.CamberBeyond(own.Wings[0].Beat, driven.Wings[0].Beat)).Within(1e-3));
+        Assert.That(Number(told, "camber_load_pp_pct"),
+            Is.EqualTo(100.0 * own.Wings[0].Measurement.CamberBeyond(own.Wings[0].Beat, driven.Wings[0].Beat)).Within(1e-3));
 
         using var folder = new TemporaryFolder();
         string path = folder.PathOf("sweep.png");
@@ -107,7 +113,8 @@ public sealed class TableUnitLaws
     public void RowsOfAComparison_AreThoseOfItsFlights()
     {
         var flight = new FlightPlan { Species = "monarch", Substeps = 24, PitchDegrees = 20.0 };
-        List<Comparison> flown = Comparison.Fly(new ComparisonPlan([flight], [ComparisonColumn.RigidWing, ComparisonColumn.FullModel], 1), _ => { });
+        List<Comparison> flown = Comparison.Fly(new ComparisonPlan([flight], [ComparisonColumn.RigidWing, ComparisonColumn.FullModel], 1),
+            _ => { });
         List<Dictionary<string, string>> rows = Rows(stream => ComparisonTable.Write(flown, stream));
         FlightRecord rigid = TetheredFlight.Fly(flight with { Column = ComparisonColumn.RigidWing }), full = TetheredFlight.Fly(flight);
         double sum = 0.0, most = 0.0;
@@ -119,10 +126,12 @@ public sealed class TableUnitLaws
             most = Math.Max(most, off.Max());
         }
 
-        Assert.That(rows.Select(row => row["column"]), Is.EqualTo(new[] { ComparisonColumn.RigidWing.Name, ComparisonColumn.FullModel.Name }));
+        Assert.That(rows.Select(row => row["column"]),
+            Is.EqualTo(new[] { ComparisonColumn.RigidWing.Name, ComparisonColumn.FullModel.Name }));
         Assert.That(Number(rows[0], "distance_from_full_mean_pct"), Is.EqualTo(sum).Within(1).Percent.And.GreaterThan(1.0));
         Assert.That(Number(rows[0], "distance_from_full_max_pct"), Is.EqualTo(most).Within(1).Percent);
-        Assert.That((Number(rows[1], "distance_from_full_mean_pct"), Number(rows[1], "distance_from_full_max_pct")), Is.EqualTo((0.0, 0.0)));
+        Assert.That((Number(rows[1], "distance_from_full_mean_pct"), Number(rows[1], "distance_from_full_max_pct")),
+            Is.EqualTo((0.0, 0.0)));
         foreach ((Dictionary<string, string> row, FlightRecord record) in new[] { (rows[0], rigid), (rows[1], full) })
         {
             Assert.That(Number(row, "lift_over_weight"), Is.EqualTo(Lift(record, 20.0)).Within(1e-3));
@@ -145,7 +154,8 @@ public sealed class TableUnitLaws
     }
 
     // Over the beat, from the frames' own times.
-    private static double Frequency(RecordedWing wing) => (wing.Frames.Count - 1.0) / wing.Frames.Count / (wing.Frames[^1].Time - wing.Frames[0].Time);
+    private static double Frequency(RecordedWing wing) =>
+        (wing.Frames.Count - 1.0) / wing.Frames.Count / (wing.Frames[^1].Time - wing.Frames[0].Time);
 
     private static double Stretch(RecordedWing wing)
     {
@@ -154,7 +164,10 @@ public sealed class TableUnitLaws
         {
             int a = wing.Triangles[k], b = wing.Triangles[k % 3 == 2 ? k - 2 : k + 1];
             foreach (RecordedFrame frame in wing.Frames)
-                most = Math.Max(most, Math.Abs(math.distance(frame.Positions[a], frame.Positions[b]) / math.distance(wing.Rest[a], wing.Rest[b]) - 1.0));
+            {
+                double length = math.distance(frame.Positions[a], frame.Positions[b]), rest = math.distance(wing.Rest[a], wing.Rest[b]);
+                most = Math.Max(most, Math.Abs(length / rest - 1.0));
+            }
         }
 
         return most;
@@ -167,7 +180,8 @@ public sealed class TableUnitLaws
         foreach (RecordedWing wing in flight.Wings)
         {
             PresetSize size = wing.Wing.Preset.Size;
-            sum += wing.Frames.Average(frame => size.wingMass * size.wingLength * (Math.Cos(radians) * frame.AirForce.y + Math.Sin(radians) * frame.AirForce.z));
+            sum += wing.Frames.Average(frame => size.wingMass * size.wingLength
+                * (Math.Cos(radians) * frame.AirForce.y + Math.Sin(radians) * frame.AirForce.z));
         }
 
         return sum / (9.81 * flight.Wings[0].Wing.Preset.Size.insectMass);
@@ -179,7 +193,9 @@ public sealed class TableUnitLaws
     {
         using var stream = new MemoryStream();
         write(stream);
-        string[][] lines = Encoding.UTF8.GetString(stream.ToArray()).TrimStart('\uFEFF').TrimEnd().Split('\n').Select(line => line.Trim().Split(',')).ToArray();
-        return lines.Skip(1).Select(line => line.Select((cell, k) => (lines[0][k], cell)).ToDictionary(pair => pair.Item1, pair => pair.cell)).ToList();
+        string[][] lines = Encoding.UTF8.GetString(stream.ToArray()).TrimStart('\uFEFF').TrimEnd().Split('\n')
+            .Select(line => line.Trim().Split(',')).ToArray();
+        return lines.Skip(1).Select(line => line
+            .Select((cell, k) => (lines[0][k], cell)).ToDictionary(pair => pair.Item1, pair => pair.cell)).ToList();
     }
 }

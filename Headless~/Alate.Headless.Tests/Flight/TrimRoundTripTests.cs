@@ -42,7 +42,8 @@ namespace Alate.Tests.FreeFlights
             Assert.That(power, Is.EqualTo(flown.Power).Within(5).Percent, "W");
         }
 
-        // Pitch, frequency, amplitude, tilt or mean sweep is off; what the flight settles on is a trim, which a second flight hardly changes.
+        // Pitch, frequency, amplitude, tilt or mean sweep is off; what the flight settles on is a trim, which a second flight hardly
+        // changes.
         [Test]
         public void WhatAFlightSettlesOn_IsATrim([Range(0, 4)] int part)
         {
@@ -50,9 +51,11 @@ namespace Alate.Tests.FreeFlights
             float[] point = Point(insect, out TrimState trim, out FlightCondition condition);
             TrimState moved = trim.Copy();
             moved.z[part] += 0.02;
-            TrimState once = FlownTrim.Fly(insect.Model, point, moved, condition, out _), twice = FlownTrim.Fly(insect.Model, point, once, condition, out _);
+            TrimState once = FlownTrim.Fly(insect.Model, point, moved, condition, out _),
+                twice = FlownTrim.Fly(insect.Model, point, once, condition, out _);
             using var solver = new TrimSolver(insect.Model);
-            double before = TrimSolver.Norm(solver.Residual(moved, condition, out _)), after = TrimSolver.Norm(solver.Residual(twice, condition, out _));
+            double before = TrimSolver.Norm(solver.Residual(moved, condition, out _)),
+                after = TrimSolver.Norm(solver.Residual(twice, condition, out _));
 
             Assert.That(Off(twice.z, once.z), Is.LessThan(0.4 * Off(once.z, moved.z)));
             Assert.That(Off(twice.bob, once.bob), Is.LessThan(0.4 * Off(once.bob, moved.bob)));
@@ -63,7 +66,8 @@ namespace Alate.Tests.FreeFlights
 
         private static float[] Point(FlyingInsect insect, out TrimState trim, out FlightCondition condition)
         {
-            int s = Enumerable.Range(0, insect.Table.Speeds.Length).MinBy(k => Math.Abs(insect.Table.Speeds[k] - 1f)), c = insect.Table.LevelClimb;
+            int s = Enumerable.Range(0, insect.Table.Speeds.Length).MinBy(k => Math.Abs(insect.Table.Speeds[k] - 1f)),
+                c = insect.Table.LevelClimb;
             condition = new FlightCondition(insect.Table.Speeds[s], insect.Table.ClimbRates[c]);
             float[] point = insect.Table.Point(s, c);
             trim = TrimState.Read(point, insect.Model.Frequency);

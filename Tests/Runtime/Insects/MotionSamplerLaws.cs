@@ -56,7 +56,8 @@ namespace Alate.Tests
             for (int k = 0; k < 5; k++)
                 Sample(ref other, k, false);
             Assert.That(other.Sample(4f * k_Step * s_Velocity + 3f * Vector3.up, rotation, k_Step, k_Finest, k_Jump, k_Turn), Is.True);
-            Assert.That(other.Sample(4f * k_Step * s_Velocity, rotation, k_Step, k_Finest, k_Jump, k_Turn), Is.True, "there and back are two");
+            Assert.That(other.Sample(4f * k_Step * s_Velocity, rotation, k_Step, k_Finest, k_Jump, k_Turn), Is.True,
+                "there and back are two");
             Assert.That(other.Velocity, Is.EqualTo(velocity));
         }
 
@@ -81,7 +82,8 @@ namespace Alate.Tests
                 MotionSampler sampler = default;
                 for (int k = 0; k < 3; k++)
                     sampler.Sample(default, Quaternion.identity, k_Step, k_Finest, k_Jump, k_Turn);
-                Assert.That(sampler.Sample(default, Quaternion.Euler(0f, degrees, 0f), k_Step, k_Finest, k_Jump, k_Turn), Is.EqualTo(jumps), $"{degrees}°");
+                Assert.That(sampler.Sample(default, Quaternion.Euler(0f, degrees, 0f), k_Step, k_Finest, k_Jump, k_Turn),
+                    Is.EqualTo(jumps), $"{degrees}°");
             }
         }
 
@@ -94,10 +96,12 @@ namespace Alate.Tests
             Vector3 velocity = sampler.Velocity;
             sampler.Interrupt();
 
-            Assert.That(sampler.Sample(new Vector3(90f, 0f, 0f), Quaternion.Euler(0f, 120f, 0f), k_Step, k_Finest, k_Jump, k_Turn), Is.False);
+            Assert.That(sampler.Sample(new Vector3(90f, 0f, 0f), Quaternion.Euler(0f, 120f, 0f), k_Step, k_Finest, k_Jump, k_Turn),
+                Is.False);
             Assert.That(sampler.Sample(new Vector3(-90f, 0f, 0f), Quaternion.identity, 0f, k_Finest, k_Jump, k_Turn), Is.False);
             Assert.That(sampler.Velocity, Is.EqualTo(velocity));
-            Assert.That(sampler.Sample(new Vector3(-90f, 0f, 0f) + k_Step * velocity, Rotation(1), k_Step, k_Finest, k_Jump, k_Turn), Is.False, "it starts from there");
+            Assert.That(sampler.Sample(new Vector3(-90f, 0f, 0f) + k_Step * velocity, Rotation(1), k_Step, k_Finest, k_Jump, k_Turn),
+                Is.False, "it starts from there");
         }
 
         // Neighbouring floats there are 0.0078 apart: a step alone would tell velocities by 0.78 units a second.

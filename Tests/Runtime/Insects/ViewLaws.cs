@@ -81,9 +81,11 @@ namespace Alate.Tests
         [Test]
         public void Thresholds_AreSharesOfAScreen()
         {
-            ScreenHeights clamped = new ScreenHeights { fewerSubstepsBelow = 2f, coarsePatchesBelow = -1f, wavesOnlyBelow = 0.3f, restBelow = 1.5f }.Clamped();
+            ScreenHeights clamped = new ScreenHeights { fewerSubstepsBelow = 2f, coarsePatchesBelow = -1f, wavesOnlyBelow = 0.3f,
+                restBelow = 1.5f }.Clamped();
 
-            Assert.That((clamped.fewerSubstepsBelow, clamped.coarsePatchesBelow, clamped.wavesOnlyBelow, clamped.restBelow), Is.EqualTo((1f, 0f, 0.3f, 1f)));
+            Assert.That((clamped.fewerSubstepsBelow, clamped.coarsePatchesBelow, clamped.wavesOnlyBelow, clamped.restBelow),
+                Is.EqualTo((1f, 0f, 0.3f, 1f)));
         }
     }
 }

@@ -119,17 +119,21 @@ namespace Alate.Tests.Flight
         [Test]
         public void ABody_HasTheModelsNumbers_AndItsWingsSitAboutItsCentre()
         {
-            using var model = new FlightModel(Wings(), new[] { BodyEllipsoid.Millimetres(0.0, -1.0, 2.0, 3.0, 3.0, 3.0, 1.0) }, k_Mass, k_Density, 0.75f);
+            using var model = new FlightModel(Wings(), new[] { BodyEllipsoid.Millimetres(0.0, -1.0, 2.0, 3.0, 3.0, 3.0, 1.0) }, k_Mass,
+                k_Density, 0.75f);
             FlyingBody body = model.CreateBody();
 
-            Assert.That((body.mass, body.frequency, body.length), Is.EqualTo((k_Mass, model.Wings[0].Parameters.maxFrequency, 0.06f)), "the longest wing's");
-            Assert.That(math.distance(body.weight, new float3(0f, -0.75f * 9.81f, 0f)) + math.distance(body.gravity, new float3(0f, -9.81f, 0f)), Is.LessThan(1e-5f));
+            Assert.That((body.mass, body.frequency, body.length), Is.EqualTo((k_Mass, model.Wings[0].Parameters.maxFrequency, 0.06f)),
+                "the longest wing's");
+            Assert.That(math.distance(body.weight, new float3(0f, -0.75f * 9.81f, 0f))
+                + math.distance(body.gravity, new float3(0f, -9.81f, 0f)), Is.LessThan(1e-5f));
             Assert.That(model.Weight, Is.EqualTo(9.81f * k_Mass).Within(1e-4).Percent);
             foreach (FlightWing wing in model.Wings)
             {
                 BodyWing placed = model.Place(wing);
                 Assert.That(math.distance(placed.hinge + model.Centre, wing.Hinge), Is.LessThan(1e-8f));
-                Assert.That((placed.handedness, placed.side, placed.length, placed.mass), Is.EqualTo((wing.IsLeft ? -1f : 1f, wing.IsLeft ? -1f : 1f, wing.Length, wing.Mass)));
+                Assert.That((placed.handedness, placed.side, placed.length, placed.mass),
+                    Is.EqualTo((wing.IsLeft ? -1f : 1f, wing.IsLeft ? -1f : 1f, wing.Length, wing.Mass)));
             }
         }
 
@@ -143,7 +147,8 @@ namespace Alate.Tests.Flight
             Assert.That(floats.TrimForce(new FlightCondition(0.3f, 0.4f)), Is.EqualTo(0.25f * floats.Drag.z).Within(1e-3).Percent);
             Assert.That(floats.TrimForce(default), Is.EqualTo(0.0025f * floats.Drag.z).Within(1e-3).Percent, "5 cm/s at least");
             Assert.That(flies.AccelerationAt(0.1f), Is.EqualTo(2.5f));
-            Assert.That(floats.AccelerationAt(0.2f), Is.EqualTo(math.min(2.5f, 0.25f * 0.04f * floats.Drag.z / k_Mass)).Within(1e-3).Percent.And.LessThan(2.5f));
+            Assert.That(floats.AccelerationAt(0.2f),
+                Is.EqualTo(math.min(2.5f, 0.25f * 0.04f * floats.Drag.z / k_Mass)).Within(1e-3).Percent.And.LessThan(2.5f));
             Assert.That(floats.AccelerationAt(9f), Is.EqualTo(2.5f));
         }
 
@@ -177,7 +182,8 @@ namespace Alate.Tests.Flight
         private FlightWing Wing(float side, float length) => new FlightWing
         {
             Rig = m_Rig, Parameters = WingParameters.Default, Hinge = new float3(0.003f * side, 0.001f, 0.002f),
-            Axes = new float3x3(new float3(side, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f)), Length = length, Mass = k_WingMass, IsLeft = side < 0f,
+            Axes = new float3x3(new float3(side, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f)), Length = length,
+                Mass = k_WingMass, IsLeft = side < 0f,
         };
     }
 }

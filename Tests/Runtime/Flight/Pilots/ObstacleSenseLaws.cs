@@ -29,17 +29,21 @@ namespace Alate.Tests.Flight
             }
 
             Assert.That(math.length(off), Is.LessThan(1e-5f), "evenly around");
-            Assert.That(math.abs(math.dot(sense.Direction(1) - sense.Direction(2), sense.Direction(3) - sense.Direction(4))), Is.LessThan(1e-5f));
+            Assert.That(math.abs(math.dot(sense.Direction(1) - sense.Direction(2), sense.Direction(3) - sense.Direction(4))),
+                Is.LessThan(1e-5f));
             Assert.That((sense.From, sense.Layers), Is.EqualTo((s_Place, ObstacleSettings.Default.layers.value)));
-            Assert.That(sense.Reach, Is.EqualTo(units * (s_Limits.StoppingDistance(1f) + s_Limits.TurnRadius(1f) + 2f * k_Clearance)).Within(1e-4f * units));
+            Assert.That(sense.Reach,
+                Is.EqualTo(units * (s_Limits.StoppingDistance(1f) + s_Limits.TurnRadius(1f) + 2f * k_Clearance)).Within(1e-4f * units));
         }
 
         [Test]
-        public void BeforeAWall_TheSpeedIsThatWhichStopsInTime([Values(1f, 10f)] float units, [Values(0.1f, 0.2f, 0.4f)] float distance, [Values(0f, 0.02f)] float moved)
+        public void BeforeAWall_TheSpeedIsThatWhichStopsInTime([Values(1f, 10f)] float units, [Values(0.1f, 0.2f, 0.4f)] float distance,
+            [Values(0f, 0.02f)] float moved)
         {
             ObstacleSense sense = Looking(s_Ahead, units);
             sense.Take(0, -s_Ahead, distance * units);
-            float3 allowed = sense.Avoid(new float3(0.3f, 0f, 1f), At(s_Place + moved * units * s_Ahead, units), ObstacleSettings.Default, k_Near);
+            float3 allowed = sense.Avoid(new float3(0.3f, 0f, 1f), At(s_Place + moved * units * s_Ahead, units), ObstacleSettings.Default,
+                k_Near);
 
             Assert.That(allowed.x, Is.EqualTo(0.3f).Within(1e-5f), "along the wall nothing is lost");
             Assert.That(allowed.z, Is.EqualTo(math.min(s_Limits.SpeedToStopWithin(distance - moved - k_Clearance), 1f)).Within(1e-4f));
@@ -52,7 +56,8 @@ namespace Alate.Tests.Flight
             sense.Take(0, -s_Ahead, distance);
             float3 allowed = sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near);
 
-            Assert.That(allowed.z, Is.EqualTo(-math.min(s_Limits.SpeedToStopWithin(k_Clearance - distance), 0.3f)).Within(1e-4f).And.Negative);
+            Assert.That(allowed.z,
+                Is.EqualTo(-math.min(s_Limits.SpeedToStopWithin(k_Clearance - distance), 0.3f)).Within(1e-4f).And.Negative);
         }
 
         // The distance from a surface is the part of a ray along its normal.
@@ -78,7 +83,7 @@ namespace Alate.Tests.Flight
                 sense.Take(ray, -s_Ahead, ray == free ? 0.5f : 0.1f);
             float3 allowed = sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default);
 
-            float most = s_Limits.SpeedToStopWithin(0.1f * math.dot(math.normalize(s_Ahead + 0.7f * math.normalize(side)), s_Ahead) - k_Clearance);
+            float most = s_Limits.SpeedToStopWithin(0.1f / math.sqrt(1.49f) - k_Clearance);
             Assert.That(math.dot(math.normalize(side), math.normalize(allowed * new float3(1f, 1f, 0f))), Is.EqualTo(1f).Within(1e-4f));
             Assert.That(allowed.z, Is.EqualTo(most).Within(1e-4f));
             Assert.That(math.length(allowed.xy), Is.EqualTo(1f - most).Within(1e-4f), "what it lost ahead");
@@ -88,7 +93,7 @@ namespace Alate.Tests.Flight
         [Test]
         public void AGoalBeforeTheWall_IsFlownTo()
         {
-            foreach ((float goal, bool turns) in new[] { (0.05f, false), (0.1f + k_Clearance - 0.01f, false), (0.1f + k_Clearance + 0.01f, true) })
+            foreach ((float goal, bool turns) in new[] { (0.05f, false), (0.14f, false), (0.2f, true) })
             {
                 ObstacleSense sense = Looking(s_Ahead, 1f);
                 sense.Take(0, -s_Ahead, 0.1f);
@@ -102,13 +107,15 @@ namespace Alate.Tests.Flight
         {
             ObstacleSense sense = Looking(s_Ahead, 1f);
             sense.Take(0, s_Ahead, 0.2f);
-            Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead), "away from a surface");
+            Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead),
+                "away from a surface");
             sense.Take(0, -s_Ahead, 0.1f);
             var settings = ObstacleSettings.Default;
             settings.avoid = false;
             Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), settings), Is.EqualTo(s_Ahead));
             sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near);
-            Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead), "rays are asked anew each time");
+            Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead),
+                "rays are asked anew each time");
         }
 
         private static ObstacleSense Looking(float3 wanted, float units)

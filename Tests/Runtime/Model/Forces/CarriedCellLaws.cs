@@ -4,7 +4,9 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests
 {
-    /// <summary>Laws of the surface that frames of joints carry: its normals, its velocity, and what it takes from a body's motion.</summary>
+    /// <summary>
+    /// Laws of the surface that frames of joints carry: its normals, its velocity, and what it takes from a body's motion.
+    /// </summary>
     public sealed unsafe class CarriedCellLaws
     {
         private const int k_Lane = 2;
@@ -16,7 +18,8 @@ namespace Alate.Tests
         [SetUp]
         public void MakePack()
         {
-            m_Pack = new PackFixture(TestWings.Rig(16), Monarch.Parameters, new WingSurroundings { hinge = s_Hinge, angularVelocity = s_Spin });
+            m_Pack = new PackFixture(TestWings.Rig(16), Monarch.Parameters,
+                new WingSurroundings { hinge = s_Hinge, angularVelocity = s_Spin });
             var random = Random.CreateFromIndex(7);
             for (int joint = 0; joint < m_Pack.rig.JointCount; joint++)
             {
@@ -47,8 +50,10 @@ namespace Alate.Tests
 
                 // A parabola's slope is that of its chord.
                 float3 alongU = (Place(joint, next, u + h, v) - Place(joint, next, u - h, v)) / (2f * h);
-                float3 alongV = (Place(joint, next, u, v + h) - Place(joint, next, u, v - h)) / (2f * h), normal = math.cross(alongV, alongU);
-                Assert.That(math.distance(CellSheet.NormalAt(&sheet, u, v)[k_Lane], normal), Is.LessThan(1e-3f), $"joint {joint} at {u}, {v}");
+                float3 alongV = (Place(joint, next, u, v + h) - Place(joint, next, u, v - h)) / (2f * h),
+                    normal = math.cross(alongV, alongU);
+                Assert.That(math.distance(CellSheet.NormalAt(&sheet, u, v)[k_Lane], normal), Is.LessThan(1e-3f),
+                    $"joint {joint} at {u}, {v}");
                 float3 span = default;
                 for (int k = 0; k < 4; k++)
                     span += Weight(k, u, v) * m_Pack.scratch.carriedFrames[Joint(k, joint, next)].c0[k_Lane];
@@ -71,12 +76,15 @@ namespace Alate.Tests
                 {
                     int at = Joint(k, joint, next);
                     float3 rest = m_Pack.Pack.rig.restJoints[at], arm = Turned(at, new float3(x - rest.x, 0f, z - rest.z));
-                    float3 own = m_Pack.scratch.drivenVelocities[at][k_Lane] - m_Pack.Pack.drivenLags[at][k_Lane] + m_Pack.Pack.motions[at].velocity[k_Lane];
+                    float3 own = m_Pack.scratch.drivenVelocities[at][k_Lane] - m_Pack.Pack.drivenLags[at][k_Lane]
+                        + m_Pack.Pack.motions[at].velocity[k_Lane];
                     float3 turning = math.cross(m_Pack.scratch.carriedTurning[at][k_Lane], arm);
-                    expected += Weight(k, u, v) * (own + turning + math.cross(s_Spin, s_Hinge + m_Pack.scratch.carriedPositions[at][k_Lane] + arm));
+                    expected += Weight(k, u, v) * (own + turning
+                        + math.cross(s_Spin, s_Hinge + m_Pack.scratch.carriedPositions[at][k_Lane] + arm));
                 }
 
-                Assert.That(math.distance(CellMotion.At(&field, u, v, x, z)[k_Lane], expected), Is.LessThan(1e-4f), $"joint {joint} at {u}, {v}");
+                Assert.That(math.distance(CellMotion.At(&field, u, v, x, z)[k_Lane], expected), Is.LessThan(1e-4f),
+                    $"joint {joint} at {u}, {v}");
             });
         }
 
@@ -87,18 +95,22 @@ namespace Alate.Tests
             AirDamping.Evaluate(m_Pack.Pack, m_Pack.scratch);
             LaneAir* air = m_Pack.Pack.air;
             var random = Random.CreateFromIndex(seed);
-            float3 v = random.NextFloat3(-1f, 1f), w = random.NextFloat3(-1f, 1f), otherV = random.NextFloat3(-1f, 1f), otherW = random.NextFloat3(-1f, 1f);
+            float3 v = random.NextFloat3(-1f, 1f), w = random.NextFloat3(-1f, 1f), otherV = random.NextFloat3(-1f, 1f),
+                otherW = random.NextFloat3(-1f, 1f);
             double expected = 0.0;
             for (int joint = 0; joint < m_Pack.rig.JointCount; joint++)
             {
                 float3 n = m_Pack.scratch.carriedFrames[joint].c1[k_Lane], arm = m_Pack.scratch.carriedPositions[joint][k_Lane] + s_Hinge;
-                expected += m_Pack.scratch.airDamping[joint][k_Lane] * math.dot(n, v + math.cross(w, arm)) * math.dot(n, otherV + math.cross(otherW, arm));
+                expected += m_Pack.scratch.airDamping[joint][k_Lane] * math.dot(n, v + math.cross(w, arm)) * math.dot(n, otherV
+                    + math.cross(otherW, arm));
             }
 
             float3 coupled = Times(air->uw, otherW), back = Times(air->uw, w);
-            double taken = math.dot(v, Times(air->uu, otherV)) + math.dot(w, Times(air->ww, otherW)) + math.dot(v, coupled) + math.dot(otherV, back);
+            double taken = math.dot(v, Times(air->uu, otherV)) + math.dot(w, Times(air->ww, otherW)) + math.dot(v, coupled)
+                + math.dot(otherV, back);
             Assert.That(taken, Is.EqualTo(expected).Within(1e-3));
-            Assert.That(math.dot(v, Times(air->uu, v)) + 2f * math.dot(v, back) + math.dot(w, Times(air->ww, w)), Is.GreaterThanOrEqualTo(0f));
+            Assert.That(math.dot(v, Times(air->uu, v)) + 2f * math.dot(v, back) + math.dot(w, Times(air->ww, w)),
+                Is.GreaterThanOrEqualTo(0f));
         }
 
         private delegate void AtCell(int joint, int next, float u, float v);
@@ -125,7 +137,8 @@ namespace Alate.Tests
             for (int k = 0; k < 4; k++)
             {
                 int at = Joint(k, joint, next);
-                place += Weight(k, u, v) * (m_Pack.scratch.carriedPositions[at][k_Lane] + Turned(at, rest - m_Pack.Pack.rig.restJoints[at]));
+                place += Weight(k, u, v) * (m_Pack.scratch.carriedPositions[at][k_Lane]
+                    + Turned(at, rest - m_Pack.Pack.rig.restJoints[at]));
             }
 
             return place;
