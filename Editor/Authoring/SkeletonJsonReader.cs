@@ -148,7 +148,7 @@ namespace Alate.Authoring
             var items = new List<T>();
             Expect('[', "a list");
             SkipSpace();
-            if (Take(']'))
+            if (TryRead(']'))
                 return items.ToArray();
             do
             {
@@ -163,9 +163,9 @@ namespace Alate.Authoring
         private bool More(char end, string item)
         {
             SkipSpace();
-            if (Take(end))
+            if (TryRead(end))
                 return false;
-            if (!Take(','))
+            if (!TryRead(','))
                 throw Wrong($"expected ',' or '{end}' after {item}, found {Found()}");
             return true;
         }
@@ -204,15 +204,15 @@ namespace Alate.Authoring
         {
             SkipSpace();
             int start = m_Position;
-            Take('-');
+            TryRead('-');
             int leading = m_Position;
             bool complete = Digits() && (m_Text[leading] != '0' || m_Position == leading + 1);
-            if (complete && Take('.'))
+            if (complete && TryRead('.'))
                 complete = Digits();
-            if (complete && (Take('e') || Take('E')))
+            if (complete && (TryRead('e') || TryRead('E')))
             {
-                if (!Take('+'))
-                    Take('-');
+                if (!TryRead('+'))
+                    TryRead('-');
                 complete = Digits();
             }
 
@@ -233,11 +233,11 @@ namespace Alate.Authoring
         private void Expect(char character, string what = null)
         {
             SkipSpace();
-            if (!Take(character))
+            if (!TryRead(character))
                 throw Wrong($"expected {what ?? $"'{character}'"}, found {Found()}");
         }
 
-        private bool Take(char character)
+        private bool TryRead(char character)
         {
             bool there = m_Position < m_Text.Length && m_Text[m_Position] == character;
             if (there)

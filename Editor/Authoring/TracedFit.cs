@@ -72,7 +72,7 @@ namespace Alate.Authoring
             wanted.up = Vector3.up;
             wanted.forward = null;
             wanted.hinge = fit.Shifted(hinge.Place);
-            fit.Take(SkeletonFitter.Fit(fit.m_Surface, wanted));
+            fit.Apply(SkeletonFitter.Fit(fit.m_Surface, wanted));
             fit.Span = FarMiddle(mesh, fit.Hinge);
             // Now that the way to the tip is known, the leading edge lies at right angles to it.
             wanted.forward = fit.Forward(settings);
@@ -80,11 +80,11 @@ namespace Alate.Authoring
             foreach (SkeletonFitWarning warning in final.Warnings)
                 fit.m_Warnings.Add(warning.Message);
             fit.Confidence *= final.Confidence;
-            fit.Take(final);
+            fit.Apply(final);
             return fit;
         }
 
-        private void Take(SkeletonFit fit)
+        private void Apply(SkeletonFit fit)
         {
             Chains = Array.ConvertAll(fit.Skeleton.Chains, chain => Array.ConvertAll(chain.joints, ToPlan));
             Hinge = ToPlan(fit.Skeleton.Hinge);

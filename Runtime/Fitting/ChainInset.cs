@@ -72,7 +72,7 @@ namespace Alate.Fitting
                 if (distance <= k_Unminded)
                     continue;
                 PlanPoint push = off * ((distance - k_Left) / distance);
-                Share(joints.Length, bone, share, out double inner, out double outer);
+                Split(joints.Length, bone, share, out double inner, out double outer);
                 Push(moves, bone, push * inner);
                 Push(moves, bone + 1, push * outer);
             }
@@ -81,7 +81,7 @@ namespace Alate.Fitting
         }
 
         // The least moves of both joints that move the bone's point by 1; root and tip stay.
-        private static void Share(int count, int bone, double share, out double inner, out double outer)
+        private static void Split(int count, int bone, double share, out double inner, out double outer)
         {
             double first = bone == 0 ? 0.0 : 1.0 - share, second = bone + 1 == count - 1 ? 0.0 : share;
             double squares = Math.Max(first * first + second * second, 1.0 / (k_MostLeverage * k_MostLeverage));

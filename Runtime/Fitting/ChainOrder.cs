@@ -26,11 +26,11 @@ namespace Alate.Fitting
                 Spread(chains, Math.Max(first - reach, 0), Math.Min(second + reach, last), withTips);
             }
 
-            return !Meet(chains);
+            return !Cross(chains);
         }
 
         /// <summary>Returns true where a chain meets another.</summary>
-        public static bool Meet(PlanPoint[][] chains) => TryFindMeeting(chains, out _, out _);
+        public static bool Cross(PlanPoint[][] chains) => TryFindMeeting(chains, out _, out _);
 
         private static void Spread(PlanPoint[][] chains, int low, int high, bool withTips)
         {
@@ -48,7 +48,7 @@ namespace Alate.Fitting
             {
                 for (first = 0; first < second; first++)
                 {
-                    if (Meet(chains[first], chains[second]))
+                    if (Cross(chains[first], chains[second]))
                         return true;
                 }
             }
@@ -58,7 +58,7 @@ namespace Alate.Fitting
         }
 
         // The first bones may begin in one place.
-        private static bool Meet(PlanPoint[] a, PlanPoint[] b)
+        private static bool Cross(PlanPoint[] a, PlanPoint[] b)
         {
             for (int j = 0; j + 1 < a.Length; j++)
             {

@@ -64,11 +64,11 @@ namespace Alate.Fitting
                 made[i] = Jointed(Straightened(levels[i], straightness), shares.TailOf(i), joints);
 
             var layouts = new List<PlanPoint[][]>();
-            if (ChainOrder.Meet(made))
+            if (ChainOrder.Cross(made))
             {
                 levels[last] = lastPath;
                 PlanPoint[][] bent = Bent(made, levels, joints);
-                if (!ChainOrder.Meet(bent))
+                if (!ChainOrder.Cross(bent))
                     layouts.Add(bent);
                 ChainOrder.Untangle(made);
             }

@@ -33,7 +33,7 @@ namespace Alate.Fitting
                 AddClosed(marks, cleft, null);
             m_Closed.Sort();
             tails.Sort((a, b) => a.from.CompareTo(b.from));
-            Share(marks, tails);
+            Distribute(marks, tails);
         }
 
         /// <summary>Share of the fan before a chain: 0 for the first, 1 for the last, rising.</summary>
@@ -51,7 +51,7 @@ namespace Alate.Fitting
         }
 
         // Between one chain whose place is given and the next, the others lie evenly over what is open.
-        private void Share(WingLandmarks marks, List<OutlineStretch> tails)
+        private void Distribute(WingLandmarks marks, List<OutlineStretch> tails)
         {
             int last = m_Shares.Length - 1, before = 0;
             foreach (OutlineStretch tail in tails)

@@ -94,7 +94,7 @@ namespace Alate.Fitting
         // To where a ray first leaves the wing.
         private static double Reach(Polyline rim, PlanPoint from, PlanPoint direction)
         {
-            double reach = rim.Meet(from, direction, -1, out int met);
+            double reach = rim.RayDistance(from, direction, -1, out int met);
             return met < 0 ? 0.0 : reach * (1.0 - k_Inset);
         }
     }

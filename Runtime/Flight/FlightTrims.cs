@@ -25,7 +25,7 @@ namespace Alate.Flight
         }
 
         /// <summary>The table for an insect, shared by all that use it; null where this is not its table.</summary>
-        internal TrimTable Take(uint key)
+        internal TrimTable Open(uint key)
         {
             if (!s_Shared.TryGetValue((m_Text ?? "", key), out Shared shared))
             {

@@ -154,7 +154,7 @@ namespace Alate.Flight
             // The pilot may have switched the insect off.
             if (m_World == null)
                 return;
-            command.velocity = m_Wanted.Take(command.velocity, float.MaxValue, "a wanted velocity", "m/s", this);
+            command.velocity = m_Wanted.Guard(command.velocity, float.MaxValue, "a wanted velocity", "m/s", this);
             if (!OuterBounds.Hold(command.heading, OuterBounds.Turning))
                 command.heading = float.NaN;
             bool sits = command.wish == FlightWish.Perch && command.spot.IsPossible && math.isfinite(command.spot.heading);

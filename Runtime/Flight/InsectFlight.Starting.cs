@@ -153,7 +153,7 @@ namespace Alate.Flight
                 return false;
             }
 
-            m_Table = m_Trims.Take(m_Model.Key);
+            m_Table = m_Trims.Open(m_Model.Key);
             if (m_Table != null)
             {
                 m_Table.Acceleration = m_Model.AccelerationAt(m_Table.TopSpeed);

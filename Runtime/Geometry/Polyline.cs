@@ -127,7 +127,7 @@ namespace Alate.Geometry
         /// <param name="direction">A unit vector.</param>
         /// <param name="skipped">The segment on which the ray begins, or −1.</param>
         /// <param name="met">The segment it meets.</param>
-        public double Meet(PlanPoint from, PlanPoint direction, int skipped, out int met)
+        public double RayDistance(PlanPoint from, PlanPoint direction, int skipped, out int met)
         {
             double nearest = double.MaxValue;
             met = -1;

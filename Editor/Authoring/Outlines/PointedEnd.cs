@@ -87,7 +87,7 @@ namespace Alate.Authoring
                 from = end + PlanPoint.Unit(Polygon.Centroid(rim.Points) - end) * (1e-3 * reach);
             for (int k = 0; k < k_Rays; k++)
             {
-                double angle = 2.0 * Math.PI * k / k_Rays, seen = rim.Meet(from, new PlanPoint(Math.Cos(angle), Math.Sin(angle)), -1, out int met);
+                double angle = 2.0 * Math.PI * k / k_Rays, seen = rim.RayDistance(from, new PlanPoint(Math.Cos(angle), Math.Sin(angle)), -1, out int met);
                 if (met < 0)
                     continue;
                 near += Math.Min(reach * reach, seen * seen);

@@ -86,11 +86,11 @@ namespace Alate.Authoring
             PlanPoint end = m_Graph[way[way.Count - 1]], outward = PlanPoint.Unit(end - m_Hinge), direction = DirectionAtEnd(way);
             if (PlanPoint.Dot(direction, outward) < k_LeastCosine)
                 return false;
-            double rest = m_Rim.Meet(end, direction, -1, out int met);
+            double rest = m_Rim.RayDistance(end, direction, -1, out int met);
             if (rest > k_FarRim * m_Length)
             {
                 direction = PlanPoint.Unit(direction + outward);
-                rest = m_Rim.Meet(end, direction, -1, out met);
+                rest = m_Rim.RayDistance(end, direction, -1, out met);
             }
 
             double whole = Math.Sqrt((m_Graph[way[0]] - m_Hinge).LengthSquared) + Polyline.LengthOf(way.ConvertAll(pixel => m_Graph[pixel])) + rest;

@@ -104,7 +104,7 @@ namespace Alate.Authoring
             if (!m_OwnRoots)
                 return fitted;
             var back = PlanPoint.Unit(vein[start] - vein[Math.Min(vein.Length - 1, start + k_RootSteps)]);
-            double reach = m_Rim.Meet(vein[start], back, -1, out int met) - k_Inside * m_Length;
+            double reach = m_Rim.RayDistance(vein[start], back, -1, out int met) - k_Inside * m_Length;
             PlanPoint root = vein[start] + back * reach;
             bool isOnBase = PlanPoint.DistanceSquared(root, m_Fitted[0][0], m_Fitted[m_Fitted.Count - 1][0]) < k_OffBase * k_OffBase * m_Length * m_Length;
             return met >= 0 && isOnBase ? root : fitted;
@@ -141,7 +141,7 @@ namespace Alate.Authoring
         private void Stretch(PlanPoint[] joints)
         {
             PlanPoint root = joints[0], whole = joints[joints.Length - 1] - root, begin = root + whole * k_Begin;
-            double length = Math.Sqrt(whole.LengthSquared), rest = m_Rim.Meet(begin, whole * (1.0 / length), -1, out int met);
+            double length = Math.Sqrt(whole.LengthSquared), rest = m_Rim.RayDistance(begin, whole * (1.0 / length), -1, out int met);
             if (met < 0)
                 return;
             double factor = Math.Min(k_MostStretch, k_Begin + (rest - k_Inside * m_Length) / length);

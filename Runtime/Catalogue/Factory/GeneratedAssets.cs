@@ -13,7 +13,7 @@ namespace Alate.Catalogue
 
         /// <summary>Finds or makes the parts of a species and adds one user.</summary>
         /// <param name="species">Its name in the catalogue.</param>
-        public static SharedAssets Take(string species)
+        public static SharedAssets Acquire(string species)
         {
             if (!s_Assets.TryGetValue(species, out SharedAssets assets))
             {

@@ -21,7 +21,7 @@ namespace Alate.Catalogue
             set => m_Species = value;
         }
 
-        private void Awake() => GeneratedAssets.Take(m_Species);
+        private void Awake() => GeneratedAssets.Acquire(m_Species);
 
         private void OnEnable() => PlayEnd.Listen();
 

@@ -37,14 +37,14 @@ namespace Alate.Catalogue
             if (!species.Variants.Contains(variant))
                 throw new ArgumentException($"There is no variant '{variant}' of {species.Name}. It has: {string.Join(", ", species.Variants)}.", nameof(variant));
             if (Application.isPlaying)
-                return Share(species, variant, reading);
+                return CreateShared(species, variant, reading);
             var parts = InsectParts.Make(species);
             return Activated(parts.Assemble(parts.CreatePresets(variant, reading)));
         }
 
-        private static InsectWings Share(InsectDefinition species, InsectVariant variant, ModelReading reading)
+        private static InsectWings CreateShared(InsectDefinition species, InsectVariant variant, ModelReading reading)
         {
-            SharedAssets assets = GeneratedAssets.Take(species.Name);
+            SharedAssets assets = GeneratedAssets.Acquire(species.Name);
             GameObject made = assets.Assemble(variant, reading);
             made.AddComponent<GeneratedInsect>().Species = species.Name;
             InsectWings insect = Activated(made);

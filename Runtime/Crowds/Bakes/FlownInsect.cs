@@ -29,7 +29,7 @@ namespace Alate.Crowds
                 throw new BakeException($"'{insect.name}' cannot fly: {problem.Message}");
             }
 
-            m_Table = flight.Trims == null ? null : flight.Trims.Take(m_Model.Key);
+            m_Table = flight.Trims == null ? null : flight.Trims.Open(m_Model.Key);
         }
 
         /// <summary>Makes it; null where the insect has no Insect Flight.</summary>

@@ -46,7 +46,7 @@ namespace Alate.Crowds
         public bool IsShown { get; private set; }
 
         /// <summary>Starts to stand for an insect of the crowd, unseen as yet.</summary>
-        public void Take(int insect, in CrowdPose pose)
+        public void Replace(int insect, in CrowdPose pose)
         {
             Insect = insect;
             m_Beats = 0f;

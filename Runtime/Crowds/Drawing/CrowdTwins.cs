@@ -84,7 +84,7 @@ namespace Alate.Crowds
                     return;
                 if (IsTaken(insect))
                     continue;
-                twin.Take(insect, buffers.poses[insect]);
+                twin.Replace(insect, buffers.poses[insect]);
                 return;
             }
         }

@@ -44,7 +44,7 @@ namespace Alate.Flight
                     return Ended(value);
                 try
                 {
-                    Take(name, value);
+                    SetField(name, value);
                 }
                 catch (FormatException) when (m_Text.Peek() < 0)
                 {
@@ -76,7 +76,7 @@ namespace Alate.Flight
             return m_Text.ReadLine();
         }
 
-        private void Take(string name, string value)
+        private void SetField(string name, string value)
         {
             switch (name)
             {

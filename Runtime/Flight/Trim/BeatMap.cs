@@ -61,7 +61,7 @@ namespace Alate.Flight
             var map = new BeatMap(1 / frequency);
             double start = Release(tunnel);
             double[][,] ends = Follow(tunnel, start, substeps, h);
-            map.Take(ends[0], ends[1]);
+            map.Derive(ends[0], ends[1]);
             return map;
         }
 
@@ -171,7 +171,7 @@ namespace Alate.Flight
             return new double[] { v.y, v.z, e.x, w.x, v.x, e.y, e.z, w.y, w.z };
         }
 
-        private void Take(double[,] first, double[,] second)
+        private void Derive(double[,] first, double[,] second)
         {
             for (int state = 0; state < k_Longs; state++)
             {

@@ -70,7 +70,7 @@ namespace Alate.Geometry
         {
             int segment = m_Rim.SegmentAt(distance);
             PlanPoint along = m_Rim.Direction(segment);
-            double reach = m_Rim.Meet(m_Rim.At(distance), new PlanPoint(-along.z, along.x), segment, out int met);
+            double reach = m_Rim.RayDistance(m_Rim.At(distance), new PlanPoint(-along.z, along.x), segment, out int met);
             return met >= 0 && PlanPoint.Dot(along, m_Rim.Direction(met)) < k_Facing ? reach : double.MaxValue;
         }
 

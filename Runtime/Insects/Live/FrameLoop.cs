@@ -221,7 +221,7 @@ namespace Alate
             }
         }
 
-        private float3 Gravity() => m_Gravity.Take(Physics.gravity, OuterBounds.Gravity, "a gravity (Physics.gravity)", "m/s²", null);
+        private float3 Gravity() => m_Gravity.Guard(Physics.gravity, OuterBounds.Gravity, "a gravity (Physics.gravity)", "m/s²", null);
 
         private void Schedule()
         {

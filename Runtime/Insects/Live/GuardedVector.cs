@@ -15,7 +15,7 @@ namespace Alate
         /// <param name="kind">What it is, for the message.</param>
         /// <param name="unit">Unit of value and bound, for the message.</param>
         /// <param name="context">Object whose it is; null for the scene's.</param>
-        public float3 Take(float3 value, float most, string kind, string unit, Object context)
+        public float3 Guard(float3 value, float most, string kind, string unit, Object context)
         {
             if (OuterBounds.Hold(value, most))
                 return m_Last = value;

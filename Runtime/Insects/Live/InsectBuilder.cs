@@ -112,7 +112,7 @@ namespace Alate
             TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();
             var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
             var parts = new RiggedParts(mesh, automatic, patches);
-            MeshTemplate template = m_Templates.Take(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
+            MeshTemplate template = m_Templates.Acquire(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
             return template == null ? null : new LiveMesh(filter, template, wings, skeletons, patches);
         }
 

@@ -143,7 +143,7 @@ namespace Alate
             flight.forward = root.forward;
             flight.gravity = gravity;
             flight.metresPerUnit = settings.metresPerUnit;
-            flight.wind = m_Wind.Take((float3)insect.Air.wind + zoneWind, MostSpeed, "a wind", "world units/s", insect);
+            flight.wind = m_Wind.Guard((float3)insect.Air.wind + zoneWind, MostSpeed, "a wind", "world units/s", insect);
             float3 velocity = motion.Velocity, turning = motion.AngularVelocity;
             if (settings.source == VelocitySource.Script)
             {
@@ -156,8 +156,8 @@ namespace Alate
                 turning = body.angularVelocity;
             }
 
-            flight.velocity = m_Velocity.Take(velocity, MostSpeed, "a velocity", "world units/s", insect);
-            flight.angularVelocity = m_Turning.Take(turning, OuterBounds.Turning, "an angular velocity", "rad/s", insect);
+            flight.velocity = m_Velocity.Guard(velocity, MostSpeed, "a velocity", "world units/s", insect);
+            flight.angularVelocity = m_Turning.Guard(turning, OuterBounds.Turning, "an angular velocity", "rad/s", insect);
         }
 
         /// <summary>Writes the surroundings of the wings.</summary>

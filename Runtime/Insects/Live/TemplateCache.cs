@@ -18,7 +18,7 @@ namespace Alate
         /// <param name="indices">Their places in the insect's list, for messages.</param>
         /// <param name="problem">Why there is none.</param>
         /// <returns>Null when there is a problem.</returns>
-        public MeshTemplate Take(TemplateKey key, in RiggedParts parts, Wing[] wings, List<int> indices, out InsectProblem problem)
+        public MeshTemplate Acquire(TemplateKey key, in RiggedParts parts, Wing[] wings, List<int> indices, out InsectProblem problem)
         {
             problem = InsectProblem.None;
             MeshTemplate template = m_Entries.Find(entry => !entry.template.IsOutdated && entry.key.Matches(key)).template;

@@ -89,7 +89,7 @@ namespace Alate
             int first = cell->firstPatch, end = first + cell->patchCount;
             for (int patch = first; patch < end; patch++)
             {
-                scratch.streams[patch] = PatchAir.Meet(scratch.relativeWind[patch], scratch.normals[patch]);
+                scratch.streams[patch] = PatchAir.Evaluate(scratch.relativeWind[patch], scratch.normals[patch]);
                 if (alongSpan)
                     scratch.streams[patch].tangential = scratch.alongSpan[patch];
             }

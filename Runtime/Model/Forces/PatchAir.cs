@@ -17,7 +17,7 @@ namespace Alate
 
         /// <summary>First step: finds the stream in the frame of the element.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static PatchStream Meet(in SoaFloat3 wind, in SoaFloat3 normal)
+        public static PatchStream Evaluate(in SoaFloat3 wind, in SoaFloat3 normal)
         {
             float4 speed2 = SoaFloat3.LengthSquared(wind);
             float4 across = SoaFloat3.Dot(wind, normal);

@@ -16,14 +16,14 @@ namespace Alate
         public static void Derive(in WingPack pack)
         {
             var wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);
-            pack.surroundings->boundWind = pack.options.coupling == MembraneCoupling.OneWay ? wind : wind * Share(pack, wind);
+            pack.surroundings->boundWind = pack.options.coupling == MembraneCoupling.OneWay ? wind : wind * FeltShare(pack, wind);
         }
 
         /// <summary>Speed of the bounded wind, L/s.</summary>
         public static float4 Speed(in WingPack pack) => math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->boundWind));
 
         // (1 + x¹⁶)^(−0.75/16), which is 1 below 0.8 to a thousandth; as t^−0.75 (t^−16 + (x/t)¹⁶)^(−0.75/16) with t = max(x, 1), so that no speed overflows.
-        private static float4 Share(in WingPack pack, in SoaFloat3 wind)
+        private static float4 FeltShare(in WingPack pack, in SoaFloat3 wind)
         {
             float4 x = math.sqrt(SoaFloat3.LengthSquared(wind)) / pack.parameters->strongestWind;
             float4 t = math.max(x, 1f), inverse = 1f / t;

@@ -94,14 +94,14 @@ namespace Alate
         {
             double[] densities = new double[masses.Length];
             for (int j = 0; j < masses.Length; j++)
-                densities[j] = masses[j] / Share(m_Distances, j);
+                densities[j] = masses[j] / LengthShare(m_Distances, j);
             double[] fine = Cut(densities, parts), distances = Cut(m_Distances, parts);
             for (int k = 0; k < fine.Length; k++)
-                fine[k] *= Share(distances, k);
+                fine[k] *= LengthShare(distances, k);
             return fine;
         }
 
-        private static double Share(double[] distances, int joint) =>
+        private static double LengthShare(double[] distances, int joint) =>
             0.5 * (distances[Math.Min(joint + 1, distances.Length - 1)] - distances[Math.Max(joint - 1, 0)]);
 
         private static double[] Cut(double[] values, int parts)

@@ -104,7 +104,7 @@ namespace Alate
                     PlanPoint a0 = plan[chainA, k], a1 = plan[chainA, k + 1], b0 = plan[chainB, j], b1 = plan[chainB, j + 1];
                     bool meet = sharedRoot && j == 0 && k == 0
                         ? PlanPoint.DistanceSquared(a1, b0, b1) <= touch || PlanPoint.DistanceSquared(b1, a0, a1) <= touch
-                        : Meet(a0, a1, b0, b1, touch);
+                        : Cross(a0, a1, b0, b1, touch);
                     if (meet)
                         return j;
                 }
@@ -113,7 +113,7 @@ namespace Alate
             return -1;
         }
 
-        private static bool Meet(PlanPoint a0, PlanPoint a1, PlanPoint b0, PlanPoint b1, double touch)
+        private static bool Cross(PlanPoint a0, PlanPoint a1, PlanPoint b0, PlanPoint b1, double touch)
         {
             PlanPoint a = a1 - a0, b = b1 - b0;
             bool apart = PlanPoint.Cross(a, b0 - a0) > 0.0 != PlanPoint.Cross(a, b1 - a0) > 0.0;

@@ -20,7 +20,7 @@ namespace Alate
         }
 
         /// <summary>Takes the next <paramref name="count"/> elements of the block; null while measuring.</summary>
-        public void* Take<T>(int count) where T : unmanaged
+        public void* Carve<T>(int count) where T : unmanaged
         {
             byte* start = m_Block == null ? null : m_Block + Size;
             long bytes = (long)count * UnsafeUtility.SizeOf<T>();

@@ -62,8 +62,8 @@ namespace Alate
             return lane;
         }
 
-        /// <summary>Takes over the state of a wing from another pack, or another lane, into a lane.</summary>
-        public void Take(PackMemory from, int fromLane, int lane)
+        /// <summary>Copies the state of a wing from another pack, or another lane, into a lane.</summary>
+        public void CopyWing(PackMemory from, int fromLane, int lane)
         {
             for (int l = 0; l < WingPack.Lanes; l++)
             {
@@ -78,7 +78,7 @@ namespace Alate
         public PackMemory Snapshot(int lane)
         {
             var copy = new PackMemory(view.rig, view.options) { Count = 1 };
-            copy.Take(this, lane, 0);
+            copy.CopyWing(this, lane, 0);
             return copy;
         }
 
@@ -146,37 +146,37 @@ namespace Alate
             view = default;
             view.slotStride = 1f;
             view.state = (float4*)block;
-            view.parameters = (LaneParameters*)carver.Take<LaneParameters>(1);
-            view.surroundings = (LaneSurroundings*)carver.Take<LaneSurroundings>(1);
-            view.series = (float4*)carver.Take<float4>(WingKinematics.Count);
-            view.air = (LaneAir*)carver.Take<LaneAir>(1);
-            view.readings = (PackReadings*)carver.Take<PackReadings>(1);
-            view.beat = (BeatState*)carver.Take<BeatState>(1);
-            view.bendStiffness = (float4*)carver.Take<float4>(bones);
-            view.bendDamping = (float4*)carver.Take<float4>(bones);
-            view.torsionStiffness = (float4*)carver.Take<float4>(bones);
-            view.torsionDamping = (float4*)carver.Take<float4>(bones);
-            view.bendStiffening = (float4*)carver.Take<float4>(bones);
-            view.chainDelays = (float4*)carver.Take<float4>(chains);
-            view.bendAngles = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
-            view.bendRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
-            view.earlierAngles = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
-            view.earlierRates = (SoaFloat3*)carver.Take<SoaFloat3>(bones);
-            view.lastSubstep = (float4*)carver.Take<float4>(1);
-            view.bentRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
-            view.drivenRotations = (SoaQuaternion*)carver.Take<SoaQuaternion>(bones);
-            view.drivenPositions = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            view.drivenLags = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            view.normalSpeeds = (float4*)carver.Take<float4>(joints);
-            view.earlierNormalSpeeds = (float4*)carver.Take<float4>(joints);
-            view.offsets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            view.offsetRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            view.earlierOffsets = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            view.earlierOffsetRates = (SoaFloat3*)carver.Take<SoaFloat3>(joints);
-            view.motions = (JointMotion*)carver.Take<JointMotion>(joints);
-            view.pose = (JointPose*)carver.Take<JointPose>(joints);
+            view.parameters = (LaneParameters*)carver.Carve<LaneParameters>(1);
+            view.surroundings = (LaneSurroundings*)carver.Carve<LaneSurroundings>(1);
+            view.series = (float4*)carver.Carve<float4>(WingKinematics.Count);
+            view.air = (LaneAir*)carver.Carve<LaneAir>(1);
+            view.readings = (PackReadings*)carver.Carve<PackReadings>(1);
+            view.beat = (BeatState*)carver.Carve<BeatState>(1);
+            view.bendStiffness = (float4*)carver.Carve<float4>(bones);
+            view.bendDamping = (float4*)carver.Carve<float4>(bones);
+            view.torsionStiffness = (float4*)carver.Carve<float4>(bones);
+            view.torsionDamping = (float4*)carver.Carve<float4>(bones);
+            view.bendStiffening = (float4*)carver.Carve<float4>(bones);
+            view.chainDelays = (float4*)carver.Carve<float4>(chains);
+            view.bendAngles = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
+            view.bendRates = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
+            view.earlierAngles = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
+            view.earlierRates = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
+            view.lastSubstep = (float4*)carver.Carve<float4>(1);
+            view.bentRotations = (SoaQuaternion*)carver.Carve<SoaQuaternion>(bones);
+            view.drivenRotations = (SoaQuaternion*)carver.Carve<SoaQuaternion>(bones);
+            view.drivenPositions = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            view.drivenLags = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            view.normalSpeeds = (float4*)carver.Carve<float4>(joints);
+            view.earlierNormalSpeeds = (float4*)carver.Carve<float4>(joints);
+            view.offsets = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            view.offsetRates = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            view.earlierOffsets = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            view.earlierOffsetRates = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            view.motions = (JointMotion*)carver.Carve<JointMotion>(joints);
+            view.pose = (JointPose*)carver.Carve<JointPose>(joints);
             view.stateCount = (int)(carver.Size / sizeof(float4));
-            view.slots = (JointPose*)carver.Take<JointPose>(joints * WingPack.PoseSlots);
+            view.slots = (JointPose*)carver.Carve<JointPose>(joints * WingPack.PoseSlots);
             return carver.Size;
         }
     }

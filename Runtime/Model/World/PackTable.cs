@@ -47,7 +47,7 @@ namespace Alate
             if (last != entry.pack || lastLane != entry.lane)
             {
                 moved = last.wings[lastLane];
-                entry.pack.Take(last, lastLane, entry.lane);
+                entry.pack.CopyWing(last, lastLane, entry.lane);
             }
 
             last.RemoveLast();

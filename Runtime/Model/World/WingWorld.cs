@@ -275,7 +275,7 @@ namespace Alate
             m_Arrays.Download(m_Packs.Packs, m_Entries);
             PackMemory from = entry.pack.Snapshot(entry.lane);
             Detach(entry);
-            m_Packs.Add(entry, index).Take(from, 0, entry.lane);
+            m_Packs.Add(entry, index).CopyWing(from, 0, entry.lane);
             from.Dispose();
         }
 

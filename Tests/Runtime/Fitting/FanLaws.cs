@@ -138,12 +138,12 @@ namespace Alate.Tests
             PlanPoint[] across = { new PlanPoint(0, 0.5), new PlanPoint(1, 0.5), new PlanPoint(2, -0.5) }, fork = { new PlanPoint(0, 0), new PlanPoint(1, 0.5), new PlanPoint(2, 0.5) };
             PlanPoint[] Near(double z) => new[] { new PlanPoint(0, 0.5), new PlanPoint(1, 0.5), new PlanPoint(2, z) };
 
-            Assert.That(ChainOrder.Meet(new[] { level, above }), Is.False);
-            Assert.That(ChainOrder.Meet(new[] { level, across }), Is.True);
-            Assert.That(ChainOrder.Meet(new[] { across, above, level }), Is.True, "any two of them");
-            Assert.That(ChainOrder.Meet(new[] { level, fork }), Is.False);
-            Assert.That(ChainOrder.Meet(new[] { level, Near(2e-4) }), Is.True);
-            Assert.That(ChainOrder.Meet(new[] { level, Near(4e-4) }), Is.False);
+            Assert.That(ChainOrder.Cross(new[] { level, above }), Is.False);
+            Assert.That(ChainOrder.Cross(new[] { level, across }), Is.True);
+            Assert.That(ChainOrder.Cross(new[] { across, above, level }), Is.True, "any two of them");
+            Assert.That(ChainOrder.Cross(new[] { level, fork }), Is.False);
+            Assert.That(ChainOrder.Cross(new[] { level, Near(2e-4) }), Is.True);
+            Assert.That(ChainOrder.Cross(new[] { level, Near(4e-4) }), Is.False);
         }
 
         [Test]
@@ -152,9 +152,9 @@ namespace Alate.Tests
             PlanPoint[] Line(double z, double end) => new[] { new PlanPoint(0, z), new PlanPoint(1, z), new PlanPoint(2, end) };
             PlanPoint[][] chains = { Line(0.0, 0.0), Line(-0.2, -0.5), Line(-0.4, -0.3), Line(-0.6, -0.8), Line(-0.8, -1.2) };
             chains[1][1] = new PlanPoint(1, -0.45);
-            Assert.That(ChainOrder.Meet(chains), Is.True);
+            Assert.That(ChainOrder.Cross(chains), Is.True);
             Assert.That(ChainOrder.Untangle(chains), Is.True);
-            Assert.That(ChainOrder.Meet(chains), Is.False);
+            Assert.That(ChainOrder.Cross(chains), Is.False);
             Assert.That(chains[0].Zip(Line(0.0, 0.0), Distance), Is.All.Zero, "the first and the last chain stay");
             Assert.That(chains[4].Zip(Line(-0.8, -1.2), Distance), Is.All.Zero);
             Assert.That(chains.Select(chain => chain[0].z), Is.EqualTo(new[] { 0.0, -0.2, -0.4, -0.6, -0.8 }), "roots stay");

@@ -187,13 +187,13 @@ namespace Alate.Tests
         public void ARay_MeetsTheNearestSideAhead_ButTheOneItBeginsOn()
         {
             var square = new Polyline(s_Square, true);
-            double up = square.Meet(new PlanPoint(2, 3), new PlanPoint(0, 1), -1, out int upper), right = square.Meet(new PlanPoint(2, 3), new PlanPoint(1, 0), -1, out int righter);
+            double up = square.RayDistance(new PlanPoint(2, 3), new PlanPoint(0, 1), -1, out int upper), right = square.RayDistance(new PlanPoint(2, 3), new PlanPoint(1, 0), -1, out int righter);
 
             Assert.That((up, upper, right, righter), Is.EqualTo((3.0, 2, 2.0, 1)));
-            Assert.That(square.Meet(new PlanPoint(2, 1), new PlanPoint(0, 1), -1, out _), Is.EqualTo(1.0), "the nearer of two");
-            Assert.That(square.Meet(new PlanPoint(2, 1), new PlanPoint(0, 1), 0, out int across), Is.EqualTo(5.0));
+            Assert.That(square.RayDistance(new PlanPoint(2, 1), new PlanPoint(0, 1), -1, out _), Is.EqualTo(1.0), "the nearer of two");
+            Assert.That(square.RayDistance(new PlanPoint(2, 1), new PlanPoint(0, 1), 0, out int across), Is.EqualTo(5.0));
             Assert.That(across, Is.EqualTo(2));
-            Assert.That(square.Meet(new PlanPoint(2, 1), new PlanPoint(0, -1), -1, out int none), Is.EqualTo(double.MaxValue));
+            Assert.That(square.RayDistance(new PlanPoint(2, 1), new PlanPoint(0, -1), -1, out int none), Is.EqualTo(double.MaxValue));
             Assert.That(none, Is.EqualTo(-1));
             AssertAt(square.Direction(3), 0.0, -1.0);
         }

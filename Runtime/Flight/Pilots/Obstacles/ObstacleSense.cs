@@ -37,7 +37,7 @@ namespace Alate.Flight
         /// <param name="ray">Which one.</param>
         /// <param name="normal">Of the surface.</param>
         /// <param name="distance">World units; below 0 for nothing.</param>
-        public void Take(int ray, float3 normal, float distance) => m_Met[ray] = new float4(normal, distance);
+        public void SetHit(int ray, float3 normal, float distance) => m_Met[ray] = new float4(normal, distance);
 
         /// <summary>Changes a velocity so that the insect flies round what its rays met, and asks for new rays.</summary>
         /// <param name="wanted">m/s.</param>

@@ -11,10 +11,10 @@ namespace Alate
         public RendererNames(Renderer renderer, Mesh mesh, Transform root)
         {
             renderer.GetSharedMaterials(m_Materials);
-            Take(WingName.Read(renderer.name), true);
-            Take(WingName.Read(mesh.name), true);
+            Add(WingName.Read(renderer.name), true);
+            Add(WingName.Read(mesh.name), true);
             for (Transform place = renderer.transform; place != root && place.parent != root && place.parent != null; place = place.parent)
-                Take(WingName.Read(place.parent.name), false);
+                Add(WingName.Read(place.parent.name), false);
         }
 
         /// <summary>True where the renderer as a whole is named a wing, or lies below an object that is named only that.</summary>
@@ -33,7 +33,7 @@ namespace Alate
         public WingName Material(int submesh) =>
             WingName.Read(submesh < m_Materials.Count && m_Materials[submesh] != null ? m_Materials[submesh].name : null);
 
-        private void Take(WingName name, bool isOwn)
+        private void Add(WingName name, bool isOwn)
         {
             IsWing |= isOwn ? name.IsWing : name.IsPlainWing;
             IsCase |= name.IsCase;

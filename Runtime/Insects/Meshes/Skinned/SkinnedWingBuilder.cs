@@ -31,7 +31,7 @@ namespace Alate
         /// </summary>
         public Mesh Mesh(BlendedShape shape, Matrix4x4 bind)
         {
-            Mesh mesh = WingMeshCut.Take(m_Source.sharedMesh, shape, m_Corners, bind);
+            Mesh mesh = WingMeshCut.Cut(m_Source.sharedMesh, shape, m_Corners, bind);
             mesh.name = $"{m_Source.sharedMesh.name} {m_Name}";
             return mesh;
         }

@@ -15,7 +15,7 @@ namespace Alate
         /// <param name="shape">Its vertices.</param>
         /// <param name="submeshes">Corners of the triangles by submesh of the new mesh.</param>
         /// <param name="matrix">To the space of the new mesh. If it mirrors, triangles are turned to face the same way.</param>
-        public static Mesh Take(Mesh mesh, BlendedShape shape, IReadOnlyList<int[]> submeshes, Matrix4x4 matrix)
+        public static Mesh Cut(Mesh mesh, BlendedShape shape, IReadOnlyList<int[]> submeshes, Matrix4x4 matrix)
         {
             var selection = MeshSelection.Of(submeshes);
             int[] vertices = selection.vertices;

@@ -41,7 +41,7 @@ namespace Alate.Tests.Flight
             [Values(0f, 0.02f)] float moved)
         {
             ObstacleSense sense = Looking(s_Ahead, units);
-            sense.Take(0, -s_Ahead, distance * units);
+            sense.SetHit(0, -s_Ahead, distance * units);
             float3 allowed = sense.Avoid(new float3(0.3f, 0f, 1f), At(s_Place + moved * units * s_Ahead, units), ObstacleSettings.Default,
                 k_Near);
 
@@ -53,7 +53,7 @@ namespace Alate.Tests.Flight
         public void TooNearToAWall_ItBacksAway_AtMostByThreeTenths([Values(0.001f, 0.03f, 0.07f)] float distance)
         {
             ObstacleSense sense = Looking(s_Ahead, 1f);
-            sense.Take(0, -s_Ahead, distance);
+            sense.SetHit(0, -s_Ahead, distance);
             float3 allowed = sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near);
 
             Assert.That(allowed.z,
@@ -67,7 +67,7 @@ namespace Alate.Tests.Flight
             ObstacleSense sense = Looking(s_Ahead, 1f);
             float3 right = math.normalize(new float3(sense.Direction(1).x, 0f, 0f)), wanted = 0.9f * right + 0.3f * s_Ahead;
             float along = 0.4f, off = along * math.dot(sense.Direction(1), right) - k_Clearance;
-            sense.Take(1, -right, along);
+            sense.SetHit(1, -right, along);
             float3 allowed = sense.Avoid(wanted, At(s_Place, 1f), ObstacleSettings.Default, k_Near);
 
             Assert.That(math.dot(allowed, right), Is.EqualTo(s_Limits.SpeedToStopWithin(off)).Within(1e-4f));
@@ -80,7 +80,7 @@ namespace Alate.Tests.Flight
             ObstacleSense sense = Looking(s_Ahead, 1f);
             float3 side = sense.Direction(free) - s_Ahead * math.dot(sense.Direction(free), s_Ahead);
             for (int ray = 0; ray < ObstacleSense.RayCount; ray++)
-                sense.Take(ray, -s_Ahead, ray == free ? 0.5f : 0.1f);
+                sense.SetHit(ray, -s_Ahead, ray == free ? 0.5f : 0.1f);
             float3 allowed = sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default);
 
             float most = s_Limits.SpeedToStopWithin(0.1f / math.sqrt(1.49f) - k_Clearance);
@@ -96,7 +96,7 @@ namespace Alate.Tests.Flight
             foreach ((float goal, bool turns) in new[] { (0.05f, false), (0.14f, false), (0.2f, true) })
             {
                 ObstacleSense sense = Looking(s_Ahead, 1f);
-                sense.Take(0, -s_Ahead, 0.1f);
+                sense.SetHit(0, -s_Ahead, 0.1f);
                 float3 allowed = sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, goal);
                 Assert.That(math.length(allowed.xy) > 0.1f, Is.EqualTo(turns), $"a goal {goal} m ahead");
             }
@@ -106,10 +106,10 @@ namespace Alate.Tests.Flight
         public void WhatIsBehindOrForgotten_OrNotToBeAvoided_ChangesNothing()
         {
             ObstacleSense sense = Looking(s_Ahead, 1f);
-            sense.Take(0, s_Ahead, 0.2f);
+            sense.SetHit(0, s_Ahead, 0.2f);
             Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead),
                 "away from a surface");
-            sense.Take(0, -s_Ahead, 0.1f);
+            sense.SetHit(0, -s_Ahead, 0.1f);
             var settings = ObstacleSettings.Default;
             settings.avoid = false;
             Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), settings), Is.EqualTo(s_Ahead));

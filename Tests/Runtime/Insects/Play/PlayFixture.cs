@@ -117,7 +117,7 @@ namespace Alate.Tests.Play
                 return;
             foreach (string species in GeneratedAssets.InUse.Select(assets => assets.Species).Except(m_Kept).ToList())
             {
-                GeneratedAssets.Take(species);
+                GeneratedAssets.Acquire(species);
                 m_Kept.Add(species);
             }
         }

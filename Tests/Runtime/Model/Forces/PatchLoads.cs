@@ -14,7 +14,7 @@ namespace Alate.Tests
         public static unsafe PatchLoad Of(
             in ModelOptions options, in SoaFloat3 wind, in SoaFloat3 normal, float4 alongSpan, float4 halfDensityArea)
         {
-            PatchStream stream = PatchAir.Meet(wind, normal);
+            PatchStream stream = PatchAir.Evaluate(wind, normal);
             if (options.tangent == AirTangent.BaseToTip)
                 stream.tangential = alongSpan;
             Coefficients.Evaluate(options, &stream, 1);
