@@ -41,9 +41,9 @@ namespace Alate.Tests.FreeFlights
             var random = new Random(9);
             Matrix<double> a = Fill(random, 5, 5) * 0.9, b = Fill(random, 5, 2);
             double[] q = { 1, 0.5, 2, 0.1, 0.3 };
-            var gains = Matrix<double>.Build.DenseOfArray(Riccati.Gains(a.ToArray(), b.ToArray(), q));
+            Matrix<double> gains = Matrix<double>.Build.DenseOfArray(Riccati.Gains(a.ToArray(), b.ToArray(), q));
             double[] small = Array.ConvertAll(q, weight => unit * weight);
-            var other = Matrix<double>.Build.DenseOfArray(Riccati.Gains(a.ToArray(), (b / Math.Sqrt(unit)).ToArray(), small));
+            Matrix<double> other = Matrix<double>.Build.DenseOfArray(Riccati.Gains(a.ToArray(), (b / Math.Sqrt(unit)).ToArray(), small));
 
             Assert.That((other / Math.Sqrt(unit) - gains).L2Norm(), Is.LessThan(1e-8 * gains.L2Norm()));
         }

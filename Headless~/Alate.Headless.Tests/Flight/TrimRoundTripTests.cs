@@ -16,7 +16,7 @@ namespace Alate.Tests.FreeFlights
             using var insect = new FlyingInsect(species);
             float[] point = Point(insect, out TrimState trim, out FlightCondition condition);
             using var tunnel = new FlightTunnel(insect.Model, BeatMap.Insects);
-            BeatMap map = BeatMap.Fly(tunnel, insect.Model, trim, condition);
+            var map = BeatMap.Fly(tunnel, insect.Model, trim, condition);
             float[] again = new float[point.Length];
             trim.Write(again, insect.Model.Frequency);
 

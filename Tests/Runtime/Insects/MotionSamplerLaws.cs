@@ -109,7 +109,7 @@ namespace Alate.Tests
         public void FarFromTheOrigin_VelocitiesAreSampledOverLongerTimes()
         {
             MotionSampler sampler = default;
-            Vector3 start = new Vector3(0f, 0f, 65600f);
+            var start = new Vector3(0f, 0f, 65600f);
             float worst = 0f;
             for (int k = 0; k < 300; k++)
             {

@@ -1,5 +1,4 @@
 using NUnit.Framework;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Tests
@@ -9,7 +8,10 @@ namespace Alate.Tests
     {
         private static readonly ScreenHeights s_Heights = new ScreenHeights
         {
-            fewerSubstepsBelow = 0.4f, coarsePatchesBelow = 0.2f, wavesOnlyBelow = 0.1f, restBelow = 0.02f,
+            fewerSubstepsBelow = 0.4f,
+            coarsePatchesBelow = 0.2f,
+            wavesOnlyBelow = 0.1f,
+            restBelow = 0.02f,
         };
 
         [TestCase(false, 60f)]
@@ -81,8 +83,14 @@ namespace Alate.Tests
         [Test]
         public void Thresholds_AreSharesOfAScreen()
         {
-            ScreenHeights clamped = new ScreenHeights { fewerSubstepsBelow = 2f, coarsePatchesBelow = -1f, wavesOnlyBelow = 0.3f,
-                restBelow = 1.5f }.Clamped();
+            var given = new ScreenHeights
+            {
+                fewerSubstepsBelow = 2f,
+                coarsePatchesBelow = -1f,
+                wavesOnlyBelow = 0.3f,
+                restBelow = 1.5f,
+            };
+            ScreenHeights clamped = given.Clamped();
 
             Assert.That((clamped.fewerSubstepsBelow, clamped.coarsePatchesBelow, clamped.wavesOnlyBelow, clamped.restBelow),
                 Is.EqualTo((1f, 0f, 0.3f, 1f)));

@@ -4,7 +4,6 @@ using System.Linq;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Alate.Tests.Flight
 {
@@ -45,9 +44,9 @@ namespace Alate.Tests.Flight
         [Test]
         public void PartsBehindOneAnother_AddUpFromTheSide_AndTheLargestCountsFromAhead()
         {
-            BodyEllipsoid head = BodyEllipsoid.Millimetres(0.0, 0.0, 6.0, 2.0, 2.0, 2.0, 0.5);
+            var head = BodyEllipsoid.Millimetres(0.0, 0.0, 6.0, 2.0, 2.0, 2.0, 0.5);
             using FlightModel one = Model(s_Ball), other = Model(head), both = Model(s_Ball, head), turned = Model(head, s_Ball);
-            float3 expected = new float3(one.Drag.xy + other.Drag.xy, one.Drag.z);
+            var expected = new float3(one.Drag.xy + other.Drag.xy, one.Drag.z);
 
             Assert.That(math.distance(both.Drag, expected), Is.LessThan(1e-5f * math.length(expected)));
             Assert.That(math.distance(turned.Drag, expected), Is.LessThan(1e-5f * math.length(expected)));
@@ -181,9 +180,13 @@ namespace Alate.Tests.Flight
 
         private FlightWing Wing(float side, float length) => new FlightWing
         {
-            Rig = m_Rig, Parameters = WingParameters.Default, Hinge = new float3(0.003f * side, 0.001f, 0.002f),
-            Axes = new float3x3(new float3(side, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f)), Length = length,
-                Mass = k_WingMass, IsLeft = side < 0f,
+            Rig = m_Rig,
+            Parameters = WingParameters.Default,
+            Hinge = new float3(0.003f * side, 0.001f, 0.002f),
+            Axes = new float3x3(new float3(side, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f)),
+            Length = length,
+            Mass = k_WingMass,
+            IsLeft = side < 0f,
         };
     }
 }
