@@ -65,7 +65,7 @@ internal static class SiteCommand
     // Meshes and paintings, which variants have in common, stand in files of their own; states are packed, and unpacked by the page.
     private static void Write(OutputFolder folder, Dictionary<string, string> looks, string name, ViewSettings settings)
     {
-        using var insect = new ShownInsect(settings);
+        using var insect = new SceneInsect(settings);
         JsonObject scene = insect.Scene, look = SceneMessage.TakeLook(scene);
         string text = look.ToJsonString();
         if (!looks.TryGetValue(text, out string file))

@@ -45,7 +45,7 @@ public sealed class SurfaceDistanceTests
     private static RecordedWing Wing(float length, Func<double, int, float3> moved, int frames = 16, double first = 0.0)
     {
         float3[] rest = [new float3(0f, 0f, 0f), new float3(1f, 0f, 0f), new float3(0.5f, 0f, -0.4f), new float3(0.2f, 0f, -0.2f)];
-        var wing = new RecordedWing { Rest = rest, Placement = new WingPlacement(new float3(0.1f, 0f, 0f), length, WingSide.Left), ChainCount = 2, JointsPerChain = 2 };
+        var wing = new RecordedWing { Rest = rest, Placement = new WingMount(new float3(0.1f, 0f, 0f), length, WingSide.Left), ChainCount = 2, JointsPerChain = 2 };
         for (int k = 0; k < frames; k++)
         {
             double phase = first + 2.0 * Math.PI * k / frames;

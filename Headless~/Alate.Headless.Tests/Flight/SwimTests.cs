@@ -15,7 +15,7 @@ namespace Alate.Tests.FreeFlights
         public void TheSnailfish_KeepsItsSpeed_AndItsFinsLiftNothing(float speed)
         {
             using var fish = new FlyingInsect("snailfish");
-            var swim = SteadyFlight.Fly(fish.Model, fish.Table, new FlightCondition(speed, 0f));
+            var swim = FlightMeans.Fly(fish.Model, fish.Table, new FlightCondition(speed, 0f));
 
             TestContext.Out.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,

@@ -36,7 +36,7 @@ namespace Alate.Tests.FreeFlights
             Point(insect, out TrimState trim, out FlightCondition condition);
             using var solver = new TrimSolver(insect.Model);
             double[] residual = solver.Residual(trim, condition, out double power);
-            var flown = SteadyFlight.Fly(insect.Model, insect.Table, condition);
+            var flown = FlightMeans.Fly(insect.Model, insect.Table, condition);
 
             Assert.That(TrimSolver.Norm(residual), Is.LessThan(TrimSolver.Closed));
             Assert.That(power, Is.EqualTo(flown.Power).Within(5).Percent, "W");

@@ -41,11 +41,11 @@ internal sealed class InsectWing
     public float3 Hinge { get; init; }
 
     /// <summary>Placement on the body of a wing of this kind, whose rig gives the wing frame.</summary>
-    public WingPlacement PlacementOf(in WingFrame frame, WingSide side)
+    public WingMount PlacementOf(in WingFrame frame, WingSide side)
     {
         if (Origin == null)
-            return new WingPlacement(Hinge, Preset.WingLength, side);
+            return new WingMount(Hinge, Preset.WingLength, side);
         const float k_Metre = InsectDefinition.UnitsPerMetre;
-        return new WingPlacement(Origin.Value + frame.origin / k_Metre, frame.length / k_Metre, side);
+        return new WingMount(Origin.Value + frame.origin / k_Metre, frame.length / k_Metre, side);
     }
 }

@@ -8,7 +8,7 @@ namespace Alate.Cli;
 internal sealed class RecordedWing
 {
     public InsectWing Wing { get; init; }
-    public WingPlacement Placement { get; init; }
+    public WingMount Placement { get; init; }
     public WingParameters Parameters { get; set; }
 
     /// <summary>[vertex] Wing frame, wing lengths.</summary>

@@ -70,7 +70,7 @@ internal sealed class TetheredWings : IDisposable
     /// <summary>Frees the world and the rigs.</summary>
     public void Dispose() => World.Dispose();
 
-    private WingSurroundings Surroundings(InsectWing wing, in WingPlacement placement)
+    private WingSurroundings Surroundings(InsectWing wing, in WingMount placement)
     {
         WingSurroundings surroundings = m_Plan.SurroundingsOf(wing.Preset, placement.Side);
         surroundings.hinge = placement.Hinge / wing.Preset.WingLength;
@@ -85,7 +85,7 @@ internal sealed class TetheredWings : IDisposable
         BeatMeasurement measurement = Measurement(rest, wing.Surface);
         foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
         {
-            WingPlacement placement = wing.PlacementOf(rig.Frame, side);
+            WingMount placement = wing.PlacementOf(rig.Frame, side);
             m_Handles.Add(World.Add(rig, parameters, Surroundings(wing, placement)));
             if (m_Plan.Drive is WingDrive drive)
             {

@@ -117,7 +117,7 @@ internal sealed class LiveFlight : IDisposable
     private void WriteWing(StateBuffer buffer, int wing)
     {
         RecordedWing recorded = Wings[wing];
-        WingPlacement placement = recorded.Placement;
+        WingMount placement = recorded.Placement;
         WingReading reading = m_Wings.Read(wing);
         int joints = reading.ChainCount * reading.JointsPerChain;
         float reach = 2f * (math.length(placement.Hinge) + placement.Length);
@@ -138,7 +138,7 @@ internal sealed class LiveFlight : IDisposable
     // Eight bytes a vertex: place, stretch and angle of attack; then four: normal.
     private void WriteMesh(StateBuffer buffer, int wing, in WingReading reading, float reach)
     {
-        WingPlacement placement = Wings[wing].Placement;
+        WingMount placement = Wings[wing].Placement;
         WingFrame frame = m_Wings.FrameOf(wing);
         Unity.Collections.NativeArray<SkinnedVertex> vertices = m_Wings.Vertices(wing);
         float3[] positions = m_Positions[wing];

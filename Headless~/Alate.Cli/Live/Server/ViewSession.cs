@@ -25,7 +25,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
 
     private readonly Channel<(ViewRequest Request, byte[] File)> m_Requests = Channel.CreateBounded<(ViewRequest, byte[])>(k_Waiting);
     private readonly StateBuffer m_State = new();
-    private ShownInsect m_Insect;
+    private SceneInsect m_Insect;
 
     /// <summary>Serves the page until it leaves, breaks the rules, or the server stops.</summary>
     public async Task Run(CancellationToken stop)
@@ -34,10 +34,10 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         Task receiving = Receive(end);
         try
         {
-            m_Insect = await simulation.Do(() => new ShownInsect(ViewSettings.Of(species, variant)));
+            m_Insect = await simulation.Do(() => new SceneInsect(ViewSettings.Of(species, variant)));
             await Send(SceneMessage.Hello(InsectCatalogue.All, ViewSlider.All), end.Token);
             await Send(m_Insect.Scene, end.Token);
-            using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / ShownInsect.Rate));
+            using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
             while (await timer.WaitForNextTickAsync(end.Token))
             {
                 while (m_Requests.Reader.TryRead(out (ViewRequest Request, byte[] File) next))

@@ -9,7 +9,7 @@ namespace Alate.Cli;
 /// <summary>One insect, flown once for each column.</summary>
 internal sealed class Comparison
 {
-    private Comparison(FlightPlan plan, IReadOnlyList<ComparedFlight> flights, SteadyFlight free, int phases)
+    private Comparison(FlightPlan plan, IReadOnlyList<ComparedFlight> flights, FlightMeans free, int phases)
     {
         Plan = plan;
         Free = free;
@@ -26,7 +26,7 @@ internal sealed class Comparison
     public ComparedFlight Held => Flights.First(flight => flight.Column == ComparisonColumn.FullModel);
 
     /// <summary>Flight of the insect by its own wings, with the numbers of the variant flight; null where it has no trim table.</summary>
-    public SteadyFlight Free { get; }
+    public FlightMeans Free { get; }
 
     /// <summary>Rows of the picture, beats.</summary>
     public IReadOnlyList<double> Phases { get; }
@@ -57,13 +57,13 @@ internal sealed class Comparison
     }
 
     // As fast as the flight on the spot, or as fast as the insect flies.
-    private static SteadyFlight FlyFreely(FlightPlan plan)
+    private static FlightMeans FlyFreely(FlightPlan plan)
     {
         InsectDefinition insect = InsectCatalogue.Find(plan.Species);
         if (!insect.Variants.Contains(InsectVariant.Flight))
             return null;
         using FlightModel model = CatalogueFlight.CreateModel(insect);
         using TrimTable table = CatalogueFlight.CreateTable(insect, model);
-        return table == null ? null : SteadyFlight.Fly(model, table, new FlightCondition((float)Math.Min(plan.Speed, table.TopSpeed), 0f));
+        return table == null ? null : FlightMeans.Fly(model, table, new FlightCondition((float)Math.Min(plan.Speed, table.TopSpeed), 0f));
     }
 }

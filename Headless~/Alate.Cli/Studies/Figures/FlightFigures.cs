@@ -37,7 +37,7 @@ internal static class FlightFigures
             using TrimTable table = CatalogueFlight.CreateTable(insect, model);
             foreach (float speed in s_Speeds.Where(speed => !model.Floats && speed <= table?.TopSpeed))
             {
-                var flight = SteadyFlight.Fly(model, table, new FlightCondition(speed, 0f));
+                var flight = FlightMeans.Fly(model, table, new FlightCondition(speed, 0f));
                 yield return
                 [
                     insect.DisplayName, Text($"{speed:0.##}"), Text($"{flight.Pitch:0} ± {flight.PitchBob:0}°"), Text($"{flight.Frequency:0.0}"), Text($"{flight.Flap:0}°"),
@@ -52,7 +52,7 @@ internal static class FlightFigures
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
         using FlightModel model = CatalogueFlight.CreateModel(monarch);
         using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
-        var level = SteadyFlight.Fly(model, table, new FlightCondition(1.3f, 0f));
+        var level = FlightMeans.Fly(model, table, new FlightCondition(1.3f, 0f));
         TrimState climbing = FreeMonarch.MeasuredClimb(model, out string missing);
         string Climbing(Func<TrimState, double> radians) => climbing != null ? Text($"{180 / Math.PI * radians(climbing):0}°") : missing;
         yield return ["", "model, level at 1.3 m/s", "model, climbing by 0.75 m/s at 1.28 m/s", "measured", "source"];

@@ -35,7 +35,7 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         using FlightModel model = CatalogueFlight.CreateModel(monarch);
         using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
         Refine(model, parameters => substeps);
-        var level = SteadyFlight.Fly(model, table, new FlightCondition(k_Speed, 0f), k_Seconds);
+        var level = FlightMeans.Fly(model, table, new FlightCondition(k_Speed, 0f), k_Seconds);
         (double down, double up) = Attacks(model, table);
         return new FreeMonarch(100 * level.UpForce, 100 * level.UpSupport, level.PowerPerMass, down, up, level.PitchBob);
     }

@@ -22,7 +22,7 @@ namespace Alate.Cli;
 /// <param name="UpForce">Share of the half stroke upwards in the mean size of the force, 0 to 1.</param>
 /// <param name="Power">Mean power that the wings give to the air, W.</param>
 /// <param name="PowerPerMass">The same over the mass, W/kg.</param>
-internal sealed record SteadyFlight(
+internal sealed record FlightMeans(
     double Speed, double Climb, double Error, double Pitch, double PitchBob, double HeightBob, double Frequency, double Flap, double Lift,
     double DownLift, double UpSupport,
     double UpForce, double Power, double PowerPerMass)
@@ -35,7 +35,7 @@ internal sealed record SteadyFlight(
     /// <param name="table">Its trims.</param>
     /// <param name="condition">Speed and climb; bounded by the table.</param>
     /// <param name="seconds">Least time of the means.</param>
-    public static SteadyFlight Fly(FlightModel model, TrimTable table, FlightCondition condition, double seconds = k_Averaged)
+    public static FlightMeans Fly(FlightModel model, TrimTable table, FlightCondition condition, double seconds = k_Averaged)
     {
         using var flight = new FreeFlight(model, table, condition);
         var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
@@ -54,7 +54,7 @@ internal sealed record SteadyFlight(
         return Of(model, moments, command.velocity);
     }
 
-    private static SteadyFlight Of(FlightModel model, List<FreeMoment> moments, float3 wanted)
+    private static FlightMeans Of(FlightModel model, List<FreeMoment> moments, float3 wanted)
     {
         FreeMoment first = moments[0], last = moments[^1];
         double time = last.Time - first.Time;
@@ -65,7 +65,7 @@ internal sealed record SteadyFlight(
         List<FreeMoment> down = moments.FindAll(at => at.Phase < Math.PI), up = moments.FindAll(at => at.Phase >= Math.PI);
         double lift = moments.Sum(at => at.Force.y), size = moments.Sum(at => math.length(at.Force)),
             power = moments.Average(at => at.Power);
-        return new SteadyFlight(
+        return new FlightMeans(
             velocity.z, velocity.y, math.length(velocity - wanted), pitches.Average(), 0.5 * (pitches.Max() - pitches.Min()),
             500 * (heights.Max() - heights.Min()),
             moments.Average(at => at.Frequency), 2 * math.degrees(moments.Average(at => at.Amplitude)), lift / moments.Count / model.Weight,

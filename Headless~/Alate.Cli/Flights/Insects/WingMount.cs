@@ -6,7 +6,7 @@ namespace Alate.Cli;
 /// <param name="Hinge">The hinge of the right wing.</param>
 /// <param name="Length">Metres of one wing length.</param>
 /// <param name="Side">A left wing is the mirror image.</param>
-internal readonly record struct WingPlacement(float3 Hinge, float Length, WingSide Side)
+internal readonly record struct WingMount(float3 Hinge, float Length, WingSide Side)
 {
     public bool IsLeft => Side == WingSide.Left;
 

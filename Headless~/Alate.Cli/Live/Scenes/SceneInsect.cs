@@ -8,7 +8,7 @@ using Alate.Catalogue;
 namespace Alate.Cli;
 
 /// <summary>The insect of one page, once for each column of the model, with what the page has set.</summary>
-internal sealed class ShownInsect : IDisposable
+internal sealed class SceneInsect : IDisposable
 {
     /// <summary>States in a second, at most.</summary>
     public const int Rate = 30;
@@ -20,7 +20,7 @@ internal sealed class ShownInsect : IDisposable
     private uint m_Sequence;
 
     /// <exception cref="UserException">The species does not fly with its own numbers.</exception>
-    public ShownInsect(ViewSettings settings)
+    public SceneInsect(ViewSettings settings)
     {
         Scene = Make(settings, null);
     }
