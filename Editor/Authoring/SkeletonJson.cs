@@ -10,8 +10,9 @@ namespace Alate.Authoring
     /// <summary>Skeletons as JSON text, to carry them between tools.</summary>
     /// <remarks>
     /// <c>{"version":1,"hinge":[x,y,z],"span":[x,y,z],"up":[x,y,z],"chains":[[[x,y,z],…],…]}</c>: chains from leading to trailing
-    /// edge, joints from root to tip, positions in mesh space. These keys are required, in any order. Where the stiffness of a chain is measured there are
-    /// <c>"flexuralStiffness":[[EI,…],…]</c> and <c>"torsionalStiffness":[[GJ,…],…]</c>, a list for each chain, N·m²; where veins are known <c>"veinWidths":[[width,…],…]</c>; there are no other keys.
+    /// edge, joints from root to tip, positions in mesh space. These keys are required, in any order. Where the stiffness of a chain is
+    /// measured there are <c>"flexuralStiffness":[[EI,…],…]</c> and <c>"torsionalStiffness":[[GJ,…],…]</c>, a list for each chain, N·m²;
+    /// where veins are known <c>"veinWidths":[[width,…],…]</c>; there are no other keys.
     /// </remarks>
     [MovedFrom(true, "Alate", "Alate")]
     public static class SkeletonJson
@@ -100,11 +101,14 @@ namespace Alate.Authoring
 
         private static void Append(StringBuilder text, Vector3 v, (double x, double y, double z) origin)
         {
-            text.Append('[').Append(Number(Finite(v.x), origin.x)).Append(", ").Append(Number(Finite(v.y), origin.y)).Append(", ").Append(Number(Finite(v.z), origin.z)).Append(']');
+            text.Append('[').Append(Number(Finite(v.x), origin.x)).Append(", ").Append(Number(Finite(v.y), origin.y)).Append(", ")
+                .Append(Number(Finite(v.z), origin.z)).Append(']');
         }
 
         private static float Finite(float value) =>
-            math.isfinite(value) ? value : throw new ArgumentException("A skeleton with a number that is not finite cannot be written as JSON.");
+            math.isfinite(value)
+            ? value
+            : throw new ArgumentException("A skeleton with a number that is not finite cannot be written as JSON.");
 
         // The shortest of the two formats that comes back as the same number.
         private static string Number(float value, double origin)

@@ -13,7 +13,8 @@ namespace Alate.Authoring
             SkeletonJson.k_Version, SkeletonJson.k_Hinge, SkeletonJson.k_Span, SkeletonJson.k_Up, SkeletonJson.k_Chains,
         };
 
-        private static readonly string[] s_Keys = { s_Required[0], s_Required[1], s_Required[2], s_Required[3], s_Required[4], SkeletonJson.k_Flexural, SkeletonJson.k_Torsional, SkeletonJson.k_Widths };
+        private static readonly string[] s_Keys = { s_Required[0], s_Required[1], s_Required[2], s_Required[3], s_Required[4],
+            SkeletonJson.k_Flexural, SkeletonJson.k_Torsional, SkeletonJson.k_Widths };
 
         private readonly string m_Text;
         private readonly (double x, double y, double z) m_Origin;

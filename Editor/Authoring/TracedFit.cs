@@ -26,7 +26,8 @@ namespace Alate.Authoring
 
         private const string k_UpperEdge = "The leading edge is taken to be the upper one in the picture.";
         private const string k_PointsUp = "The leading edge is a guess, the straighter one: the wing points up or down in the picture.";
-        private const string k_RunsAlong = "The leading edge is a guess, the straighter one: the direction that was given runs along the wing.";
+        private const string k_RunsAlong =
+            "The leading edge is a guess, the straighter one: the direction that was given runs along the wing.";
 
         private readonly SurfaceMesh m_Surface;
         private readonly Vector3 m_Shift;

@@ -28,7 +28,8 @@ namespace Alate.Authoring
         /// <summary>
         /// Finds the hinge: as the user said, else where the veins come together, where the wing was cut off, or at its more pointed end.
         /// </summary>
-        public static TracedHinge Find(in WingTracingSettings settings, VeinLines lines, WingSeparation wing, int factor, PlanPoint[] outline)
+        public static TracedHinge Find(
+            in WingTracingSettings settings, VeinLines lines, WingSeparation wing, int factor, PlanPoint[] outline)
         {
             if (settings.hinge is Vector2 given)
                 return new TracedHinge(new PlanPoint(given.x, -given.y), 1.0, null);
@@ -37,7 +38,8 @@ namespace Alate.Authoring
             if (wing.MiddleOfCut is PlanPoint cut)
                 return new TracedHinge(cut * factor, k_EdgeConfidence, "The hinge is taken to be where the wing runs out of the picture.");
             (PlanPoint end, double confidence) = PointedEnd.Of(outline);
-            return new TracedHinge(end, confidence, "The hinge is a guess, the more pointed end of the wing or the one opposite its outer margin.");
+            return new TracedHinge(
+                end, confidence, "The hinge is a guess, the more pointed end of the wing or the one opposite its outer margin.");
         }
     }
 }

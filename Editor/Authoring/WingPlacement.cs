@@ -45,6 +45,7 @@ namespace Alate.Authoring
         }
 
         internal Vector2 ToTexture(PlanPoint place) =>
-            new Vector2((float)Math.Min(1.0, Math.Max(0.0, place.x / m_Width)), (float)Math.Min(1.0, Math.Max(0.0, 1.0 + place.z / m_Height)));
+            new Vector2(
+                (float)Math.Min(1.0, Math.Max(0.0, place.x / m_Width)), (float)Math.Min(1.0, Math.Max(0.0, 1.0 + place.z / m_Height)));
     }
 }

@@ -30,8 +30,8 @@ namespace Alate.Authoring
         public Vector2[] Outline { get; }
 
         /// <summary>
-        /// The wing's mesh in the plane y = 0, facing up, with the hinge at the origin and the leading edge towards +Z; a right wing runs along +X, a left one
-        /// along −X. Its texture coordinates are those of the picture.
+        /// The wing's mesh in the plane y = 0, facing up, with the hinge at the origin and the leading edge towards +Z; a right wing runs
+        /// along +X, a left one along −X. Its texture coordinates are those of the picture.
         /// </summary>
         public SurfaceMesh Surface { get; }
 

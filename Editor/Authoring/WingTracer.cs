@@ -6,7 +6,9 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Authoring
 {
-    /// <summary>Makes a mesh and a skeleton from a picture of one wing: its outline, triangles that fill it, and chains along its veins.</summary>
+    /// <summary>
+    /// Makes a mesh and a skeleton from a picture of one wing: its outline, triangles that fill it, and chains along its veins.
+    /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public static class WingTracer
     {
@@ -21,7 +23,8 @@ namespace Alate.Authoring
         /// <exception cref="ArgumentException">
         /// The hinge of the settings lies outside the picture, their direction is none, or so few triangles cannot fill the outline.
         /// </exception>
-        /// <exception cref="FormatException">The picture shows no wing, more than one, or none that can be told from the ground; one line.</exception>
+        /// <exception cref="FormatException">The picture shows no wing, more than one, or none that can be told from the ground; one
+        /// line.</exception>
         public static WingTrace Trace(WingPicture picture, in WingTracingSettings settings)
         {
             if (picture == null)
@@ -38,10 +41,13 @@ namespace Alate.Authoring
             skeleton.Follow(veins);
             double clear = wing.ClearRim;
             float confidence = clear < k_ClearRim ? (float)clear * fit.Confidence : fit.Confidence;
-            VeinWidths widths = settings.veinWidths ? new VeinWidths(RidgeField.Shades(working, wing.Mask), working.Factor, skeleton.Length) : null;
+            VeinWidths widths = settings.veinWidths
+                ? new VeinWidths(RidgeField.Shades(working, wing.Mask), working.Factor, skeleton.Length)
+                : null;
             WingPlacement placement = skeleton.Place(picture, settings.length);
             return new WingTrace(
-                placement, Array.ConvertAll(outline, ToPicture), Surface(mesh, placement), skeleton.ToWingSkeleton(placement, widths), skeleton.FollowsVein,
+                placement, Array.ConvertAll(outline, ToPicture), Surface(mesh, placement), skeleton.ToWingSkeleton(placement, widths),
+                skeleton.FollowsVein,
                 veins.ConvertAll(vein => Array.ConvertAll(vein.Path, ToPicture)), confidence, Warnings(fit, wing, clear));
         }
 
@@ -51,7 +57,10 @@ namespace Alate.Authoring
             if (wing.MiddleOfCut != null)
                 warnings.Add("The wing touches the picture's edge; what lies beyond it is missing.");
             if (clear < k_ClearRim)
-                warnings.Add($"The wing's edge is faint on {Math.Ceiling(100.0 * (1.0 - clear)):F0} % of the outline, which may be wrong there.");
+            {
+                warnings.Add(
+                    $"The wing's edge is faint on {Math.Ceiling(100.0 * (1.0 - clear)):F0} % of the outline, which may be wrong there.");
+            }
             return warnings;
         }
 

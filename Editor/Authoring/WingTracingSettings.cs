@@ -37,33 +37,42 @@ namespace Alate.Authoring
         public Vector2? forward;
 
         /// <summary>
-        /// True where the skeleton takes the widths of the veins that its chains follow (<see cref="JointChain.veinWidths"/>, wing lengths), so that thick veins are stiff; default false. For photos and
-        /// drawings that show widths, all veins in one shade.
+        /// True where the skeleton takes the widths of the veins that its chains follow (<see cref="JointChain.veinWidths"/>, wing
+        /// lengths), so that thick veins are stiff; default false. For photos and drawings that show widths, all veins in one shade.
         /// </summary>
         public bool veinWidths;
 
         /// <summary>
         /// Default settings: five chains of five joints in a mesh of a thousand triangles, one unit long; hinge and leading edge are found.
         /// </summary>
-        public static WingTracingSettings Default => new WingTracingSettings { chains = 5, jointsPerChain = 5, triangles = 1000, length = 1f };
+        public static WingTracingSettings Default =>
+            new WingTracingSettings { chains = 5, jointsPerChain = 5, triangles = 1000, length = 1f };
 
         /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
-        /// <exception cref="ArgumentException">The hinge lies outside the picture, or the forward direction is zero or not finite.</exception>
+        /// <exception cref="ArgumentException">The hinge lies outside the picture, or the forward direction is zero or not
+        /// finite.</exception>
         internal void Check(WingPicture picture)
         {
-            SkeletonFitSettings.CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "A skeleton has {0} to {1} chains.");
-            SkeletonFitSettings.CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "A chain has {0} to {1} joints.");
-            SkeletonFitSettings.CheckCount(triangles, MinTriangles, MaxTriangles, nameof(triangles), "A wing is meshed with {0} to {1} triangles.");
+            SkeletonFitSettings.CheckCount(
+                chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "A skeleton has {0} to {1} chains.");
+            SkeletonFitSettings.CheckCount(
+                jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "A chain has {0} to {1} joints.");
+            SkeletonFitSettings.CheckCount(
+                triangles, MinTriangles, MaxTriangles, nameof(triangles), "A wing is meshed with {0} to {1} triangles.");
             if (!(length > 0f && length <= 1e6f))
                 throw new ArgumentOutOfRangeException(nameof(length), length, "The wing's length is above 0 and at most a million.");
             if (hinge is Vector2 at && !(at.x >= 0f && at.y >= 0f && at.x <= picture.Width && at.y <= picture.Height))
             {
                 throw new ArgumentException(
-                    FormattableString.Invariant($"The hinge ({at.x}, {at.y}) lies outside the picture, which is {picture.Width} × {picture.Height} pixels."));
+                    FormattableString.Invariant(
+                        $"The hinge ({at.x}, {at.y}) lies outside the picture, which is {picture.Width} × {picture.Height} pixels."));
             }
 
             if (forward is Vector2 to && !(to.sqrMagnitude > 0f && to.sqrMagnitude < float.PositiveInfinity))
-                throw new ArgumentException(FormattableString.Invariant($"The direction of the leading edge is zero or not finite: ({to.x}, {to.y})."));
+            {
+                throw new ArgumentException(
+                    FormattableString.Invariant($"The direction of the leading edge is zero or not finite: ({to.x}, {to.y})."));
+            }
         }
     }
 }

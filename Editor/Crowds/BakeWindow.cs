@@ -20,10 +20,13 @@ namespace Alate.Editor
 
             public const string Shown = "Shown, slowed down";
 
-            public static readonly GUIContent Prefab = new GUIContent("Prefab", "Saves a prefab too: a crowd of the insect with a spawner, ready to be dropped into a scene.");
+            public static readonly GUIContent Prefab = new GUIContent(
+                "Prefab", "Saves a prefab too: a crowd of the insect with a spawner, ready to be dropped into a scene.");
             public static readonly GUIContent Insect = new GUIContent("Insect", "The insect whose wings are flown. It is not changed.");
-            public static readonly GUIContent Clips = new GUIContent("Clips", "Loops that go into the texture; a crowd can blend two of them.");
-            public static readonly GUIContent Frames = new GUIContent("Frames", "Frames of each loop, 4 to 240; 48 keep the error between frames below 0.5 % of the wing length.");
+            public static readonly GUIContent Clips = new GUIContent(
+                "Clips", "Loops that go into the texture; a crowd can blend two of them.");
+            public static readonly GUIContent Frames = new GUIContent(
+                "Frames", "Frames of each loop, 4 to 240; 48 keep the error between frames below 0.5 % of the wing length.");
         }
 
         [SerializeField] private InsectWings m_Insect;

@@ -21,6 +21,7 @@ namespace Alate.Editor
         }
 
         private static string Describe(InsectCrowd crowd) =>
-            $"{crowd.DrawnCount} of {crowd.Count} in sight, {crowd.LiveNow} live, {crowd.DrawCalls} draw calls, {crowd.Triangles / 1000} thousand triangles";
+            $"{crowd.DrawnCount} of {crowd.Count} in sight, {crowd.LiveNow} live, "
+            + $"{crowd.DrawCalls} draw calls, {crowd.Triangles / 1000} thousand triangles";
     }
 }

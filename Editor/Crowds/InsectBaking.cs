@@ -58,14 +58,17 @@ namespace Alate.Editor
             {
                 yield return Text(
                     $"{clip.Name}: {clip.Frames.Count} frames at {clip.Frequency:0.##} Hz; ")
-                    + Text($"{100f * clip.Error.between:0.00} % of the wing length and {clip.Error.normalBetween:0.0}° of normals between frames");
+                    + Text($"{100f * clip.Error.between:0.00} % of the wing length and ")
+                    + Text($"{clip.Error.normalBetween:0.0}° of normals between frames");
             }
 
             foreach (CrowdSize size in Made.Sizes)
                 yield return Text($"Mesh of {size.triangles} triangles: {100f * size.error:0.00} % of the wing length");
         }
 
-        /// <summary>Saves what was made as one asset that holds its texture, meshes and materials; a path that is taken gets a number.</summary>
+        /// <summary>
+        /// Saves what was made as one asset that holds its texture, meshes and materials; a path that is taken gets a number.
+        /// </summary>
         /// <param name="path">Below Assets, ending in .asset.</param>
         /// <returns>The asset; null where the path cannot be used, see <see cref="Problem"/>.</returns>
         public BakedInsect Save(string path)
@@ -100,7 +103,8 @@ namespace Alate.Editor
                 if (live != null && !string.IsNullOrEmpty(AssetDatabase.GetAssetPath(live)))
                     crowd.LivePrefab = live;
                 root.AddComponent<CrowdSpawner>();
-                return PrefabUtility.SaveAsPrefabAsset(root, AssetDatabase.GenerateUniqueAssetPath(Path.ChangeExtension(AssetDatabase.GetAssetPath(asset), null) + " Crowd.prefab"));
+                return PrefabUtility.SaveAsPrefabAsset(root,
+                    AssetDatabase.GenerateUniqueAssetPath(Path.ChangeExtension(AssetDatabase.GetAssetPath(asset), null) + " Crowd.prefab"));
             }
             finally
             {

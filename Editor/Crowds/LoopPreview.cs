@@ -11,7 +11,8 @@ namespace Alate.Editor
     {
         private const float k_Width = 2f, k_Fill = 0.95f;
 
-        private static readonly Color s_Ground = new Color(0.16f, 0.16f, 0.16f), s_Chain = new Color(0.95f, 0.6f, 0.2f), s_Rim = new Color(0.6f, 0.75f, 0.95f);
+        private static readonly Color s_Ground = new Color(0.16f, 0.16f, 0.16f), s_Chain = new Color(0.95f, 0.6f, 0.2f),
+            s_Rim = new Color(0.6f, 0.75f, 0.95f);
 
         // Turned to the side and down, as one looks at an insect that flies by.
         private static readonly quaternion s_View = math.mul(quaternion.RotateX(0.45f), quaternion.RotateY(0.5f));

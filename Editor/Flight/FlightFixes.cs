@@ -31,7 +31,10 @@ namespace Alate.Editor
             {
                 changed.Parts.Clear();
                 foreach (BodyEllipsoid part in monarch.FlightParts)
-                    changed.Parts.Add(new BodyEllipsoid { centre = scale * part.centre, halfAxes = scale * part.halfAxes, share = part.share });
+                {
+                    changed.Parts.Add(
+                        new BodyEllipsoid { centre = scale * part.centre, halfAxes = scale * part.halfAxes, share = part.share });
+                }
             });
             return FixOutcome.Done();
         }
@@ -42,7 +45,8 @@ namespace Alate.Editor
         /// <param name="ask">Where to save them.</param>
         public static FixOutcome BakeTrims(InsectFlight flight, Bake bake, AskForPath ask)
         {
-            string path = ask("Save Flight Trims", AssetPath.FileName(flight.name + " Flight Trims"), "Choose where the trims are saved. Baking takes about a minute.");
+            string path = ask("Save Flight Trims", AssetPath.FileName(flight.name + " Flight Trims"),
+                "Choose where the trims are saved. Baking takes about a minute.");
             if (string.IsNullOrEmpty(path))
                 return FixOutcome.Refused("");
             string obstacle = AssetPath.FindProblem(path);

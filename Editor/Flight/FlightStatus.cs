@@ -55,11 +55,18 @@ namespace Alate.Editor
             switch (fault)
             {
                 case FlightFault.Wings: return "Does not fly: its wings have a problem; see Insect Wings.";
-                case FlightFault.NoBody: return "Does not fly: its body has no parts. Take those of a monarch, at the size of these wings, and adapt them; then bake trims.";
-                case FlightFault.BadBody: return "Does not fly: its masses or the parts of its body are not possible. The console says which.";
-                case FlightFault.NoTrims: return "Does not fly: it has no trims. Bake them, or take an insect of GameObject > Alate > Flying.";
-                case FlightFault.OtherNumbers: return "Does not fly: its trims were made for other numbers of preset or body. Take the preset for which they were made, or bake trims.";
-                case FlightFault.PilotFailed: return "Hovers: its pilot threw an exception; see the console. Mend the pilot, then disable and enable it.";
+                case FlightFault.NoBody:
+                    return "Does not fly: its body has no parts. Take those of a monarch, at the size of these wings, "
+                    + "and adapt them; then bake trims.";
+                case FlightFault.BadBody:
+                    return "Does not fly: its masses or the parts of its body are not possible. The console says which.";
+                case FlightFault.NoTrims:
+                    return "Does not fly: it has no trims. Bake them, or take an insect of GameObject > Alate > Flying.";
+                case FlightFault.OtherNumbers:
+                    return "Does not fly: its trims were made for other numbers of preset or body. Take the "
+                    + "preset for which they were made, or bake trims.";
+                case FlightFault.PilotFailed:
+                    return "Hovers: its pilot threw an exception; see the console. Mend the pilot, then disable and enable it.";
                 default: return "No pilot: the insect keeps the velocity that a script sets, and hovers without one.";
             }
         }
@@ -69,11 +76,13 @@ namespace Alate.Editor
             if (!Application.isPlaying || flight.Limits.TopSpeed <= 0f)
                 return "";
             string line = string.Format(
-                CultureInfo.InvariantCulture, "{0}, {1:0.00} m/s, aid {2:0.00} mW", flight.State, flight.BodyVelocity.magnitude, 1000f * flight.AidPower);
+                CultureInfo.InvariantCulture, "{0}, {1:0.00} m/s, aid {2:0.00} mW", flight.State, flight.BodyVelocity.magnitude,
+                1000f * flight.AidPower);
             if (!flight.TryReadTrim(out WingDrive drive, out Vector3 wanted))
                 return line;
             return line + string.Format(
-                CultureInfo.InvariantCulture, "\nWanted {0:0.00} m/s. Trim: {1:0.0} Hz, amplitude {2:0.00}, tilt {3:0}°, sweep {4:0}°", wanted.magnitude, drive.frequency,
+                CultureInfo.InvariantCulture, "\nWanted {0:0.00} m/s. Trim: {1:0.0} Hz, amplitude {2:0.00}, tilt {3:0}°, sweep {4:0}°",
+                wanted.magnitude, drive.frequency,
                 drive.amplitude, Mathf.Rad2Deg * drive.tilt, Mathf.Rad2Deg * drive.meanSweep);
         }
     }

@@ -12,10 +12,13 @@ namespace Alate.Editor
     {
         private static class Content
         {
-            public static readonly GUIContent AddPilot = new GUIContent("Add Wander Pilot", "Adds a pilot that flies the erratic track of a butterfly about where the insect starts.");
-            public static readonly GUIContent TakeBody = new GUIContent("Take A Monarch's Body", "Fills the parts of the body with those of a monarch, at the size of these wings.");
+            public static readonly GUIContent AddPilot = new GUIContent(
+                "Add Wander Pilot", "Adds a pilot that flies the erratic track of a butterfly about where the insect starts.");
+            public static readonly GUIContent TakeBody = new GUIContent(
+                "Take A Monarch's Body", "Fills the parts of the body with those of a monarch, at the size of these wings.");
             public static readonly GUIContent BakeTrims = new GUIContent(
-                "Bake Trims…", "Finds the steady flights of this insect and the gains that hold it, saves them as an asset and assigns it. Takes about a minute; can be cancelled.");
+                "Bake Trims…", "Finds the steady flights of this insect and the gains that hold it, saves them as an asset and assigns it. "
+                    + "Takes about a minute; can be cancelled.");
         }
 
         private readonly RecordingPanel m_Recording = new RecordingPanel();

@@ -5,7 +5,10 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Draws the gizmos of pilots: the volume of a wanderer, the path of a follower, marks to perch on; of what flies its path, velocity and wanted velocity, and the force that carries it.</summary>
+    /// <summary>
+    /// Draws the gizmos of pilots: the volume of a wanderer, the path of a follower, marks to perch on; of what flies its path, velocity
+    /// and wanted velocity, and the force that carries it.
+    /// </summary>
     internal static class PilotGizmos
     {
         private const float k_MarkSize = 0.5f;

@@ -20,7 +20,8 @@ namespace Alate.Editor
                 + "Without that it is done again whenever play begins.");
 
             public static readonly GUIContent Live = new GUIContent("Live", "What the wings do while the game plays.");
-            public static readonly GUIContent Gizmos = new GUIContent("Gizmos", "What is drawn over selected insects in the scene view; kept on this machine, not in the scene.");
+            public static readonly GUIContent Gizmos = new GUIContent(
+                "Gizmos", "What is drawn over selected insects in the scene view; kept on this machine, not in the scene.");
             public static readonly GUIContent Events = new GUIContent("Events", "Calls at the start of each beat.");
             public const string OneOnly = "Select one insect alone to see its beat.";
         }

@@ -64,7 +64,8 @@ namespace Alate.Editor
         }
 
         // Hues a golden section apart: patches that follow one another never look alike.
-        private static Color32 OfPatch(int patch) => Translucent(Color.HSVToRGB(math.frac(patch * 0.618034f), 0.55f, 0.65f + 0.15f * (patch % 3)));
+        private static Color32 OfPatch(int patch) =>
+            Translucent(Color.HSVToRGB(math.frac(patch * 0.618034f), 0.55f, 0.65f + 0.15f * (patch % 3)));
 
         private static Color32 Translucent(Color colour)
         {

@@ -5,7 +5,9 @@ using Unity.Mathematics;
 
 namespace Alate.Editor
 {
-    /// <summary>Finds what weakens a rig. A monarch's wing on its own skeleton, with three to eight chains and joints, has none of these.</summary>
+    /// <summary>
+    /// Finds what weakens a rig. A monarch's wing on its own skeleton, with three to eight chains and joints, has none of these.
+    /// </summary>
     internal static class RigProblems
     {
         /// <summary>Distance from the fan of joints above which a vertex is far, wing lengths. The largest of a monarch is 0.047.</summary>
@@ -14,7 +16,10 @@ namespace Alate.Editor
         /// <summary>Share of the wing's area that roots alone may move.</summary>
         public const float HeldShare = 0.01f;
 
-        /// <summary>Mass of a joint over the mean above which it is concentrated, and in any case the share of the wing's mass. A monarch's is up to 3.3 times.</summary>
+        /// <summary>
+        /// Mass of a joint over the mean above which it is concentrated, and in any case the share of the wing's mass. A monarch's is up to
+        /// 3.3 times.
+        /// </summary>
         public const float MassOverMean = 5f, MassShare = 0.4f;
 
         /// <summary>Finds all weaknesses, those that forbid a rig first.</summary>
@@ -36,7 +41,8 @@ namespace Alate.Editor
             float heaviest = 0f;
             foreach (float mass in rig.masses)
                 heaviest = math.max(heaviest, mass);
-            return $"{Count(rig.triangles.Count, "triangle", "triangles")}, {Count(rig.PatchCount, "patch", "patches")}, heaviest joint {Percent(heaviest)}";
+            return $"{Count(rig.triangles.Count, "triangle", "triangles")}, "
+                + $"{Count(rig.PatchCount, "patch", "patches")}, heaviest joint {Percent(heaviest)}";
         }
 
         private static void AddFarVertices(RigInspection rig, List<RigProblem> problems)
@@ -48,7 +54,8 @@ namespace Alate.Editor
                     farthest = rig.Distance(vertex) > rig.Distance(farthest) ? vertex : farthest;
                 problems.Add(new RigProblem(
                     RigProblemKind.FarVertices, rig.Surface.positions[farthest], new[] { rig.Strongest(farthest) },
-                    $"{Count(region.Count, "vertex lies", "vertices lie")} up to {Percent(rig.Distance(farthest))} of the wing's length beside the joints."));
+                    $"{Count(region.Count, "vertex lies", "vertices lie")} up to "
+                    + $"{Percent(rig.Distance(farthest))} of the wing's length beside the joints."));
             }
         }
 

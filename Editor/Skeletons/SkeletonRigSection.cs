@@ -45,7 +45,8 @@ namespace Alate.Editor
                 return false;
             if (!Target.HasSurface)
             {
-                EditorGUILayout.HelpBox($"Mesh '{Mesh.name}' is not readable: turn on Read/Write in its import settings.", MessageType.Warning);
+                EditorGUILayout.HelpBox(
+                    $"Mesh '{Mesh.name}' is not readable: turn on Read/Write in its import settings.", MessageType.Warning);
                 return false;
             }
 

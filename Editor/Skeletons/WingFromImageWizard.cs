@@ -12,19 +12,27 @@ namespace Alate.Editor
         {
             public const string Menu = "Assets/Create/Alate/Wing from Image...";
             public const string Title = "Wing from Image";
-            public const string Pick = "Pick a picture of one wing on plain or transparent ground: a silhouette, a line drawing or a photo.";
+            public const string Pick =
+                "Pick a picture of one wing on plain or transparent ground: a silhouette, a line drawing or a photo.";
             public const string Trace = "Trace";
             public const string Save = "Save Mesh and Skeleton";
 
-            public static readonly GUIContent Image = new GUIContent("Image", "A PNG or JPEG picture of one wing. It is read from its file, in full size.");
-            public static readonly GUIContent Chains = new GUIContent("Chains", "Chains of joints from the leading to the trailing edge, 3 to 16.");
+            public static readonly GUIContent Image = new GUIContent(
+                "Image", "A PNG or JPEG picture of one wing. It is read from its file, in full size.");
+            public static readonly GUIContent Chains = new GUIContent(
+                "Chains", "Chains of joints from the leading to the trailing edge, 3 to 16.");
             public static readonly GUIContent Joints = new GUIContent("Joints", "Joints of each chain from root to tip, 3 to 16.");
-            public static readonly GUIContent Triangles = new GUIContent("Triangles", "Triangles of the mesh, 50 to 200000; it gets exactly so many.");
+            public static readonly GUIContent Triangles = new GUIContent(
+                "Triangles", "Triangles of the mesh, 50 to 200000; it gets exactly so many.");
             public static readonly GUIContent Length = new GUIContent("Length", "From hinge to tip in the mesh, scene units, above 0.");
-            public static readonly GUIContent Leading = new GUIContent("Leading Edge", "The side of the picture on which the leading edge lies.");
-            public static readonly GUIContent VeinWidths = new GUIContent("Vein Widths", "Measure the veins that chains follow, so that thick ones are stiffer. For pictures that show widths, all veins in one shade.");
-            public static readonly GUIContent HasHinge = new GUIContent("Set Hinge", "Say where the wing turns. Without it the hinge lies where the veins meet, or is guessed.");
-            public static readonly GUIContent Hinge = new GUIContent("Hinge", "Pixels from the picture's top left corner, y down. A click in the picture sets it.");
+            public static readonly GUIContent Leading = new GUIContent(
+                "Leading Edge", "The side of the picture on which the leading edge lies.");
+            public static readonly GUIContent VeinWidths = new GUIContent("Vein Widths", "Measure the veins that chains follow, so that "
+                + "thick ones are stiffer. For pictures that show widths, all veins in one shade.");
+            public static readonly GUIContent HasHinge = new GUIContent(
+                "Set Hinge", "Say where the wing turns. Without it the hinge lies where the veins meet, or is guessed.");
+            public static readonly GUIContent Hinge = new GUIContent(
+                "Hinge", "Pixels from the picture's top left corner, y down. A click in the picture sets it.");
         }
 
         [SerializeField] private Texture2D m_Image;

@@ -33,7 +33,8 @@ namespace Alate.Editor
             if (!texture.isReadable)
             {
                 throw new FormatException(
-                    $"The file of '{texture.name}' cannot be read as a PNG or JPEG picture; save it as one, or turn on Read/Write in its import settings.");
+                    $"The file of '{texture.name}' cannot be read as a PNG or JPEG picture; save it as one, or turn on Read/Write in its "
+                    + "import settings.");
             }
 
             var same = new Texture2D(texture.width, texture.height) { name = texture.name, hideFlags = HideFlags.HideAndDontSave };

@@ -13,18 +13,22 @@ namespace Alate.Editor
         {
             public const string Usable = "This skeleton can be used.";
 
-            public static readonly GUIContent Size = new GUIContent("Size", "Chains from leading to trailing edge, and joints of each from root to tip.");
+            public static readonly GUIContent Size = new GUIContent(
+                "Size", "Chains from leading to trailing edge, and joints of each from root to tip.");
             public static readonly GUIContent Edit = new GUIContent(
-                "Edit In Scene View", "Edit the joints at the origin of the scene. To edit them on an insect, select the insect and take the Wing Skeleton tool.");
+                "Edit In Scene View", "Edit the joints at the origin of the scene. To edit them on an insect, select the insect and take "
+                    + "the Wing Skeleton tool.");
 
             public static readonly GUIContent Mirror = new GUIContent(
                 "Save Mirror Image…", "Save the skeleton of the other side's wing, mirrored across x = 0 of the mesh's space.");
 
-            public static readonly GUIContent Hinge = new GUIContent("Hinge", "Where the wing turns, mesh units; usually the root of the first chain.");
+            public static readonly GUIContent Hinge = new GUIContent(
+                "Hinge", "Where the wing turns, mesh units; usually the root of the first chain.");
             public static readonly GUIContent SpanAxis = new GUIContent("Span Axis", "From hinge to tip, in mesh space. Any length.");
             public static readonly GUIContent UpAxis = new GUIContent("Up Axis", "The wing's upper side, in mesh space. Any length.");
             public static readonly GUIContent Chains = new GUIContent(
-                "Chains", "Joints from root to tip, mesh units; the first chain lies on the leading edge. All chains have the same number of joints.");
+                "Chains", "Joints from root to tip, mesh units; the first chain lies on the leading edge. All chains have the same "
+                    + "number of joints.");
 
             public static string More(int count) => count == 1 ? "One more problem." : $"{count} more problems.";
         }
@@ -130,7 +134,8 @@ namespace Alate.Editor
             WingSkeleton made = SkeletonMirror.Create(skeleton, SkeletonMirror.AcrossX, out string refusal);
             if (made != null)
             {
-                string path = AssetPath.Ask("Save Mirror Image", AssetPath.FileName(made.name), "Choose where the other side's skeleton is saved.");
+                string path = AssetPath.Ask(
+                    "Save Mirror Image", AssetPath.FileName(made.name), "Choose where the other side's skeleton is saved.");
                 bool given = !string.IsNullOrEmpty(path);
                 refusal = given ? AssetPath.FindProblem(path) : null;
                 if (given && refusal == null)

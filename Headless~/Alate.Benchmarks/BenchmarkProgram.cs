@@ -3,7 +3,8 @@ using System;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// The suite by itself, without a file of its figures, or with --hash the hashes of scenes: as <c>bench</c> of the command line, in less to take to another machine.
+/// The suite by itself, without a file of its figures, or with --hash the hashes of scenes: as <c>bench</c> of the command line, in less to
+/// take to another machine.
 /// </summary>
 public static class BenchmarkProgram
 {

@@ -5,8 +5,8 @@ using System.IO;
 namespace Alate.Cli;
 
 /// <summary>
-/// The command line. Bad usage or input: one line on stderr and exit code 2. An error of the program's own: one line that asks for a report, exit code 70.
-/// Ctrl-C: nothing is left behind, exit code 130.
+/// The command line. Bad usage or input: one line on stderr and exit code 2. An error of the program's own: one line that asks for a
+/// report, exit code 70. Ctrl-C: nothing is left behind, exit code 130.
 /// </summary>
 public static class Program
 {
@@ -59,7 +59,8 @@ public static class Program
         try
         {
             using var held = HeldFolders.Begin();
-            int code = parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = errors });
+            int code = parsed.Invoke(
+                new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = errors });
             output.Flush();
             held.Commit();
             return code;

@@ -9,8 +9,8 @@ using UnityEngine.Rendering;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Draws thousands of baked insects with few draw calls. A script writes <see cref="Poses"/>; the crowd advances the loops, leaves out what the camera does not see, and
-    /// draws each insect with the mesh for its height on the screen. The nearest few can be live insects.
+    /// Draws thousands of baked insects with few draw calls. A script writes <see cref="Poses"/>; the crowd advances the loops, leaves out
+    /// what the camera does not see, and draws each insect with the mesh for its height on the screen. The nearest few can be live insects.
     /// </summary>
     [AddComponentMenu("Alate/Insect Crowd")]
     [DisallowMultipleComponent]
@@ -110,8 +110,8 @@ namespace Alate.Crowds
         }
 
         /// <summary>
-        /// The insects, to be written by a script at any time: places, loops, tints. Valid until the count or the insect changes, or the component is disabled. Insects that
-        /// nobody has written have scale 0 and are not drawn.
+        /// The insects, to be written by a script at any time: places, loops, tints. Valid until the count or the insect changes, or the
+        /// component is disabled. Insects that nobody has written have scale 0 and are not drawn.
         /// </summary>
         public NativeArray<CrowdPose> Poses
         {
@@ -140,9 +140,11 @@ namespace Alate.Crowds
 
         /// <summary>The state in one line: what keeps the crowd from being drawn; null when all is well.</summary>
         public string Problem => m_Insect == null ? "No baked insect is assigned."
-            : m_Insect.Sizes.Count == 0 || m_Insect.Sizes.Count > CrowdJob.MaxSizes ? $"'{m_Insect.name}' has {m_Insect.Sizes.Count} meshes; 1 to {CrowdJob.MaxSizes} can be drawn."
+            : m_Insect.Sizes.Count == 0 || m_Insect.Sizes.Count > CrowdJob.MaxSizes
+            ? $"'{m_Insect.name}' has {m_Insect.Sizes.Count} meshes; 1 to {CrowdJob.MaxSizes} can be drawn."
             : m_Insect.Loops.Count == 0 ? $"'{m_Insect.name}' has no loops. Bake it again."
-            : !SystemInfo.supportsInstancing ? "This device draws no instances: crowds cannot be drawn. Use fewer insects with the component Insect Wings."
+            : !SystemInfo.supportsInstancing
+            ? "This device draws no instances: crowds cannot be drawn. Use fewer insects with the component Insect Wings."
             : null;
 
         /// <summary>One frame on the calling thread, for measurements.</summary>

@@ -10,7 +10,9 @@ namespace Alate.Fitting
     /// </summary>
     internal static class BalancedJoints
     {
-        /// <summary>Places on the path among which the joints are chosen first, and steps between two of those in which they are then moved.</summary>
+        /// <summary>
+        /// Places on the path among which the joints are chosen first, and steps between two of those in which they are then moved.
+        /// </summary>
         private const int k_Places = 120;
         private const int k_Steps = 16;
 
@@ -101,7 +103,9 @@ namespace Alate.Fitting
             for (int k = from + step; k < to; k += step)
             {
                 bool isHollow = Polygon.DoubledArea(start, places[k], end) > 0.0;
-                double weight = isHollow ? k_HollowWeight : Math.Min(1.0, k_RootWeight + (1.0 - k_RootWeight) * k / (k_Inner * places.Length));
+                double weight = isHollow
+                    ? k_HollowWeight
+                    : Math.Min(1.0, k_RootWeight + (1.0 - k_RootWeight) * k / (k_Inner * places.Length));
                 farthest = Math.Max(farthest, weight * weight * PlanPoint.DistanceSquared(places[k], start, end));
             }
 

@@ -20,8 +20,8 @@ namespace Alate.Fitting
         private const double k_NearBody = 3.0;
 
         /// <summary>
-        /// Tilt of the body's side towards forward, radians, where it meets a straight edge: the front of the edge is the base, the rest may be
-        /// a free inner margin.
+        /// Tilt of the body's side towards forward, radians, where it meets a straight edge: the front of the edge is the base, the rest
+        /// may be a free inner margin.
         /// </summary>
         private const double k_Tilt = 0.17;
 
@@ -82,7 +82,8 @@ namespace Alate.Fitting
             {
                 m_Notes.Warn(
                     SkeletonFitWarningKind.HingeOffWing, 0.7,
-                    $"The given hinge lies {FitNotes.Percent(distance)} of the wing's extent off its outline; the wing turns about the nearest base instead.");
+                    $"The given hinge lies {FitNotes.Percent(distance)} of the wing's extent off its outline; the wing turns about the "
+                    + "nearest base instead.");
             }
 
             return anchor;
@@ -113,7 +114,8 @@ namespace Alate.Fitting
                     first = k;
             }
 
-            double from = (first - m_Outline.Samples.Count / 4) * m_Outline.Step, to = (first + m_Outline.Samples.Count / 4) * m_Outline.Step;
+            double from = (first - m_Outline.Samples.Count / 4) * m_Outline.Step,
+                to = (first + m_Outline.Samples.Count / 4) * m_Outline.Step;
             PlanPoint extreme = m_Outline.Samples[first];
             return SoftMaximum.Find(
                 from, to, m_Outline.Samples.Count, k_Sharpness / m_Extent, s => PlanPoint.Dot(m_Outline.At(s) - extreme, side), out _);

@@ -38,7 +38,9 @@ namespace Alate.Fitting
             m_Notes = notes;
         }
 
-        /// <summary>[layout][chain][joint] Layouts in the wing's view, the best first; more than one where chains with evenly spaced joints meet.</summary>
+        /// <summary>
+        /// [layout][chain][joint] Layouts in the wing's view, the best first; more than one where chains with evenly spaced joints meet.
+        /// </summary>
         public List<PlanPoint[][]> Lay(int chains, int joints)
         {
             var shares = new FanShares(m_Marks, m_Margin, chains);

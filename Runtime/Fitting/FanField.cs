@@ -7,8 +7,8 @@ namespace Alate.Fitting
 {
     /// <summary>
     /// A harmonic function on the wing between its first and last chain: 0 on the first, 1 on the last, rising evenly along the base and
-    /// along the margin. Its level lines never meet, never leave the wing, run straight where the wing is plain and bend around its notches:
-    /// so the other chains follow them.
+    /// along the margin. Its level lines never meet, never leave the wing, run straight where the wing is plain and bend around its
+    /// notches: so the other chains follow them.
     /// </summary>
     internal sealed class FanField
     {
@@ -165,7 +165,8 @@ namespace Alate.Fitting
                 int start = first + ((first + first / Columns + colour) & 1);
                 for (int node = start; node <= last; node += 2)
                 {
-                    double mean = share * (values[node - 1] + values[node + 1] + across * (values[node - Columns] + values[node + Columns]));
+                    double mean =
+                        share * (values[node - 1] + values[node + 1] + across * (values[node - Columns] + values[node + Columns]));
                     double step = over * (mean - values[node]);
                     values[node] += step;
                     change = Math.Max(change, Math.Abs(step));

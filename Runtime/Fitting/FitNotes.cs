@@ -24,7 +24,8 @@ namespace Alate.Fitting
         }
 
         /// <summary>A share in a sentence, in per cent.</summary>
-        public static string Percent(double share, string format = "F0") => (100.0 * share).ToString(format, CultureInfo.InvariantCulture) + " %";
+        public static string Percent(double share, string format = "F0") =>
+            (100.0 * share).ToString(format, CultureInfo.InvariantCulture) + " %";
 
         /// <summary>Lowers the confidence by a factor without a warning.</summary>
         public void LowerConfidence(double confidence) => Confidence *= confidence;

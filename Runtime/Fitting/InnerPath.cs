@@ -60,7 +60,8 @@ namespace Alate.Fitting
             return true;
         }
 
-        private static bool IsOnEdge(ClosedCurve outline, PlanPoint p) => (outline.At(outline.Nearest(p)) - p).LengthSquared < k_Unminded * k_Unminded;
+        private static bool IsOnEdge(ClosedCurve outline, PlanPoint p) =>
+            (outline.At(outline.Nearest(p)) - p).LengthSquared < k_Unminded * k_Unminded;
 
         // Clockwise round the wing, its inside lies to the right.
         private static bool TryMoveInside(ClosedCurve outline, double s, out PlanPoint moved)

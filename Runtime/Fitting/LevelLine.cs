@@ -61,7 +61,8 @@ namespace Alate.Fitting
             var cut = new List<PlanPoint> { root };
             for (int k = first; k != last; k += step)
             {
-                bool nearEnd = (piece[k] - root).LengthSquared < straight * straight || (piece[k] - tip).LengthSquared < straight * straight;
+                bool nearEnd = (piece[k] - root).LengthSquared < straight * straight
+                    || (piece[k] - tip).LengthSquared < straight * straight;
                 if (!nearEnd)
                     cut.Add(piece[k]);
             }

@@ -44,7 +44,8 @@ namespace Alate.Fitting
 
             double low = Width(m_Low + k_Inset * (m_High - m_Low)), high = Width(m_High - k_Inset * (m_High - m_Low));
             Place = (low <= high ? first : last) * outline.Step;
-            Confidence = k_EvenConfidence + (k_PointedConfidence - k_EvenConfidence) * Math.Min(1.0, Math.Abs(low - high) / Math.Max(low, high) / k_ClearDifference);
+            Confidence = k_EvenConfidence
+                + (k_PointedConfidence - k_EvenConfidence) * Math.Min(1.0, Math.Abs(low - high) / Math.Max(low, high) / k_ClearDifference);
         }
 
         /// <summary>Arc length of the end.</summary>

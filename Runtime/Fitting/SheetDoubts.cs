@@ -33,7 +33,8 @@ namespace Alate.Fitting
                 string many = count == 1 ? "a hole" : $"{count} holes";
                 notes.Warn(
                     SkeletonFitWarningKind.Holes, 0.95,
-                    $"The wing has {many}, the largest of {FitNotes.Percent(largest / sheet.PlanArea, "0.#")} of its area; chains run as if there were none.");
+                    $"The wing has {many}, the largest of {FitNotes.Percent(largest / sheet.PlanArea, "0.#")} of its area; chains run as "
+                    + "if there were none.");
             }
 
             double flat = sheet.PlanArea / sheet.Area;

@@ -142,7 +142,8 @@ namespace Alate.Fitting
             double whole = 0.0, largest = SheetPieces.Area(m_Surface.points, pieces[0]);
             foreach (List<int3> piece in pieces)
                 whole += SheetPieces.Area(m_Surface.points, piece);
-            return $"{m_Name} is not one wing but {pieces.Count} pieces apart, the largest with {FitNotes.Percent(largest / whole)} of the area; "
+            return $"{m_Name} is not one wing but {pieces.Count} pieces apart, the largest with "
+                + $"{FitNotes.Percent(largest / whole)} of the area; "
                 + "fit each wing by itself.";
         }
 

@@ -9,7 +9,8 @@ namespace Alate.Fitting
     public sealed class SkeletonFit
     {
         internal SkeletonFit(
-            WingSkeleton skeleton, float confidence, IReadOnlyList<SkeletonFitWarning> warnings, Vector3[] outline, IReadOnlyList<Vector3[]> holes)
+            WingSkeleton skeleton, float confidence, IReadOnlyList<SkeletonFitWarning> warnings, Vector3[] outline,
+            IReadOnlyList<Vector3[]> holes)
         {
             Skeleton = skeleton;
             Confidence = confidence;

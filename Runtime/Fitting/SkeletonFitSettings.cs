@@ -44,7 +44,9 @@ namespace Alate.Fitting
         /// <summary>True where the surface's origin is not that of its mesh, and so tells nothing about the body.</summary>
         internal bool isOriginUnknown;
 
-        /// <summary>Five chains of five joints on a wing that leads with its edge towards +Z, as insects face; its base is guessed.</summary>
+        /// <summary>
+        /// Five chains of five joints on a wing that leads with its edge towards +Z, as insects face; its base is guessed.
+        /// </summary>
         public static SkeletonFitSettings Default => new SkeletonFitSettings
         {
             chains = 5,
@@ -57,7 +59,8 @@ namespace Alate.Fitting
         internal void Check()
         {
             CheckCount(chains, WingSkeleton.MinChains, WingSkeleton.MaxChains, nameof(chains), "A skeleton has {0} to {1} chains.");
-            CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain), "A skeleton has {0} to {1} joints in a chain.");
+            CheckCount(jointsPerChain, WingSkeleton.MinJoints, WingSkeleton.MaxJoints, nameof(jointsPerChain),
+                "A skeleton has {0} to {1} joints in a chain.");
             CheckVector(hinge, "hinge", false);
             CheckVector(bodyPoint, "body's point", false);
             CheckVector(bodySide, "body's side", true);

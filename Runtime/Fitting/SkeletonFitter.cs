@@ -28,8 +28,8 @@ namespace Alate.Fitting
         /// <param name="settings">What is known about it.</param>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
         /// <exception cref="ArgumentOutOfRangeException">A count of the settings is out of its range.</exception>
-        /// <exception cref="ArgumentException">The mesh is not readable, broken, or no single wing, or a place or direction of the settings is
-        /// not finite or zero. The message is one line.</exception>
+        /// <exception cref="ArgumentException">The mesh is not readable, broken, or no single wing, or a place or direction of the settings
+        /// is not finite or zero. The message is one line.</exception>
         public static SkeletonFit Fit(Mesh mesh, in SkeletonFitSettings settings) => Fit(SurfaceMesh.FromMesh(mesh), settings);
 
         /// <summary>A skeleton for a surface of plain arrays: a single sheet, a double-sided one or a thin closed shell.</summary>
@@ -74,7 +74,8 @@ namespace Alate.Fitting
                 if (Problem(skeleton) != null)
                     continue;
                 notes.Warn(
-                    SkeletonFitWarningKind.ChainsLaidAsRays, k_RayConfidence, $"The chains are straight rays from the base, as the usual ones do not fit: {problem}");
+                    SkeletonFitWarningKind.ChainsLaidAsRays, k_RayConfidence,
+                    $"The chains are straight rays from the base, as the usual ones do not fit: {problem}");
                 problem = null;
             }
 

@@ -94,7 +94,8 @@ namespace Alate.Fitting
         /// <summary>Middle of the base.</summary>
         public PlanPoint Base { get; }
 
-        private bool IsInReach(PlanPoint end, PlanPoint tip) => (end - Base).LengthSquared <= k_MostReach * k_MostReach * (tip - Base).LengthSquared;
+        private bool IsInReach(PlanPoint end, PlanPoint tip) =>
+            (end - Base).LengthSquared <= k_MostReach * k_MostReach * (tip - Base).LengthSquared;
 
         // The first place from the anchor that lies too far out along the span or too far from another place.
         private double BaseEnd(double sign, PlanPoint other, double width)

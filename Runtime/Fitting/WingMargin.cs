@@ -6,7 +6,8 @@ namespace Alate.Fitting
 {
     /// <summary>
     /// The outer margin from the tip to the end of the last chain, with the share of the fan that lies before each of its points: mostly
-    /// by length, as wings jointed by hand have it, a little by the angle about the base, so that a tail draws no more chains than its breadth asks.
+    /// by length, as wings jointed by hand have it, a little by the angle about the base, so that a tail draws no more chains than its
+    /// breadth asks.
     /// </summary>
     internal sealed class WingMargin
     {

@@ -21,11 +21,15 @@ namespace Alate.Fitting
         private const double k_InPlane = 0.2;
         private const double k_Across = 0.5;
 
-        /// <summary>Confidence in a guessed leading edge where both edges bulge alike, and where one is straight and the other is not.</summary>
+        /// <summary>
+        /// Confidence in a guessed leading edge where both edges bulge alike, and where one is straight and the other is not.
+        /// </summary>
         private const double k_EvenConfidence = 0.65;
         private const double k_StraightConfidence = 0.9;
 
-        /// <summary>Difference of the areas on either side of the middle line, over the whole, at which an edge counts as the straight one.</summary>
+        /// <summary>
+        /// Difference of the areas on either side of the middle line, over the whole, at which an edge counts as the straight one.
+        /// </summary>
         private const double k_ClearDifference = 0.3;
 
         /// <summary>Finds the view of the wing. Its span runs across a given forward direction, else through the wing's centre.</summary>

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>Asset with the trim table of one kind of insect, made by <see cref="TrimBake"/>; flights of other numbers do not take it.</summary>
+    /// <summary>
+    /// Asset with the trim table of one kind of insect, made by <see cref="TrimBake"/>; flights of other numbers do not take it.
+    /// </summary>
     public sealed class FlightTrims : ScriptableObject
     {
         [SerializeField]

@@ -75,7 +75,8 @@ namespace Alate.Flight
                 Raise(TookOff);
         }
 
-        // Between steps: where the body has got to becomes where the next step starts; whoever moved the object meanwhile has moved the body.
+        // Between steps: where the body has got to becomes where the next step starts; whoever moved the object meanwhile has moved the
+        // body.
         private void TakeOver(ref FlyingBody body, float dt)
         {
             var moved = (Vector3)(body.position * m_Units);
@@ -97,7 +98,8 @@ namespace Alate.Flight
             Force = body.force / math.max(m_Model.Weight, 1e-12f);
         }
 
-        // What contacts have turned and stopped within a step goes into the flight; a larger turn or a perched insect's jump is somebody's who places it.
+        // What contacts have turned and stopped within a step goes into the flight; a larger turn or a perched insect's jump is somebody's
+        // who places it.
         private float TakeOverPushes(ref FlyingBody body, Vector3 moved)
         {
             Vector3 before = m_ShownPosition, position = m_Carried.Position;
@@ -239,8 +241,11 @@ namespace Alate.Flight
 
         private void Show(LiveInsect live, WingWorld world, float alpha)
         {
-            if (m_Carried != null || !live.wings[0].placed.isValid || !ReferenceEquals(live, m_Live) || !ReferenceEquals(world, m_World) || !world.Contains(m_Body))
+            if (m_Carried != null || !live.wings[0].placed.isValid || !ReferenceEquals(live, m_Live) || !ReferenceEquals(world, m_World)
+                || !world.Contains(m_Body))
+            {
                 return;
+            }
             // Moved by somebody since: the next step takes it over.
             if (transform.position != m_ShownPosition || transform.rotation != m_ShownRotation)
                 return;

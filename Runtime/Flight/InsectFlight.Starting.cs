@@ -10,8 +10,8 @@ namespace Alate.Flight
     public sealed partial class InsectFlight
     {
         /// <summary>
-        /// Fastest motion and turning of a body that is not lost, m/s and rad/s: what the bounds of the air and of bodies allow, and as much
-        /// again.
+        /// Fastest motion and turning of a body that is not lost, m/s and rad/s: what the bounds of the air and of bodies allow, and as
+        /// much again.
         /// </summary>
         private const float k_Fastest = 2f * OuterBounds.Speed, k_MostSpin = 2f * OuterBounds.Turning;
 
@@ -43,7 +43,8 @@ namespace Alate.Flight
 
         private bool Attach(LiveInsect live, WingWorld world)
         {
-            bool again = !m_StartsOver && m_Model != null && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World) && world.Contains(m_Body);
+            bool again = !m_StartsOver && m_Model != null && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World)
+                && world.Contains(m_Body);
             FlyingBody kept = again ? world.Body(m_Body) : default;
             Vector3 from = m_From;
             Detach();
@@ -145,7 +146,8 @@ namespace Alate.Flight
             m_Units = SceneModel.UnitsPerMetre(live.wings[0].placed, live.wings[0].values);
             try
             {
-                m_Model = new FlightModel(WingsOf(live), m_Parts, live.wings[0].values.size.insectMass, live.wings[0].values.size.fluidDensity, live.wings[0].values.size.gravityShare);
+                m_Model = new FlightModel(WingsOf(live), m_Parts, live.wings[0].values.size.insectMass,
+                    live.wings[0].values.size.fluidDensity, live.wings[0].values.size.gravityShare);
             }
             catch (ArgumentException problem)
             {
@@ -163,7 +165,8 @@ namespace Alate.Flight
 
             m_Model.Dispose();
             m_Model = null;
-            Fail(FlightProblem.OtherNumbers, "its trims were made for other numbers of preset or body. Take the preset of the variant Flight, or bake trims.");
+            Fail(FlightProblem.OtherNumbers,
+                "its trims were made for other numbers of preset or body. Take the preset of the variant Flight, or bake trims.");
             return false;
         }
 
@@ -217,7 +220,8 @@ namespace Alate.Flight
             }
 
             public bool Is(in Start other) =>
-                ReferenceEquals(m_Live, other.m_Live) && ReferenceEquals(m_World, other.m_World) && m_First.Equals(other.m_First) && ReferenceEquals(m_Trims, other.m_Trims);
+                ReferenceEquals(m_Live, other.m_Live) && ReferenceEquals(m_World, other.m_World) && m_First.Equals(other.m_First)
+                && ReferenceEquals(m_Trims, other.m_Trims);
         }
     }
 }

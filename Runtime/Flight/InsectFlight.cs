@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Lets an insect fly by its own wings: beside <see cref="InsectWings"/>, it moves the object by the forces that the wings feel, and steers through the wings alone.
-    /// A pilot says where to.
+    /// Lets an insect fly by its own wings: beside <see cref="InsectWings"/>, it moves the object by the forces that the wings feel, and
+    /// steers through the wings alone. A pilot says where to.
     /// </summary>
     [AddComponentMenu("Alate/Insect Flight")]
     [RequireComponent(typeof(InsectWings))]
@@ -47,9 +47,9 @@ namespace Alate.Flight
         }
 
         /// <summary>
-        /// Pilot that says where to fly: the one that was set, or else the first <see cref="FlightPilot"/> on this object, looked for four times a second; null where there is none, and then
-        /// <see cref="Velocity"/> counts. Pilots that are disabled or destroyed are not asked. One that throws an exception is asked no more until it is disabled and enabled, or a
-        /// pilot is set; the insect hovers.
+        /// Pilot that says where to fly: the one that was set, or else the first <see cref="FlightPilot"/> on this object, looked for four
+        /// times a second; null where there is none, and then <see cref="Velocity"/> counts. Pilots that are disabled or destroyed are not
+        /// asked. One that throws an exception is asked no more until it is disabled and enabled, or a pilot is set; the insect hovers.
         /// </summary>
         public IFlightPilot Pilot
         {
@@ -95,8 +95,12 @@ namespace Alate.Flight
         /// <summary>Raised when the insect takes off.</summary>
         public event Action<InsectFlight> TookOff;
 
-        /// <summary>Makes the flight model of the insect as it is set up now, in play or not, to bake trims for it with <see cref="TrimBake"/>. Dispose it.</summary>
-        /// <exception cref="InvalidOperationException">The wings have a problem, or masses or body are not possible; the message says which.</exception>
+        /// <summary>
+        /// Makes the flight model of the insect as it is set up now, in play or not, to bake trims for it with <see cref="TrimBake"/>.
+        /// Dispose it.
+        /// </summary>
+        /// <exception cref="InvalidOperationException">The wings have a problem, or masses or body are not possible; the message says
+        /// which.</exception>
         public FlightModel CreateModel() => SceneModel.Create(GetComponent<InsectWings>(), m_Parts);
 
         /// <summary>Reads the trim that is nearest to how the insect flies now.</summary>

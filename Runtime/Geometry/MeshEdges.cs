@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Alate.Geometry
 {
-    /// <summary>Edges between vertices of a mesh, whichever way round, each once: in the order in which they are first met, with their numbers of uses.</summary>
+    /// <summary>
+    /// Edges between vertices of a mesh, whichever way round, each once: in the order in which they are first met, with their numbers of
+    /// uses.
+    /// </summary>
     internal sealed class MeshEdges
     {
         private const int k_LeastCapacity = 16;

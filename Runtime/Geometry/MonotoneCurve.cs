@@ -4,8 +4,8 @@ using System.Linq;
 namespace Alate.Geometry
 {
     /// <summary>
-    /// One edge of a wing as a function of span: straight between its landmarks, or the monotone cubic of Fritsch and Carlson (1980) through
-    /// them, which nowhere leaves the band between two neighbouring landmarks.
+    /// One edge of a wing as a function of span: straight between its landmarks, or the monotone cubic of Fritsch and Carlson (1980)
+    /// through them, which nowhere leaves the band between two neighbouring landmarks.
     /// </summary>
     internal sealed class MonotoneCurve
     {

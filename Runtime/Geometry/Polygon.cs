@@ -147,7 +147,8 @@ namespace Alate.Geometry
             double most = tolerance * tolerance;
             for (int k = from + 1; k < to; k++)
             {
-                double distance = PlanPoint.DistanceSquared(corners[k % corners.Length], corners[from % corners.Length], corners[to % corners.Length]);
+                double distance = PlanPoint.DistanceSquared(
+                    corners[k % corners.Length], corners[from % corners.Length], corners[to % corners.Length]);
                 if (distance > most)
                     (worst, most) = (k, distance);
             }

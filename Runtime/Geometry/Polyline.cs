@@ -122,7 +122,10 @@ namespace Alate.Geometry
             return nearest;
         }
 
-        /// <summary>Distance along a ray to where it first meets the line, leaving out one segment; <see cref="double.MaxValue"/> when it never does.</summary>
+        /// <summary>
+        /// Distance along a ray to where it first meets the line, leaving out one segment; <see cref="double.MaxValue"/> when it never
+        /// does.
+        /// </summary>
         /// <param name="from">Where it begins.</param>
         /// <param name="direction">A unit vector.</param>
         /// <param name="skipped">The segment on which the ray begins, or −1.</param>
@@ -154,7 +157,9 @@ namespace Alate.Geometry
             return isClosed ? length + Math.Sqrt((path[0] - path[path.Count - 1]).LengthSquared) : length;
         }
 
-        /// <summary>Points at even steps of a path's length: both ends of an open one among them, the first point of a closed one first.</summary>
+        /// <summary>
+        /// Points at even steps of a path's length: both ends of an open one among them, the first point of a closed one first.
+        /// </summary>
         /// <param name="path">At least two points.</param>
         /// <param name="count">At least 2.</param>
         /// <param name="isClosed">Whether the last point is joined to the first.</param>
@@ -184,7 +189,9 @@ namespace Alate.Geometry
             PlanPoint Next() => path[(corner + 1) % path.Count];
         }
 
-        /// <summary>Path whose points are moved towards the middle of their neighbours four times (weights ¼, ½, ¼); the ends of an open one stay.</summary>
+        /// <summary>
+        /// Path whose points are moved towards the middle of their neighbours four times (weights ¼, ½, ¼); the ends of an open one stay.
+        /// </summary>
         public static PlanPoint[] Smoothed(IReadOnlyList<PlanPoint> path, bool isClosed = false)
         {
             const int rounds = 4;

@@ -38,7 +38,8 @@ namespace Alate
 
         /// <summary>Problem of an unexpected exception.</summary>
         internal static InsectProblem Failed(Exception exception) => new InsectProblem(InsectState.Failed, -1,
-            $"an error came up while its wings were built ({exception.GetType().Name}, in the console). Please report it; disable and enable the component to try again.");
+            $"an error came up while its wings were built ({exception.GetType().Name}, in the console). Please report it; disable and "
+            + "enable the component to try again.");
 
         /// <summary>No problem.</summary>
         internal static InsectProblem None => new InsectProblem(InsectState.Ready, -1, "");

@@ -45,8 +45,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Moment of the air on all wings of the real insect about its own origin, newton metres, world axes; mean over the last step. Its sense is Unity's: a positive
-        /// component turns as <see cref="Rigidbody.AddTorque(Vector3)"/> does.
+        /// Moment of the air on all wings of the real insect about its own origin, newton metres, world axes; mean over the last step. Its
+        /// sense is Unity's: a positive component turns as <see cref="Rigidbody.AddTorque(Vector3)"/> does.
         /// </summary>
         public Vector3 AirMoment
         {
@@ -62,7 +62,9 @@ namespace Alate
         /// <summary>Part of <see cref="AirForce"/> against gravity, newtons.</summary>
         public float Lift => Live == null ? 0f : Vector3.Dot(AirForce, -Physics.gravity.normalized);
 
-        /// <summary>Part of <see cref="AirForce"/> against the flight through the air, newtons; 0 while the insect stands in still air.</summary>
+        /// <summary>
+        /// Part of <see cref="AirForce"/> against the flight through the air, newtons; 0 while the insect stands in still air.
+        /// </summary>
         public float Drag
         {
             get
@@ -74,7 +76,9 @@ namespace Alate
             }
         }
 
-        /// <summary>Lift over the weight of the real insect: times mass and gravity of a Rigidbody it is the force that carries it.</summary>
+        /// <summary>
+        /// Lift over the weight of the real insect: times mass and gravity of a Rigidbody it is the force that carries it.
+        /// </summary>
         public float LiftOverWeight
         {
             get
@@ -95,7 +99,9 @@ namespace Alate
             return live.placed.ToWorld(Read(wing).AirForce) * (live.values.size.wingMass * live.values.size.wingLength);
         }
 
-        /// <summary>Moment of the air on one wing of the real insect about the insect's origin, newton metres, world axes; mean over the last step.</summary>
+        /// <summary>
+        /// Moment of the air on one wing of the real insect about the insect's origin, newton metres, world axes; mean over the last step.
+        /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
         public Vector3 AirMomentOf(int wing)
         {
@@ -103,7 +109,8 @@ namespace Alate
             if (Live == null)
                 return default;
             LiveWing live = Live.wings[wing];
-            return live.placed.AxisToWorld(Read(wing).AirMoment) * (live.values.size.wingMass * live.values.size.wingLength * live.values.size.wingLength);
+            return live.placed.AxisToWorld(Read(wing).AirMoment)
+                * (live.values.size.wingMass * live.values.size.wingLength * live.values.size.wingLength);
         }
 
         /// <summary>

@@ -6,8 +6,8 @@ using UnityEngine.Serialization;
 namespace Alate
 {
     /// <summary>
-    /// Makes the wings of an insect flex as they beat. Put it on the root of an insect: it finds the wings below and gives each a living copy of its mesh while
-    /// the game plays; the authored meshes come back when it is disabled.
+    /// Makes the wings of an insect flex as they beat. Put it on the root of an insect: it finds the wings below and gives each a living
+    /// copy of its mesh while the game plays; the authored meshes come back when it is disabled.
     /// </summary>
     [AddComponentMenu("Alate/Insect Wings")]
     [Icon("Packages/com.alate.insect-wings/Editor/Icons/InsectWings.png")]
@@ -27,7 +27,8 @@ namespace Alate
         private List<Wing> m_Wings = new List<Wing>();
 
         [SerializeField]
-        [Tooltip("When the wings are stepped. Fixed Update: with the physics. Update: each frame. Unscaled Time: also while the game is paused. Manual: by InsectWings.Step.")]
+        [Tooltip("When the wings are stepped. Fixed Update: with the physics. Update: each frame. Unscaled Time: also while the game is "
+            + "paused. Manual: by InsectWings.Step.")]
         private WingUpdateMode m_UpdateMode;
 
         [SerializeField]
@@ -125,7 +126,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Advances the wings by some time, seconds, in <see cref="WingUpdateMode.Manual"/>; they are drawn at the end of the frame. Steps longer than a quarter of a second are cut.
+        /// Advances the wings by some time, seconds, in <see cref="WingUpdateMode.Manual"/>; they are drawn at the end of the frame. Steps
+        /// longer than a quarter of a second are cut.
         /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">The time is negative or not finite.</exception>
         /// <exception cref="InvalidOperationException">The update mode is not Manual.</exception>
@@ -160,7 +162,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Fills the list of wings with those found below this object by names and symmetry. Wings that were in the list keep their settings; entries without a renderer go.
+        /// Fills the list of wings with those found below this object by names and symmetry. Wings that were in the list keep their
+        /// settings; entries without a renderer go.
         /// </summary>
         /// <returns>How many were found.</returns>
         public int FindWings()
@@ -171,7 +174,10 @@ namespace Alate
             return found.Count;
         }
 
-        /// <summary>Takes up changes that a script made to the content of the authored meshes; all insects that share them are rebuilt in the next frame.</summary>
+        /// <summary>
+        /// Takes up changes that a script made to the content of the authored meshes; all insects that share them are rebuilt in the next
+        /// frame.
+        /// </summary>
         public void Rebuild()
         {
             for (int mesh = 0; Live != null && mesh < Live.meshes.Count; mesh++)

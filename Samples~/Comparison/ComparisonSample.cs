@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate.Samples
 {
     /// <summary>
-    /// One insect in four columns: rigid wings, no deformation wave, the full model, and another elasticity. Sliders tune all columns at once; a blinded study asks which of
-    /// two looks more natural, as the paper's did.
+    /// One insect in four columns: rigid wings, no deformation wave, the full model, and another elasticity. Sliders tune all columns at
+    /// once; a blinded study asks which of two looks more natural, as the paper's did.
     /// </summary>
     [AddComponentMenu("Alate/Samples/Comparison Sample")]
     [DisallowMultipleComponent]
@@ -107,7 +107,10 @@ namespace Alate.Samples
                 return;
             Vector3 place = m_Camera.GetComponent<Camera>().WorldToScreenPoint(stand.Place);
             if (place.z > 0f)
-                GUI.Label(new Rect(place.x - 100f, Screen.height - place.y + 110f, 220f, 60f), $"{stand.Column.Title}\n{stand.Column.Description}");
+            {
+                GUI.Label(new Rect(place.x - 100f, Screen.height - place.y + 110f, 220f, 60f),
+                    $"{stand.Column.Title}\n{stand.Column.Description}");
+            }
         }
     }
 }

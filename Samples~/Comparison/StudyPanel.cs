@@ -6,12 +6,16 @@ using UnityEngine;
 
 namespace Alate.Samples
 {
-    /// <summary>The blinded study: shows pair after pair without names, asks which looks more natural, writes the votes down and, at the end, says what they mean.</summary>
+    /// <summary>
+    /// The blinded study: shows pair after pair without names, asks which looks more natural, writes the votes down and, at the end, says
+    /// what they mean.
+    /// </summary>
     internal sealed class StudyPanel
     {
         // The insects and methods of the paper's study.
         private static readonly string[] s_Species = { "monarch", "firefly", "painted-lichen-moth", "fishfly" };
-        private static readonly ComparisonColumn[] s_Methods = { ComparisonColumn.RigidWing, ComparisonColumn.NoWave, ComparisonColumn.FullModel };
+        private static readonly ComparisonColumn[] s_Methods = { ComparisonColumn.RigidWing, ComparisonColumn.NoWave,
+            ComparisonColumn.FullModel };
 
         private readonly Stage m_Stage;
         private readonly VoteFile m_File = new VoteFile(Path.Combine(Application.persistentDataPath, "Alate comparison votes.csv"));

@@ -43,7 +43,8 @@ namespace Alate.Samples
             var green = new Color(0.3f, 0.5f, 0.2f);
             for (int k = 0; k < 3; k++)
             {
-                Vector3 side = Quaternion.Euler(0f, 120f * k, 0f) * Vector3.forward, next = Quaternion.Euler(0f, 120f * (k + 1), 0f) * Vector3.forward;
+                Vector3 side = Quaternion.Euler(0f, 120f * k, 0f) * Vector3.forward,
+                    next = Quaternion.Euler(0f, 120f * (k + 1), 0f) * Vector3.forward;
                 Vector3 a = k_StemWidth * side, b = k_StemWidth * next, down = length * Vector3.down;
                 Quad(a, b, b + down, a + down, (side + next).normalized, green);
             }
@@ -53,7 +54,8 @@ namespace Alate.Samples
         {
             var turn = Quaternion.Euler(0f, angle, 0f);
             Vector3 tip = turn * new Vector3(0f, -0.12f * radius, radius), inner = turn * new Vector3(0f, -0.02f, 0.3f * radius);
-            Vector3 side = turn * new Vector3(0.3f * radius, -0.05f * radius, 0.7f * radius), other = turn * new Vector3(-0.3f * radius, -0.05f * radius, 0.7f * radius);
+            Vector3 side = turn * new Vector3(0.3f * radius, -0.05f * radius, 0.7f * radius),
+                other = turn * new Vector3(-0.3f * radius, -0.05f * radius, 0.7f * radius);
             Quad(inner, other, tip, side, Vector3.up, colour);
         }
 

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate.Samples
 {
-    /// <summary>One insect of the garden that flies by its own wings: its pilots stand on it one below the other, the first one decides.</summary>
+    /// <summary>
+    /// One insect of the garden that flies by its own wings: its pilots stand on it one below the other, the first one decides.
+    /// </summary>
     internal sealed class GardenInsect
     {
         private readonly InsectWings m_Wings;

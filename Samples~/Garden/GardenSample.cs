@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Alate.Samples
 {
     /// <summary>
-    /// A garden: monarchs and swallowtails fly by their own wings, land on flowers, bask, and flee from the camera; fireflies blink at dusk; a snailfish swims
-    /// in the pond around.
+    /// A garden: monarchs and swallowtails fly by their own wings, land on flowers, bask, and flee from the camera; fireflies blink at
+    /// dusk; a snailfish swims in the pond around.
     /// </summary>
     [AddComponentMenu("Alate/Samples/Garden Sample")]
     [DisallowMultipleComponent]
@@ -76,7 +76,8 @@ namespace Alate.Samples
             m_Time += Time.deltaTime;
             Tell(m_Butterflies);
             Tell(m_Others);
-            m_Camera.GetComponent<Camera>().backgroundColor = Color.Lerp(new Color(0.62f, 0.68f, 0.7f), new Color(0.07f, 0.08f, 0.16f), m_Dusk);
+            m_Camera.GetComponent<Camera>().backgroundColor = Color.Lerp(
+                new Color(0.62f, 0.68f, 0.7f), new Color(0.07f, 0.08f, 0.16f), m_Dusk);
         }
 
         private void OnGUI()

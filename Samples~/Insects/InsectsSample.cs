@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Alate.Samples
 {
-    /// <summary>All insects of the catalogue side by side, drawn equally large, in flight on the spot: variants, slow motion and a camera to walk around them.</summary>
+    /// <summary>
+    /// All insects of the catalogue side by side, drawn equally large, in flight on the spot: variants, slow motion and a camera to walk
+    /// around them.
+    /// </summary>
     [AddComponentMenu("Alate/Samples/Insects Sample")]
     [DisallowMultipleComponent]
     public sealed class InsectsSample : MonoBehaviour

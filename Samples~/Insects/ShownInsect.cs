@@ -42,7 +42,8 @@ namespace Alate.Samples
 
             // It stands still and is told how fast it flies, in the units of the large insect that is drawn.
             m_Insect.Motion.source = VelocitySource.Script;
-            m_Insect.Velocity = k_ShareOfFullSpeed * m_Insect.Preset.Beat.maxSpeed * InsectDefinition.UnitsPerMetre * scale * m_Place.forward;
+            m_Insect.Velocity =
+                k_ShareOfFullSpeed * m_Insect.Preset.Beat.maxSpeed * InsectDefinition.UnitsPerMetre * scale * m_Place.forward;
             m_Insect.UpdateMode = WingUpdateMode.Manual;
             Label = $"{m_Species.DisplayName}\n{shown}, {m_Insect.Preset.Beat.maxFrequency:0.#} Hz";
         }

@@ -6,7 +6,10 @@ using UnityEngine;
 
 namespace Alate.Samples
 {
-    /// <summary>Insects of one species over the meadow: baked at the start, and moved along circles of their own by a script that writes their poses.</summary>
+    /// <summary>
+    /// Insects of one species over the meadow: baked at the start, and moved along circles of their own by a script that writes their
+    /// poses.
+    /// </summary>
     internal sealed class MeadowCrowd
     {
         private const float k_Lowest = 0.5f, k_Highest = 4f, k_Bank = 0.3f;
@@ -49,7 +52,8 @@ namespace Alate.Samples
                 // Three numbers that are spread evenly and differ for each insect.
                 float3 spread = math.frac(new float3(0.5545f, 0.3068f, 0.7549f) * (k + 1));
                 float2 middle = m_Radius * (2f * spread.xy - 1f);
-                float round = 1f + 4f * spread.z, angle = (k % 2 == 0 ? 1f : -1f) * speed / round * time + 40f * spread.x, turn = k % 2 == 0 ? 1f : -1f;
+                float round = 1f + 4f * spread.z, angle = (k % 2 == 0 ? 1f : -1f) * speed / round * time + 40f * spread.x,
+                    turn = k % 2 == 0 ? 1f : -1f;
                 math.sincos(angle, out float sine, out float cosine);
                 CrowdPose pose = poses[k];
                 if (pose.scale == 0f)
@@ -58,8 +62,10 @@ namespace Alate.Samples
                     pose.scale = 0.85f + 0.3f * spread.z;
                 }
 
-                pose.position = new float3(middle.x + round * cosine, math.lerp(k_Lowest, k_Highest, spread.z * spread.y), middle.y + round * sine);
-                pose.rotation = math.mul(quaternion.LookRotation(turn * new float3(-sine, 0f, cosine), new float3(0f, 1f, 0f)), quaternion.RotateZ(turn * k_Bank));
+                pose.position = new float3(
+                    middle.x + round * cosine, math.lerp(k_Lowest, k_Highest, spread.z * spread.y), middle.y + round * sine);
+                pose.rotation = math.mul(quaternion.LookRotation(turn * new float3(-sine, 0f, cosine), new float3(0f, 1f, 0f)),
+                    quaternion.RotateZ(turn * k_Bank));
                 poses[k] = pose;
             }
         }

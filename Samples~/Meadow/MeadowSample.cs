@@ -27,7 +27,8 @@ namespace Alate.Samples
             OrbitCamera.Create(transform, transform.position + 2f * Vector3.up, k_CameraDistance);
             m_Crowds = new[]
             {
-                new MeadowCrowd("monarch", m_Monarchs, k_Live, k_Radius, transform), new MeadowCrowd("firefly", m_Fireflies, k_Live, k_Radius, transform),
+                new MeadowCrowd("monarch", m_Monarchs, k_Live, k_Radius, transform),
+                new MeadowCrowd("firefly", m_Fireflies, k_Live, k_Radius, transform),
             };
         }
 
@@ -45,7 +46,8 @@ namespace Alate.Samples
             GUILayout.Label($"{m_FrameTime:0.0} ms a frame");
             foreach (MeadowCrowd shown in m_Crowds)
             {
-                GUILayout.Label(shown.Crowd.Problem ?? $"{shown.Crowd.DrawnCount} of {shown.Crowd.Count} baked in sight, {shown.Crowd.LiveNow} live");
+                GUILayout.Label(
+                    shown.Crowd.Problem ?? $"{shown.Crowd.DrawnCount} of {shown.Crowd.Count} baked in sight, {shown.Crowd.LiveNow} live");
                 GUILayout.Label($"{shown.Crowd.DrawCalls} draw calls, {shown.Crowd.Triangles / 1000} thousand triangles");
             }
 

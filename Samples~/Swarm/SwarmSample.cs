@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Alate.Samples
 {
-    /// <summary>Hundreds of insects that fly round the camera's point of view, with the level of detail of each shown by its colour, and the time of a frame.</summary>
+    /// <summary>
+    /// Hundreds of insects that fly round the camera's point of view, with the level of detail of each shown by its colour, and the time of
+    /// a frame.
+    /// </summary>
     [AddComponentMenu("Alate/Samples/Swarm Sample")]
     [DisallowMultipleComponent]
     public sealed class SwarmSample : MonoBehaviour
@@ -17,7 +20,8 @@ namespace Alate.Samples
         // Full, fewer substeps, coarse patches, waves only, frozen.
         private static readonly Color[] s_Colours =
         {
-            new Color(1f, 0.45f, 0.4f), new Color(1f, 0.8f, 0.35f), new Color(0.6f, 0.9f, 0.45f), new Color(0.45f, 0.75f, 1f), new Color(0.6f, 0.6f, 0.65f),
+            new Color(1f, 0.45f, 0.4f), new Color(1f, 0.8f, 0.35f), new Color(0.6f, 0.9f, 0.45f), new Color(0.45f, 0.75f, 1f),
+            new Color(0.6f, 0.6f, 0.65f),
         };
 
         [SerializeField, Range(1, k_Most)]
@@ -82,7 +86,8 @@ namespace Alate.Samples
             for (int detail = 0; detail < s_Colours.Length; detail++)
             {
                 GUI.contentColor = m_ShowsDetail ? s_Colours[detail] : Color.white;
-                GUILayout.Label($"{m_PerDetail[detail]} {(WingDetail)detail}{(detail == (int)WingDetail.Frozen ? " or out of sight" : "")}");
+                GUILayout.Label(
+                    $"{m_PerDetail[detail]} {(WingDetail)detail}{(detail == (int)WingDetail.Frozen ? " or out of sight" : "")}");
             }
 
             GUI.contentColor = Color.white;

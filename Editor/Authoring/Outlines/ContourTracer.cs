@@ -76,7 +76,8 @@ namespace Alate.Authoring
             return new PlanPoint(ax + t * (bx - ax) + 0.5, ay + t * (by - ay) + 0.5);
         }
 
-        private static (int X, int Y) Corner(int x, int y, int corner) => (corner % 4 == 1 || corner % 4 == 2 ? x + 1 : x, corner % 4 >= 2 ? y + 1 : y);
+        private static (int X, int Y) Corner(int x, int y, int corner) =>
+            (corner % 4 == 1 || corner % 4 == 2 ? x + 1 : x, corner % 4 >= 2 ? y + 1 : y);
 
         private static bool IsInside(PixelPlane field, int column, int row) => Value(field, column, row) > 0f;
 

@@ -7,7 +7,9 @@ namespace Alate.Authoring
     /// <summary>Finds the outline of the wing in a picture.</summary>
     internal static class OutlineFinder
     {
-        /// <summary>Furthest that a point of the rim may lie from the outline: a share of the wing's length, but no less than a part of a pixel.</summary>
+        /// <summary>
+        /// Furthest that a point of the rim may lie from the outline: a share of the wing's length, but no less than a part of a pixel.
+        /// </summary>
         private const double k_Tolerance = 5e-4, k_LeastTolerance = 0.25;
 
         /// <summary>

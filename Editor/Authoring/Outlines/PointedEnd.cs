@@ -14,7 +14,9 @@ namespace Alate.Authoring
         /// <summary>Confidence that the end is the hinge: where both ends are alike, and where one is far more pointed.</summary>
         private const double k_EvenConfidence = 0.5, k_PointedConfidence = 0.95;
 
-        /// <summary>Difference of the ends, over the larger, from which one counts as far more pointed; below it a triangle's sides decide.</summary>
+        /// <summary>
+        /// Difference of the ends, over the larger, from which one counts as far more pointed; below it a triangle's sides decide.
+        /// </summary>
         private const double k_ClearDifference = 0.33;
 
         /// <summary>
@@ -87,7 +89,8 @@ namespace Alate.Authoring
                 from = end + PlanPoint.Unit(Polygon.Centroid(rim.Points) - end) * (1e-3 * reach);
             for (int k = 0; k < k_Rays; k++)
             {
-                double angle = 2.0 * Math.PI * k / k_Rays, seen = rim.RayDistance(from, new PlanPoint(Math.Cos(angle), Math.Sin(angle)), -1, out int met);
+                double angle = 2.0 * Math.PI * k / k_Rays,
+                    seen = rim.RayDistance(from, new PlanPoint(Math.Cos(angle), Math.Sin(angle)), -1, out int met);
                 if (met < 0)
                     continue;
                 near += Math.Min(reach * reach, seen * seen);

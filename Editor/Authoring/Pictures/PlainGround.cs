@@ -59,7 +59,8 @@ namespace Alate.Authoring
         }
 
         /// <summary>Fits the ground to all pixels outside a mask.</summary>
-        public static PlainGround Outside(PixelMask wing, params PixelPlane[] channels) => From((column, row) => !wing[column, row], channels);
+        public static PlainGround Outside(PixelMask wing, params PixelPlane[] channels) =>
+            From((column, row) => !wing[column, row], channels);
 
         private static PlainGround From(Func<int, int, bool> isGround, PixelPlane[] channels)
         {
@@ -114,7 +115,8 @@ namespace Alate.Authoring
 
         private void StartFromMedians(List<(int Column, int Row)> samples)
         {
-            double[] medians = Array.ConvertAll(m_Channels, channel => Median(samples.ConvertAll(sample => (double)channel[sample.Column, sample.Row]).ToArray()));
+            double[] medians = Array.ConvertAll(
+                m_Channels, channel => Median(samples.ConvertAll(sample => (double)channel[sample.Column, sample.Row]).ToArray()));
             foreach ((int column, int row) in samples)
                 m_Surfaces.Add(column, row, medians, 1.0);
             m_Surfaces.Fit();

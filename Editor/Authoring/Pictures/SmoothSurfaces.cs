@@ -2,7 +2,9 @@ using System;
 
 namespace Alate.Authoring
 {
-    /// <summary>Quadratic polynomials over a picture, one for each channel, fitted to some of its pixels by least squares with weights.</summary>
+    /// <summary>
+    /// Quadratic polynomials over a picture, one for each channel, fitted to some of its pixels by least squares with weights.
+    /// </summary>
     internal sealed class SmoothSurfaces
     {
         private const int k_Terms = 6;

@@ -6,7 +6,8 @@ namespace Alate.Authoring
 {
     /// <summary>The pixels of a picture of one wing: a silhouette, a line drawing or a photo, on plain or transparent ground.</summary>
     /// <remarks>
-    /// Places in a picture are in pixels from its top left corner, x to the right and y down, so that the centre of the first pixel lies at (0.5, 0.5).
+    /// Places in a picture are in pixels from its top left corner, x to the right and y down, so that the centre of the first pixel lies at
+    /// (0.5, 0.5).
     /// </remarks>
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class WingPicture
@@ -32,7 +33,11 @@ namespace Alate.Authoring
                 throw new ArgumentNullException(nameof(pixels));
             CheckSize(width, height);
             if (pixels.LongLength != (long)width * height)
-                throw new ArgumentException($"A picture of {width} × {height} pixels needs {(long)width * height} of them, not {pixels.LongLength}.", nameof(pixels));
+            {
+                throw new ArgumentException(
+                    $"A picture of {width} × {height} pixels needs {(long)width * height} of them, not {pixels.LongLength}.",
+                    nameof(pixels));
+            }
             Width = width;
             Height = height;
             m_Pixels = pixels;
@@ -67,7 +72,10 @@ namespace Alate.Authoring
             if (texture == null)
                 throw new ArgumentNullException(nameof(texture));
             if (!texture.isReadable)
-                throw new ArgumentException($"Texture '{texture.name}' is not readable: turn on Read/Write in its import settings.", nameof(texture));
+            {
+                throw new ArgumentException(
+                    $"Texture '{texture.name}' is not readable: turn on Read/Write in its import settings.", nameof(texture));
+            }
             CheckSize(texture.width, texture.height);
             Color32[] pixels = texture.GetPixels32();
             // Textures begin with their lowest row.

@@ -125,7 +125,8 @@ namespace Alate.Authoring
             if (length < k_ShortestWing)
             {
                 throw new FormatException(
-                    $"No wing was found: the largest thing in the picture is {length * picture.Factor} pixels long; a wing needs at least {k_ShortestWing * picture.Factor}.");
+                    "No wing was found: the largest thing in the picture is "
+                    + $"{length * picture.Factor} pixels long; a wing needs at least {k_ShortestWing * picture.Factor}.");
             }
 
             if (parts[0].Count > k_MostCover * picture.Width * picture.Height || parts[0].SidesReached(picture.Height) > 2)
@@ -155,7 +156,9 @@ namespace Alate.Authoring
                 }
             }
 
-            return hadFrame ? Of(picture, contrast) : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
+            return hadFrame
+                ? Of(picture, contrast)
+                : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
         }
 
         private static PixelMask Solid(PixelPlane excess)

@@ -23,6 +23,7 @@ namespace Alate.Authoring
         public double Coverage { get; }
 
         /// <summary>Vein in a picture that is larger by a factor.</summary>
-        public RadialVein Scaled(double factor) => new RadialVein(Array.ConvertAll(Path, point => point * factor), RimDistance * factor, Coverage);
+        public RadialVein Scaled(double factor) =>
+            new RadialVein(Array.ConvertAll(Path, point => point * factor), RimDistance * factor, Coverage);
     }
 }

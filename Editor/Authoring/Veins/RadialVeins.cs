@@ -93,7 +93,8 @@ namespace Alate.Authoring
                 rest = m_Rim.RayDistance(end, direction, -1, out met);
             }
 
-            double whole = Math.Sqrt((m_Graph[way[0]] - m_Hinge).LengthSquared) + Polyline.LengthOf(way.ConvertAll(pixel => m_Graph[pixel])) + rest;
+            double whole = Math.Sqrt((m_Graph[way[0]] - m_Hinge).LengthSquared)
+                + Polyline.LengthOf(way.ConvertAll(pixel => m_Graph[pixel])) + rest;
             if (met < 0 || covered < k_LeastCoverage * whole)
                 return false;
             var path = new List<PlanPoint> { m_Hinge };
@@ -111,7 +112,8 @@ namespace Alate.Authoring
         private bool IsRim(List<int> way)
         {
             double close = Math.Min(k_RimLine * m_Length, k_RimChord * Polygon.Area(m_Rim.Points) / m_Length);
-            int along = way.FindAll(pixel => (m_Rim.At(m_Rim.Nearest(m_Graph[pixel])) - m_Graph[pixel]).LengthSquared < close * close).Count;
+            int along =
+                way.FindAll(pixel => (m_Rim.At(m_Rim.Nearest(m_Graph[pixel])) - m_Graph[pixel]).LengthSquared < close * close).Count;
             return along > k_AlongRim * way.Count;
         }
 

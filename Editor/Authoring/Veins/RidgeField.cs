@@ -9,7 +9,9 @@ namespace Alate.Authoring
     /// </summary>
     internal static class RidgeField
     {
-        /// <summary>Widths of the bells with which lines are matched, pixels, and their share of the wing's length where that is more.</summary>
+        /// <summary>
+        /// Widths of the bells with which lines are matched, pixels, and their share of the wing's length where that is more.
+        /// </summary>
         private static readonly double[] s_Widths = { 1.0, 1.8, 3.2 };
         private const double k_WidthShare = 0.0012;
 
@@ -18,7 +20,9 @@ namespace Alate.Authoring
         /// </summary>
         private const double k_RimShare = 0.012;
 
-        /// <summary>Pixels of the rim that are mixed with ground, and width of the bell by which shades go on beyond them, pixels.</summary>
+        /// <summary>
+        /// Pixels of the rim that are mixed with ground, and width of the bell by which shades go on beyond them, pixels.
+        /// </summary>
         private const double k_Mixed = 2.0, k_Reach = 6.0;
 
         /// <summary>Share of the pixels with the strongest response by which dark and bright lines are compared.</summary>
@@ -36,7 +40,9 @@ namespace Alate.Authoring
             return Strength(dark, inner) >= Strength(bright, inner) ? dark : bright;
         }
 
-        /// <summary>Shades of grey of the wing. Ground at the rim would look like a line's edge; the wing's own shades go on into it instead.</summary>
+        /// <summary>
+        /// Shades of grey of the wing. Ground at the rim would look like a line's edge; the wing's own shades go on into it instead.
+        /// </summary>
         public static PixelPlane Shades(WorkingPicture picture, PixelMask wing)
         {
             var shades = new PixelPlane(picture.Width, picture.Height);

@@ -37,8 +37,10 @@ namespace Alate.Authoring
         private static bool CanGo(PixelMask thin, int x, int y, bool first)
         {
             // The eight neighbours clockwise from the one above.
-            bool n = thin.Contains(x, y - 1), ne = thin.Contains(x + 1, y - 1), e = thin.Contains(x + 1, y), se = thin.Contains(x + 1, y + 1);
-            bool s = thin.Contains(x, y + 1), sw = thin.Contains(x - 1, y + 1), w = thin.Contains(x - 1, y), nw = thin.Contains(x - 1, y - 1);
+            bool n = thin.Contains(x, y - 1), ne = thin.Contains(x + 1, y - 1), e = thin.Contains(x + 1, y),
+                se = thin.Contains(x + 1, y + 1);
+            bool s = thin.Contains(x, y + 1), sw = thin.Contains(x - 1, y + 1), w = thin.Contains(x - 1, y),
+                nw = thin.Contains(x - 1, y - 1);
             int parts = One(!n && (ne || e)) + One(!e && (se || s)) + One(!s && (sw || w)) + One(!w && (nw || n));
             if (parts != 1)
                 return false;

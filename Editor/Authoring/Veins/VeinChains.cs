@@ -106,7 +106,8 @@ namespace Alate.Authoring
             var back = PlanPoint.Unit(vein[start] - vein[Math.Min(vein.Length - 1, start + k_RootSteps)]);
             double reach = m_Rim.RayDistance(vein[start], back, -1, out int met) - k_Inside * m_Length;
             PlanPoint root = vein[start] + back * reach;
-            bool isOnBase = PlanPoint.DistanceSquared(root, m_Fitted[0][0], m_Fitted[m_Fitted.Count - 1][0]) < k_OffBase * k_OffBase * m_Length * m_Length;
+            bool isOnBase = PlanPoint.DistanceSquared(
+                root, m_Fitted[0][0], m_Fitted[m_Fitted.Count - 1][0]) < k_OffBase * k_OffBase * m_Length * m_Length;
             return met >= 0 && isOnBase ? root : fitted;
         }
 

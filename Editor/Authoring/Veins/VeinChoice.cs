@@ -13,7 +13,9 @@ namespace Alate.Authoring
         /// <summary>Least distance between the tips of chains on veins, in mean distances between tips.</summary>
         private const double k_Apart = 0.45;
 
-        /// <summary>Furthest from the leading edge that a vein may run for the first chain to follow it, a share of the wing's length.</summary>
+        /// <summary>
+        /// Furthest from the leading edge that a vein may run for the first chain to follow it, a share of the wing's length.
+        /// </summary>
         private const double k_LeadingEdge = 0.025;
 
         /// <summary>[chain] The vein it follows, or null.</summary>
@@ -42,7 +44,9 @@ namespace Alate.Authoring
                     chosen[i, k] = -1;
                     if (k == 0)
                         continue;
-                    double gain = i == 1 ? LeadingGain(chains[0], sorted[k - 1], length) : Gain((places[k - 1] - tips[i - 1]) / mean, sorted[k - 1]);
+                    double gain = i == 1
+                        ? LeadingGain(chains[0], sorted[k - 1], length)
+                        : Gain((places[k - 1] - tips[i - 1]) / mean, sorted[k - 1]);
                     for (int before = 0; before < k && gain > 0.0; before++)
                     {
                         bool apart = before == 0 || places[k - 1] - places[before - 1] > k_Apart * mean;

@@ -19,7 +19,9 @@ namespace Alate.Authoring
         /// </summary>
         private const double k_Stretch = 0.4, k_Cosine = 0.9;
 
-        /// <summary>Stretch at the end of a vein that is bent sideways, as ridges are at a line's end; a share of the longest gap.</summary>
+        /// <summary>
+        /// Stretch at the end of a vein that is bent sideways, as ridges are at a line's end; a share of the longest gap.
+        /// </summary>
         private const double k_Bent = 0.25;
 
         private readonly VeinGraph m_Graph;

@@ -109,7 +109,11 @@ namespace Alate.Authoring
             }
 
             foreach (int pixel in m_Vertices.Keys)
-                m_Links.Add(Neighbours(pixel).ConvertAll(next => new VeinLink(m_Vertices[next], Distance(m_Vertices[pixel], m_Vertices[next]), 1.0)));
+            {
+                m_Links.Add(
+                    Neighbours(pixel)
+                        .ConvertAll(next => new VeinLink(m_Vertices[next], Distance(m_Vertices[pixel], m_Vertices[next]), 1.0)));
+            }
         }
 
         // A corner neighbour counts only where no side neighbour leads there as well.
@@ -122,8 +126,11 @@ namespace Alate.Authoring
                 for (int dx = -1; dx <= 1; dx++)
                 {
                     bool isCorner = dx != 0 && dy != 0;
-                    if ((dx == 0 && dy == 0) || !m_Thin.Contains(x + dx, y + dy) || (isCorner && (m_Thin.Contains(x + dx, y) || m_Thin.Contains(x, y + dy))))
+                    if ((dx == 0 && dy == 0) || !m_Thin.Contains(x + dx, y + dy)
+                        || (isCorner && (m_Thin.Contains(x + dx, y) || m_Thin.Contains(x, y + dy))))
+                    {
                         continue;
+                    }
                     found.Add(pixel + dy * m_Thin.width + dx);
                 }
             }

@@ -5,12 +5,15 @@ using Alate.Geometry;
 namespace Alate.Authoring
 {
     /// <summary>
-    /// Widths of veins in a picture: what a line darkens or brightens across it, over the strongest contrast of all lines. Blur and coarse pixels spread a line but leave that sum, so that lines thinner
-    /// than a pixel keep their ratio.
+    /// Widths of veins in a picture: what a line darkens or brightens across it, over the strongest contrast of all lines. Blur and coarse
+    /// pixels spread a line but leave that sum, so that lines thinner than a pixel keep their ratio.
     /// </summary>
     internal sealed class VeinWidths
     {
-        /// <summary>Half of the stretch across a vein on which it may lie, and half of that where the ground beside it is seen; shares of the wing's length.</summary>
+        /// <summary>
+        /// Half of the stretch across a vein on which it may lie, and half of that where the ground beside it is seen; shares of the wing's
+        /// length.
+        /// </summary>
         private const double k_Line = 0.012, k_Ground = 0.024;
 
         /// <summary>Distance of samples across a vein, pixels.</summary>
@@ -30,7 +33,10 @@ namespace Alate.Authoring
             m_Length = length / factor;
         }
 
-        /// <summary>[chain][joint] Widths of the veins that chains follow, wing lengths; null for a chain without one. The leading edge without one has the largest width, for its vein lies in the rim.</summary>
+        /// <summary>
+        /// [chain][joint] Widths of the veins that chains follow, wing lengths; null for a chain without one. The leading edge without one
+        /// has the largest width, for its vein lies in the rim.
+        /// </summary>
         /// <param name="chains">Joints from root to tip, pixels of the picture.</param>
         /// <param name="followed">[chain] The vein, or null.</param>
         public float[][] Measure(PlanPoint[][] chains, RadialVein[] followed)
@@ -54,7 +60,8 @@ namespace Alate.Authoring
             return widths;
         }
 
-        // A joint has the middle of the sums along half a bone on either side; the root, where veins run together, and the tip, beside the rim, have those of the joints beside them.
+        // A joint has the middle of the sums along half a bone on either side; the root, where veins run together, and the tip, beside the
+        // rim, have those of the joints beside them.
         private float[] Sums(PlanPoint[] chain, PlanPoint[] vein, ref double contrast)
         {
             float[] sums = new float[chain.Length];
@@ -109,7 +116,8 @@ namespace Alate.Authoring
         // Bilinear.
         private double Shade(PlanPoint at)
         {
-            double x = Math.Min(Math.Max(at.x - 0.5, 0.0), m_Shades.width - 1.001), y = Math.Min(Math.Max(-at.z - 0.5, 0.0), m_Shades.height - 1.001);
+            double x = Math.Min(Math.Max(at.x - 0.5, 0.0), m_Shades.width - 1.001),
+                y = Math.Min(Math.Max(-at.z - 0.5, 0.0), m_Shades.height - 1.001);
             int column = (int)x, row = (int)y;
             double u = x - column, v = y - row;
             return (1.0 - v) * ((1.0 - u) * m_Shades[column, row] + u * m_Shades[column + 1, row])

@@ -31,7 +31,8 @@ namespace Alate.Editor
 
         private static string NothingFound(InsectWings insect) =>
             insect.GetComponentInChildren<MeshRenderer>(true) == null
-                ? $"There is no MeshRenderer below '{insect.name}'. Put the insect's meshes below it, or move the component to the object above them."
+                ? $"There is no MeshRenderer below '{insect.name}'. Put the insect's meshes below it, or move the component to the "
+                    + "object above them."
                 : $"No mesh below '{insect.name}' is called a wing, and none has a mirror image. Add the wings by hand.";
     }
 }

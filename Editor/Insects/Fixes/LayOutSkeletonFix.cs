@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate.Editor
 {
-    /// <summary>Lays out new skeletons, saves them as assets and assigns them: to the wing that has the problem, or to all wings without one.</summary>
+    /// <summary>
+    /// Lays out new skeletons, saves them as assets and assigns them: to the wing that has the problem, or to all wings without one.
+    /// </summary>
     internal sealed class LayOutSkeletonFix : InsectFix
     {
         private readonly FitSkeleton m_Fit;
@@ -19,14 +21,16 @@ namespace Alate.Editor
         }
 
         /// <summary>Fits a skeleton as at the beginning of play.</summary>
-        public static SkeletonFit Fit(SurfaceMesh surface, Transform insect, Transform mesh) => new AutomaticSkeleton(insect, mesh).Fit(surface);
+        public static SkeletonFit Fit(SurfaceMesh surface, Transform insect, Transform mesh) =>
+            new AutomaticSkeleton(insect, mesh).Fit(surface);
 
         /// <inheritdoc/>
         public override string Label => "Lay Out Skeleton…";
 
         /// <inheritdoc/>
         public override string Tooltip =>
-            "Lays out joint chains on the mesh, saves them as an asset where you choose and assigns it. Wings of the same mesh share one. Undo takes the assignment back; the asset stays.";
+            "Lays out joint chains on the mesh, saves them as an asset where you choose and assigns it. Wings of the same mesh share one. "
+            + "Undo takes the assignment back; the asset stays.";
 
         /// <inheritdoc/>
         public override FixOutcome Apply(InsectWings insect, in InsectProblem problem)
@@ -39,7 +43,8 @@ namespace Alate.Editor
                 string notes = string.Join(" ", layout.Notes);
                 if (layout.Count == 0)
                     return FixOutcome.Refused(notes);
-                string path = m_Ask("Save Wing Skeleton", AssetPath.FileName(insect.name + " Skeleton"), "Choose where the new skeleton is saved.");
+                string path = m_Ask(
+                    "Save Wing Skeleton", AssetPath.FileName(insect.name + " Skeleton"), "Choose where the new skeleton is saved.");
                 if (string.IsNullOrEmpty(path))
                     return FixOutcome.Refused("");
                 string obstacle = AssetPath.FindProblem(path);

@@ -12,12 +12,19 @@ namespace Alate.Editor
         {
             string path = AssetDatabase.GetAssetPath(mesh);
             if (string.IsNullOrEmpty(path))
-                return $"Mesh '{mesh.name}' was made by a script, which threw its readable copy away. Have it call UploadMeshData(false), or none.";
+            {
+                return $"Mesh '{mesh.name}' was made by a script, which threw its readable copy away. Have it call "
+                    + "UploadMeshData(false), or none.";
+            }
             if (!(AssetImporter.GetAtPath(path) is ModelImporter))
-                return $"Mesh '{mesh.name}' is saved in '{path}', which has no import settings. Make the asset again from a readable mesh, or set m_IsReadable to 1 in it with a text editor.";
+            {
+                return $"Mesh '{mesh.name}' is saved in '{path}', which has no import settings. Make the asset again from a readable mesh, "
+                    + "or set m_IsReadable to 1 in it with a text editor.";
+            }
             return AssetDatabase.IsOpenForEdit(path)
                 ? null
-                : $"'{path}' cannot be changed: it is in a read-only package, or locked by version control. Copy the model into the Assets folder and use that.";
+                : $"'{path}' cannot be changed: it is in a read-only package, or locked by version control. Copy the model into the Assets "
+                    + "folder and use that.";
         }
 
         /// <summary>Imports the models of some meshes again, each once, so that scripts can read them.</summary>

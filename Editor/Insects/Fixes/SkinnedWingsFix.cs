@@ -25,7 +25,8 @@ namespace Alate.Editor
 
         /// <inheritdoc/>
         public override string Tooltip =>
-            "Cuts the wings out of the skinned mesh and draws each by a MeshRenderer below the bone that carries it; the body stays skinned. "
+            "Cuts the wings out of the skinned mesh and draws each by a MeshRenderer below the bone that carries it; the body "
+            + "stays skinned. "
             + "The model is not changed: the new meshes are saved as an asset where you choose. Can be undone; the asset stays.";
 
         /// <inheritdoc/>
@@ -53,7 +54,8 @@ namespace Alate.Editor
             List<SkinnedMeshRenderer> skinned = WingFinder.FindSkinned(insect.transform);
             if (skinned.Count == 0)
                 return FixOutcome.Refused($"No SkinnedMeshRenderer below '{insect.name}' draws wings.");
-            string path = m_Ask("Save Wing Meshes", AssetPath.FileName(insect.name + " Wing Meshes"), "Choose where the meshes of the wings are saved.");
+            string path = m_Ask(
+                "Save Wing Meshes", AssetPath.FileName(insect.name + " Wing Meshes"), "Choose where the meshes of the wings are saved.");
             if (string.IsNullOrEmpty(path))
                 return FixOutcome.Refused("");
             obstacle = AssetPath.FindProblem(path);

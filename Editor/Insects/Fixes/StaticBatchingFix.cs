@@ -11,7 +11,8 @@ namespace Alate.Editor
         public override string Label => "Turn Off Batching Static";
 
         /// <inheritdoc/>
-        public override string Tooltip => "Turns off Batching Static on the objects of all wings of this insect; their other static flags stay. Can be undone.";
+        public override string Tooltip =>
+            "Turns off Batching Static on the objects of all wings of this insect; their other static flags stay. Can be undone.";
 
         /// <summary>The first wing that static batching would merge; −1 for none.</summary>
         public static int FindFlagged(InsectWings insect) => insect.Wings.FindIndex(wing => IsFlagged(wing));
@@ -31,7 +32,10 @@ namespace Alate.Editor
             }
 
             if (flagged.Count == 0)
-                return FixOutcome.Refused("Batching Static is off on all wings. Something else merges their meshes, such as StaticBatchingUtility.Combine in a script.");
+            {
+                return FixOutcome.Refused("Batching Static is off on all wings. Something else merges their meshes, such as "
+                    + "StaticBatchingUtility.Combine in a script.");
+            }
             Edits.InOneStep(Label, () =>
             {
                 foreach (GameObject wing in flagged)

@@ -50,7 +50,10 @@ namespace Alate.Editor
             for (int i = 0; i < sketch.ChainCount; i++)
             {
                 for (int j = 0; j < sketch.JointsPerChain; j++)
-                    sketch.m_Joints[i * sketch.JointsPerChain + j] = toWorld.MultiplyPoint3x4(live.rig.Frame.ToMesh(reading.JointPosition(i, j, alpha)));
+                {
+                    sketch.m_Joints[i * sketch.JointsPerChain + j] = toWorld.MultiplyPoint3x4(
+                        live.rig.Frame.ToMesh(reading.JointPosition(i, j, alpha)));
+                }
             }
 
             var rest = new float3[sketch.m_Joints.Length];

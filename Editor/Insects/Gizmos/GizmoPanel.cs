@@ -10,11 +10,15 @@ namespace Alate.Editor
         {
             public static readonly (GizmoLayers layer, GUIContent label)[] Toggles =
             {
-                (GizmoLayers.Chains, new GUIContent("Chains", "Joints and bones, coloured by when the wave reaches them: yellow first, blue last.")),
+                (GizmoLayers.Chains, new GUIContent(
+                    "Chains", "Joints and bones, coloured by when the wave reaches them: yellow first, blue last.")),
                 (GizmoLayers.Axes, new GUIContent("Hinge And Axes", "Hinge, span (red) and up axis (green) of each wing.")),
-                (GizmoLayers.Force, new GUIContent("Air Force", "The air's force on each wing, in play; as long as the wing where it equals the insect's weight.")),
-                (GizmoLayers.Loads, new GUIContent("Patch Loads", "The air's force on each patch of the surface, in play. Keeps the loads in memory while it is on.")),
-                (GizmoLayers.Velocity, new GUIContent("Velocity And Wind", "The body's velocity and the wind, in play; as long as the way in one beat.")),
+                (GizmoLayers.Force, new GUIContent(
+                    "Air Force", "The air's force on each wing, in play; as long as the wing where it equals the insect's weight.")),
+                (GizmoLayers.Loads, new GUIContent(
+                    "Patch Loads", "The air's force on each patch of the surface, in play. Keeps the loads in memory while it is on.")),
+                (GizmoLayers.Velocity, new GUIContent(
+                    "Velocity And Wind", "The body's velocity and the wind, in play; as long as the way in one beat.")),
                 (GizmoLayers.Bounds, new GUIContent("Bounds", "Bounds of the wings' meshes; in play those of the deformed part.")),
             };
         }

@@ -17,7 +17,8 @@ namespace Alate.Editor
         public static string FlapRange(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.FlapRange:0.#}°");
 
         /// <summary>Mean lift over the last beats as text: "0.67 of the weight".</summary>
-        public static string Lift(ReadOnlySpan<BeatSample> folded) => folded.Length == 0 ? k_None : Text($"{MeanLift(folded):0.00} of the weight");
+        public static string Lift(ReadOnlySpan<BeatSample> folded) =>
+            folded.Length == 0 ? k_None : Text($"{MeanLift(folded):0.00} of the weight");
 
         /// <summary>Level of detail as text: "Coarse Patches".</summary>
         public static string Detail(InsectWings insect)
@@ -34,7 +35,8 @@ namespace Alate.Editor
         }
 
         /// <summary>Substeps of the last step of the first wing, as text.</summary>
-        public static string Substeps(InsectWings insect) => insect.Live == null ? k_None : Text($"{insect.Read(0).Substeps} in the last step");
+        public static string Substeps(InsectWings insect) =>
+            insect.Live == null ? k_None : Text($"{insect.Read(0).Substeps} in the last step");
 
         /// <summary>Stretch as text: "3 %".</summary>
         public static string Stretch(float stretch) => Text($"{100f * stretch:0} %");
@@ -45,7 +47,8 @@ namespace Alate.Editor
         public static string Overstretched(float stretch)
         {
             return stretch > k_BearableStretch
-                ? Text($"A wing stretches by {100f * stretch:0} %, more than it bears. Lower the wind, the speed or Strongest Wind, raise Elasticity, or set Coupling to Two Way.")
+                ? Text($"A wing stretches by {100f * stretch:0} %, more than it bears. Lower the wind, the speed or Strongest Wind, raise ")
+                    + "Elasticity, or set Coupling to Two Way."
                 : null;
         }
 

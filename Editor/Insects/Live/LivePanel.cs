@@ -16,15 +16,19 @@ namespace Alate.Editor
                 + "The tip as it is deformed: it lags behind what drives it.");
 
             public static readonly GUIContent Lift = new GUIContent(
-                "Lift over weight", "Air force on all wings against gravity, over the weight of the insect, in the same beats; each value is the mean of a step. It flies level where the mean is 1.");
+                "Lift over weight", "Air force on all wings against gravity, over the weight of the insect, in the same beats; each value "
+                    + "is the mean of a step. It flies level where the mean is 1.");
 
             public static readonly GUIContent Frequency = new GUIContent("Frequency", "Of this beat of the first wing.");
-            public static readonly GUIContent Range = new GUIContent("Flap Range", "What drives the first wing, from lowest to highest in this beat.");
+            public static readonly GUIContent Range = new GUIContent(
+                "Flap Range", "What drives the first wing, from lowest to highest in this beat.");
             public static readonly GUIContent MeanLift = new GUIContent("Mean Lift", "Over the beats that are drawn.");
             public static readonly GUIContent Detail = new GUIContent("Detail", "How much of the model is computed now; see Quality.");
             public static readonly GUIContent Substeps = new GUIContent("Substeps", "Of the first wing.");
-            public static readonly GUIContent Stretch = new GUIContent("Stretch", "Largest stretch of any wing's membrane between two joints in the last beat. Above 10 % a wing looks torn.");
-            public static readonly GUIContent Resets = new GUIContent("Resets", "How often a wing was put back into its driven pose because its state was not finite. Anything but 0 is worth a look at stiffness and substeps.");
+            public static readonly GUIContent Stretch = new GUIContent(
+                "Stretch", "Largest stretch of any wing's membrane between two joints in the last beat. Above 10 % a wing looks torn.");
+            public static readonly GUIContent Resets = new GUIContent("Resets", "How often a wing was put back into its driven pose "
+                + "because its state was not finite. Anything but 0 is worth a look at stiffness and substeps.");
         }
 
         private const int k_Capacity = 512;
@@ -32,8 +36,10 @@ namespace Alate.Editor
 
         private RecentPeak m_Stretch;
         private readonly BeatTrace m_Trace = new BeatTrace(k_Capacity, k_Beats);
-        private readonly BeatGraph m_Flap = new BeatGraph(Content.Flap, "0°", sample => sample.flap, new Color(1f, 0.7f, 0.2f), 10f, k_Capacity);
-        private readonly BeatGraph m_Lift = new BeatGraph(Content.Lift, "0.0", sample => sample.lift, new Color(0.25f, 0.75f, 0.95f), 0.5f, k_Capacity);
+        private readonly BeatGraph m_Flap = new BeatGraph(
+            Content.Flap, "0°", sample => sample.flap, new Color(1f, 0.7f, 0.2f), 10f, k_Capacity);
+        private readonly BeatGraph m_Lift = new BeatGraph(
+            Content.Lift, "0.0", sample => sample.lift, new Color(0.25f, 0.75f, 0.95f), 0.5f, k_Capacity);
 
         /// <summary>Recorded beats.</summary>
         public BeatTrace Trace => m_Trace;

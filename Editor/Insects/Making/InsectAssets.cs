@@ -9,8 +9,9 @@ using Object = UnityEngine.Object;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Saves an insect of the catalogue into the user's project: a prefab that beats on the spot, one that flies about, and beside them their meshes, skeletons, presets of
-    /// all variants, materials, pictures and trims. Existing assets stay unchanged, so that the user's changes are kept.
+    /// Saves an insect of the catalogue into the user's project: a prefab that beats on the spot, one that flies about, and beside them
+    /// their meshes, skeletons, presets of all variants, materials, pictures and trims. Existing assets stay unchanged, so that the user's
+    /// changes are kept.
     /// </summary>
     internal sealed class InsectAssets
     {
@@ -29,7 +30,8 @@ namespace Alate.Editor
         /// <summary>Path of a prefab of a species.</summary>
         /// <param name="species">The insect.</param>
         /// <param name="flies">Whether it flies about, or beats on the spot.</param>
-        public string PrefabPath(InsectDefinition species, bool flies = false) => $"{m_Folder}/{(flies ? "Flying " : "")}{species.DisplayName}.prefab";
+        public string PrefabPath(InsectDefinition species, bool flies = false) =>
+            $"{m_Folder}/{(flies ? "Flying " : "")}{species.DisplayName}.prefab";
 
         /// <summary>Finds a prefab, or saves new ones of both kinds where there are none.</summary>
         /// <exception cref="ArgumentException">The species does not fly.</exception>
@@ -44,7 +46,8 @@ namespace Alate.Editor
             return Find(species, flies);
         }
 
-        private GameObject Find(InsectDefinition species, bool flies) => AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species, flies));
+        private GameObject Find(InsectDefinition species, bool flies) =>
+            AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath(species, flies));
 
         private void Save(InsectDefinition species)
         {
@@ -60,7 +63,8 @@ namespace Alate.Editor
             }
 
             // The presets that no prefab has lie beside them, to be dragged into the field Preset.
-            var presets = species.Variants.ToDictionary(variant => variant, variant => Array.ConvertAll(parts.CreatePresets(variant, ModelReading.Physical), Keep));
+            var presets = species.Variants.ToDictionary(
+                variant => variant, variant => Array.ConvertAll(parts.CreatePresets(variant, ModelReading.Physical), Keep));
             SavePrefab(parts.Assemble(presets[InsectVariant.Standard]), PrefabPath(species));
             if (CatalogueFlight.Flies(species))
             {

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// The menus that make insects: <i>GameObject > Alate</i> places one that beats on the spot, <i>GameObject > Alate > Flying</i> one that flies about, <i>Assets > Create > Alate</i> saves
-    /// the prefabs of both into the folder that is selected.
+    /// The menus that make insects: <i>GameObject > Alate</i> places one that beats on the spot, <i>GameObject > Alate > Flying</i> one
+    /// that flies about, <i>Assets > Create > Alate</i> saves the prefabs of both into the folder that is selected.
     /// </summary>
     internal static class InsectMenu
     {

@@ -8,10 +8,12 @@ namespace Alate.Editor
     {
         private static class Content
         {
-            public const string Shared = "Changes are made to the preset itself: all insects that use it follow, and they stay when play ends.";
+            public const string Shared =
+                "Changes are made to the preset itself: all insects that use it follow, and they stay when play ends.";
             public const string Locked = "This preset cannot be changed where it lies. Save it as a preset of your own to tune it.";
 
-            public static readonly GUIContent Title = new GUIContent("Tune Preset", "All values of the preset. Wings that live take them over at their next step.");
+            public static readonly GUIContent Title = new GUIContent(
+                "Tune Preset", "All values of the preset. Wings that live take them over at their next step.");
         }
 
         private readonly Section m_Section = new Section(Content.Title, "Preset", false);

@@ -9,7 +9,8 @@ namespace Alate.Editor
         private static class Content
         {
             public const string Tooltip =
-                "Saves a copy of this preset in the project, with the wings' amplitude and phase lead and the insect's substeps where they differ from it, "
+                "Saves a copy of this preset in the project, with the wings' amplitude and phase lead and the insect's substeps where they "
+                + "differ from it, "
                 + "and lets the wings beat by it. They move as before.";
 
             public static GUIContent Save(string preset) => new GUIContent($"Save '{preset}' As Preset…", Tooltip);

@@ -15,7 +15,8 @@ namespace Alate.Editor
         /// <summary>Asks for a path, saves and assigns the preset. Undo reverts the assignment; the asset stays.</summary>
         public FixOutcome Save(InsectWings insect, TunedPreset preset)
         {
-            string path = m_Ask("Save Wing Preset", AssetPath.FileName($"{insect.name} {preset.Name}"), "Choose where the preset is saved.");
+            string path = m_Ask(
+                "Save Wing Preset", AssetPath.FileName($"{insect.name} {preset.Name}"), "Choose where the preset is saved.");
             if (string.IsNullOrEmpty(path))
                 return FixOutcome.Refused("");
             string obstacle = AssetPath.FindProblem(path);

@@ -95,7 +95,8 @@ namespace Alate.Editor
         }
 
         private static bool SameTriangles(Wing a, Wing b) =>
-            a.Part == b.Part && (a.Part != WingPart.Submesh || a.Submesh == b.Submesh) && (a.Part != WingPart.ConnectedPart || a.Point == b.Point);
+            a.Part == b.Part && (a.Part != WingPart.Submesh || a.Submesh == b.Submesh)
+            && (a.Part != WingPart.ConnectedPart || a.Point == b.Point);
 
         private readonly struct Entry
         {

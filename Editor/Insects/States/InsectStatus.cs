@@ -59,7 +59,10 @@ namespace Alate.Editor
         {
             InsectProblem problem = FindProblem(insect);
             if (problem.IsProblem)
-                return new InsectStatus(insect, problem, problem.State == InsectState.ZeroScale ? MessageType.Warning : MessageType.Error, problem.Message);
+            {
+                return new InsectStatus(
+                    insect, problem, problem.State == InsectState.ZeroScale ? MessageType.Warning : MessageType.Error, problem.Message);
+            }
             string rest = Rest(insect);
             return rest == null ? default : new InsectStatus(insect, problem, MessageType.Info, rest);
         }
@@ -74,7 +77,8 @@ namespace Alate.Editor
             return wing < 0
                 ? problem
                 : new InsectProblem(InsectState.StaticBatch, wing,
-                    $"Wing {wing}: static batching will merge '{insect.Wings[wing].Renderer.name}' with other meshes when play begins. Turn off Batching Static on it.");
+                    $"Wing {wing}: static batching will merge '{insect.Wings[wing].Renderer.name}' with other meshes when play begins. "
+                    + "Turn off Batching Static on it.");
         }
 
         // Why healthy wings do not move.
@@ -89,7 +93,8 @@ namespace Alate.Editor
                 : "The wings stand still while no camera sees them, and make up for it when one does; see Quality.";
         }
 
-        private static string Others(int count) => count == 1 ? "One more of the selected insects has a problem." : $"{count} more of the selected insects have problems.";
+        private static string Others(int count) =>
+            count == 1 ? "One more of the selected insects has a problem." : $"{count} more of the selected insects have problems.";
 
         private InsectStatus With(string message) => new InsectStatus(Insect, Problem, Kind, message);
     }

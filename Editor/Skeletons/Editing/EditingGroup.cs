@@ -99,8 +99,11 @@ namespace Alate.Editor
             float least = float.PositiveInfinity;
             foreach (SkeletonEditing editing in m_All)
             {
-                if (!JointPicking.TryNearest(editing, project, pixel, radius, out JointIndex own, out float distance) || !(distance < least))
+                if (!JointPicking.TryNearest(editing, project, pixel, radius, out JointIndex own, out float distance)
+                    || !(distance < least))
+                {
                     continue;
+                }
                 least = distance;
                 found = editing;
                 joint = own;

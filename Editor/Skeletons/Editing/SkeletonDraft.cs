@@ -5,8 +5,9 @@ using UnityEngine;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Content of a skeleton while a command works on it: a grid of joints, so that all chains have equal counts by construction, and what was measured of each chain. Mesh
-    /// space and units. A copy: nothing in it is shared with the asset but the measured values, which no command changes.
+    /// Content of a skeleton while a command works on it: a grid of joints, so that all chains have equal counts by construction, and what
+    /// was measured of each chain. Mesh space and units. A copy: nothing in it is shared with the asset but the measured values, which no
+    /// command changes.
     /// </summary>
     internal sealed class SkeletonDraft
     {
@@ -73,7 +74,10 @@ namespace Alate.Editor
             return copy;
         }
 
-        /// <summary>Makes a draft of other counts with equal hinge and axes and all joints at the origin. With as many chains, these keep what was measured of them.</summary>
+        /// <summary>
+        /// Makes a draft of other counts with equal hinge and axes and all joints at the origin. With as many chains, these keep what was
+        /// measured of them.
+        /// </summary>
         public SkeletonDraft Resized(int chains, int joints)
         {
             var draft = new SkeletonDraft(chains, joints) { Hinge = Hinge, SpanAxis = SpanAxis, UpAxis = UpAxis };

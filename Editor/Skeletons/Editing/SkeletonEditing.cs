@@ -135,7 +135,8 @@ namespace Alate.Editor
             Selection.Set(joints);
         }
 
-        // The wing frame begins at the hinge, which by default is the first root: where it was, it stays, unless the command moved it itself.
+        // The wing frame begins at the hinge, which by default is the first root: where it was, it stays, unless the command moved it
+        // itself.
         private static void KeepHingeOnRoot(SkeletonDraft before, SkeletonDraft after)
         {
             if (before != null && before.Hinge.Equals(before[0, 0]) && after.Hinge.Equals(before.Hinge))

@@ -32,7 +32,10 @@ namespace Alate.Editor
             bool alike = before != null && twin != null
                 && twin.ChainCount == before.ChainCount && twin.JointsPerChain == before.JointsPerChain;
             if (!alike)
-                return Proposal.Refuse($"Symmetric editing: '{Skeleton.name}' has other counts. Mirror onto it first, or turn symmetry off.");
+            {
+                return Proposal.Refuse(
+                    $"Symmetric editing: '{Skeleton.name}' has other counts. Mirror onto it first, or turn symmetry off.");
+            }
 
             SkeletonDraft image = SkeletonMirror.Reflect(after, ToTwin);
             bool sameCounts = after.ChainCount == before.ChainCount && after.JointsPerChain == before.JointsPerChain;

@@ -36,7 +36,9 @@ namespace Alate.Editor
         /// <summary>True where there is a picture.</summary>
         public bool IsReady => m_World != null;
 
-        /// <summary>The deformed wing in the space of its mesh; null where there is no picture. Changed in place by <see cref="Show"/>.</summary>
+        /// <summary>
+        /// The deformed wing in the space of its mesh; null where there is no picture. Changed in place by <see cref="Show"/>.
+        /// </summary>
         public Mesh Mesh => IsReady ? m_Mesh : null;
 
         /// <summary>The phase that the picture shows, as a share of the beat from 0 to 1.</summary>

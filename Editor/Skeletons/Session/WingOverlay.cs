@@ -12,8 +12,10 @@ namespace Alate.Editor
     {
         private readonly BeatPreview m_Preview = new BeatPreview();
         private readonly InspectionMesh m_Inspection = new InspectionMesh();
-        private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons = new AssetWatch<WingSkeleton, SkeletonValue>(asset => new SkeletonValue(asset));
-        private readonly AssetWatch<WingPreset, PresetValues> m_Presets = new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset));
+        private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons = new AssetWatch<WingSkeleton, SkeletonValue>(
+            asset => new SkeletonValue(asset));
+        private readonly AssetWatch<WingPreset, PresetValues> m_Presets = new AssetWatch<WingPreset, PresetValues>(
+            asset => new PresetValues(asset));
         private OverlayKey m_Inspected;
         private OverlayKey m_Coloured;
         private OverlayKey m_Previewed;

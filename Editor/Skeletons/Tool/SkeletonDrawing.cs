@@ -114,7 +114,8 @@ namespace Alate.Editor
         private static void Dot(Vector3 place, Color colour, float scale)
         {
             Handles.color = colour;
-            Handles.DotHandleCap(0, place, Quaternion.identity, scale * k_JointSize * HandleUtility.GetHandleSize(place), EventType.Repaint);
+            Handles.DotHandleCap(
+                0, place, Quaternion.identity, scale * k_JointSize * HandleUtility.GetHandleSize(place), EventType.Repaint);
         }
 
         private static void Arrow(Vector3 place, Vector3 direction, float size, Color colour)

@@ -15,8 +15,10 @@ namespace Alate.Editor
         private static class Content
         {
             public static readonly GUIContent Chains = new GUIContent("Chains", "3 to 16. Another number lays the same fan out again.");
-            public static readonly GUIContent Joints = new GUIContent("Joints", "Joints of each chain, 3 to 16. Another number spaces them evenly.");
-            public static readonly GUIContent Symmetric = new GUIContent("Symmetric (Shift+M)", "Do everything to the wing on the other side too.");
+            public static readonly GUIContent Joints = new GUIContent(
+                "Joints", "Joints of each chain, 3 to 16. Another number spaces them evenly.");
+            public static readonly GUIContent Symmetric = new GUIContent(
+                "Symmetric (Shift+M)", "Do everything to the wing on the other side too.");
             public static readonly GUIContent Labels = new GUIContent("Labels", "Number chains and joints.");
             public static readonly GUIContent Beat = new GUIContent("Show beat (K)", "Show the wing in level flight, at the phase below.");
             public static readonly GUIContent Phase = new GUIContent("Phase", "Share of the beat; 0 is the top of the stroke.");
@@ -34,7 +36,8 @@ namespace Alate.Editor
 
             public static readonly GUIContent[] ColourModes =
             {
-                new GUIContent("None"), new GUIContent("Weight of selected joints"), new GUIContent("Mass"), new GUIContent("Delay"), new GUIContent("Patches"),
+                new GUIContent("None"), new GUIContent("Weight of selected joints"), new GUIContent("Mass"), new GUIContent("Delay"),
+                new GUIContent("Patches"),
             };
         }
 
@@ -74,8 +77,11 @@ namespace Alate.Editor
         private static void Keys(SkeletonSession session)
         {
             Event now = Event.current;
-            if (now.type == EventType.KeyDown && !EditorGUIUtility.editingTextField && SkeletonKeys.Press(session, now.keyCode, now.modifiers))
+            if (now.type == EventType.KeyDown && !EditorGUIUtility.editingTextField
+                && SkeletonKeys.Press(session, now.keyCode, now.modifiers))
+            {
                 now.Use();
+            }
         }
 
         private static void LayOut(SkeletonSession session)
@@ -119,7 +125,10 @@ namespace Alate.Editor
             int wantedChains = EditorGUILayout.IntSlider(Content.Chains, chains, WingSkeleton.MinChains, WingSkeleton.MaxChains);
             int wantedJoints = EditorGUILayout.IntSlider(Content.Joints, joints, WingSkeleton.MinJoints, WingSkeleton.MaxJoints);
             if (wantedChains != chains || wantedJoints != joints)
-                session.Report(editing.Do("Set Counts", (present, selected) => ResampleCommands.ToCounts(present, wantedChains, wantedJoints)));
+            {
+                session.Report(
+                    editing.Do("Set Counts", (present, selected) => ResampleCommands.ToCounts(present, wantedChains, wantedJoints)));
+            }
         }
 
         private static void Problems(SkeletonSession session, SkeletonEditing editing)
@@ -135,8 +144,11 @@ namespace Alate.Editor
             IReadOnlyList<RigProblem> weaknesses = session.Overlay.Problems;
             for (int k = 0; k < Math.Min(weaknesses.Count, k_MaxProblems - problems.Count); k++)
             {
-                if (Problem(weaknesses[k].Message, weaknesses[k].Kind == RigProblemKind.DoesNotFit ? MessageType.Error : MessageType.Warning))
+                if (Problem(
+                    weaknesses[k].Message, weaknesses[k].Kind == RigProblemKind.DoesNotFit ? MessageType.Error : MessageType.Warning))
+                {
                     Show(session, editing, weaknesses[k].Joints);
+                }
             }
 
             int hidden = problems.Count + weaknesses.Count - k_MaxProblems;

@@ -71,7 +71,8 @@ namespace Alate.Editor
             now.Use();
         }
 
-        // In Unity 2022.3 the scene view's camera takes the press of the right button before any tool; of the click, this event still tells.
+        // In Unity 2022.3 the scene view's camera takes the press of the right button before any tool; of the click, this event still
+        // tells.
         private void ContextClick(SkeletonSession session, Event now)
         {
             if (m_MenuShown)

@@ -16,7 +16,8 @@ namespace Alate.Editor
 
         /// <inheritdoc/>
         public override GUIContent toolbarIcon =>
-            m_Icon ??= new GUIContent(EditorGUIUtility.IconContent("AvatarPivot").image, "Edit the wing skeletons of the selected insects.");
+            m_Icon ??= new GUIContent(
+                EditorGUIUtility.IconContent("AvatarPivot").image, "Edit the wing skeletons of the selected insects.");
 
         /// <inheritdoc/>
         public override void OnActivated() => Begin();
@@ -29,8 +30,11 @@ namespace Alate.Editor
         {
             if (!(window is SceneView view))
                 return;
-            if (m_Session == null || m_Session != SkeletonSessions.Current || m_Session.IsStale() || m_Stamp != InsectTargets.StampOf(Insects()))
+            if (m_Session == null || m_Session != SkeletonSessions.Current || m_Session.IsStale()
+                || m_Stamp != InsectTargets.StampOf(Insects()))
+            {
                 Begin();
+            }
             m_Gui.OnGUI(view, m_Session);
         }
 

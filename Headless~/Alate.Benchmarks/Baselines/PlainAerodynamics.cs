@@ -3,7 +3,9 @@ using System.Numerics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Eq. 9–11 for every triangle of one wing, with the coefficients of Dickinson 1999; loads go to vertices, then to joints.</summary>
+/// <summary>
+/// Eq. 9–11 for every triangle of one wing, with the coefficients of Dickinson 1999; loads go to vertices, then to joints.
+/// </summary>
 internal sealed class PlainAerodynamics
 {
     private const float k_Degrees = 180f / MathF.PI;

@@ -3,7 +3,9 @@ using System.Numerics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Eq. 12–15 for one wing: Newton with a dense Hessian over all joints that are no roots, factorised by Cholesky in every iteration.</summary>
+/// <summary>
+/// Eq. 12–15 for one wing: Newton with a dense Hessian over all joints that are no roots, factorised by Cholesky in every iteration.
+/// </summary>
 internal sealed class PlainNewton
 {
     private readonly PlainRig m_Rig;

@@ -3,7 +3,9 @@ using System.Numerics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>The vertices that meet the air: where they were after the last substep, how fast, and carried on with the driven pose.</summary>
+/// <summary>
+/// The vertices that meet the air: where they were after the last substep, how fast, and carried on with the driven pose.
+/// </summary>
 internal sealed class PlainSurface
 {
     private readonly PlainRig m_Rig;

@@ -3,7 +3,9 @@ using System.Numerics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>The whole model for one wing as one would write it at first: triangles, dense Newton, a skinned mesh in every substep.</summary>
+/// <summary>
+/// The whole model for one wing as one would write it at first: triangles, dense Newton, a skinned mesh in every substep.
+/// </summary>
 internal sealed class PlainWing
 {
     private const int k_NewtonIterations = 4;

@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>The air on one wing: patches of four wings, moved by their joints, against every triangle of a wing that has been skinned before.</summary>
+/// <summary>
+/// The air on one wing: patches of four wings, moved by their joints, against every triangle of a wing that has been skinned before.
+/// </summary>
 internal static unsafe class AerodynamicsComparison
 {
     public static void Run(Report report, Specimen specimen, PlainRig plain, FlyingPack pack)

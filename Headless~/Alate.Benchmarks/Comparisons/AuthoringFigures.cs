@@ -23,9 +23,11 @@ internal static class AuthoringFigures
         SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
         SkeletonFitSettings hints = SkeletonFitSettings.Default;
         WingPicture picture = Photo(wing.Contour);
-        report.Figure("fit_ms", "skeleton of a monarch's mesh", "ms", Best(() => Object.DestroyImmediate(SkeletonFitter.Fit(surface, hints).Skeleton)));
+        report.Figure("fit_ms", "skeleton of a monarch's mesh", "ms",
+            Best(() => Object.DestroyImmediate(SkeletonFitter.Fit(surface, hints).Skeleton)));
         report.Bounded(Targets.Trace, Best(() => WingTracer.Trace(picture, WingTracingSettings.Default)));
-        report.Figure("paint_512_ms", "painting a monarch's texture of 512", "ms", Best(() => wing.Pattern.Paint(wing.Contour, k_TextureSide, k_TextureSide)));
+        report.Figure("paint_512_ms", "painting a monarch's texture of 512", "ms",
+            Best(() => wing.Pattern.Paint(wing.Contour, k_TextureSide, k_TextureSide)));
     }
 
     private static double Best(Action act)

@@ -10,7 +10,8 @@ using Object = UnityEngine.Object;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Cost of a crowd of baked monarchs a frame, its job on the calling thread included, its allocations, and the size of its meshes. Drawing itself is a stand-in.
+/// Cost of a crowd of baked monarchs a frame, its job on the calling thread included, its allocations, and the size of its meshes. Drawing
+/// itself is a stand-in.
 /// </summary>
 internal static class BakedFigures
 {
@@ -31,7 +32,10 @@ internal static class BakedFigures
         eye.transform.position = new Vector3(0f, 0f, -60f);
         report.Figure("baked_texture_kb", "texture of two loops", "kB", baked.TextureBytes / 1024.0);
         foreach (CrowdSize size in baked.Sizes)
-            report.Figure("baked_size_error_percent", $"{size.triangles}", $"mesh of {size.triangles} triangles", "% of wing", 100.0 * size.error);
+        {
+            report.Figure(
+                "baked_size_error_percent", $"{size.triangles}", $"mesh of {size.triangles} triangles", "% of wing", 100.0 * size.error);
+        }
         foreach (int count in s_Crowds)
             Measure(report, baked, eye, count);
         baked.DestroyParts();

@@ -56,7 +56,8 @@ internal sealed class CrowdComparison
         all = GC.GetTotalAllocatedBytes(precise: true) - all;
 
         string group = insects.ToString(CultureInfo.InvariantCulture);
-        report.Figure("bytes_per_frame", group, $"frame of {insects} insects", "bytes allocated", Math.Max(own, all) / (double)k_WarmFrames);
+        report.Figure(
+            "bytes_per_frame", group, $"frame of {insects} insects", "bytes allocated", Math.Max(own, all) / (double)k_WarmFrames);
         report.Figure("jobs_per_frame", group, $"frame of {insects} insects", "jobs", Jobs(swarm));
     }
 

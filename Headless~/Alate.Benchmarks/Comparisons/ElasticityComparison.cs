@@ -4,7 +4,9 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Newton's method on the springs: block factors of a full pack of four wings against a dense factorisation for each wing.</summary>
+/// <summary>
+/// Newton's method on the springs: block factors of a full pack of four wings against a dense factorisation for each wing.
+/// </summary>
 internal sealed unsafe class ElasticityComparison
 {
     /// <summary>Newton iterations that are timed, and as many as bring both to the minimum.</summary>

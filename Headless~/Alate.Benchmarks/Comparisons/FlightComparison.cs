@@ -3,7 +3,9 @@ using Unity.StandIns;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Measures what flight adds to a frame of wings that beat alike and carry nothing, with the jobs and allocations of a frame.</summary>
+/// <summary>
+/// Measures what flight adds to a frame of wings that beat alike and carry nothing, with the jobs and allocations of a frame.
+/// </summary>
 internal static class FlightComparison
 {
     public const int Insects = 400;

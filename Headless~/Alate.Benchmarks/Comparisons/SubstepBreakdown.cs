@@ -5,8 +5,8 @@ using System.Linq;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Time of each part of a substep of four wings as they fly, timed in a copy of <see cref="PackStep.Substep"/> with clocks between its parts. A part that was
-/// repeated by itself would meet springs that rest and strips that are slack.
+/// Time of each part of a substep of four wings as they fly, timed in a copy of <see cref="PackStep.Substep"/> with clocks between its
+/// parts. A part that was repeated by itself would meet springs that rest and strips that are slack.
 /// </summary>
 internal sealed unsafe class SubstepBreakdown : IDisposable
 {
@@ -14,7 +14,8 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
 
     private static readonly string[] s_Parts =
     [
-        "waves", "driven pose", "carried surface", "loads", "hinges", "chain coupling", "turned chains", "elastic step", "joint frames", "joint motions", "keeping",
+        "waves", "driven pose", "carried surface", "loads", "hinges", "chain coupling", "turned chains", "elastic step", "joint frames",
+        "joint motions", "keeping",
     ];
 
     private readonly FlyingPack m_Pack;

@@ -7,8 +7,9 @@ using UnityEngine;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Bytes that the main thread writes into the meshes of 400 monarchs, and the cost of their skinning: normals and tangents as signed bytes against floats, as version 0.1 had them.
-/// Setting a mesh's data is a stand-in that copies; Unity copies as well, and hands the bytes to the graphics card.
+/// Bytes that the main thread writes into the meshes of 400 monarchs, and the cost of their skinning: normals and tangents as signed bytes
+/// against floats, as version 0.1 had them. Setting a mesh's data is a stand-in that copies; Unity copies as well, and hands the bytes to
+/// the graphics card.
 /// </summary>
 internal static class UploadComparison
 {
@@ -53,7 +54,10 @@ internal static class UploadComparison
             m_Packed = packing != VertexPacking.None;
             int[] order = [.. Enumerable.Range(0, source.vertexCount)];
             for (int wing = 0; wing < 2 * k_Insects; wing++)
-                m_Wings.Add((m_World.Add(rig, kind.Parameters, kind.FlightOf(wing), default, packing), DeformableMesh.Build(source, order, m_Packed)));
+            {
+                m_Wings.Add((m_World.Add(rig, kind.Parameters, kind.FlightOf(wing), default, packing), DeformableMesh.Build(
+                    source, order, m_Packed)));
+            }
             m_World.Step(0.02f);
             m_World.Skin();
         }

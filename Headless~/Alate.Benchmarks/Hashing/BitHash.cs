@@ -4,7 +4,9 @@ using Unity.Mathematics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Number made of the bits of others, by Fowler, Noll and Vo's way 1a with 64 bits: another bit anywhere gives another number.</summary>
+/// <summary>
+/// Number made of the bits of others, by Fowler, Noll and Vo's way 1a with 64 bits: another bit anywhere gives another number.
+/// </summary>
 internal struct BitHash
 {
     private const ulong k_Offset = 14695981039346656037, k_Prime = 1099511628211;

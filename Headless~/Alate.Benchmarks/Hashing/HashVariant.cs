@@ -6,7 +6,8 @@ namespace Alate.Benchmarks;
 /// <summary>A way to run a scene that must not show in its hash.</summary>
 /// <param name="Workers">Threads besides the calling one; fewer where the machine has fewer processors.</param>
 /// <param name="Order">Of creation: 0 as numbered, 1 backwards, above that shuffled by this seed.</param>
-/// <param name="Shift">Wings of each kind, 0 to 3, that are made first and do not count: all others lie in other lanes, beside other wings.</param>
+/// <param name="Shift">Wings of each kind, 0 to 3, that are made first and do not count: all others lie in other lanes, beside other
+/// wings.</param>
 internal readonly record struct HashVariant(int Workers, int Order, int Shift)
 {
     /// <summary>Ways that are compared.</summary>

@@ -17,7 +17,9 @@ public static class SceneHashes
     private static readonly string[] s_Flyers =
         ["monarch", "swallowtail", "painted-lichen-moth", "fishfly", "firefly", "dragonfly", "snailfish"];
 
-    /// <summary>Scenes by name, and their hashes: a change of the physics by intent changes them, and <c>bench --hash</c> prints those to put here.</summary>
+    /// <summary>
+    /// Scenes by name, and their hashes: a change of the physics by intent changes them, and <c>bench --hash</c> prints those to put here.
+    /// </summary>
     private static readonly (string Name, ulong Held, Func<HashVariant, ulong> Run)[] s_Scenes =
     [
         ("tethered", 0x98c96ff603c03427, TetheredScene.Run),

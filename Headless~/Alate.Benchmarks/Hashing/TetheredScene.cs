@@ -1,10 +1,11 @@
-using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Wings of all insects of the catalogue beat on the spot in air of four speeds; in the middle of the time a gust comes from the side.</summary>
+/// <summary>
+/// Wings of all insects of the catalogue beat on the spot in air of four speeds; in the middle of the time a gust comes from the side.
+/// </summary>
 internal static class TetheredScene
 {
     private const int k_Frames = 20, k_Speeds = 4;

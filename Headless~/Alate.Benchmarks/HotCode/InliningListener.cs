@@ -5,7 +5,9 @@ using System.Threading;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Hears from the just-in-time compiler which calls it has left in the methods that it compiles while this listens, and why.</summary>
+/// <summary>
+/// Hears from the just-in-time compiler which calls it has left in the methods that it compiles while this listens, and why.
+/// </summary>
 internal sealed class InliningListener : EventListener
 {
     private const string k_Runtime = "Microsoft-Windows-DotNETRuntime";

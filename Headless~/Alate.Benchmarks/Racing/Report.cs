@@ -55,7 +55,8 @@ internal sealed class Report
     public void Bounded(Target target, double value)
     {
         Content[target.Key] = value;
-        Row($"{target.Title}, {target.Unit}", Number(value), "", "", Bound(target, target.Must), Bound(target, target.Aim), target.Verdict(value));
+        Row($"{target.Title}, {target.Unit}", Number(value), "", "", Bound(target, target.Must), Bound(target, target.Aim),
+            target.Verdict(value));
     }
 
     /// <summary>One figure that no target goes with.</summary>

@@ -28,15 +28,18 @@ internal static class Targets
     public static readonly Target Cholesky = new("cholesky_over_pcg", "dense Newton / block Newton", "us/iteration", 25, 50);
     public static readonly Target Motion = new("scalar_fk_over_lanes", "scalar FK / lane FK", "ns/joint", 2.5, 4);
     public static readonly Target Frame = new("naive_frame_over_frame", "naive frame / frame of 64 monarchs", "us/insect", 12, 25);
-    public static readonly Target EarlierFrame = new("naive_frame_over_frame_01", "naive frame / frame of version 0.1", "us/insect", 12, 25);
+    public static readonly Target EarlierFrame = new(
+        "naive_frame_over_frame_01", "naive frame / frame of version 0.1", "us/insect", 12, 25);
     public static readonly Target FrameShare = new("frame_over_frame_01", "frame / frame of version 0.1", "us/insect", 0.6, 0.5);
     public static readonly Target BeatShare = new("beat_over_beat_01", "beat / beat of version 0.1", "us/insect", 0.75, 0.6);
     public static readonly Target Indexer = new("indexer_over_pointer", "NativeArray indexer / pointer", "ns/element", 1.2, 1.0);
     public static readonly Target Crowd = new("crowd_400_over_16", "an insect of 400 / of 16", "us/insect", 1.3, 1.1);
     public static readonly Target Cores = new("two_cores_over_one", "two cores / one, 64 insects", "us/insect", 1.7, 1.9);
-    public static readonly Target Flight = new("flight_over_wings", "frame of 400 monarchs that fly / of their wings", "us/insect", 1.1, 1.05);
+    public static readonly Target Flight = new(
+        "flight_over_wings", "frame of 400 monarchs that fly / of their wings", "us/insect", 1.1, 1.05);
     public static readonly Target Trace = new("trace_2000_ms", "tracing a picture of 2000 x 2000", "ms", 2000, 1000);
     public static readonly Target Upload = new("upload_over_floats", "upload / upload of floats, 400 insects", "us/frame", 0.8, 0.67);
-    public static readonly Target PackedSkin = new("packed_skin_over_floats", "skinning / skinning into floats, 400 insects", "us/frame", 1.1, 1.0);
+    public static readonly Target PackedSkin = new(
+        "packed_skin_over_floats", "skinning / skinning into floats, 400 insects", "us/frame", 1.1, 1.0);
     public static readonly Target Single = new("single_insect_over_crowd", "an insect alone / of 64", "us/insect", 2.0, 2.0);
 }

@@ -4,7 +4,9 @@ using Unity.Mathematics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>One kind of wing, baked, with its parameters and the air of a level flight at 0.65 of its top speed: an insect's 1.3 m/s.</summary>
+/// <summary>
+/// One kind of wing, baked, with its parameters and the air of a level flight at 0.65 of its top speed: an insect's 1.3 m/s.
+/// </summary>
 internal sealed class Specimen : IDisposable
 {
     private const float k_CruiseShare = 0.65f;
@@ -48,7 +50,9 @@ internal sealed class Specimen : IDisposable
     /// <summary>The monarch by <see cref="OfVersion01"/>.</summary>
     public static Specimen MonarchOfVersion01() => OfVersion01(InsectCatalogue.Find("monarch").Wings[0]);
 
-    /// <summary>A wing as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.</summary>
+    /// <summary>
+    /// A wing as version 0.1 computed it, and as the plain baselines do: backward Euler, chains apart, 24 substeps, 256 patches.
+    /// </summary>
     public static Specimen OfVersion01(WingDefinition wing)
     {
         WingParameters parameters = wing.CreatePreset().ToParameters();

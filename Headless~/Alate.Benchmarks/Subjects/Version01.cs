@@ -1,6 +1,9 @@
 namespace Alate.Benchmarks;
 
-/// <summary>The model as version 0.1 had it: backward Euler, chains that bend each by itself, and its numbers of substeps and patches. What is better now is shown beside it.</summary>
+/// <summary>
+/// The model as version 0.1 had it: backward Euler, chains that bend each by itself, and its numbers of substeps and patches. What is
+/// better now is shown beside it.
+/// </summary>
 internal static class Version01
 {
     /// <summary>Aerodynamic patches of a wing.</summary>

@@ -38,7 +38,9 @@ internal sealed record BakePlan
         try
         {
             InsectBake bake = InsectBaker.Bake(insect, Motions, new BakeSettings(Frames));
-            return Triangles is int triangles && triangles < bake.Surface.TriangleCount ? SmallerBake.Of(bake, triangles, out smallerError) : bake;
+            return Triangles is int triangles && triangles < bake.Surface.TriangleCount
+                ? SmallerBake.Of(bake, triangles, out smallerError)
+                : bake;
         }
         catch (BakeException problem)
         {

@@ -23,7 +23,10 @@ internal static class BakeReport
         var terminal = new Terminal(output);
         terminal.ShowTable($"{plan.DisplayName}: {bake.Surface.VertexCount} vertices, {bake.Surface.TriangleCount} triangles", Rows(bake));
         if (smallerError > 0f)
-            output.WriteLine($"The smaller mesh is {Number(100f * smallerError)} % of the wing length from the whole wings (root of the mean square).");
+        {
+            output.WriteLine(
+                $"The smaller mesh is {Number(100f * smallerError)} % of the wing length from the whole wings (root of the mean square).");
+        }
         terminal.ShowFiles(plan.Folder, files);
     }
 
@@ -62,7 +65,8 @@ internal static class BakeReport
         {
             yield return
             [
-                clip.Name, clip.Frames.Count.ToString(CultureInfo.InvariantCulture), Number(clip.Frequency), Number(100f * clip.Error.between),
+                clip.Name, clip.Frames.Count.ToString(CultureInfo.InvariantCulture), Number(clip.Frequency),
+                Number(100f * clip.Error.between),
                 Number(clip.Error.normalBetween), Number(100f * clip.Error.closure), Number(100f * clip.Error.linearSkin),
             ];
         }

@@ -10,8 +10,9 @@ using Unity.Mathematics;
 namespace Alate.Cli;
 
 /// <summary>
-/// A baked insect as OpenVAT's textures: offsets from the mesh at rest in Blender's axes, metres, each channel between the least and the largest of all. Every clip ends
-/// with its first frame again, so that readers which go from the first row of a range to its last come round without a jump.
+/// A baked insect as OpenVAT's textures: offsets from the mesh at rest in Blender's axes, metres, each channel between the least and the
+/// largest of all. Every clip ends with its first frame again, so that readers which go from the first row of a range to its last come
+/// round without a jump.
 /// </summary>
 internal sealed class OpenVat
 {

@@ -9,7 +9,9 @@ using UnityEngine;
 
 namespace Alate.Cli;
 
-/// <summary>An insect of a wing of the user's own and its mirror image, with the hinge, size, beat and stiffness of a species; without a body.</summary>
+/// <summary>
+/// An insect of a wing of the user's own and its mirror image, with the hinge, size, beat and stiffness of a species; without a body.
+/// </summary>
 internal static class OwnInsect
 {
     /// <summary>Reads the files and makes the insect; the caller destroys its object.</summary>
@@ -27,7 +29,10 @@ internal static class OwnInsect
             throw new UserException($"{skeletonFile}: {problems[0].Message}");
         SurfaceMesh surface = read.ToSurface(meshFile);
         if (2 * surface.positions.Length > InsectBaker.MaxVertices)
-            throw new UserException($"{meshFile}: with its mirror image the wing has {2 * surface.positions.Length} vertices; at most {InsectBaker.MaxVertices} can be baked: use a smaller mesh.");
+        {
+            throw new UserException($"{meshFile}: with its mirror image the wing has "
+                + $"{2 * surface.positions.Length} vertices; at most {InsectBaker.MaxVertices} can be baked: use a smaller mesh.");
+        }
         WingFrame frame = FrameOf(skeleton, surface, meshFile);
         WingDefinition kind = definition.Wings[0];
         WingPreset preset = kind.CreatePreset(ModelReading.Physical, variant);
@@ -52,7 +57,15 @@ internal static class OwnInsect
             wing.transform.localRotation = turn;
             wing.transform.localPosition = hinge - math.rotate(turn, frame.origin);
             wing.GetComponent<MeshFilter>().sharedMesh = mesh;
-            insect.Wings.Add(new Wing { Renderer = wing.GetComponent<MeshRenderer>(), Side = side * mirror > 0f ? WingSide.Right : WingSide.Left, Skeleton = skeleton, Preset = preset });
+            insect.Wings.Add(new Wing
+            {
+                Renderer = wing.GetComponent<MeshRenderer>(),
+                Side = side * mirror > 0f
+                ? WingSide.Right
+                : WingSide.Left,
+                Skeleton = skeleton,
+                Preset = preset
+            });
         }
 
         root.SetActive(true);

@@ -20,9 +20,18 @@ internal static class BakeCommand
             Arity = ArgumentArity.ZeroOrOne,
             Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}. Not with --mesh.",
         };
-        var mesh = new Option<string>("--mesh") { HelpName = "FILE.obj", Description = "A wing of your own, at rest. Needs --skeleton and --species." };
-        var skeleton = new Option<string>("--skeleton") { HelpName = "FILE.json", Description = "The skeleton of that wing, in the mesh's space." };
-        var preset = new Option<string>("--species") { HelpName = "PRESET", Description = "The species whose size, beat and stiffness that wing takes." };
+        var mesh = new Option<string>("--mesh")
+        {
+            HelpName = "FILE.obj",
+            Description = "A wing of your own, at rest. Needs --skeleton and --species.",
+        };
+        var skeleton =
+            new Option<string>("--skeleton") { HelpName = "FILE.json", Description = "The skeleton of that wing, in the mesh's space." };
+        var preset = new Option<string>("--species")
+        {
+            HelpName = "PRESET",
+            Description = "The species whose size, beat and stiffness that wing takes.",
+        };
         var clips = new Option<string>("--clips")
         {
             HelpName = "NAMES",
@@ -36,16 +45,21 @@ internal static class BakeCommand
             ["gltf-morph"] = BakeFormat.GltfMorph,
         });
         Option<int?> frames = Numbers.OptionalCount(
-            "--frames", "N", BakeSettings.MinFrames, BakeSettings.MaxFrames, $"Frames of a loop, {BakeSettings.MinFrames} to {BakeSettings.MaxFrames}. [default: {BakeSettings.DefaultFrames}]");
+            "--frames", "N", BakeSettings.MinFrames, BakeSettings.MaxFrames,
+            $"Frames of a loop, {BakeSettings.MinFrames} to {BakeSettings.MaxFrames}. [default: {BakeSettings.DefaultFrames}]");
         Option<int?> triangles = Numbers.OptionalCount(
-            "--triangles", "N", SmallerBake.MinTriangles, k_MostTriangles, $"Most triangles of the mesh, {SmallerBake.MinTriangles} to {k_MostTriangles}. [default: all]");
-        Option<BakeNormals?> normals = Choice.Optional<BakeNormals>("--normals", "Normals in a texture of their own, or in the lower half. [default: separate]", new()
-        {
-            ["separate"] = BakeNormals.Separate,
-            ["packed"] = BakeNormals.Packed,
-        });
+            "--triangles", "N", SmallerBake.MinTriangles, k_MostTriangles,
+            $"Most triangles of the mesh, {SmallerBake.MinTriangles} to {k_MostTriangles}. [default: all]");
+        Option<BakeNormals?> normals = Choice.Optional<BakeNormals>(
+            "--normals", "Normals in a texture of their own, or in the lower half. [default: separate]", new()
+            {
+                ["separate"] = BakeNormals.Separate,
+                ["packed"] = BakeNormals.Packed,
+            });
         Option<int?> size = Numbers.OptionalCount(
-            "--max-size", "N", BakeLayout.MinMaxSize, BakeLayout.MaxMaxSize, $"Longest side of a texture, pixels, {BakeLayout.MinMaxSize} to {BakeLayout.MaxMaxSize}. [default: {BakeLayout.DefaultMaxSize}]");
+            "--max-size", "N", BakeLayout.MinMaxSize, BakeLayout.MaxMaxSize,
+            $"Longest side of a texture, pixels, {BakeLayout.MinMaxSize} to "
+            + $"{BakeLayout.MaxMaxSize}. [default: {BakeLayout.DefaultMaxSize}]");
         Option<InsectVariant?> variant = FlightOptions.Variant();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/bake-SPECIES]" };
         var command = new Command("bake", "Bakes loops of an insect for other programs: OpenVAT textures, or glTF with joints or shapes.")
@@ -57,7 +71,8 @@ internal static class BakeCommand
         {
             InsectVariant chosen = parsed.GetValue(variant) ?? InsectVariant.Standard;
             string meshFile = parsed.GetValue(mesh), skeletonFile = parsed.GetValue(skeleton);
-            InsectDefinition definition = KnownSpecies.Find(NameOf(parsed.GetValue(species), parsed.GetValue(preset), meshFile, skeletonFile), chosen);
+            InsectDefinition definition = KnownSpecies.Find(
+                NameOf(parsed.GetValue(species), parsed.GetValue(preset), meshFile, skeletonFile), chosen);
             string name = meshFile == null ? definition.Name : Path.GetFileNameWithoutExtension(meshFile);
             BakeReport.Run(
                 new BakePlan
@@ -89,14 +104,16 @@ internal static class BakeCommand
         if (mesh != null && species != null)
             throw new UserException("With --mesh the species is named by --species, not as an argument.");
         string known = string.Join(", ", InsectCatalogue.Names);
-        return species ?? preset ?? throw new UserException(mesh == null ? $"Which species? Known: {known}." : $"--mesh needs --species. Known: {known}.");
+        return species ?? preset
+            ?? throw new UserException(mesh == null ? $"Which species? Known: {known}." : $"--mesh needs --species. Known: {known}.");
     }
 
     private static List<BakeMotion> Motions(string names)
     {
         try
         {
-            return names.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries).Select(BakeMotion.Find).ToList();
+            return names.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries)
+                .Select(BakeMotion.Find).ToList();
         }
         catch (ArgumentException problem)
         {

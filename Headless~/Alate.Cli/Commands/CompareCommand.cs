@@ -9,7 +9,9 @@ using Alate.Drawing;
 
 namespace Alate.Cli;
 
-/// <summary><c>compare SPECIES…</c>: the same insects as rigid wings, without a wave, by the full model and with another elasticity.</summary>
+/// <summary>
+/// <c>compare SPECIES…</c>: the same insects as rigid wings, without a wave, by the full model and with another elasticity.
+/// </summary>
 internal static class CompareCommand
 {
     private const string k_Table = "compare.csv";
@@ -27,12 +29,14 @@ internal static class CompareCommand
             Help = "Factor on the elasticity in the last column, {range}; below 1 is softer.",
         });
         Option<int?> phases = Numbers.OptionalCount(
-            "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases, $"Rows of the pictures, {ComparisonPlan.MinPhases} to {ComparisonPlan.MaxPhases}. [default: 4]");
+            "--phases", "N", ComparisonPlan.MinPhases, ComparisonPlan.MaxPhases,
+            $"Rows of the pictures, {ComparisonPlan.MinPhases} to {ComparisonPlan.MaxPhases}. [default: 4]");
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
         Option<PictureView?> view = FlightOptions.View();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/compare]" };
-        var command = new Command("compare", "Shows insects with parts of the model left out, side by side, and the differences in numbers.")
+        var command = new Command(
+            "compare", "Shows insects with parts of the model left out, side by side, and the differences in numbers.")
         {
             species, elasticity, phases, variant, speed, view, folder,
         };
@@ -87,7 +91,10 @@ internal static class CompareCommand
             for (int kind = 0; kind < comparison.Flights[0].Summary.Wings.Count; kind++)
                 terminal.ShowBounded($"{comparison.Name}: {comparison.Flights[0].Summary.Wings[kind].Name}", Rows(comparison, kind));
             if (comparison.Free != null)
-                terminal.ShowTable($"{comparison.Held.Summary.Flight.Insect.DisplayName}: by its own wings", FreeComparisonTable.Lines(comparison));
+            {
+                terminal.ShowTable(
+                    $"{comparison.Held.Summary.Flight.Insect.DisplayName}: by its own wings", FreeComparisonTable.Lines(comparison));
+            }
         }
 
         terminal.ShowFiles(path, files);
@@ -101,13 +108,16 @@ internal static class CompareCommand
             yield return Row(measure.Title, measure.Of, MeasureBound.Find(measure.Key));
         foreach (MeasureBound bound in MeasureBound.All.Where(bound => WingMeasure.All.All(measure => measure.Key != bound.Key)))
             yield return Row(bound.Title, bound.Of, bound);
-        yield return ["off the full model, mean, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MeanPct)), ""];
-        yield return ["off the full model, most, % of length", .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MaxPct)), ""];
+        yield return ["off the full model, mean, % of length",
+            .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MeanPct)), ""];
+        yield return ["off the full model, most, % of length",
+            .. comparison.Flights.Select(flight => Number(flight.Distances[kind].MaxPct)), ""];
         if (kind == 0)
             yield return ["lift over weight", .. comparison.Flights.Select(flight => Number(flight.Summary.LiftOverWeight)), ""];
 
         string[] Row(string title, Func<WingSummary, double> of, MeasureBound bound) =>
-            [title, .. comparison.Flights.Select(flight => Cell(flight.Summary.Wings[kind], of, bound)), bound?.RangeOf(comparison.Plan.Variant) ?? ""];
+            [title, .. comparison.Flights.Select(flight => Cell(flight.Summary.Wings[kind], of, bound)),
+                bound?.RangeOf(comparison.Plan.Variant) ?? ""];
 
         string Cell(WingSummary wing, Func<WingSummary, double> of, MeasureBound bound) =>
             bound?.Marked(Number(of(wing)), wing, comparison.Plan.Variant) ?? Number(of(wing));
@@ -120,7 +130,8 @@ internal static class CompareCommand
         "Examples:\n"
         + "  compare monarch\n"
         + "  compare fishfly firefly --variant expressive --phases 6 --elasticity 4 --out stiffer\n\n"
-        + "Columns: rigid wings as in earlier flight models, no deformation wave, the full model, and the full model with another elasticity.\n\n"
+        + "Columns: rigid wings as in earlier flight models, no deformation wave, the full model, and the full model with another "
+        + "elasticity.\n\n"
         + "Writes into the output folder:\n"
         + "  SPECIES.png  for each species: the columns over rows of phases, and numbers below\n"
         + "  compare.csv  every measure of every column, and how far each column lies from the full model\n"

@@ -15,7 +15,9 @@ internal static class ConvergenceCommand
         Argument<string[]> species = FlightOptions.AnySpecies();
         Option<InsectVariant?> variant = FlightOptions.Variant();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/convergence]" };
-        var command = new Command("convergence", "Measures how far wings are off at some substeps of a beat, and what these cost.") { species, variant, folder };
+        var command =
+            new Command("convergence", "Measures how far wings are off at some substeps of a beat, and what these cost.") { species,
+            variant, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -32,7 +34,8 @@ internal static class ConvergenceCommand
     {
         var terminal = new Terminal(output);
         List<SpeciesConvergence> measured = s_Report.Make(
-            terminal, path, plan.Flights.Count, done => SpeciesConvergence.Measure(plan, done), ConvergencePicture.Draw, ConvergenceTable.Write);
+            terminal, path, plan.Flights.Count, done => SpeciesConvergence.Measure(plan, done), ConvergencePicture.Draw,
+            ConvergenceTable.Write);
         foreach (SpeciesConvergence species in measured)
         {
             foreach (WingConvergence wing in species.Wings)
@@ -50,8 +53,10 @@ internal static class ConvergenceCommand
         "Examples:\n"
         + "  convergence monarch fishfly\n"
         + "  convergence --variant expressive --out soft\n\n"
-        + "The error is the distance of the joints from a flight of 480 substeps of the same scheme, root mean square over joints and a settled beat, % of the\n"
-        + "wing's length. The cost is the time of a beat over that of version 0.1: backward Euler, 24 substeps (expressive 48), 256 patches. It depends on the machine.\n\n"
+        + "The error is the distance of the joints from a flight of 480 substeps of the same scheme, root mean square over joints and a "
+        + "settled beat, % of the\n"
+        + "wing's length. The cost is the time of a beat over that of version 0.1: backward Euler, 24 substeps (expressive 48), 256 "
+        + "patches. It depends on the machine.\n\n"
         + "Writes into the output folder:\n"
         + "  convergence.svg  error over cost, a chart for each species\n"
         + "  convergence.csv  both for each kind of wing, scheme and number of substeps\n\n"

@@ -10,7 +10,8 @@ namespace Alate.Cli;
 /// <summary><c>figures</c>: draws and measures again what the documentation's pages of species and accuracy show.</summary>
 internal static class FiguresCommand
 {
-    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg", k_Gallery = "images/insects.png",
+    private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg",
+        k_Gallery = "images/insects.png",
         k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg";
 
     private const int k_GalleryWidth = 1230;
@@ -30,7 +31,8 @@ internal static class FiguresCommand
             Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page} and {FlightFigures.Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
-        var pictures = new Option<bool>("--pictures") { Description = "Pictures and films of insects alone: neither tables nor charts of accuracy." };
+        var pictures =
+            new Option<bool>("--pictures") { Description = "Pictures and films of insects alone: neither tables nor charts of accuracy." };
         var command = new Command("figures", "Makes the pictures and tables of the documentation's pages again.") { folder, pictures };
         HelpExamples.Set(command, "Example:\n  figures Documentation~");
         command.SetAction(parsed =>
@@ -45,7 +47,8 @@ internal static class FiguresCommand
     }
 
     private static List<string> Pictures =>
-        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, k_Veins, .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, k_Veins,
+            .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
     private static void Run(string path, TextWriter output)
     {
@@ -106,7 +109,8 @@ internal static class FiguresCommand
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
         stage("filming");
-        var film = Film.Fly(new FilmPlan { Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive), Beats = 3, Turn = 360 });
+        var film = Film.Fly(
+            new FilmPlan { Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive), Beats = 3, Turn = 360 });
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
     }
 

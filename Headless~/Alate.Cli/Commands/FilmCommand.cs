@@ -18,15 +18,25 @@ internal static class FilmCommand
         var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
-        var free = new Option<bool>("--free") { Description = "The insect flies about by its own wings, and the camera goes along; the film plays once." };
+        var free = new Option<bool>("--free")
+        {
+            Description =
+            "The insect flies about by its own wings, and the camera goes along; the film plays once."
+        };
         var compare = new Option<bool>("--compare") { Description = "The four columns of 'compare' beside one another." };
-        Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats, $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}, with --free {FilmPlan.FreeBeats}]");
+        Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats,
+            $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}, with --free {FilmPlan.FreeBeats}]");
         Option<int?> frames = Numbers.OptionalCount(
-            "--frames", "N", FilmPlan.LeastFrames, FilmPlan.MostFrames, $"Frames of a beat, {FilmPlan.LeastFrames} to {FilmPlan.MostFrames}. [default: {FilmPlan.DefaultFrames}, with --free {FilmPlan.FreeFrames}]");
-        Option<int?> rate = Numbers.OptionalCount("--rate", "N", 1, FilmPlan.MostRate, $"Frames a second, 1 to {FilmPlan.MostRate}. [default: {FilmPlan.DefaultRate}]");
-        Option<double> turn = Numbers.Option("--turn", "DEG", 0, -360, 360, "Degrees by which the camera goes around the insect, -360 to 360.");
+            "--frames", "N", FilmPlan.LeastFrames, FilmPlan.MostFrames,
+            $"Frames of a beat, {FilmPlan.LeastFrames} to {FilmPlan.MostFrames}. [default: "
+            + $"{FilmPlan.DefaultFrames}, with --free {FilmPlan.FreeFrames}]");
+        Option<int?> rate = Numbers.OptionalCount(
+            "--rate", "N", 1, FilmPlan.MostRate, $"Frames a second, 1 to {FilmPlan.MostRate}. [default: {FilmPlan.DefaultRate}]");
+        Option<double> turn = Numbers.Option(
+            "--turn", "DEG", 0, -360, 360, "Degrees by which the camera goes around the insect, -360 to 360.");
         Option<int?> width = Numbers.OptionalCount(
-            "--width", "N", FilmPlan.LeastWidth, FilmPlan.MostWidth, $"Pixels from side to side, {FilmPlan.LeastWidth} to {FilmPlan.MostWidth}. [default: {FilmPlan.DefaultWidth}]");
+            "--width", "N", FilmPlan.LeastWidth, FilmPlan.MostWidth,
+            $"Pixels from side to side, {FilmPlan.LeastWidth} to {FilmPlan.MostWidth}. [default: {FilmPlan.DefaultWidth}]");
         Option<PictureView?> view = FlightOptions.View();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES-film]" };
         var command = new Command("film", "Films an insect in slow motion: an animated picture, and its frames.")
@@ -44,7 +54,12 @@ internal static class FilmCommand
             var flight = FlightPlan.Cruise(insect, shown);
             var plan = new FilmPlan
             {
-                Flight = flight with { Speed = parsed.GetValue(speed) ?? flight.Speed, View = parsed.GetValue(view) ?? PictureView.FrontLeft },
+                Flight = flight with
+                {
+                    Speed = parsed.GetValue(speed) ?? flight.Speed,
+                    View = parsed.GetValue(view)
+                    ?? PictureView.FrontLeft
+                },
                 Columns = parsed.GetValue(compare) ? ComparisonColumn.All : [ComparisonColumn.FullModel],
                 IsFree = isFree,
                 Beats = parsed.GetValue(beats) ?? (isFree ? FilmPlan.FreeBeats : FilmPlan.DefaultBeats),
@@ -74,7 +89,8 @@ internal static class FilmCommand
             for (int k = 0; k < count; k++)
             {
                 Color32[] frame = frames[k];
-                folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"), stream => stream.Write(IndexedPng.Write(film.Size.x, film.Size.y, frame, [])));
+                folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"),
+                    stream => stream.Write(IndexedPng.Write(film.Size.x, film.Size.y, frame, [])));
             }
         });
         folder.Commit();

@@ -11,7 +11,8 @@ internal static class GalleryCommand
 
     public static Command Create(TextWriter output)
     {
-        Option<int?> width = Numbers.OptionalCount("--width", "N", k_Narrowest, k_Widest, $"Pixels from side to side, {k_Narrowest} to {k_Widest}. [default: {k_Width}]");
+        Option<int?> width = Numbers.OptionalCount(
+            "--width", "N", k_Narrowest, k_Widest, $"Pixels from side to side, {k_Narrowest} to {k_Widest}. [default: {k_Width}]");
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the file goes. [default: out/gallery]" };
         var command = new Command("gallery", "Draws every species of the catalogue in flight, in one picture.") { width, folder };
         HelpExamples.Set(command, $"Example:\n  gallery --out pictures\n\nWrites into the output folder:\n  {k_File}");

@@ -22,7 +22,8 @@ internal static class SiteCommand
         var folder = new Argument<string>("DIR") { Description = "Where the site goes." };
         Argument<string[]> species = FlightOptions.AnySpecies();
         Option<string> three = ViewCommand.Three();
-        var command = new Command("site", "Writes the page of 'view' as a gallery of insects in flight, for any web server.") { folder, species, three };
+        var command = new Command("site", "Writes the page of 'view' as a gallery of insects in flight, for any web server.") { folder,
+            species, three };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -43,7 +44,8 @@ internal static class SiteCommand
         {
             foreach (string name in page.Names)
                 folder.Write(name, stream => stream.Write(page.Find(name)));
-            folder.Write(k_Index, stream => stream.Write(Encoding.UTF8.GetBytes(SceneMessage.Hello(insects, [ViewSlider.SlowMotion]).ToJsonString())));
+            folder.Write(k_Index,
+                stream => stream.Write(Encoding.UTF8.GetBytes(SceneMessage.Hello(insects, [ViewSlider.SlowMotion]).ToJsonString())));
             var looks = new Dictionary<string, string>();
             int count = 0;
             foreach (InsectDefinition insect in insects)
@@ -54,7 +56,8 @@ internal static class SiteCommand
                     done(++count);
                 }
 
-                Write(folder, looks, $"{insect.Name}-standard-parts", ViewSettings.Of(insect, InsectVariant.Standard) with { IsCompared = true });
+                Write(folder, looks, $"{insect.Name}-standard-parts",
+                    ViewSettings.Of(insect, InsectVariant.Standard) with { IsCompared = true });
                 done(++count);
             }
         });

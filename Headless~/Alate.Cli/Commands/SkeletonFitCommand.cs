@@ -18,9 +18,11 @@ internal static class SkeletonFitCommand
     {
         var mesh = new Argument<string>("MESH.obj") { Description = "A wing at rest." };
         Option<int?> chains = Numbers.OptionalCount(
-            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains, $"Chains of joints, {WingSkeleton.MinChains} to {WingSkeleton.MaxChains}. [default: 5]");
+            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains,
+            $"Chains of joints, {WingSkeleton.MinChains} to {WingSkeleton.MaxChains}. [default: 5]");
         Option<int?> joints = Numbers.OptionalCount(
-            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints, $"Joints of each chain, {WingSkeleton.MinJoints} to {WingSkeleton.MaxJoints}. [default: 5]");
+            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints,
+            $"Joints of each chain, {WingSkeleton.MinJoints} to {WingSkeleton.MaxJoints}. [default: 5]");
         Option<double[]> hinge = Numbers.Vector(
             "--hinge", "X,Y,Z", k_Far, "Where the wing turns, in the mesh's space. [default: guessed]");
         Option<double[]> body = Numbers.Vector(

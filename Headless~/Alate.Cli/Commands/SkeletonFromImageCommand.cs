@@ -13,7 +13,8 @@ namespace Alate.Cli;
 /// <summary><c>skeleton from-image IMAGE</c>: makes a mesh and a skeleton from a picture of a wing.</summary>
 internal static class SkeletonFromImageCommand
 {
-    private const string k_Skeleton = "skeleton.json", k_Mesh = "wing.obj", k_Library = "wing.mtl", k_Picture = "wing.png", k_Overlay = "overlay.svg";
+    private const string k_Skeleton = "skeleton.json", k_Mesh = "wing.obj", k_Library = "wing.mtl", k_Picture = "wing.png",
+        k_Overlay = "overlay.svg";
 
     public static Command Create(TextWriter output)
     {
@@ -23,12 +24,15 @@ internal static class SkeletonFromImageCommand
             Description = "A PNG of one wing on plain or transparent ground: silhouette, line drawing or photo.",
         };
         Option<int?> chains = Numbers.OptionalCount(
-            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains, $"Chains of joints, {WingSkeleton.MinChains} to {WingSkeleton.MaxChains}. [default: 5]");
+            "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains,
+            $"Chains of joints, {WingSkeleton.MinChains} to {WingSkeleton.MaxChains}. [default: 5]");
         Option<int?> joints = Numbers.OptionalCount(
-            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints, $"Joints of each chain, {WingSkeleton.MinJoints} to {WingSkeleton.MaxJoints}. [default: 5]");
+            "--joints", "N", WingSkeleton.MinJoints, WingSkeleton.MaxJoints,
+            $"Joints of each chain, {WingSkeleton.MinJoints} to {WingSkeleton.MaxJoints}. [default: 5]");
         Option<int?> triangles = Numbers.OptionalCount(
             "--triangles", "N", WingTracingSettings.MinTriangles, WingTracingSettings.MaxTriangles,
-            $"Triangles of the mesh, {WingTracingSettings.MinTriangles} to {WingTracingSettings.MaxTriangles}; it gets exactly so many. [default: 1000]");
+            $"Triangles of the mesh, {WingTracingSettings.MinTriangles} to "
+            + $"{WingTracingSettings.MaxTriangles}; it gets exactly so many. [default: 1000]");
         Option<double[]> hinge = Numbers.Pair(
             "--hinge", "X,Y", 0, WingPicture.MaxSide,
             "Where the wing turns, pixels from the picture's top left corner. [default: where veins meet, else guessed]");
@@ -40,10 +44,13 @@ internal static class SkeletonFromImageCommand
             ["right"] = new Vector2(1f, 0f),
         });
         Option<double> length = Numbers.Option(
-            "--length", "METRES", standard.length, 1e-6, 1e6, "Length of the wing from hinge to tip in the mesh, metres, 0.000001 to 1000000.");
-        var widths = new Option<bool>("--vein-widths") { Description = "Measures the veins that chains follow, and makes thick ones stiffer." };
+            "--length", "METRES", standard.length, 1e-6, 1e6,
+            "Length of the wing from hinge to tip in the mesh, metres, 0.000001 to 1000000.");
+        var widths =
+            new Option<bool>("--vein-widths") { Description = "Measures the veins that chains follow, and makes thick ones stiffer." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/IMAGE]" };
-        var command = new Command("from-image", "Makes a mesh and a skeleton from a picture of a wing; chains follow its veins where it shows any.")
+        var command = new Command(
+            "from-image", "Makes a mesh and a skeleton from a picture of a wing; chains follow its veins where it shows any.")
         {
             image, chains, joints, triangles, hinge, leading, length, widths, folder,
         };

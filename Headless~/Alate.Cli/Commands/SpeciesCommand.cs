@@ -18,7 +18,11 @@ internal static class SpeciesCommand
             Arity = ArgumentArity.ZeroOrOne,
             Description = $"One of them, with every number and its source: {string.Join(", ", InsectCatalogue.Names)}.",
         };
-        var json = new Option<string>("--json") { HelpName = "FILE", Description = "Also write the numbers and their sources as JSON to this file." };
+        var json = new Option<string>("--json")
+        {
+            HelpName = "FILE",
+            Description = "Also write the numbers and their sources as JSON to this file.",
+        };
         var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json };
         HelpExamples.Set(command, "Examples:\n  species\n  species firefly\n  species --json species.json");
         command.SetAction(parsed =>
@@ -46,7 +50,8 @@ internal static class SpeciesCommand
             WingNumbers main = sheet.Wings[0];
             yield return
             [
-                sheet.Definition.Name, string.Join(", ", sheet.Wings.Select(wing => wing.Wing.Name)), Number(sheet.Definition.TriangleCount),
+                sheet.Definition.Name, string.Join(", ", sheet.Wings.Select(wing => wing.Wing.Name)),
+                Number(sheet.Definition.TriangleCount),
                 Number(1000 * main["wing-length"]), Number(main["max-frequency"]), Number(main["flap-range"]), Number(main["elasticity"]),
                 string.Join(", ", sheet.Definition.Variants).ToLowerInvariant(),
             ];
@@ -56,7 +61,10 @@ internal static class SpeciesCommand
     private static void Show(SpeciesNumbers sheet, Terminal terminal)
     {
         foreach (WingNumbers wing in sheet.Wings)
-            terminal.ShowTable($"{sheet.Definition.DisplayName}: {wing.Wing.Name}, {wing.Wing.TriangleCount} triangles on each side", Numbers(wing));
+        {
+            terminal.ShowTable(
+                $"{sheet.Definition.DisplayName}: {wing.Wing.Name}, {wing.Wing.TriangleCount} triangles on each side", Numbers(wing));
+        }
         terminal.ShowTexts("Sources", Sources(sheet.Definition));
     }
 

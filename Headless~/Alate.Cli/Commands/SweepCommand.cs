@@ -16,7 +16,8 @@ internal static class SweepCommand
 
     private static readonly (string Title, MeasureBound Bound)[] s_Numbers =
     [
-        ("twist °", MeasureBound.Find("twist_pp_deg")), ("camber %", MeasureBound.Find("camber_pct")), ("tip bend °", MeasureBound.Find("tip_bend_max_deg")),
+        ("twist °", MeasureBound.Find("twist_pp_deg")), ("camber %", MeasureBound.Find("camber_pct")),
+        ("tip bend °", MeasureBound.Find("tip_bend_max_deg")),
         ("lag °", MeasureBound.Find("lag_deg")), ("stretch %", MeasureBound.Find("edge_stretch_max_pct")),
     ];
 
@@ -28,16 +29,22 @@ internal static class SweepCommand
         };
         Argument<double> from = Numbers.Argument("FROM", "Its first value.");
         Argument<double> to = Numbers.Argument("TO", "Its last value; elasticity is a factor on the species'.");
-        var species = new Option<string>("--species") { HelpName = "NAME", Description = "The insect; the paper's Fig. 14 shows a fishfly. [default: fishfly]" };
+        var species = new Option<string>("--species")
+        {
+            HelpName = "NAME",
+            Description = "The insect; the paper's Fig. 14 shows a fishfly. [default: fishfly]",
+        };
         Option<int?> steps = Numbers.OptionalCount(
             "--steps", "N", SweepPlan.MinSteps, SweepPlan.MaxSteps,
-            $"Values, {SweepPlan.MinSteps} to {SweepPlan.MaxSteps}: evenly spaced, or by equal ratios where they span a factor of ten or more. [default: 5]");
-        Option<SweepWaves?> waves = Choice.Optional<SweepWaves>("--wave", "With the deformation wave, without it, or both. [default: on]", new()
-        {
-            ["on"] = SweepWaves.On,
-            ["off"] = SweepWaves.Off,
-            ["both"] = SweepWaves.Both,
-        });
+            $"Values, {SweepPlan.MinSteps} to {SweepPlan.MaxSteps}: evenly spaced, or by equal ratios where they span a factor of ten or "
+            + "more. [default: 5]");
+        Option<SweepWaves?> waves = Choice.Optional<SweepWaves>(
+            "--wave", "With the deformation wave, without it, or both. [default: on]", new()
+            {
+                ["on"] = SweepWaves.On,
+                ["off"] = SweepWaves.Off,
+                ["both"] = SweepWaves.Both,
+            });
         Option<int?> substeps = FlightOptions.Substeps();
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
@@ -102,8 +109,10 @@ internal static class SweepCommand
                 WingSummary wing = point.Summary.Wings[kind];
                 yield return
                 [
-                    LineChart.Label(point.Value), point.HasWave ? "on" : "off", wing.Name, .. s_Numbers.Select(number => number.Bound.Cell(wing, variant)),
-                    Number(point.LoadCamberPct[kind]), kind == 0 ? point.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture) : "",
+                    LineChart.Label(point.Value), point.HasWave ? "on" : "off", wing.Name,
+                    .. s_Numbers.Select(number => number.Bound.Cell(wing, variant)),
+                    Number(point.LoadCamberPct[kind]),
+                    kind == 0 ? point.Summary.LiftOverWeight.ToString("0.00", CultureInfo.InvariantCulture) : "",
                 ];
             }
         }

@@ -27,16 +27,20 @@ internal static class TrimCommand
     public static Command Create(TextWriter output)
     {
         var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
-        Option<double[]> speeds = Numbers.List("--speeds", "M/S,…", k_Most, -k_Fastest, k_Fastest, $"Speeds ahead, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: 0,0.15,0.3,0.65,1,1.3]");
-        Option<double[]> climbs = Numbers.List("--climbs", "M/S,…", k_Most, -k_Fastest, k_Fastest, $"Climbs, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: -0.3,-0.15,0,0.3]");
+        Option<double[]> speeds = Numbers.List("--speeds", "M/S,…", k_Most, -k_Fastest, k_Fastest,
+            $"Speeds ahead, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: 0,0.15,0.3,0.65,1,1.3]");
+        Option<double[]> climbs = Numbers.List("--climbs", "M/S,…", k_Most, -k_Fastest, k_Fastest,
+            $"Climbs, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: -0.3,-0.15,0,0.3]");
         var bake = new Option<bool>("--bake") { Description = "Makes the table of the flight and writes it into the package's sources." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/trim]" };
-        var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds, climbs, bake, folder };
+        var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds,
+            climbs, bake, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
             InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species), InsectVariant.Flight);
-            List<float> ahead = List(parsed.GetValue(speeds), TrimBake.DefaultSpeeds), up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
+            List<float> ahead = List(parsed.GetValue(speeds), TrimBake.DefaultSpeeds),
+                up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             if (parsed.GetValue(bake))
                 Bake(insect, model, ahead, up, output);
@@ -50,23 +54,28 @@ internal static class TrimCommand
     private static void Bake(InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, TextWriter output)
     {
         var bake = new TrimBake(model) { Log = output.WriteLine };
-        using TrimTable table = bake.Bake(speeds, climbs) ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
-        File.WriteAllText(TrimSource.PathOf(insect), TrimSource.Write(insect, TrimTableText.Write(table, model.Key), Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)));
+        using TrimTable table = bake.Bake(speeds, climbs)
+            ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
+        File.WriteAllText(TrimSource.PathOf(insect), TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
+            Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)));
         output.WriteLine(TrimSource.PathOf(insect));
     }
 
-    private static void Survey(InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, string path, TextWriter output)
+    private static void Survey(
+        InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, string path, TextWriter output)
     {
         using var folder = OutputFolder.Prepare(path, k_Picture, k_Table);
         List<TrimRow> rows = TrimSurvey.Make(model, speeds, climbs, output.WriteLine);
         if (!rows.Exists(row => row.Closes))
             throw new UserException($"The {insect.DisplayName} does not fly at any of these speeds and climbs. {rows[0].Problem}");
-        output.WriteLine($"{insect.DisplayName}: {1e6 * model.Mass:0.##} mg, wings {1e3 * model.Length:0.#} mm, beat {model.Frequency:0.##} Hz");
+        output.WriteLine(
+            $"{insect.DisplayName}: {1e6 * model.Mass:0.##} mg, wings {1e3 * model.Length:0.#} mm, beat {model.Frequency:0.##} Hz");
         output.WriteLine(string.Join("  ", TrimRow.Header.Take(k_Shown)));
         foreach (TrimRow row in rows)
             output.WriteLine(string.Join("  ", row.Cells().Take(k_Shown).Select(cell => cell.PadLeft(8))) + "  " + row.Problem);
         folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(TrimPicture.Draw(insect, rows))));
-        folder.Write(k_Table, stream => CsvTable.Write(stream, rows.Select(row => (IReadOnlyList<string>)row.Cells()).Prepend(TrimRow.Header)));
+        folder.Write(
+            k_Table, stream => CsvTable.Write(stream, rows.Select(row => (IReadOnlyList<string>)row.Cells()).Prepend(TrimRow.Header)));
         folder.Commit();
         output.WriteLine($"{Path.Combine(path, k_Picture)}, {Path.Combine(path, k_Table)}");
     }
@@ -75,15 +84,19 @@ internal static class TrimCommand
         given is { Length: > 0 } ? given.Select(value => (float)value).Distinct().Order().ToList() : otherwise.ToList();
 
     private static string Asked(string option, List<float> values, IReadOnlyList<float> otherwise) =>
-        values.SequenceEqual(otherwise) ? "" : $" {option} {string.Join(',', values.Select(value => value.ToString(CultureInfo.InvariantCulture)))}";
+        values.SequenceEqual(otherwise)
+        ? ""
+        : $" {option} {string.Join(',', values.Select(value => value.ToString(CultureInfo.InvariantCulture)))}";
 
     private const string k_Examples =
         "Examples:\n"
         + "  trim monarch\n"
         + "  trim fishfly --speeds 0,0.5,1 --climbs 0\n\n"
-        + "Of all beats that balance lift, thrust and pitching moment the nearest to the species' own, with the bob of the body that they make.\n\n"
+        + "Of all beats that balance lift, thrust and pitching moment the nearest to the species' own, with the bob of the body "
+        + "that they make.\n\n"
         + "Writes into the output folder:\n"
         + "  trim.svg  pitch, frequency, flap, tilt, sweep, bob and power over speed, a line a climb\n"
-        + "  trim.csv  the same, with what is left of lift, thrust and moment over the weight, and what is missing where a point does not close\n\n"
+        + "  trim.csv  the same, with what is left of lift, thrust and moment over the weight, and what is missing where a point "
+        + "does not close\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input, or where the insect flies at none (nothing is written then).\n";
 }

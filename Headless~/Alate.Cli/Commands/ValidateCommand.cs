@@ -18,10 +18,19 @@ internal static class ValidateCommand
 
     public static Command Create(TextWriter output)
     {
-        var data = new Option<string>("--data") { HelpName = "DIR", Description = "Measured curves of your own: CSV files of t/T and value, such as vertical-force.csv." };
+        var data = new Option<string>("--data")
+        {
+            HelpName = "DIR",
+            Description = "Measured curves of your own: CSV files of t/T and value, such as vertical-force.csv.",
+        };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/validation]" };
-        var front = new Option<string>("--readme") { HelpName = "FILE.md", Description = "A page whose part 'validation' gets the rows of the package's front page." };
-        var command = new Command(k_Name, "Compares the model with measured and published flights, and its structure with beams.") { data, folder, front };
+        var front = new Option<string>("--readme")
+        {
+            HelpName = "FILE.md",
+            Description = "A page whose part 'validation' gets the rows of the package's front page.",
+        };
+        var command = new Command(k_Name, "Compares the model with measured and published flights, and its structure with beams.") { data,
+            folder, front };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -60,7 +69,8 @@ internal static class ValidateCommand
             Write(folder, k_Page, ValidationPage.Markdown(rows, curves, k_Charts));
             Write(folder, k_Json, ValidationPage.Json(rows, curves));
             Write(folder, k_Charts, ValidationCharts.Draw(curves));
-            around?.Write(Path.GetFileName(front), stream => stream.Write(Encoding.UTF8.GetBytes(PageBlock.Replace(page, Part, ValidationPage.Selection(rows), k_Name))));
+            around?.Write(Path.GetFileName(front),
+                stream => stream.Write(Encoding.UTF8.GetBytes(PageBlock.Replace(page, Part, ValidationPage.Selection(rows), k_Name))));
             done(k_Stages);
         });
         folder.Commit();
@@ -69,7 +79,8 @@ internal static class ValidateCommand
         terminal.ShowFiles(path, k_Page, k_Json, k_Charts);
     }
 
-    private static void Write(OutputFolder folder, string name, string text) => folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+    private static void Write(OutputFolder folder, string name, string text) =>
+        folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
 
     private const string k_Examples =
         "Examples:\n"

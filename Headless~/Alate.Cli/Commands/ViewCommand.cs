@@ -22,10 +22,13 @@ internal static class ViewCommand
             Description = $"The insect that flies first: {string.Join(", ", InsectCatalogue.Names)}. [default: {k_First}]",
         };
         Option<InsectVariant?> variant = FlightOptions.Variant();
-        Option<int?> port = Numbers.OptionalCount("--port", "N", 0, 65535, $"Port on this machine, 0 to 65535; 0 is any that is free. [default: {ViewServer.DefaultPort}]");
+        Option<int?> port = Numbers.OptionalCount(
+            "--port", "N", 0, 65535, $"Port on this machine, 0 to 65535; 0 is any that is free. [default: {ViewServer.DefaultPort}]");
         Option<string> three = Three();
         var silent = new Option<bool>("--no-browser") { Description = "Opens no browser." };
-        var command = new Command("view", "Opens a page in which an insect flies, by the real simulation, and answers to sliders.") { species, variant, port, three, silent };
+        var command =
+            new Command("view", "Opens a page in which an insect flies, by the real simulation, and answers to sliders.") { species,
+            variant, port, three, silent };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -42,7 +45,8 @@ internal static class ViewCommand
     public static Option<string> Three() => new("--three")
     {
         HelpName = "DIR",
-        Description = $"A folder with three.js {ThreeSource.Version}, such as node_modules/three, for machines without a network. [default: a public server]",
+        Description = $"A folder with three.js {ThreeSource.Version}, such as node_modules/three, for machines without a network. "
+            + "[default: a public server]",
     };
 
     private static void Serve(InsectDefinition insect, InsectVariant variant, int port, ThreeSource three, bool opens, TextWriter output)
@@ -62,7 +66,8 @@ internal static class ViewCommand
         {
             using var browser = Process.Start(new ProcessStartInfo(address) { UseShellExecute = true });
         }
-        catch (Exception problem) when (problem is Win32Exception or PlatformNotSupportedException or InvalidOperationException or FileNotFoundException)
+        catch (Exception problem) when (problem is Win32Exception or PlatformNotSupportedException or InvalidOperationException
+            or FileNotFoundException)
         {
         }
     }
@@ -72,7 +77,8 @@ internal static class ViewCommand
         + "  view\n"
         + "  view firefly --variant expressive --port 8080\n"
         + "  view --three node_modules/three\n\n"
-        + "The page has all species and variants, sliders, the columns of 'compare', and overlays: skeleton, loads, angle of attack, stretch, lift and\n"
+        + "The page has all species and variants, sliders, the columns of 'compare', and overlays: skeleton, loads, angle of attack, "
+        + "stretch, lift and\n"
         + "drag. A wing of your own (OBJ or PNG) flies when it is dropped on the page; its beat can be saved as GLB.\n\n"
         + "Listens on the loopback only; nothing of it is seen from another machine.\n\n"
         + "Exit code: 2 for bad usage or a port that is taken, 130 when stopped by Ctrl-C.\n";

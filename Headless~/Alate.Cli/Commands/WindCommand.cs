@@ -16,17 +16,22 @@ internal static class WindCommand
         Argument<string[]> species = FlightOptions.AnySpecies();
         Option<double[]> speeds = Numbers.List(
             "--speeds", "V,V,...", WindPlan.MostSpeeds, WindPlan.MinSpeed, WindPlan.MaxSpeed,
-            $"Speeds of the wind, metres per second, up to {WindPlan.MostSpeeds} of them, each {WindPlan.MinSpeed} to {WindPlan.MaxSpeed}. [default: {string.Join(',', WindPlan.DefaultSpeeds)}]");
+            $"Speeds of the wind, metres per second, up to {WindPlan.MostSpeeds} of them, each "
+            + $"{WindPlan.MinSpeed} to {WindPlan.MaxSpeed}. [default: {string.Join(',', WindPlan.DefaultSpeeds)}]");
         Option<InsectVariant?> variant = FlightOptions.Variant();
-        var gusts = new Option<bool>("--gusts") { Description = "Two smooth gusts of a beat each and a sharp one, instead of a steady wind." };
+        var gusts =
+            new Option<bool>("--gusts") { Description = "Two smooth gusts of a beat each and a sharp one, instead of a steady wind." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/wind]" };
-        var command = new Command("wind", "Measures how much wings stretch in wind from 26 directions.") { species, speeds, variant, gusts, folder };
+        var command =
+            new Command("wind", "Measures how much wings stretch in wind from 26 directions.") { species, speeds, variant, gusts, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
             InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
             List<InsectDefinition> insects = KnownSpecies.FindAny(parsed.GetValue(species), shown);
-            IReadOnlyList<double> winds = parsed.GetValue(speeds) is { Length: > 0 } given ? given.Order().Distinct().ToList() : WindPlan.DefaultSpeeds;
+            IReadOnlyList<double> winds = parsed.GetValue(speeds) is { Length: > 0 } given
+                ? given.Order().Distinct().ToList()
+                : WindPlan.DefaultSpeeds;
             var plan = new WindPlan(insects.ConvertAll(insect => FlightPlan.Cruise(insect, shown)), winds, parsed.GetValue(gusts));
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", "wind"), output);
             return 0;
@@ -53,7 +58,8 @@ internal static class WindCommand
         "Examples:\n"
         + "  wind firefly --gusts\n"
         + "  wind --speeds 0,3,10 --variant expressive --out soft\n\n"
-        + "Each wing meets the wind on top of its level flight from the 26 neighbours of a cube's centre; species in water meet a tenth of the speeds.\n"
+        + "Each wing meets the wind on top of its level flight from the 26 neighbours of a cube's centre; species in water meet a tenth "
+        + "of the speeds.\n"
         + "Version 0.1 is shown beside it: backward Euler, one-way coupling, wind as it is, 24 substeps (expressive 48), 256 patches.\n\n"
         + "Writes into the output folder:\n"
         + "  wind.svg  stretch over speed, a chart for each species\n"

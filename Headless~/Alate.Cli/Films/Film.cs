@@ -40,7 +40,8 @@ internal sealed class Film
         }
 
         var flights = plan.Columns.Select(column => TetheredFlight.Fly(plan.Flight with { Column = column })).ToList();
-        return new Film(plan, flights, frame => new FilmMoment((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero, []));
+        return new Film(
+            plan, flights, frame => new FilmMoment((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero, []));
     }
 
     /// <summary>Paints every frame.</summary>
@@ -84,17 +85,22 @@ internal sealed class Film
     {
         FlightRecord flight = m_Flights[0];
         double slow = flight.Wings[0].Frequency * m_Plan.Frames / m_Plan.Rate;
-        string title = FormattableString.Invariant($"{flight.Insect.DisplayName}, {slow:0.#} times slower than it beats: {flight.Wings[0].Frequency:0.#} Hz");
-        return IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree, [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []]);
+        string title = FormattableString.Invariant(
+            $"{flight.Insect.DisplayName}, {slow:0.#} times slower than it beats: {flight.Wings[0].Frequency:0.#} Hz");
+        return IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree,
+            [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []]);
     }
 
     // One for each column, all of one scale.
     private List<StripPanel> Panels(List<(float2 Min, float2 Max)> bounds)
     {
-        float2 min = bounds.Aggregate(bounds[0].Min, (least, one) => math.min(least, one.Min)), max = bounds.Aggregate(bounds[0].Max, (most, one) => math.max(most, one.Max));
-        float top = m_Flights.Count > 1 ? k_Label : 0f, width = m_Plan.Width / PixelPage.Fineness / m_Flights.Count, scale = (width - 2f * k_Inset) / (max.x - min.x);
+        float2 min = bounds.Aggregate(bounds[0].Min, (least, one) => math.min(least, one.Min)),
+            max = bounds.Aggregate(bounds[0].Max, (most, one) => math.max(most, one.Max));
+        float top = m_Flights.Count > 1 ? k_Label : 0f, width = m_Plan.Width / PixelPage.Fineness / m_Flights.Count,
+            scale = (width - 2f * k_Inset) / (max.x - min.x);
         float height = math.max((max.y - min.y) * scale + 2f * k_Inset, m_Flights.Count > 1 ? 0f : k_FlattestOverWidth * width);
         Size = new int2(m_Plan.Width, (int)math.ceil((top + height) * PixelPage.Fineness));
-        return Enumerable.Range(0, m_Flights.Count).Select(k => new StripPanel(k * width, top, width, height, scale, 0.5f * (min + max))).ToList();
+        return Enumerable.Range(0, m_Flights.Count)
+            .Select(k => new StripPanel(k * width, top, width, height, scale, 0.5f * (min + max))).ToList();
     }
 }

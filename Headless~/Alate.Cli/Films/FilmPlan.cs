@@ -6,7 +6,8 @@ namespace Alate.Cli;
 /// <summary>A film of an insect's beat.</summary>
 internal sealed record FilmPlan
 {
-    public const int DefaultBeats = 2, MostBeats = 12, DefaultFrames = 24, LeastFrames = 4, MostFrames = 120, DefaultWidth = 720, FreeBeats = 8, FreeFrames = 12, LeastWidth = 120, MostWidth = 1920, DefaultRate = 24, MostRate = 60;
+    public const int DefaultBeats = 2, MostBeats = 12, DefaultFrames = 24, LeastFrames = 4, MostFrames = 120, DefaultWidth = 720,
+        FreeBeats = 8, FreeFrames = 12, LeastWidth = 120, MostWidth = 1920, DefaultRate = 24, MostRate = 60;
 
     /// <summary>The flight; its view is where the film begins.</summary>
     public FlightPlan Flight { get; init; }

@@ -6,7 +6,9 @@ using Unity.Mathematics;
 
 namespace Alate.Cli;
 
-/// <summary>Some beats of a free flight along the erratic track of <c>fly --free --pilot wander</c>, with a camera that goes along.</summary>
+/// <summary>
+/// Some beats of a free flight along the erratic track of <c>fly --free --pilot wander</c>, with a camera that goes along.
+/// </summary>
 internal sealed class FreeStretch
 {
     /// <summary>Seconds after which the insect is under way.</summary>
@@ -44,11 +46,15 @@ internal sealed class FreeStretch
         InsectDefinition insect = InsectCatalogue.Find(plan.Flight.Species);
         double frequency = TetheredFlight.Fly(FlightPlan.Cruise(insect, InsectVariant.Flight)).Wings[0].Frequency;
         double step = math.clamp(1.0 / (frequency * plan.Frames), 0.001, 0.05);
-        var flight = new FreePlan { Insect = insect, WanderSeed = k_Seed, Step = step, Seconds = k_Start + (plan.Beats + 1) * plan.Frames * step };
+        var flight =
+            new FreePlan { Insect = insect, WanderSeed = k_Seed, Step = step, Seconds = k_Start + (plan.Beats + 1) * plan.Frames * step };
         return new FreeStretch(plan, FreeRun.Fly(flight, _ => { }));
     }
 
-    /// <summary>A frame, seen as if the insect looked ahead in the middle of the film. The camera follows the mean of a beat, so that the bob of the body is left.</summary>
+    /// <summary>
+    /// A frame, seen as if the insect looked ahead in the middle of the film. The camera follows the mean of a beat, so that the bob of the
+    /// body is left.
+    /// </summary>
     public FilmMoment At(int frame)
     {
         int now = m_First + frame, between = Math.Max(m_Plan.Frames / k_Dots, 1);
@@ -61,7 +67,8 @@ internal sealed class FreeStretch
                 trail.Add(math.rotate(m_Ahead, m_Places[k] - camera));
         }
 
-        return new FilmMoment(at.Phase / (2.0 * Math.PI), math.mul(m_Ahead, at.Rotation), math.rotate(m_Ahead, m_Places[now] - camera), trail);
+        return new FilmMoment(
+            at.Phase / (2.0 * Math.PI), math.mul(m_Ahead, at.Rotation), math.rotate(m_Ahead, m_Places[now] - camera), trail);
     }
 
     private float3 Mean(int now)

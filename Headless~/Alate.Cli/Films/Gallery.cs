@@ -14,7 +14,10 @@ internal static class Gallery
     private const int k_Columns = 3;
     private const float k_HeightOverWidth = 0.8f, k_InsetOverWidth = 0.045f;
 
-    /// <summary>Phases and views that are chosen by eye, because they show how the wings flex. Other species of the catalogue follow in <see cref="Other"/>.</summary>
+    /// <summary>
+    /// Phases and views that are chosen by eye, because they show how the wings flex. Other species of the catalogue follow in
+    /// <see cref="Other"/>.
+    /// </summary>
     private static readonly Exhibit[] s_Chosen =
     [
         new("monarch", 0.23, 40f, 30f),
@@ -25,7 +28,8 @@ internal static class Gallery
         new("snailfish", 0.40, -38f, 28f),
     ];
 
-    private static readonly Exhibit[] s_Exhibits = s_Chosen.Concat(InsectCatalogue.Names.Except(s_Chosen.Select(one => one.Species)).Select(Other)).ToArray();
+    private static readonly Exhibit[] s_Exhibits = s_Chosen
+        .Concat(InsectCatalogue.Names.Except(s_Chosen.Select(one => one.Species)).Select(Other)).ToArray();
 
     /// <summary>The picture as a PNG file.</summary>
     /// <param name="width">About its width, pixels.</param>
@@ -45,7 +49,8 @@ internal static class Gallery
                 Array.Copy(pixels, y * column, picture, (k / k_Columns * row + y) * k_Columns * column + left, column);
         }
 
-        return IndexedPng.Write(k_Columns * column, rows * row, picture, s_Exhibits.Select(one => InsectCatalogue.Find(one.Species).DisplayName));
+        return IndexedPng.Write(
+            k_Columns * column, rows * row, picture, s_Exhibits.Select(one => InsectCatalogue.Find(one.Species).DisplayName));
     }
 
     private static Color32 Paper()

@@ -26,7 +26,8 @@ internal sealed record ChartAxis(double From, double To, bool IsLogarithmic, IRe
         }
 
         const double k_Slack = 1e-9;
-        int first = ticks.FindLastIndex(tick => tick <= least * (1.0 + k_Slack)), last = ticks.FindIndex(tick => tick >= most * (1.0 - k_Slack));
+        int first = ticks.FindLastIndex(tick => tick <= least * (1.0 + k_Slack)),
+            last = ticks.FindIndex(tick => tick >= most * (1.0 - k_Slack));
         last = Math.Max(last, first + 1);
         return new ChartAxis(ticks[first], ticks[last], true, ticks.GetRange(first, last - first + 1));
     }

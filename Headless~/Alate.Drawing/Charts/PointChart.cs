@@ -49,7 +49,8 @@ internal sealed class PointChart
             path.Append(CultureInfo.InvariantCulture, $"{(path.Length == 0 ? 'M' : 'L')}{place.x:0.#} {place.y:0.#}");
         }
 
-        m_Page.Append($"<path clip-path=\"url(#{m_Clip})\" d=\"{path.ToString()}\" fill=\"none\" stroke=\"{curve.Colour}\" {Stroke(curve.Look)}/>\n");
+        m_Page.Append(
+            $"<path clip-path=\"url(#{m_Clip})\" d=\"{path.ToString()}\" fill=\"none\" stroke=\"{curve.Colour}\" {Stroke(curve.Look)}/>\n");
         foreach (ChartPoint point in curve.Points)
         {
             if (Contains(point))
@@ -61,7 +62,8 @@ internal sealed class PointChart
     public void Ring(ChartPoint point, string colour)
     {
         float2 place = Place(point);
-        m_Page.Append($"<circle cx=\"{place.x:0.#}\" cy=\"{place.y:0.#}\" r=\"{k_Ring}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.5\"/>\n");
+        m_Page.Append(
+            $"<circle cx=\"{place.x:0.#}\" cy=\"{place.y:0.#}\" r=\"{k_Ring}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.5\"/>\n");
     }
 
     /// <summary>Puts a cross on a point.</summary>
@@ -118,5 +120,6 @@ internal sealed class PointChart
 
     private float2 Place(ChartPoint point) => new(m_X + m_Across.Share(point.X) * m_Width, m_Y + (1f - m_Up.Share(point.Y)) * m_Height);
 
-    private bool Contains(ChartPoint point) => m_Across.Share(point.X) is >= 0f and <= 1.0001f && m_Up.Share(point.Y) is >= 0f and <= 1.0001f;
+    private bool Contains(ChartPoint point) =>
+        m_Across.Share(point.X) is >= 0f and <= 1.0001f && m_Up.Share(point.Y) is >= 0f and <= 1.0001f;
 }

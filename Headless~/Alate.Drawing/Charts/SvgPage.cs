@@ -20,7 +20,8 @@ internal sealed class SvgPage
     {
         var page = new StringBuilder();
         page.Append(CultureInfo.InvariantCulture, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" ");
-        page.Append(CultureInfo.InvariantCulture, $"width=\"{width}\" height=\"{height}\">\n<title>{SecurityElement.Escape(title)}</title>\n");
+        page.Append(
+            CultureInfo.InvariantCulture, $"width=\"{width}\" height=\"{height}\">\n<title>{SecurityElement.Escape(title)}</title>\n");
         page.Append($"<style>{k_Style}</style>\n");
         page.Append(CultureInfo.InvariantCulture, $"<rect width=\"{width}\" height=\"{height}\" rx=\"14\" fill=\"#f7f4ec\"/>\n");
         return page.Append(m_Content).Append("</svg>\n").ToString();

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 namespace Alate.Drawing;
 
 /// <summary>
-/// Letters as strokes of a pen, for labels in pictures of pixels. A glyph is a list of strokes; a point is two digits, from the left and from the top, with the
-/// base line at 7 and the height of small letters at 2. A stroke with a ~ is rounded.
+/// Letters as strokes of a pen, for labels in pictures of pixels. A glyph is a list of strokes; a point is two digits, from the left and
+/// from the top, with the base line at 7 and the height of small letters at 2. A stroke with a ~ is rounded.
 /// </summary>
 internal static class Lettering
 {
@@ -138,7 +138,8 @@ internal static class Lettering
                 var points = stroke.TrimStart('~').Split(' ').Select(point => new float2(point[0] - '0', point[1] - '0' - k_Base)).ToList();
                 width = math.max(width, points.Max(point => point.x));
                 float left = x;
-                strokes.Add((stroke[0] == '~' ? Rounded(points) : points).Select(point => unit * point * new float2(k_Narrow, 1f) + new float2(left, 0f)).ToArray());
+                strokes.Add((stroke[0] == '~' ? Rounded(points) : points)
+                    .Select(point => unit * point * new float2(k_Narrow, 1f) + new float2(left, 0f)).ToArray());
             }
 
             x += (width + k_Space) * unit * k_Narrow;

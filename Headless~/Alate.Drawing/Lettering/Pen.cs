@@ -6,7 +6,9 @@ namespace Alate.Drawing;
 /// <summary>A pen with a round tip on a picture of pixels.</summary>
 internal static class Pen
 {
-    /// <summary>Pixels that a stroke covers, by their numbers, with the share of each, by the distance of its middle from the stroke.</summary>
+    /// <summary>
+    /// Pixels that a stroke covers, by their numbers, with the share of each, by the distance of its middle from the stroke.
+    /// </summary>
     /// <param name="size">Pixels of the picture.</param>
     /// <param name="points">The stroke, pixels from the upper left.</param>
     /// <param name="pen">Half the width of the stroke, pixels.</param>
@@ -16,7 +18,8 @@ internal static class Pen
         for (int k = 0; k + 1 < points.Length; k++)
         {
             float2 from = points[k], to = points[k + 1], along = to - from;
-            int2 low = math.max((int2)math.floor(math.min(from, to) - pen - 1f), 0), high = math.min((int2)math.ceil(math.max(from, to) + pen + 1f), size - 1);
+            int2 low = math.max((int2)math.floor(math.min(from, to) - pen - 1f), 0),
+                high = math.min((int2)math.ceil(math.max(from, to) + pen + 1f), size - 1);
             for (int y = low.y; y <= high.y; y++)
             {
                 for (int x = low.x; x <= high.x; x++)

@@ -60,7 +60,10 @@ internal sealed class PixelPage
         var pixels = new float3[size.x * size.y];
         Array.Fill(pixels, Shading.Paper);
         foreach ((PhotoScene scene, Pose pose, StripPanel panel) in m_Photos)
-            Blend(pixels, size, scene.Draw(pose, panel, Fineness), (int2)math.round(Fineness * new float2(panel.Left, panel.Top)), PhotoScene.SizeOf(panel, Fineness));
+        {
+            Blend(pixels, size, scene.Draw(pose, panel, Fineness), (int2)math.round(Fineness * new float2(panel.Left, panel.Top)),
+                PhotoScene.SizeOf(panel, Fineness));
+        }
         foreach ((float2[] points, float pen, float3 colour) in m_Strokes)
         {
             foreach ((int pixel, float covered) in Pen.Cover(size, Array.ConvertAll(points, point => Fineness * point), pen * Fineness))

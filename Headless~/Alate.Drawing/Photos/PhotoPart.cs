@@ -8,4 +8,5 @@ namespace Alate.Drawing;
 /// <param name="Length">Metres of the length in which widths of its pattern are counted.</param>
 /// <param name="At">[vertex] Places on the body, metres, and normals at a phase, 0 to 1 beats.</param>
 /// <param name="Rest">[vertex] Places as it is made, metres; null for what does not move.</param>
-internal sealed record PhotoPart(PhotoSurface Surface, float Length, Func<double, (float3[] Places, float3[] Normals)> At, float3[] Rest = null);
+internal sealed record PhotoPart(
+    PhotoSurface Surface, float Length, Func<double, (float3[] Places, float3[] Normals)> At, float3[] Rest = null);

@@ -97,7 +97,10 @@ internal sealed class PhotoScene
         }
 
         foreach (float3 place in pose.Trail)
-            grid.AddDisc(SampleGrid.k_Fineness * fineness * panel.Place(place).xy, SampleGrid.k_Fineness * fineness * k_TrailDot * m_Camera.Distance / place.z, place.z, TrailLight);
+        {
+            grid.AddDisc(SampleGrid.k_Fineness * fineness * panel.Place(place).xy,
+                SampleGrid.k_Fineness * fineness * k_TrailDot * m_Camera.Distance / place.z, place.z, TrailLight);
+        }
         return grid.Pixels(Shading.ToLinear(Shading.Paper));
     }
 }

@@ -27,7 +27,8 @@ internal sealed class PhotoSurface
     private readonly bool m_IsThin, m_HasPattern;
 
     private PhotoSurface(
-        int index, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool isThin, bool hasPattern, List<MarginEdge> margin)
+        int index, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool isThin, bool hasPattern,
+        List<MarginEdge> margin)
     {
         m_Index = index;
         m_Triangles = triangles;
@@ -49,7 +50,8 @@ internal sealed class PhotoSurface
     /// <param name="values">[vertex] What its colour is made of: a colour, a place in a pattern or a picture, a number.</param>
     /// <param name="colourOf">Linear light and opacity of such a value, over a width in wing lengths; null is a pale membrane.</param>
     /// <param name="hasPattern">True where values are places in something fine.</param>
-    public static PhotoSurface Thin(int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false) =>
+    public static PhotoSurface Thin(
+        int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false) =>
         new(index, triangles, values, colourOf ?? ((_, _) => s_Membrane), true, hasPattern, MeshMargin.Of(rest, triangles));
 
     /// <summary>Draws the surface.</summary>
@@ -97,7 +99,8 @@ internal sealed class PhotoSurface
         return new float4(sum.xyz / math.max(sum.w, 1e-6f), sum.w / along.Count);
     }
 
-    // Of a triangle seen at a slant a pixel holds a long and narrow piece of the pattern: a sample is the mean of its part of it, in steps about as long as the piece is wide.
+    // Of a triangle seen at a slant a pixel holds a long and narrow piece of the pattern: a sample is the mean of its part of it, in steps
+    // about as long as the piece is wide.
     private (float4 Step, int Count) Squeezed(int3 t, float3[] places)
     {
         float2 p = places[t.y].xy - places[t.x].xy, q = places[t.z].xy - places[t.x].xy;
@@ -127,4 +130,5 @@ internal sealed class PhotoSurface
         };
         TriangleSamples.Visit(start - aside, end - aside, end + aside, draw);
         TriangleSamples.Visit(start - aside, end + aside, start + aside, draw);
-    }}
+    }
+}

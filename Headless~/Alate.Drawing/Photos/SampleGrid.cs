@@ -15,7 +15,9 @@ internal sealed class SampleGrid
 
     private const int k_None = -1;
 
-    /// <summary>Of the depth: two sheets of one surface that are nearer to each other are the same, met twice at an edge of its triangles.</summary>
+    /// <summary>
+    /// Of the depth: two sheets of one surface that are nearer to each other are the same, met twice at an edge of its triangles.
+    /// </summary>
     private const float k_SameSheet = 1e-4f;
 
     private readonly float[] m_Depths;
@@ -93,8 +95,9 @@ internal sealed class SampleGrid
     }
 
     /// <summary>
-    /// The pixels, row by row from above: samples weigh the less the farther they lie from the middle of a pixel, up to its neighbours' middles, so that thin lines at any slope look equally wide.
-    /// Encoded values are averaged, not light: a dark line between two rows of pixels is then as dark as one on a row.
+    /// The pixels, row by row from above: samples weigh the less the farther they lie from the middle of a pixel, up to its neighbours'
+    /// middles, so that thin lines at any slope look equally wide. Encoded values are averaged, not light: a dark line between two rows of
+    /// pixels is then as dark as one on a row.
     /// </summary>
     /// <param name="paper">What is behind all, linear light.</param>
     public Color32[] Pixels(float3 paper)
@@ -141,7 +144,8 @@ internal sealed class SampleGrid
     // Nothing but paper in what a pixel takes its colour from.
     private bool IsPaperAround(int x, int y)
     {
-        int left = math.max(k_Fineness * x - 1, 0), right = math.min(k_Fineness * (x + 1), k_Fineness * Width - 1), bottom = math.min(k_Fineness * (y + 1), k_Fineness * Height - 1);
+        int left = math.max(k_Fineness * x - 1, 0), right = math.min(k_Fineness * (x + 1), k_Fineness * Width - 1),
+            bottom = math.min(k_Fineness * (y + 1), k_Fineness * Height - 1);
         for (int row = math.max(k_Fineness * y - 1, 0); row <= bottom; row++)
         {
             for (int index = Index(left, row); index <= Index(right, row); index++)

@@ -31,7 +31,8 @@ internal sealed record WingTexture(byte[] Png, int Width, int Height, Color32[] 
         float2 place = math.clamp(new float2(uv.x, 1f - uv.y), 0f, 1f) * new float2(Width, Height) - 0.5f, share = math.frac(place);
         var corner = (int2)math.floor(place);
         return math.lerp(
-            math.lerp(At(corner), At(corner + new int2(1, 0)), share.x), math.lerp(At(corner + new int2(0, 1)), At(corner + 1), share.x), share.y);
+            math.lerp(At(corner), At(corner + new int2(1, 0)), share.x),
+            math.lerp(At(corner + new int2(0, 1)), At(corner + 1), share.x), share.y);
     }
 
     private float4 At(int2 pixel)

@@ -9,7 +9,9 @@ internal sealed class GlbLooks(GlbBuffer buffer)
     private const string k_Transmission = "KHR_materials_diffuse_transmission";
     private const int k_Linear = 9729, k_LinearMipmap = 9987, k_Clamped = 33071;
 
-    /// <summary>Share of the light that passes a wing, scattered: between those of a white butterfly's scales and of bare membrane.</summary>
+    /// <summary>
+    /// Share of the light that passes a wing, scattered: between those of a white butterfly's scales and of bare membrane.
+    /// </summary>
     private const double k_Passing = 0.35;
 
     private readonly JsonArray m_Materials = [], m_Textures = [], m_Images = [];
@@ -20,7 +22,10 @@ internal sealed class GlbLooks(GlbBuffer buffer)
     public int Plain(bool isPainted, bool isGlass)
     {
         if (!m_Plain.TryGetValue((isPainted, isGlass), out int material))
-            m_Plain.Add((isPainted, isGlass), material = Add(GltfMaterial.Of(isPainted, isGlass, isGlass ? "glass" : isPainted ? "painted" : "membrane")));
+        {
+            m_Plain.Add((isPainted, isGlass),
+                material = Add(GltfMaterial.Of(isPainted, isGlass, isGlass ? "glass" : isPainted ? "painted" : "membrane")));
+        }
         return material;
     }
 
@@ -48,7 +53,8 @@ internal sealed class GlbLooks(GlbBuffer buffer)
         gltf["materials"] = m_Materials;
         if (m_Images.Count == 0)
             return;
-        gltf["samplers"] = new JsonArray(new JsonObject { ["magFilter"] = k_Linear, ["minFilter"] = k_LinearMipmap, ["wrapS"] = k_Clamped, ["wrapT"] = k_Clamped });
+        gltf["samplers"] = new JsonArray(
+            new JsonObject { ["magFilter"] = k_Linear, ["minFilter"] = k_LinearMipmap, ["wrapS"] = k_Clamped, ["wrapT"] = k_Clamped });
         gltf["textures"] = m_Textures;
         gltf["images"] = m_Images;
         if (m_Materials.ToJsonString().Contains(k_Transmission))

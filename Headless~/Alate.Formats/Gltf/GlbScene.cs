@@ -36,7 +36,8 @@ internal sealed class GlbScene
     public static JsonArray NoWeights(int count) => new(Enumerable.Repeat(0, count).Select(zero => (JsonNode)zero).ToArray());
 
     /// <summary>Numbers over time, straight between its keys.</summary>
-    public static JsonObject Sampler(int input, int output) => new() { ["input"] = input, ["output"] = output, ["interpolation"] = "LINEAR" };
+    public static JsonObject Sampler(int input, int output) =>
+        new() { ["input"] = input, ["output"] = output, ["interpolation"] = "LINEAR" };
 
     /// <summary>A sampler's target: <c>translation</c>, <c>rotation</c> or <c>weights</c> of a node.</summary>
     public static JsonObject Channel(int sampler, int node, string path) =>

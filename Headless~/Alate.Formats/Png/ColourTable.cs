@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Alate.Formats;
 
-/// <summary>A few colours for many, by median cut (Heckbert 1982): the boxes with the largest spread of what is in them are halved.</summary>
+/// <summary>
+/// A few colours for many, by median cut (Heckbert 1982): the boxes with the largest spread of what is in them are halved.
+/// </summary>
 internal sealed class ColourTable
 {
     /// <summary>Bits of a channel by which colours are gathered.</summary>
@@ -50,7 +52,10 @@ internal sealed class ColourTable
     /// <summary>The entries.</summary>
     public Color32[] Colours { get; }
 
-    /// <summary>Number of the entry for a colour at a place: the nearest one, or by turns those around it where no entry is near, so that shades have no steps.</summary>
+    /// <summary>
+    /// Number of the entry for a colour at a place: the nearest one, or by turns those around it where no entry is near, so that shades
+    /// have no steps.
+    /// </summary>
     public byte IndexOf(Color32 colour, int x, int y)
     {
         byte nearest = IndexOf(colour);
@@ -71,7 +76,8 @@ internal sealed class ColourTable
         int least = int.MaxValue;
         for (int k = 0; k < Colours.Length; k++)
         {
-            int r = Colours[k].r - colour.r, g = Colours[k].g - colour.g, b = Colours[k].b - colour.b, distance = 2 * r * r + 4 * g * g + b * b;
+            int r = Colours[k].r - colour.r, g = Colours[k].g - colour.g, b = Colours[k].b - colour.b,
+                distance = 2 * r * r + 4 * g * g + b * b;
             if (distance < least)
                 (least, index) = (distance, (byte)k);
         }
@@ -81,7 +87,8 @@ internal sealed class ColourTable
     }
 
     // Variance that a cut can save; the square root of the count keeps large plain grounds from taking all.
-    private static double Spread(List<Cell> box) => Enumerable.Range(0, 3).Max(channel => Range(box, channel)) * Math.Sqrt(Math.Sqrt(box.Sum(cell => (double)cell.Count)));
+    private static double Spread(List<Cell> box) =>
+        Enumerable.Range(0, 3).Max(channel => Range(box, channel)) * Math.Sqrt(Math.Sqrt(box.Sum(cell => (double)cell.Count)));
 
     private static double Range(List<Cell> box, int channel) => box.Max(cell => cell.Of(channel)) - box.Min(cell => cell.Of(channel));
 
@@ -95,7 +102,8 @@ internal sealed class ColourTable
     private static Color32 Mean(List<Cell> box)
     {
         long count = Math.Max(box.Sum(cell => cell.Count), 1);
-        return new Color32((byte)(box.Sum(cell => cell.R) / count), (byte)(box.Sum(cell => cell.G) / count), (byte)(box.Sum(cell => cell.B) / count), byte.MaxValue);
+        return new Color32((byte)(box.Sum(cell => cell.R) / count), (byte)(box.Sum(cell => cell.G) / count),
+            (byte)(box.Sum(cell => cell.B) / count), byte.MaxValue);
     }
 
     /// <summary>Sums of the colours that are gathered.</summary>

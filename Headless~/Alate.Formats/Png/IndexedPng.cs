@@ -20,7 +20,8 @@ internal static class IndexedPng
     /// <param name="height">Rows.</param>
     /// <param name="pixels">Rows from above; opaque.</param>
     /// <param name="texts">What is written in it, for those who do not see it.</param>
-    public static byte[] Write(int width, int height, Color32[] pixels, IEnumerable<string> texts) => Write(width, height, [pixels], 1, true, texts);
+    public static byte[] Write(int width, int height, Color32[] pixels, IEnumerable<string> texts) =>
+        Write(width, height, [pixels], 1, true, texts);
 
     /// <summary>An animation; a single frame is a still picture.</summary>
     /// <param name="width">Pixels in a row.</param>
@@ -51,7 +52,10 @@ internal static class IndexedPng
             byte[] changed = before == null ? indices : Changed(indices, before);
             (int left, int top, int right, int bottom) = before == null ? (0, 0, width, height) : Extent(changed, width, height);
             if (frames.Count > 1)
-                PngChunks.Write(file, "fcTL", [.. Numbers(sequence++, right - left, bottom - top, left, top), 0, 1, (byte)(rate >> 8), (byte)rate, 0, before == null ? (byte)0 : k_BlendOver]);
+            {
+                PngChunks.Write(file, "fcTL", [.. Numbers(sequence++, right - left, bottom - top, left, top), 0, 1, (byte)(rate >> 8),
+                    (byte)rate, 0, before == null ? (byte)0 : k_BlendOver]);
+            }
             byte[] packed = Packed(changed, width, left, top, right, bottom);
             if (before == null)
                 PngChunks.Write(file, "IDAT", packed);

@@ -25,13 +25,16 @@ namespace Alate.Tests.Architecture
 
         private static IEnumerable<string> Divided => s_Within.Keys;
 
-        private static readonly Dictionary<string, IReadOnlyDictionary<string, string[]>> s_Within = Rooms.Within.Concat(CommandLineRooms.Within).ToDictionary();
+        private static readonly Dictionary<string, IReadOnlyDictionary<string, string[]>> s_Within = Rooms.Within
+            .Concat(CommandLineRooms.Within).ToDictionary();
 
         [Test]
-        public void BetweenAssemblies_ThereAreOnlyTheArrowsOfTheTable() => Assert.That(Rooms.BetweenAssemblies(CommandLineRooms.Assemblies), Is.Empty);
+        public void BetweenAssemblies_ThereAreOnlyTheArrowsOfTheTable() =>
+            Assert.That(Rooms.BetweenAssemblies(CommandLineRooms.Assemblies), Is.Empty);
 
         [TestCaseSource(nameof(Divided))]
-        public void BetweenRooms_ThereAreOnlyTheArrowsOfTheTable(string place) => Assert.That(Rooms.BetweenRooms(place, s_Within[place]), Is.Empty);
+        public void BetweenRooms_ThereAreOnlyTheArrowsOfTheTable(string place) =>
+            Assert.That(Rooms.BetweenRooms(place, s_Within[place]), Is.Empty);
 
         [Test]
         public void EveryAssemblyAndRoomThatIsDivided_IsInTheTable() => Assert.That(Rooms.Divided(), Is.EquivalentTo(Divided));
@@ -62,9 +65,12 @@ namespace Alate.Tests.Architecture
                 Has.Member("Runtime/Fitting/FanChains.cs: FanChains uses PlanPoint; there is no arrow Alate.Fitting -> Alate.Geometry"));
         }
 
-        [TestCase("Alate.Cli", "Flights", "Headless~/Alate.Cli/Flights/Runs/TetheredFlight.cs: TetheredFlight uses UserException; there is no arrow Flights -> Base")]
-        [TestCase("Alate.Cli/Flights", "Runs", "Headless~/Alate.Cli/Flights/Runs/FlightRecord.cs: FlightRecord uses FlightPlan; there is no arrow Runs -> Plans")]
-        [TestCase("Alate.Drawing", "Pages", "Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses PhotoScene; there is no arrow Pages -> Photos")]
+        [TestCase("Alate.Cli", "Flights",
+            "Headless~/Alate.Cli/Flights/Runs/TetheredFlight.cs: TetheredFlight uses UserException; there is no arrow Flights -> Base")]
+        [TestCase("Alate.Cli/Flights", "Runs",
+            "Headless~/Alate.Cli/Flights/Runs/FlightRecord.cs: FlightRecord uses FlightPlan; there is no arrow Runs -> Plans")]
+        [TestCase("Alate.Drawing", "Pages",
+            "Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses PhotoScene; there is no arrow Pages -> Photos")]
         public void AMissingArrowOfTheCommandLine_IsToldWithFileTypeAndRule(string place, string room, string told)
         {
             var rooms = new Dictionary<string, string[]>(CommandLineRooms.Within[place]) { [room] = [] };
@@ -75,15 +81,18 @@ namespace Alate.Tests.Architecture
         [Test]
         public void FormatsAndDrawing_KnowNoFlight()
         {
-            var assemblies = new Dictionary<string, string[]>(CommandLineRooms.Assemblies) { ["Alate.Drawing"] = ["Alate.Geometry", "Alate.Model"] };
+            var assemblies =
+                new Dictionary<string, string[]>(CommandLineRooms.Assemblies) { ["Alate.Drawing"] = ["Alate.Geometry", "Alate.Model"] };
 
             Assert.That(
                 Rooms.BetweenAssemblies(assemblies).Select(violation => violation.ToString()),
-                Has.Member("Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses IndexedPng; there is no arrow Alate.Drawing -> Alate.Formats"));
+                Has.Member("Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses IndexedPng; there is no arrow Alate.Drawing "
+                    + "-> Alate.Formats"));
             foreach (string assembly in new[] { "Alate.Formats", "Alate.Drawing" })
             {
                 var project = XElement.Load(Path.Combine(PackageRoot.Find(), "Headless~", assembly, assembly + ".csproj"));
-                IEnumerable<string> built = project.Descendants("ProjectReference").Select(reference => Path.GetFileNameWithoutExtension(reference.Attribute("Include").Value));
+                IEnumerable<string> built = project.Descendants("ProjectReference")
+                    .Select(reference => Path.GetFileNameWithoutExtension(reference.Attribute("Include").Value));
 
                 Assert.That(project.Descendants("DisableTransitiveProjectReferences").Single().Value, Is.EqualTo("true"));
                 Assert.That(built, Is.EquivalentTo(CommandLineRooms.Assemblies[assembly].Append("Unity")));
@@ -109,12 +118,14 @@ namespace Alate.Tests.Architecture
             IEnumerable<string> defined = definition.RootElement.GetProperty("references").EnumerateArray()
                 .Select(reference => reference.GetString()).Where(Rooms.Assemblies.ContainsKey);
             IEnumerable<string> built = project.Descendants("ProjectReference")
-                .Select(reference => Path.GetFileNameWithoutExtension(reference.Attribute("Include").Value)).Where(Rooms.Assemblies.ContainsKey);
+                .Select(reference => Path.GetFileNameWithoutExtension(reference.Attribute("Include").Value))
+                .Where(Rooms.Assemblies.ContainsKey);
 
             Assert.That(definition.RootElement.GetProperty("name").GetString(), Is.EqualTo(assembly));
             Assert.That(defined, Is.EquivalentTo(Rooms.Assemblies[assembly]));
             Assert.That(built, Is.EquivalentTo(Rooms.Assemblies[assembly]));
-            Assert.That(project.Descendants("AllowUnsafeBlocks").Single().Value == "true", Is.EqualTo(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean()));
+            Assert.That(project.Descendants("AllowUnsafeBlocks").Single().Value == "true",
+                Is.EqualTo(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean()));
             Assert.That(definition.RootElement.GetProperty("allowUnsafeCode").GetBoolean(), Is.EqualTo(assembly == "Alate.Model"));
         }
 
@@ -124,10 +135,14 @@ namespace Alate.Tests.Architecture
             using JsonDocument definition = Definition(assembly);
             string root = PackageRoot.Find();
             var project = XElement.Load(Path.Combine(root, "Headless~", assembly, assembly + ".csproj"));
-            IEnumerable<string> named = definition.RootElement.GetProperty("references").EnumerateArray().Select(reference => reference.GetString()).Where(name => !name.StartsWith("Alate"));
+            IEnumerable<string> named = definition.RootElement.GetProperty("references").EnumerateArray()
+                .Select(reference => reference.GetString()).Where(name => !name.StartsWith("Alate"));
             string[] sources = Rooms.Files(assembly).Values.Distinct().Select(file => File.ReadAllText(Path.Combine(root, file))).ToArray();
-            IEnumerable<string> used = s_Outside.Where(one => sources.Any(source => Regex.IsMatch(source, $@"^using (?:static )?{one.Value}\b", RegexOptions.Multiline))).Select(one => one.Key);
-            IEnumerable<string> standIns = project.Descendants("ProjectReference").Select(reference => reference.Attribute("Include").Value).Where(path => path.Contains("StandIns"));
+            IEnumerable<string> used = s_Outside
+                .Where(one => sources.Any(source => Regex.IsMatch(source, $@"^using (?:static )?{one.Value}\b", RegexOptions.Multiline)))
+                .Select(one => one.Key);
+            IEnumerable<string> standIns = project.Descendants("ProjectReference").Select(reference => reference.Attribute("Include").Value)
+                .Where(path => path.Contains("StandIns"));
 
             Assert.That(named, Is.EquivalentTo(used));
             Assert.That(
@@ -141,7 +156,8 @@ namespace Alate.Tests.Architecture
         {
             string root = PackageRoot.Find();
             IEnumerable<string> there = new[] { "Runtime", "Editor" }
-                .SelectMany(folder => Directory.EnumerateFiles(Path.Combine(root, folder), "*.asmdef", SearchOption.AllDirectories)).Select(Path.GetFileNameWithoutExtension);
+                .SelectMany(folder => Directory.EnumerateFiles(Path.Combine(root, folder), "*.asmdef", SearchOption.AllDirectories))
+                .Select(Path.GetFileNameWithoutExtension);
 
             Assert.That(there, Is.EquivalentTo(Rooms.Assemblies.Keys));
         }
@@ -175,15 +191,20 @@ namespace Alate.Tests.Architecture
         {
             string root = Path.Combine(PackageRoot.Find(), folder);
             using var definition = JsonDocument.Parse(File.ReadAllText(Path.Combine(root, assembly + ".asmdef")));
-            var known = definition.RootElement.GetProperty("references").EnumerateArray().Select(reference => reference.GetString()).Append(assembly).ToHashSet();
+            var known = definition.RootElement.GetProperty("references").EnumerateArray().Select(reference => reference.GetString())
+                .Append(assembly).ToHashSet();
             if (definition.RootElement.GetProperty("includePlatforms").GetArrayLength() > 0)
                 known.Add("UnityEditor");
             foreach (string file in Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories))
             {
-                IEnumerable<string> used = Regex.Matches(File.ReadAllText(file), @"^using (?:static |\w+ = )?((?:Alate|UnityEditor)\b[\w.]*);", RegexOptions.Multiline)
+                IEnumerable<string> used = Regex.Matches(
+                    File.ReadAllText(file), @"^using (?:static |\w+ = )?((?:Alate|UnityEditor)\b[\w.]*);", RegexOptions.Multiline)
                     .Select(match => match.Groups[1].Value);
                 foreach (string name in used)
-                    Assert.That(known.Contains(name.StartsWith("UnityEditor") ? "UnityEditor" : name), $"{file} uses {name}, which {assembly}.asmdef does not name");
+                {
+                    Assert.That(known.Contains(name.StartsWith("UnityEditor") ? "UnityEditor" : name),
+                        $"{file} uses {name}, which {assembly}.asmdef does not name");
+                }
             }
         }
 
@@ -191,7 +212,8 @@ namespace Alate.Tests.Architecture
         public void OnlyWhatStandsInEditor_IsLeftOutOfPlayers(string assembly)
         {
             using JsonDocument definition = Definition(assembly);
-            string[] platforms = definition.RootElement.GetProperty("includePlatforms").EnumerateArray().Select(platform => platform.GetString()).ToArray();
+            string[] platforms = definition.RootElement.GetProperty("includePlatforms").EnumerateArray()
+                .Select(platform => platform.GetString()).ToArray();
 
             Assert.That(platforms, Is.EqualTo(Rooms.Folders[assembly].StartsWith("Editor") ? new[] { "Editor" } : new string[0]));
         }

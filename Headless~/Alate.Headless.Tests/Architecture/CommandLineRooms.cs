@@ -12,85 +12,87 @@ namespace Alate.Tests.Architecture
             ["Alate.Drawing"] = ["Alate.Formats", "Alate.Geometry", "Alate.Model"],
             ["Alate.Cli"] =
             [
-                "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Fitting", "Alate.Flight", "Alate.Formats",
+                "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Fitting", "Alate.Flight",
+                "Alate.Formats",
                 "Alate.Geometry", "Alate.Model",
             ],
         };
 
         /// <summary>[assembly or room] Rooms and those each may use.</summary>
-        public static readonly IReadOnlyDictionary<string, IReadOnlyDictionary<string, string[]>> Within = new Dictionary<string, IReadOnlyDictionary<string, string[]>>
-        {
-            ["Alate.Formats"] = new Dictionary<string, string[]>
+        public static readonly IReadOnlyDictionary<string, IReadOnlyDictionary<string, string[]>> Within =
+            new Dictionary<string, IReadOnlyDictionary<string, string[]>>
             {
-                ["Gltf"] = [],
-                ["Meshes"] = [],
-                ["Png"] = [],
-                ["Tables"] = [],
-            },
-            ["Alate.Drawing"] = new Dictionary<string, string[]>
-            {
-                ["Charts"] = [],
-                ["Lettering"] = [],
-                ["Photos"] = [],
-                ["Pages"] = ["Lettering", "Photos"],
-            },
-            ["Alate.Cli"] = new Dictionary<string, string[]>
-            {
-                ["Base"] = [],
-                ["Projects"] = ["Base"],
-                ["Flights"] = ["Base"],
-                ["Bakes"] = ["Base"],
-                ["Films"] = ["Base", "Flights"],
-                ["Studies"] = ["Base", "Flights"],
-                ["Live"] = ["Base", "Flights"],
-                ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies"],
-                ["Alate.Cli"] = ["Base", "Commands"],
-            },
-            ["Alate.Cli/Base"] = new Dictionary<string, string[]>
-            {
-                ["Errors"] = [],
-                ["Files"] = ["Errors"],
-                ["Input"] = ["Errors"],
-                ["Terminals"] = ["Files"],
-            },
-            ["Alate.Cli/Flights"] = new Dictionary<string, string[]>
-            {
-                ["Plans"] = [],
-                ["Insects"] = ["Plans"],
-                ["Runs"] = ["Insects", "Plans"],
-                ["Measures"] = ["Insects", "Plans", "Runs"],
-                ["Free"] = ["Plans", "Runs"],
-                ["Pictures"] = ["Free", "Insects", "Measures", "Plans", "Runs"],
-                ["Reports"] = ["Free", "Insects", "Measures", "Pictures", "Plans", "Runs"],
-            },
-            ["Alate.Cli/Bakes"] = new Dictionary<string, string[]>
-            {
-                ["Gltf"] = [],
-                ["Bakes"] = ["Gltf"],
-            },
-            ["Alate.Cli/Studies"] = new Dictionary<string, string[]>
-            {
-                ["Accuracy"] = [],
-                ["Comparisons"] = [],
-                ["Pages"] = [],
-                ["Skeletons"] = [],
-                ["Species"] = [],
-                ["Sweeps"] = [],
-                ["Trims"] = [],
-                ["Winds"] = [],
-                ["Validation"] = ["Pages"],
-                ["Figures"] = ["Accuracy", "Pages", "Validation", "Winds"],
-            },
-            ["Alate.Cli/Live"] = new Dictionary<string, string[]>
-            {
-                ["Scenes"] = [],
-                ["Server"] = ["Scenes"],
-            },
-            ["Alate.Cli/Commands"] = new Dictionary<string, string[]>
-            {
-                ["Options"] = [],
-                ["Commands"] = ["Options"],
-            },
-        };
+                ["Alate.Formats"] = new Dictionary<string, string[]>
+                {
+                    ["Gltf"] = [],
+                    ["Meshes"] = [],
+                    ["Png"] = [],
+                    ["Tables"] = [],
+                },
+                ["Alate.Drawing"] = new Dictionary<string, string[]>
+                {
+                    ["Charts"] = [],
+                    ["Lettering"] = [],
+                    ["Photos"] = [],
+                    ["Pages"] = ["Lettering", "Photos"],
+                },
+                ["Alate.Cli"] = new Dictionary<string, string[]>
+                {
+                    ["Base"] = [],
+                    ["Projects"] = ["Base"],
+                    ["Flights"] = ["Base"],
+                    ["Bakes"] = ["Base"],
+                    ["Films"] = ["Base", "Flights"],
+                    ["Studies"] = ["Base", "Flights"],
+                    ["Live"] = ["Base", "Flights"],
+                    ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies"],
+                    ["Alate.Cli"] = ["Base", "Commands"],
+                },
+                ["Alate.Cli/Base"] = new Dictionary<string, string[]>
+                {
+                    ["Errors"] = [],
+                    ["Files"] = ["Errors"],
+                    ["Input"] = ["Errors"],
+                    ["Terminals"] = ["Files"],
+                },
+                ["Alate.Cli/Flights"] = new Dictionary<string, string[]>
+                {
+                    ["Plans"] = [],
+                    ["Insects"] = ["Plans"],
+                    ["Runs"] = ["Insects", "Plans"],
+                    ["Measures"] = ["Insects", "Plans", "Runs"],
+                    ["Free"] = ["Plans", "Runs"],
+                    ["Pictures"] = ["Free", "Insects", "Measures", "Plans", "Runs"],
+                    ["Reports"] = ["Free", "Insects", "Measures", "Pictures", "Plans", "Runs"],
+                },
+                ["Alate.Cli/Bakes"] = new Dictionary<string, string[]>
+                {
+                    ["Gltf"] = [],
+                    ["Bakes"] = ["Gltf"],
+                },
+                ["Alate.Cli/Studies"] = new Dictionary<string, string[]>
+                {
+                    ["Accuracy"] = [],
+                    ["Comparisons"] = [],
+                    ["Pages"] = [],
+                    ["Skeletons"] = [],
+                    ["Species"] = [],
+                    ["Sweeps"] = [],
+                    ["Trims"] = [],
+                    ["Winds"] = [],
+                    ["Validation"] = ["Pages"],
+                    ["Figures"] = ["Accuracy", "Pages", "Validation", "Winds"],
+                },
+                ["Alate.Cli/Live"] = new Dictionary<string, string[]>
+                {
+                    ["Scenes"] = [],
+                    ["Server"] = ["Scenes"],
+                },
+                ["Alate.Cli/Commands"] = new Dictionary<string, string[]>
+                {
+                    ["Options"] = [],
+                    ["Commands"] = ["Options"],
+                },
+            };
     }
 }

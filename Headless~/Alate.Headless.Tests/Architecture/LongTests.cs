@@ -14,14 +14,16 @@ namespace Alate.Tests.Architecture
         {
             Assembly[] tests = [typeof(LongTests).Assembly, typeof(PlayFixture).Assembly];
             IEnumerable<MemberInfo> places = tests.SelectMany(assembly => assembly.GetTypes())
-                .SelectMany(type => type.GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly).Append<MemberInfo>(type));
+                .SelectMany(type => type.GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly)
+                    .Append<MemberInfo>(type));
 
             Assert.That(places.Where(place => IsLong(place) != IsExplicit(place)).Select(Name), Is.Empty);
             Assert.That(places.SelectMany(place => place.GetCustomAttributes<TestCaseAttribute>(), (place, test) => (place, test))
                 .Where(one => one.test.Category == "Long" != one.test.Explicit).Select(one => Name(one.place)), Is.Empty);
         }
 
-        private static bool IsLong(MemberInfo place) => place.GetCustomAttributes<CategoryAttribute>(inherit: false).Any(category => category.Name == "Long");
+        private static bool IsLong(MemberInfo place) =>
+            place.GetCustomAttributes<CategoryAttribute>(inherit: false).Any(category => category.Name == "Long");
 
         private static bool IsExplicit(MemberInfo place) => place.IsDefined(typeof(ExplicitAttribute), inherit: false);
 

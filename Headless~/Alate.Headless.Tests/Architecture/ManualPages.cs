@@ -11,7 +11,8 @@ namespace Alate.Tests.Architecture
     /// <summary>Markdown pages of the package, with their links and headings.</summary>
     internal static class ManualPages
     {
-        private static readonly Regex s_Link = new(@"\[[^\]]*\]\(([^)\s]+)\)"), s_Fence = new(@"(?ms)^```.*?^```\s*$"), s_Code = new("`[^`]*`");
+        private static readonly Regex s_Link = new(@"\[[^\]]*\]\(([^)\s]+)\)"), s_Fence = new(@"(?ms)^```.*?^```\s*$"),
+            s_Code = new("`[^`]*`");
 
         public static string Root { get; } = PackageRoot.Find();
 
@@ -34,12 +35,16 @@ namespace Alate.Tests.Architecture
                 return Uri.TryCreate(link, UriKind.Absolute, out Uri address) && address.Scheme == "https" ? null : "is no https address";
 
             string[] parts = link.Split('#', 2);
-            string target = parts[0] == "" ? page : Path.GetRelativePath(Root, Path.GetFullPath(parts[0], Path.GetDirectoryName(Path.Combine(Root, page))));
+            string target = parts[0] == ""
+                ? page
+                : Path.GetRelativePath(Root, Path.GetFullPath(parts[0], Path.GetDirectoryName(Path.Combine(Root, page))));
             if (target.StartsWith("..", StringComparison.Ordinal))
                 return "leaves the package";
             if (!Exists(target))
                 return "names no file";
-            return parts.Length == 1 || (target.EndsWith(".md", StringComparison.Ordinal) && Anchors(Text(target)).Contains(parts[1])) ? null : "names no heading";
+            return parts.Length == 1 || (target.EndsWith(".md", StringComparison.Ordinal) && Anchors(Text(target)).Contains(parts[1]))
+                ? null
+                : "names no heading";
         }
 
         /// <summary>Returns true where a path exists with exactly these capitals, also on systems that do not tell them apart.</summary>
@@ -48,8 +53,11 @@ namespace Alate.Tests.Architecture
             string folder = Root;
             foreach (string part in path.Split('/', '\\'))
             {
-                if (!Directory.Exists(folder) || !Directory.EnumerateFileSystemEntries(folder).Any(entry => Path.GetFileName(entry) == part))
+                if (!Directory.Exists(folder)
+                    || !Directory.EnumerateFileSystemEntries(folder).Any(entry => Path.GetFileName(entry) == part))
+                {
                     return false;
+                }
                 folder = Path.Combine(folder, part);
             }
 
@@ -63,8 +71,11 @@ namespace Alate.Tests.Architecture
             foreach (Match heading in Regex.Matches(s_Fence.Replace(text, ""), @"(?m)^#{1,6} +(.+?) *$"))
             {
                 var anchor = new StringBuilder();
-                foreach (char letter in heading.Groups[1].Value.ToLowerInvariant().Where(letter => char.IsLetterOrDigit(letter) || letter is ' ' or '-' or '_'))
+                foreach (char letter in heading.Groups[1].Value.ToLowerInvariant()
+                    .Where(letter => char.IsLetterOrDigit(letter) || letter is ' ' or '-' or '_'))
+                {
                     anchor.Append(letter == ' ' ? '-' : letter);
+                }
                 string name = anchor.ToString();
                 for (int k = 1; !anchors.Add(name); k++)
                     name = $"{anchor}-{k}";
@@ -73,7 +84,8 @@ namespace Alate.Tests.Architecture
             return anchors;
         }
 
-        private static IEnumerable<string> Under(string folder) => Directory.GetFiles(Path.Combine(Root, folder), "*.md", SearchOption.AllDirectories)
+        private static IEnumerable<string> Under(string folder) =>
+            Directory.GetFiles(Path.Combine(Root, folder), "*.md", SearchOption.AllDirectories)
             .Select(file => Path.GetRelativePath(Root, file).Replace('\\', '/')).OrderBy(file => file, StringComparer.Ordinal);
     }
 }

@@ -18,7 +18,8 @@ namespace Alate.Tests.Architecture
         public void Links_LeadSomewhere([ValueSource(nameof(Pages))] string page)
         {
             IEnumerable<string> dead = ManualPages.Links(page)
-                .Select(link => (Link: link, Fault: ManualPages.FindFault(page, link))).Where(link => link.Fault != null).Select(link => $"{link.Link} {link.Fault}");
+                .Select(link => (Link: link, Fault: ManualPages.FindFault(page, link))).Where(link => link.Fault != null)
+                .Select(link => $"{link.Link} {link.Fault}");
 
             Assert.That(dead, Is.Empty);
         }
@@ -29,12 +30,15 @@ namespace Alate.Tests.Architecture
         [TestCase("README.md", "Documentation~/model.md#no-such-heading", "names no heading")]
         [TestCase("README.md", "../elsewhere.md", "leaves the package")]
         [TestCase("README.md", "http://example.org", "is no https address")]
-        public void Faults_AreFound(string page, string link, string fault) => Assert.That(ManualPages.FindFault(page, link), Is.EqualTo(fault));
+        public void Faults_AreFound(string page, string link, string fault) =>
+            Assert.That(ManualPages.FindFault(page, link), Is.EqualTo(fault));
 
         [Test]
         public void SourceFilesThatPagesName_Exist([ValueSource(nameof(Pages))] string page)
         {
-            IEnumerable<string> paths = Regex.Matches(ManualPages.Text(page), @"`((?:Runtime|Editor|Tests|Headless~|Samples~|\.ci|\.github)/[\w~./-]+)").Select(match => match.Groups[1].Value.TrimEnd('.', '/'));
+            IEnumerable<string> paths = Regex.Matches(
+                ManualPages.Text(page), @"`((?:Runtime|Editor|Tests|Headless~|Samples~|\.ci|\.github)/[\w~./-]+)")
+                .Select(match => match.Groups[1].Value.TrimEnd('.', '/'));
 
             Assert.That(paths.Where(path => !ManualPages.Exists(path) && !ManualPages.Exists(path + ".cs")), Is.Empty);
         }
@@ -44,7 +48,9 @@ namespace Alate.Tests.Architecture
         {
             string[] linked = ManualPages.Links("Documentation~/index.md").ToArray();
 
-            Assert.That(Directory.GetFiles(Path.Combine(ManualPages.Root, "Documentation~"), "*.md").Select(Path.GetFileName).Except(linked), Is.EqualTo(new[] { "index.md" }));
+            Assert.That(
+                Directory.GetFiles(Path.Combine(ManualPages.Root, "Documentation~"), "*.md").Select(Path.GetFileName).Except(linked),
+                Is.EqualTo(new[] { "index.md" }));
         }
 
         [Test]
@@ -67,7 +73,8 @@ namespace Alate.Tests.Architecture
             var types = PublicTypes().Where(type => !type.IsNested).ToDictionary(type => type.Name);
             IEnumerable<string> missing = Regex.Matches(ManualPages.Text(page), @"(?<![\w.""/])([A-Z]\w+)\.([A-Z]\w+)")
                 .Where(match => types.ContainsKey(match.Groups[1].Value) && match.Groups[2].Value is not ("Alate" or "Catalogue"))
-                .Where(match => types[match.Groups[1].Value].GetMember(match.Groups[2].Value, BindingFlags.Public | BindingFlags.Static | BindingFlags.Instance | BindingFlags.FlattenHierarchy).Length == 0)
+                .Where(match => types[match.Groups[1].Value].GetMember(match.Groups[2].Value, BindingFlags.Public | BindingFlags.Static
+                    | BindingFlags.Instance | BindingFlags.FlattenHierarchy).Length == 0)
                 .Select(match => match.Value);
 
             Assert.That(missing, Is.Empty);
@@ -77,7 +84,8 @@ namespace Alate.Tests.Architecture
         public void ProfilerMarkers_AreNamedOnThePageOfTheComponent()
         {
             string page = ManualPages.Text("Documentation~/insect-wings.md");
-            string[] markers = Regex.Matches(ManualPages.Text("Runtime/Insects/Live/SystemMarkers.cs"), @"""Alate\.(\w+)""").Select(match => match.Groups[1].Value).ToArray();
+            string[] markers = Regex.Matches(ManualPages.Text("Runtime/Insects/Live/SystemMarkers.cs"), @"""Alate\.(\w+)""")
+                .Select(match => match.Groups[1].Value).ToArray();
 
             Assert.That(markers, Is.Not.Empty);
             Assert.That(markers.Where(marker => !page.Contains($"`{marker}`") && !page.Contains($"`Alate.{marker}`")), Is.Empty);
@@ -88,8 +96,11 @@ namespace Alate.Tests.Architecture
         {
             foreach (Type type in Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetTypes()))
             {
-                foreach (CustomAttributeData help in type.GetCustomAttributesData().Where(data => data.AttributeType.Name == "HelpURLAttribute"))
+                foreach (CustomAttributeData help in type.GetCustomAttributesData()
+                    .Where(data => data.AttributeType.Name == "HelpURLAttribute"))
+                {
                     Assert.That(ManualPages.FindFault("package.json", (string)help.ConstructorArguments[0].Value), Is.Null, type.FullName);
+                }
             }
         }
 
@@ -97,12 +108,16 @@ namespace Alate.Tests.Architecture
         public void AddressesOfThePackage_LeadSomewhere()
         {
             using var package = JsonDocument.Parse(ManualPages.Text("package.json"));
-            foreach (JsonProperty property in package.RootElement.EnumerateObject().Where(property => property.Name.EndsWith("Url", StringComparison.Ordinal)))
+            foreach (JsonProperty property in package.RootElement.EnumerateObject()
+                .Where(property => property.Name.EndsWith("Url", StringComparison.Ordinal)))
+            {
                 Assert.That(ManualPages.FindFault("package.json", property.Value.GetString()), Is.Null, property.Name);
+            }
             foreach (JsonElement sample in package.RootElement.GetProperty("samples").EnumerateArray())
                 Assert.That(ManualPages.Exists(sample.GetProperty("path").GetString()), sample.ToString());
         }
 
-        private static IEnumerable<Type> PublicTypes() => Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetExportedTypes());
+        private static IEnumerable<Type> PublicTypes() =>
+            Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetExportedTypes());
     }
 }

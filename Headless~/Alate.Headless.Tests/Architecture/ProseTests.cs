@@ -10,7 +10,8 @@ namespace Alate.Tests.Architecture
     /// <summary>Rules of prose that a machine can hold; CONTRIBUTING.md has them all.</summary>
     public sealed class ProseTests
     {
-        private static readonly Regex s_Start = new Regex(@"<summary>\s*(?:///\s*)?(?:\[[^\]]*\]\s*)*(What|Who|It|How|Where|Whether|That|Whose|If|Nobody|Somebody|Something)\b");
+        private static readonly Regex s_Start = new Regex(
+            @"<summary>\s*(?:///\s*)?(?:\[[^\]]*\]\s*)*(What|Who|It|How|Where|Whether|That|Whose|If|Nobody|Somebody|Something)\b");
 
         [Test]
         public void Summaries_StartWithANounOrAVerb([Values("Runtime", "Editor", "Tests", "Samples~", "Headless~")] string folder)

@@ -11,9 +11,11 @@ namespace Alate.Tests.Architecture
     /// <summary>The public API, a line a member, as it was looked at last: a change of it is meant, and seen in a review.</summary>
     public sealed class PublicApiTests
     {
-        private const BindingFlags k_Own = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Static | BindingFlags.Instance | BindingFlags.DeclaredOnly;
+        private const BindingFlags k_Own = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Static | BindingFlags.Instance
+            | BindingFlags.DeclaredOnly;
 
-        private static string Snapshot => Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Architecture", "PublicApi.txt");
+        private static string Snapshot =>
+            Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Architecture", "PublicApi.txt");
 
         [Test]
         public void ThePublicApi_IsThatOfTheSnapshot()
@@ -34,7 +36,8 @@ namespace Alate.Tests.Architecture
             var found = new HashSet<string>();
             foreach (Type type in Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetExportedTypes()))
             {
-                CustomAttributeData moved = type.GetCustomAttributesData().FirstOrDefault(data => data.AttributeType.Name == "MovedFromAttribute");
+                CustomAttributeData moved = type.GetCustomAttributesData()
+                    .FirstOrDefault(data => data.AttributeType.Name == "MovedFromAttribute");
                 string Argument(int index, string present) => moved?.ConstructorArguments[index].Value as string ?? present;
                 if (Argument(1, type.Namespace) == "Alate" && Argument(2, type.Assembly.GetName().Name) == "Alate")
                     found.Add(Argument(3, type.Name));
@@ -46,7 +49,8 @@ namespace Alate.Tests.Architecture
         [Test]
         public void TypesThatWereWithdrawn_AreInternal([ValueSource(nameof(s_NowInternal))] string name)
         {
-            Type[] types = Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetTypes()).Where(type => type.Name == name).ToArray();
+            Type[] types = Rooms.Assemblies.Keys.SelectMany(assembly => Assembly.Load(assembly).GetTypes())
+                .Where(type => type.Name == name).ToArray();
             Assert.That(types, Has.Length.EqualTo(1));
             Assert.That(types[0].IsVisible, Is.False);
         }
@@ -70,7 +74,8 @@ namespace Alate.Tests.Architecture
 
         private static bool IsShown(MemberInfo member) => member switch
         {
-            MethodBase method => (method.IsPublic || method.IsFamily || method.IsFamilyOrAssembly) && (!method.IsSpecialName || method is ConstructorInfo),
+            MethodBase method => (method.IsPublic || method.IsFamily || method.IsFamilyOrAssembly)
+                && (!method.IsSpecialName || method is ConstructorInfo),
             FieldInfo field => (field.IsPublic || field.IsFamily) && !field.IsSpecialName,
             PropertyInfo property => property.GetAccessors(true).Any(accessor => accessor.IsPublic || accessor.IsFamily),
             EventInfo @event => @event.AddMethod.IsPublic,
@@ -88,7 +93,8 @@ namespace Alate.Tests.Architecture
         // Parts of the measurements and of the catalogue that nobody outside can need.
         private static readonly string[] s_NowInternal =
         [
-            "EdgeLag", "EdgeStretch", "GeneratedInsect", "MonarchPattern", "SectionCamber", "SectionTwist", "TipBend", "TipLag", "WingSection",
+            "EdgeLag", "EdgeStretch", "GeneratedInsect", "MonarchPattern", "SectionCamber", "SectionTwist", "TipBend", "TipLag",
+            "WingSection",
         ];
 
         private static readonly string[] s_FirstVersion =

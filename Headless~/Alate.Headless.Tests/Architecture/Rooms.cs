@@ -32,7 +32,8 @@ namespace Alate.Tests.Architecture
             ["Alate.Crowds"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Catalogue"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
-            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight",
+                "Alate.Geometry", "Alate.Model"],
         };
 
         /// <summary>Folders of the sources of each assembly.</summary>
@@ -53,132 +54,133 @@ namespace Alate.Tests.Architecture
         };
 
         /// <summary>
-        /// [assembly, or assembly/room] Rooms and those each may use. What lies in no room belongs to the room of the folder's own name; "*" stands for all
-        /// rooms without an entry, such as the folder of each species.
+        /// [assembly, or assembly/room] Rooms and those each may use. What lies in no room belongs to the room of the folder's own name;
+        /// "*" stands for all rooms without an entry, such as the folder of each species.
         /// </summary>
-        public static readonly IReadOnlyDictionary<string, IReadOnlyDictionary<string, string[]>> Within = new Dictionary<string, IReadOnlyDictionary<string, string[]>>
-        {
-            ["Alate.Geometry"] = new Dictionary<string, string[]>
+        public static readonly IReadOnlyDictionary<string, IReadOnlyDictionary<string, string[]>> Within =
+            new Dictionary<string, IReadOnlyDictionary<string, string[]>>
             {
-                ["Elementary"] = [],
-                ["Geometry"] = ["Elementary"],
-                ["Triangulation"] = ["Elementary", "Geometry"],
-                ["Filling"] = ["Geometry", "Triangulation"],
-            },
-            ["Alate.Model"] = new Dictionary<string, string[]>
-            {
-                ["Soa"] = [],
-                ["Skeleton"] = [],
-                ["Measurements"] = [],
-                ["Rig"] = ["Skeleton"],
-                ["State"] = ["Rig", "Soa"],
-                ["Motion"] = ["Rig", "Soa", "State"],
-                ["Forces"] = ["Rig", "Soa", "State"],
-                ["Elasticity"] = ["Rig", "Soa", "State"],
-                ["Skinning"] = ["Rig", "Soa", "State"],
-                ["Body"] = ["Rig", "Soa", "State"],
-                ["World"] = ["Body", "Elasticity", "Forces", "Motion", "Rig", "Skeleton", "Skinning", "Soa", "State"],
-            },
-            ["Alate"] = new Dictionary<string, string[]>
-            {
-                ["Preset"] = [],
-                ["Lifetime"] = [],
-                ["Wings"] = ["Preset"],
-                ["Settings"] = ["Wings"],
-                ["Meshes"] = ["Lifetime", "Wings"],
-                ["Insects"] = ["Lifetime", "Meshes", "Preset", "Settings", "Wings"],
-            },
-            ["Alate/Meshes"] = new Dictionary<string, string[]>
-            {
-                ["Parts"] = [],
-                ["Finding"] = ["Parts"],
-                ["Skinned"] = ["Finding", "Parts"],
-                ["Meshes"] = ["Finding", "Parts", "Skinned"],
-            },
-            ["Alate.Flight"] = new Dictionary<string, string[]>
-            {
-                ["Commands"] = [],
-                ["Body"] = ["Commands"],
-                ["Trim"] = ["Body", "Commands"],
-                ["Control"] = ["Body", "Commands", "Trim"],
-                ["Tables"] = ["Body", "Commands", "Control", "Trim"],
-                ["Recordings"] = ["Body", "Commands", "Control", "Trim"],
-                ["Pilots"] = ["Commands"],
-                ["Flight"] = ["Body", "Commands", "Control", "Pilots", "Recordings", "Trim"],
-            },
-            ["Alate.Flight/Pilots"] = new Dictionary<string, string[]>
-            {
-                ["Obstacles"] = [],
-                ["Pilots"] = ["Obstacles"],
-                ["Flocking"] = ["Obstacles", "Pilots"],
-                ["Following"] = ["Obstacles", "Pilots"],
-                ["Perching"] = ["Following", "Pilots"],
-                ["Wandering"] = ["Obstacles", "Pilots"],
-            },
-            ["Alate.Crowds"] = new Dictionary<string, string[]>
-            {
-                ["Bakes"] = [],
-                ["Sizes"] = ["Bakes"],
-                ["Textures"] = ["Bakes"],
-                ["Assets"] = ["Bakes", "Sizes", "Textures"],
-                ["Drawing"] = ["Assets", "Bakes"],
-                ["Crowds"] = ["Assets", "Bakes", "Drawing"],
-                ["Placing"] = ["Assets", "Crowds", "Drawing"],
-            },
-            ["Alate.Catalogue"] = new Dictionary<string, string[]>
-            {
-                ["Shapes"] = [],
-                ["Bodies"] = ["Shapes"],
-                ["Definitions"] = ["Bodies", "Shapes"],
-                ["*"] = ["Bodies", "Definitions", "Shapes"],
-                ["Catalogue"] = ["Definitions", "*"],
-                ["Materials"] = ["Bodies", "Definitions", "Shapes"],
-                ["Factory"] = ["Bodies", "Catalogue", "Definitions", "Materials"],
-                ["Flight"] = ["Catalogue", "Definitions"],
-                ["Showcase"] = ["Catalogue", "Definitions"],
-            },
-            ["Alate.Catalogue/Flight"] = new Dictionary<string, string[]>
-            {
-                ["Tables"] = [],
-                ["Flight"] = ["Tables"],
-            },
-            ["Alate.Authoring"] = new Dictionary<string, string[]>
-            {
-                ["Pictures"] = [],
-                ["Outlines"] = ["Pictures"],
-                ["Veins"] = ["Pictures"],
-                ["Authoring"] = ["Outlines", "Pictures", "Veins"],
-            },
-            ["Alate.Editor"] = new Dictionary<string, string[]>
-            {
-                ["Base"] = [],
-                ["Insects"] = ["Base"],
-                ["Crowds"] = ["Base", "Insects"],
-                ["Flight"] = ["Base", "Insects"],
-                ["Rigs"] = [],
-                ["Skeletons"] = ["Base", "Insects", "Rigs"],
-            },
-            ["Alate.Editor/Insects"] = new Dictionary<string, string[]>
-            {
-                ["Drawers"] = [],
-                ["Gizmos"] = [],
-                ["Live"] = [],
-                ["Making"] = [],
-                ["Skeletons"] = [],
-                ["Fixes"] = ["Skeletons"],
-                ["Presets"] = ["Fixes"],
-                ["States"] = ["Fixes"],
-                ["Insects"] = ["Fixes", "Gizmos", "Live", "Presets", "Skeletons", "States"],
-            },
-            ["Alate.Editor/Skeletons"] = new Dictionary<string, string[]>
-            {
-                ["Editing"] = [],
-                ["Preview"] = [],
-                ["Session"] = ["Editing", "Preview"],
-                ["Tool"] = ["Editing", "Session"],
-                ["Skeletons"] = ["Editing", "Session", "Tool"],
-            },
-        };
+                ["Alate.Geometry"] = new Dictionary<string, string[]>
+                {
+                    ["Elementary"] = [],
+                    ["Geometry"] = ["Elementary"],
+                    ["Triangulation"] = ["Elementary", "Geometry"],
+                    ["Filling"] = ["Geometry", "Triangulation"],
+                },
+                ["Alate.Model"] = new Dictionary<string, string[]>
+                {
+                    ["Soa"] = [],
+                    ["Skeleton"] = [],
+                    ["Measurements"] = [],
+                    ["Rig"] = ["Skeleton"],
+                    ["State"] = ["Rig", "Soa"],
+                    ["Motion"] = ["Rig", "Soa", "State"],
+                    ["Forces"] = ["Rig", "Soa", "State"],
+                    ["Elasticity"] = ["Rig", "Soa", "State"],
+                    ["Skinning"] = ["Rig", "Soa", "State"],
+                    ["Body"] = ["Rig", "Soa", "State"],
+                    ["World"] = ["Body", "Elasticity", "Forces", "Motion", "Rig", "Skeleton", "Skinning", "Soa", "State"],
+                },
+                ["Alate"] = new Dictionary<string, string[]>
+                {
+                    ["Preset"] = [],
+                    ["Lifetime"] = [],
+                    ["Wings"] = ["Preset"],
+                    ["Settings"] = ["Wings"],
+                    ["Meshes"] = ["Lifetime", "Wings"],
+                    ["Insects"] = ["Lifetime", "Meshes", "Preset", "Settings", "Wings"],
+                },
+                ["Alate/Meshes"] = new Dictionary<string, string[]>
+                {
+                    ["Parts"] = [],
+                    ["Finding"] = ["Parts"],
+                    ["Skinned"] = ["Finding", "Parts"],
+                    ["Meshes"] = ["Finding", "Parts", "Skinned"],
+                },
+                ["Alate.Flight"] = new Dictionary<string, string[]>
+                {
+                    ["Commands"] = [],
+                    ["Body"] = ["Commands"],
+                    ["Trim"] = ["Body", "Commands"],
+                    ["Control"] = ["Body", "Commands", "Trim"],
+                    ["Tables"] = ["Body", "Commands", "Control", "Trim"],
+                    ["Recordings"] = ["Body", "Commands", "Control", "Trim"],
+                    ["Pilots"] = ["Commands"],
+                    ["Flight"] = ["Body", "Commands", "Control", "Pilots", "Recordings", "Trim"],
+                },
+                ["Alate.Flight/Pilots"] = new Dictionary<string, string[]>
+                {
+                    ["Obstacles"] = [],
+                    ["Pilots"] = ["Obstacles"],
+                    ["Flocking"] = ["Obstacles", "Pilots"],
+                    ["Following"] = ["Obstacles", "Pilots"],
+                    ["Perching"] = ["Following", "Pilots"],
+                    ["Wandering"] = ["Obstacles", "Pilots"],
+                },
+                ["Alate.Crowds"] = new Dictionary<string, string[]>
+                {
+                    ["Bakes"] = [],
+                    ["Sizes"] = ["Bakes"],
+                    ["Textures"] = ["Bakes"],
+                    ["Assets"] = ["Bakes", "Sizes", "Textures"],
+                    ["Drawing"] = ["Assets", "Bakes"],
+                    ["Crowds"] = ["Assets", "Bakes", "Drawing"],
+                    ["Placing"] = ["Assets", "Crowds", "Drawing"],
+                },
+                ["Alate.Catalogue"] = new Dictionary<string, string[]>
+                {
+                    ["Shapes"] = [],
+                    ["Bodies"] = ["Shapes"],
+                    ["Definitions"] = ["Bodies", "Shapes"],
+                    ["*"] = ["Bodies", "Definitions", "Shapes"],
+                    ["Catalogue"] = ["Definitions", "*"],
+                    ["Materials"] = ["Bodies", "Definitions", "Shapes"],
+                    ["Factory"] = ["Bodies", "Catalogue", "Definitions", "Materials"],
+                    ["Flight"] = ["Catalogue", "Definitions"],
+                    ["Showcase"] = ["Catalogue", "Definitions"],
+                },
+                ["Alate.Catalogue/Flight"] = new Dictionary<string, string[]>
+                {
+                    ["Tables"] = [],
+                    ["Flight"] = ["Tables"],
+                },
+                ["Alate.Authoring"] = new Dictionary<string, string[]>
+                {
+                    ["Pictures"] = [],
+                    ["Outlines"] = ["Pictures"],
+                    ["Veins"] = ["Pictures"],
+                    ["Authoring"] = ["Outlines", "Pictures", "Veins"],
+                },
+                ["Alate.Editor"] = new Dictionary<string, string[]>
+                {
+                    ["Base"] = [],
+                    ["Insects"] = ["Base"],
+                    ["Crowds"] = ["Base", "Insects"],
+                    ["Flight"] = ["Base", "Insects"],
+                    ["Rigs"] = [],
+                    ["Skeletons"] = ["Base", "Insects", "Rigs"],
+                },
+                ["Alate.Editor/Insects"] = new Dictionary<string, string[]>
+                {
+                    ["Drawers"] = [],
+                    ["Gizmos"] = [],
+                    ["Live"] = [],
+                    ["Making"] = [],
+                    ["Skeletons"] = [],
+                    ["Fixes"] = ["Skeletons"],
+                    ["Presets"] = ["Fixes"],
+                    ["States"] = ["Fixes"],
+                    ["Insects"] = ["Fixes", "Gizmos", "Live", "Presets", "Skeletons", "States"],
+                },
+                ["Alate.Editor/Skeletons"] = new Dictionary<string, string[]>
+                {
+                    ["Editing"] = [],
+                    ["Preview"] = [],
+                    ["Session"] = ["Editing", "Preview"],
+                    ["Tool"] = ["Editing", "Session"],
+                    ["Skeletons"] = ["Editing", "Session", "Tool"],
+                },
+            };
 
         private const string k_Declaration =
             @"(?:\[.*\] *)?(?:(?:public|internal|static|sealed|abstract|unsafe|readonly|partial|ref) +)*"
@@ -187,7 +189,8 @@ namespace Alate.Tests.Architecture
         private static readonly Regex s_Declaration = new Regex("^ {4}" + k_Declaration, RegexOptions.Multiline);
 
         /// <summary>As <see cref="s_Declaration"/>, below a line that gives the whole file its namespace.</summary>
-        private static readonly Regex s_Plain = new Regex("^" + k_Declaration, RegexOptions.Multiline), s_WholeFile = new Regex(@"^namespace [\w.]+;", RegexOptions.Multiline);
+        private static readonly Regex s_Plain = new Regex("^" + k_Declaration, RegexOptions.Multiline),
+            s_WholeFile = new Regex(@"^namespace [\w.]+;", RegexOptions.Multiline);
 
         private static readonly Regex s_Prose = new Regex(@"//[^\n]*|(?<!\$)""(?:\\.|[^""\\\n])*""");
 
@@ -233,8 +236,8 @@ namespace Alate.Tests.Architecture
         }
 
         /// <summary>
-        /// Uses between the rooms of a place, an assembly or a room of one, that the table does not have: in the compiled code, and of constants, which the
-        /// compiler puts in place, in the text.
+        /// Uses between the rooms of a place, an assembly or a room of one, that the table does not have: in the compiled code, and of
+        /// constants, which the compiler puts in place, in the text.
         /// </summary>
         public static List<Violation> BetweenRooms(string place, IReadOnlyDictionary<string, string[]> arrows)
         {
@@ -285,7 +288,8 @@ namespace Alate.Tests.Architecture
 
         /// <summary>Top-level types of an assembly that somebody wrote.</summary>
         public static IEnumerable<Type> Types(string assembly) =>
-            Assembly.Load(assembly).GetTypes().Where(type => type.DeclaringType == null && type.Namespace != null && type.Namespace.StartsWith("Alate") && !type.Name.Contains('<'));
+            Assembly.Load(assembly).GetTypes().Where(type => type.DeclaringType == null && type.Namespace != null
+                && type.Namespace.StartsWith("Alate") && !type.Name.Contains('<'));
 
         private static string Name(Type type) => type.Name.Split('`')[0];
 
@@ -295,7 +299,8 @@ namespace Alate.Tests.Architecture
             return Folders[assembly] + place.Substring(assembly.Length);
         }
 
-        // Runtime/Model/State/WingPack.cs; what lies in no room belongs to the room named as the folder. A component and its live system know each other: one room.
+        // Runtime/Model/State/WingPack.cs; what lies in no room belongs to the room named as the folder. A component and its live system
+        // know each other: one room.
         private static string Room(string folder, string file)
         {
             string[] rest = Path.GetRelativePath(folder, file).Replace('\\', '/').Split('/');

@@ -40,7 +40,8 @@ namespace Alate.Tests.Architecture
                 using var pack = new PackMemory(rig.View, ModelOptions.Physical);
 
                 Check("State/WingPack.cs", "WingPack", "a wing of a monarch", ALane(pack.Bytes));
-                Check("State/StepScratch.cs", "StepScratch", "a worker for a monarch", StepScratch.Layout(RigSize.Of(rig.View), null, out _));
+                Check(
+                    "State/StepScratch.cs", "StepScratch", "a worker for a monarch", StepScratch.Layout(RigSize.Of(rig.View), null, out _));
             }
             finally
             {
@@ -54,14 +55,16 @@ namespace Alate.Tests.Architecture
             return bytes / WingPack.Lanes;
         }
 
-        private static TestCaseData Said(string file, string name, string unit, long bytes) => new TestCaseData(file, name, unit, bytes).SetArgDisplayNames(name);
+        private static TestCaseData Said(string file, string name, string unit, long bytes) =>
+            new TestCaseData(file, name, unit, bytes).SetArgDisplayNames(name);
 
         private static void Check(string file, string name, string unit, long bytes)
         {
             string text = File.ReadAllText(Path.Combine(PackageRoot.Find(), k_Model + file));
             Match comment = Regex.Match(text, $@"((?: *///[^\n]*\n)+)(?: *\[[^\n]*\n)* *internal (?:unsafe )?struct {name}\b");
 
-            Assert.That(Regex.Replace(comment.Groups[1].Value, @"\s*///\s*", " "), Does.Contain(FormattableString.Invariant($"{bytes:N0} bytes {unit}")), name);
+            Assert.That(Regex.Replace(comment.Groups[1].Value, @"\s*///\s*", " "),
+                Does.Contain(FormattableString.Invariant($"{bytes:N0} bytes {unit}")), name);
         }
     }
 }

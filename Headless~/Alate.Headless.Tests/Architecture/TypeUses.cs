@@ -21,7 +21,10 @@ namespace Alate.Tests.Architecture
         public static IReadOnlyList<Type> Of(Type type)
         {
             if (!s_Known.TryGetValue(type, out Type[] known))
-                s_Known.Add(type, known = WithNested(type).SelectMany(OfOne).SelectMany(Parts).Select(TopLevel).Where(used => used != type).Distinct().ToArray());
+            {
+                s_Known.Add(type, known = WithNested(type).SelectMany(OfOne).SelectMany(Parts).Select(TopLevel).Where(used => used != type)
+                    .Distinct().ToArray());
+            }
             return known;
         }
 
@@ -67,7 +70,8 @@ namespace Alate.Tests.Architecture
                 if (value == 0xFE)
                     value = (short)(0xFE00 | code[at++]);
                 OpCode op = s_OpCodes[value];
-                if (op.OperandType is OperandType.InlineType or OperandType.InlineMethod or OperandType.InlineField or OperandType.InlineTok)
+                if (op.OperandType is OperandType.InlineType or OperandType.InlineMethod or OperandType.InlineField
+                    or OperandType.InlineTok)
                 {
                     MemberInfo member = method.Module.ResolveMember(BitConverter.ToInt32(code, at), ofType, ofMethod);
                     yield return member as Type ?? member.DeclaringType;

@@ -9,7 +9,8 @@ namespace Alate.Tests.Bakes
     /// <summary>Answers of <c>bake</c> to input that it cannot take: one line, exit code 2, nothing written.</summary>
     public sealed class BakeCommandTests
     {
-        [TestCase("monarch --clips cruise,dive", "There is no clip 'dive'. Known: cruise, hover, climb, turn-left, turn-right, glide, rest.")]
+        [TestCase(
+            "monarch --clips cruise,dive", "There is no clip 'dive'. Known: cruise, hover, climb, turn-left, turn-right, glide, rest.")]
         [TestCase("monarch --clips cruise,Cruise", "Clip 'cruise' is asked for twice.")]
         [TestCase("monarch --clips ,", "No clip is asked for. Known: cruise, hover, climb, turn-left, turn-right, glide, rest.")]
         [TestCase("monarch --format fbx", "--format takes openvat, gltf-skin or gltf-morph, not 'fbx'.")]
@@ -18,7 +19,8 @@ namespace Alate.Tests.Bakes
         [TestCase("monarch --frames 3", "--frames must lie between 4 and 240; it is 3.")]
         [TestCase(
             "monarch --frames 8 --max-size 128",
-            "5624 vertices at 9 frames need a texture of 128 x 396 pixels; at most 128 x 128 are allowed: bake fewer frames or clips at once, or allow a larger texture.")]
+            "5624 vertices at 9 frames need a texture of 128 x 396 pixels; at most 128 x 128 are allowed: bake fewer frames or clips at "
+            + "once, or allow a larger texture.")]
         public void BadInput_IsOneLine_AndNothingIsWritten(string arguments, string message)
         {
             using var run = new CommandRun();
@@ -47,12 +49,16 @@ namespace Alate.Tests.Bakes
             using var run = new CommandRun();
             string mesh = run.Write("wing.obj", OwnWing.Obj(side: side)), skeleton = run.Write("wing.json", OwnWing.Skeleton(side));
 
-            Assert.That(run.Run("bake", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--frames", "12", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("bake", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--frames", "12", "--out", run.Out),
+                Is.Zero, run.Errors);
             var vat = new VatReader(Path.Combine(run.Out, "wing_vat"), "wing");
             float3[] shown = vat.At(5).Positions;
             Assert.That(shown, Has.Length.EqualTo(vat.VertexCount));
             for (int vertex = 0; vertex < shown.Length / 2; vertex++)
-                Assert.That(math.distance(shown[vertex] * new float3(-1f, 1f, 1f), shown[vertex + shown.Length / 2]), Is.LessThan(1e-5f), "metres");
+            {
+                Assert.That(
+                    math.distance(shown[vertex] * new float3(-1f, 1f, 1f), shown[vertex + shown.Length / 2]), Is.LessThan(1e-5f), "metres");
+            }
             Assert.That(shown.Max(place => math.abs(place.x)), Is.InRange(0.02f, 0.08f), "a monarch's wings, metres");
         }
 

@@ -16,7 +16,8 @@ namespace Alate.Tests.Bakes
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void Joints_MoveTheWingsOfAnyOtherSpecies_AsTheLiveOnes(string species) => AssertLive(species, "gltf-skin", "skin", k_AtFrames);
+        public void Joints_MoveTheWingsOfAnyOtherSpecies_AsTheLiveOnes(string species) =>
+            AssertLive(species, "gltf-skin", "skin", k_AtFrames);
 
         [TestCase("monarch")]
         [TestCase("fishfly", Explicit = true, Category = "Long")]

@@ -10,7 +10,10 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
-    /// <summary>Files of loops that insects fly by their trims, read as the open importers and glTF's specification do, beside the flown frames, and between them beside those of a flight twice as fine.</summary>
+    /// <summary>
+    /// Files of loops that insects fly by their trims, read as the open importers and glTF's specification do, beside the flown frames, and
+    /// between them beside those of a flight twice as fine.
+    /// </summary>
     public sealed class FlownFileTests
     {
         private const int k_Frames = 48;
@@ -19,7 +22,8 @@ namespace Alate.Tests.Bakes
 
         private readonly BakedFiles m_Files = new BakedFiles();
 
-        private static IEnumerable<string> Species => InsectCatalogue.Names.Where(name => InsectCatalogue.Find(name).Variants.Contains(InsectVariant.Flight));
+        private static IEnumerable<string> Species =>
+            InsectCatalogue.Names.Where(name => InsectCatalogue.Find(name).Variants.Contains(InsectVariant.Flight));
 
         [OneTimeTearDown]
         public void RemoveFiles() => m_Files.Dispose();
@@ -29,24 +33,28 @@ namespace Alate.Tests.Bakes
         {
             string arguments = $"{species} --variant flight --clips {string.Join(',', s_Clips)}";
             var vat = new VatReader(Path.Combine(m_Files.Folder(arguments), species + "_vat"), species);
-            var skin = new GltfPlayer(File.ReadAllBytes(Path.Combine(m_Files.Folder(arguments + " --format gltf-skin"), species + "-skin.glb")));
+            var skin = new GltfPlayer(
+                File.ReadAllBytes(Path.Combine(m_Files.Folder(arguments + " --format gltf-skin"), species + "-skin.glb")));
             InsectBake whole = Flown(species, k_Frames), finer = Flown(species, 2 * k_Frames);
             for (int k = 0; k < s_Clips.Length; k++)
             {
                 BakedClip clip = finer.Clips[k];
 
-                // The finer flight has another time step, which turns normals at the fishfly's folds by more than the frames do: the bake's own error has the step of its frames.
+                // The finer flight has another time step, which turns normals at the fishfly's folds by more than the frames do: the bake's
+                // own error has the step of its frames.
                 Assert.That(whole.Clips[k].Error.normalBetween, Is.LessThan(2f), clip.Name);
                 (int start, _, _) = vat.Clip(clip.Name);
                 for (int half = 0; half < 2 * k_Frames; half++)
                 {
                     BakedFrame flown = half % 2 == 0 ? whole.Clips[k].Frames[half / 2] : clip.Frames[half];
                     (float3[] positions, float3[] normals) = vat.At(start + 0.5 * half);
-                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1e-3 : 5e-3, half % 2 == 0, $"texture, {clip.Name} at {half} of {2 * k_Frames}");
+                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1e-3 : 5e-3, half % 2 == 0,
+                        $"texture, {clip.Name} at {half} of {2 * k_Frames}");
                     if (half % 5 != 0)
                         continue;
                     (positions, normals) = skin.Play(clip.Name, half / (2.0 * k_Frames) * skin.Length(clip.Name));
-                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1.5e-3 : 5e-3, half % 2 == 0, $"joints, {clip.Name} at {half} of {2 * k_Frames}");
+                    AssertNear(finer, flown, positions, normals, half % 2 == 0 ? 1.5e-3 : 5e-3, half % 2 == 0,
+                        $"joints, {clip.Name} at {half} of {2 * k_Frames}");
                 }
             }
         }
@@ -59,7 +67,8 @@ namespace Alate.Tests.Bakes
             Frames = frames,
         }.Bake(out _);
 
-        private static void AssertNear(InsectBake bake, BakedFrame flown, float3[] positions, float3[] normals, double near, bool atFrame, string where)
+        private static void AssertNear(
+            InsectBake bake, BakedFrame flown, float3[] positions, float3[] normals, double near, bool atFrame, string where)
         {
             double distance = 0.0, angle = 0.0;
             foreach (BakedWing wing in bake.Wings)
@@ -68,7 +77,8 @@ namespace Alate.Tests.Bakes
                 {
                     float3 place = ToGltf(flown.Positions[vertex]) * bake.MetresPerUnit;
                     distance = Math.Max(distance, math.distance(place, positions[vertex]) / (wing.Length * bake.MetresPerUnit));
-                    angle = Math.Max(angle, math.degrees(math.acos(math.min(1f, math.dot(normals[vertex], ToGltf(flown.Normals[vertex]))))));
+                    angle = Math.Max(
+                        angle, math.degrees(math.acos(math.min(1f, math.dot(normals[vertex], ToGltf(flown.Normals[vertex]))))));
                 }
             }
 

@@ -51,12 +51,14 @@ namespace Alate.Tests.Bakes
             {
                 JsonElement sampler = animation.GetProperty("samplers")[channel.GetProperty("sampler").GetInt32()];
                 Assert.That(sampler.GetProperty("interpolation").GetString(), Is.EqualTo("LINEAR"));
-                double[] times = m_File.Read(sampler.GetProperty("input").GetInt32()), keys = m_File.Read(sampler.GetProperty("output").GetInt32());
+                double[] times = m_File.Read(sampler.GetProperty("input").GetInt32()),
+                    keys = m_File.Read(sampler.GetProperty("output").GetInt32());
                 string path = channel.GetProperty("target").GetProperty("path").GetString();
                 int after = Math.Clamp(Array.FindIndex(times, key => key >= time), 1, times.Length - 1), width = keys.Length / times.Length;
                 double share = (time - times[after - 1]) / (times[after] - times[after - 1]);
                 double[] from = keys[((after - 1) * width)..(after * width)], to = keys[(after * width)..((after + 1) * width)];
-                values.Add((channel.GetProperty("target").GetProperty("node").GetInt32(), path), path == "rotation" ? Turned(from, to, share) : from.Zip(to, (a, b) => a + share * (b - a)).ToArray());
+                values.Add((channel.GetProperty("target").GetProperty("node").GetInt32(), path),
+                    path == "rotation" ? Turned(from, to, share) : from.Zip(to, (a, b) => a + share * (b - a)).ToArray());
             }
 
             return values;
@@ -65,8 +67,10 @@ namespace Alate.Tests.Bakes
         // The shorter way round a great circle.
         private static double[] Turned(double[] from, double[] to, double share)
         {
-            double cosine = from.Zip(to, (a, b) => a * b).Sum(), sign = cosine < 0 ? -1 : 1, angle = Math.Acos(Math.Min(1.0, Math.Abs(cosine)));
-            double a = angle < 1e-6 ? 1 - share : Math.Sin((1 - share) * angle) / Math.Sin(angle), b = angle < 1e-6 ? share : Math.Sin(share * angle) / Math.Sin(angle);
+            double cosine = from.Zip(to, (a, b) => a * b).Sum(), sign = cosine < 0 ? -1 : 1,
+                angle = Math.Acos(Math.Min(1.0, Math.Abs(cosine)));
+            double a = angle < 1e-6 ? 1 - share : Math.Sin((1 - share) * angle) / Math.Sin(angle),
+                b = angle < 1e-6 ? share : Math.Sin(share * angle) / Math.Sin(angle);
             return from.Zip(to, (x, y) => a * x + sign * b * y).ToArray();
         }
 
@@ -86,12 +90,14 @@ namespace Alate.Tests.Bakes
             }
         }
 
-        private void Skin(JsonElement skin, JsonElement attributes, Dictionary<(int, string), double[]> values, float3[] positions, float3[] normals)
+        private void Skin(
+            JsonElement skin, JsonElement attributes, Dictionary<(int, string), double[]> values, float3[] positions, float3[] normals)
         {
             int[] joints = skin.GetProperty("joints").EnumerateArray().Select(joint => joint.GetInt32()).ToArray();
             double[] binds = m_File.Read(skin.GetProperty("inverseBindMatrices").GetInt32());
             float4x4[] matrices = joints.Select((node, k) => math.mul(Global(node, values), Matrix(binds, 16 * k))).ToArray();
-            double[] of = m_File.Read(attributes.GetProperty("JOINTS_0").GetInt32()), weights = m_File.Read(attributes.GetProperty("WEIGHTS_0").GetInt32());
+            double[] of = m_File.Read(attributes.GetProperty("JOINTS_0").GetInt32()),
+                weights = m_File.Read(attributes.GetProperty("WEIGHTS_0").GetInt32());
             for (int k = 0; k < positions.Length; k++)
             {
                 float3 position = 0f, normal = 0f;
@@ -109,18 +115,22 @@ namespace Alate.Tests.Bakes
 
         private float4x4 Global(int node, Dictionary<(int, string), double[]> values)
         {
-            double[] place = Value(node, "translation", values, new double[3]), turn = Value(node, "rotation", values, new[] { 0.0, 0.0, 0.0, 1.0 });
+            double[] place = Value(node, "translation", values, new double[3]),
+                turn = Value(node, "rotation", values, new[] { 0.0, 0.0, 0.0, 1.0 });
             var rotation = new float3x3(new quaternion((float)turn[0], (float)turn[1], (float)turn[2], (float)turn[3]));
             var local = new float4x4(
-                new float4(rotation.c0, 0f), new float4(rotation.c1, 0f), new float4(rotation.c2, 0f), new float4((float)place[0], (float)place[1], (float)place[2], 1f));
+                new float4(rotation.c0, 0f), new float4(rotation.c1, 0f), new float4(rotation.c2, 0f),
+                new float4((float)place[0], (float)place[1], (float)place[2], 1f));
             int parent = Array.FindIndex(m_Nodes, candidate =>
-                candidate.TryGetProperty("children", out JsonElement children) && children.EnumerateArray().Any(child => child.GetInt32() == node));
+                candidate.TryGetProperty("children", out JsonElement children)
+                && children.EnumerateArray().Any(child => child.GetInt32() == node));
             return parent < 0 ? local : math.mul(Global(parent, values), local);
         }
 
         private double[] Value(int node, string path, Dictionary<(int, string), double[]> values, double[] none) =>
             values.TryGetValue((node, path), out double[] animated) ? animated
-            : m_Nodes[node].TryGetProperty(path, out JsonElement rest) ? rest.EnumerateArray().Select(number => number.GetDouble()).ToArray() : none;
+            : m_Nodes[node].TryGetProperty(path, out JsonElement rest)
+            ? rest.EnumerateArray().Select(number => number.GetDouble()).ToArray() : none;
 
         private float3[] Vectors(JsonElement attributes, string name) => m_File.ReadVectors(attributes.GetProperty(name).GetInt32());
 

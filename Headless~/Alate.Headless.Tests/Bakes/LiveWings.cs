@@ -7,7 +7,10 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
-    /// <summary>A species in level flight, flown by the command line's own flight with twice as many substeps as a bake has frames: what bakes are measured against.</summary>
+    /// <summary>
+    /// A species in level flight, flown by the command line's own flight with twice as many substeps as a bake has frames: what bakes are
+    /// measured against.
+    /// </summary>
     internal sealed class LiveWings
     {
         public const int Frames = 48;
@@ -31,7 +34,10 @@ namespace Alate.Tests.Bakes
         {
             int next = m_Flight.Insect.Body.VertexCount;
             for (int vertex = 0; vertex < next; vertex++)
-                Assert.That(math.distance(positions[vertex], ToGltf(m_Flight.Insect.Body.positions[vertex])), Is.LessThan(1e-6f), "the body stands still");
+            {
+                Assert.That(math.distance(positions[vertex], ToGltf(m_Flight.Insect.Body.positions[vertex])), Is.LessThan(1e-6f),
+                    "the body stands still");
+            }
             double distance = 0.0, angle = 0.0;
             foreach (RecordedWing wing in m_Flight.Wings)
             {

@@ -34,7 +34,8 @@ namespace Alate.Tests.Bakes
         [Test]
         public void PackedNormals_AreThoseOfASeparateTexture()
         {
-            VatReader separate = Read("monarch", "monarch --clips cruise,hover,rest --frames 16"), packed = Read("monarch", "monarch --clips cruise,hover,rest --frames 16 --normals packed");
+            VatReader separate = Read("monarch", "monarch --clips cruise,hover,rest --frames 16"),
+                packed = Read("monarch", "monarch --clips cruise,hover,rest --frames 16 --normals packed");
 
             Assert.That(separate.IsPacked, Is.False);
             Assert.That(packed.IsPacked, Is.True);
@@ -49,14 +50,17 @@ namespace Alate.Tests.Bakes
             string folder = Files.Folder("monarch --clips cruise,hover,rest --frames 16");
 
             Assert.That(
-                Directory.GetFiles(folder, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(folder, file).Replace('\\', '/')),
-                Is.EquivalentTo(new[] { "monarch_vat/monarch.glb", "monarch_vat/monarch.png", "monarch_vat/monarch-remap_info.json", "monarch_vat/monarch-vnrm.png" }));
+                Directory.GetFiles(folder, "*", SearchOption.AllDirectories)
+                    .Select(file => Path.GetRelativePath(folder, file).Replace('\\', '/')),
+                Is.EquivalentTo(new[] { "monarch_vat/monarch.glb", "monarch_vat/monarch.png", "monarch_vat/monarch-remap_info.json",
+                    "monarch_vat/monarch-vnrm.png" }));
         }
 
         [Test]
         public void MoreVerticesThanColumns_GoOnBelow()
         {
-            VatReader wide = Read("fishfly", "fishfly --frames 4 --max-size 4096"), tall = Read("fishfly", "fishfly --frames 96 --max-size 2048");
+            VatReader wide = Read("fishfly", "fishfly --frames 4 --max-size 4096"),
+                tall = Read("fishfly", "fishfly --frames 96 --max-size 2048");
 
             Assert.That(wide.VertexCount, Is.GreaterThan(wide.Width));
             Assert.That(tall.Height % tall.Frames, Is.Zero);
@@ -96,6 +100,7 @@ namespace Alate.Tests.Bakes
             }
         }
 
-        private VatReader Read(string species, string arguments) => new VatReader(Path.Combine(Files.Folder(arguments), species + "_vat"), species);
+        private VatReader Read(string species, string arguments) =>
+            new VatReader(Path.Combine(Files.Folder(arguments), species + "_vat"), species);
     }
 }

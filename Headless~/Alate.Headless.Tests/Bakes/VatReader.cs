@@ -8,7 +8,10 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
-    /// <summary>Plays an OpenVAT folder as the open importers' shaders do, in glTF's axes: texture coordinates from the top, frames downwards, Blender's axes turned.</summary>
+    /// <summary>
+    /// Plays an OpenVAT folder as the open importers' shaders do, in glTF's axes: texture coordinates from the top, frames downwards,
+    /// Blender's axes turned.
+    /// </summary>
     internal sealed class VatReader
     {
         private readonly WidePng m_Positions, m_Normals;
@@ -55,7 +58,8 @@ namespace Alate.Tests.Bakes
         {
             JsonElement clip = m_Info.GetProperty("animations").GetProperty(name);
             Assert.That(clip.GetProperty("looping").GetBoolean(), Is.True);
-            return (clip.GetProperty("startFrame").GetInt32(), clip.GetProperty("endFrame").GetInt32(), clip.GetProperty("framerate").GetDouble());
+            return (clip.GetProperty("startFrame").GetInt32(), clip.GetProperty("endFrame").GetInt32(), clip.GetProperty("framerate")
+                .GetDouble());
         }
 
         /// <summary>The mesh at a place between two rows.</summary>

@@ -13,7 +13,9 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Bakes
 {
-    /// <summary>Baked insects in a vertex shader of WebGL 2, in Chromium without a screen. Skipped where it is not installed (Debian: chromium).</summary>
+    /// <summary>
+    /// Baked insects in a vertex shader of WebGL 2, in Chromium without a screen. Skipped where it is not installed (Debian: chromium).
+    /// </summary>
     public sealed class WebTests
     {
         private const int k_Seconds = 120;
@@ -28,7 +30,8 @@ namespace Alate.Tests.Bakes
             string folder = Path.Combine(files.Folder("monarch --triangles 160"), "monarch_vat");
             var vat = new VatReader(folder, "monarch");
             string page = Path.Combine(folder, "vat.html");
-            string source = File.ReadAllText(Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Bakes", "Web", "vat.html"));
+            string source = File.ReadAllText(
+                Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Bakes", "Web", "vat.html"));
             File.WriteAllText(page, source.Replace("/*DATA*/", Data(folder, vat, side, probes)));
             JsonElement result = Run(page, folder);
 
@@ -76,12 +79,16 @@ namespace Alate.Tests.Bakes
             for (int row = 0; row < picture.Height; row++)
             {
                 for (int column = 0; column < picture.Width; column++)
-                    pixels.AddRange(new[] { (float)picture[column, row, 0], (float)picture[column, row, 1], (float)picture[column, row, 2], 1f });
+                {
+                    pixels.AddRange(
+                        new[] { (float)picture[column, row, 0], (float)picture[column, row, 1], (float)picture[column, row, 2], 1f });
+                }
             }
 
             JsonElement[] parts = vat.Mesh.Root.GetProperty("meshes")[0].GetProperty("primitives").EnumerateArray().ToArray();
             JsonElement attributes = parts[0].GetProperty("attributes");
-            ushort[] triangles = parts.SelectMany(part => vat.Mesh.Read(part.GetProperty("indices").GetInt32())).Select(corner => (ushort)corner).ToArray();
+            ushort[] triangles = parts.SelectMany(part => vat.Mesh.Read(part.GetProperty("indices").GetInt32()))
+                .Select(corner => (ushort)corner).ToArray();
             double[] colours = vat.Mesh.Read(attributes.GetProperty("COLOR_0").GetInt32());
             return JsonSerializer.Serialize(new
             {

@@ -27,7 +27,8 @@ namespace Alate.Tests.Bakes
                 {
                     Width = Number(file, at + 8);
                     Height = Number(file, at + 12);
-                    Assert.That(file.AsSpan(at + 16, 5).ToArray(), Is.EqualTo(new byte[] { 16, 2, 0, 0, 0 }), "16 bits, true colour, not interlaced");
+                    Assert.That(file.AsSpan(at + 16, 5).ToArray(), Is.EqualTo(new byte[] { 16, 2, 0, 0, 0 }),
+                        "16 bits, true colour, not interlaced");
                 }
 
                 Assert.That(name, Is.Not.EqualTo("sRGB").And.Not.EqualTo("gAMA").And.Not.EqualTo("iCCP"), "not colour-managed");
@@ -78,7 +79,8 @@ namespace Alate.Tests.Bakes
                 case 2: return above;
                 case 3: return (left + above) / 2;
                 default:
-                    int guess = left + above - corner, toLeft = Math.Abs(guess - left), toAbove = Math.Abs(guess - above), toCorner = Math.Abs(guess - corner);
+                    int guess = left + above - corner, toLeft = Math.Abs(guess - left), toAbove = Math.Abs(guess - above),
+                        toCorner = Math.Abs(guess - corner);
                     return toLeft <= toAbove && toLeft <= toCorner ? left : toAbove <= toCorner ? above : corner;
             }
         }

@@ -7,8 +7,8 @@ using NUnit.Framework;
 namespace Alate.Tests.Insects
 {
     /// <summary>
-    /// The delay between leading and trailing edge at mid-span, by correlation. The wings only flap here: feathering moves the edges against one another by
-    /// itself, on a rigid wing too.
+    /// The delay between leading and trailing edge at mid-span, by correlation. The wings only flap here: feathering moves the edges
+    /// against one another by itself, on a rigid wing too.
     /// </summary>
     public sealed class DeformationWaveTests
     {
@@ -26,7 +26,8 @@ namespace Alate.Tests.Insects
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void TheDriveAlone_OfAnyOtherSpecies_HasNoDelayWithoutTheWave_AndMoreTheLargerLambdaIs(string species) => AssertDriven(species);
+        public void TheDriveAlone_OfAnyOtherSpecies_HasNoDelayWithoutTheWave_AndMoreTheLargerLambdaIs(string species) =>
+            AssertDriven(species);
 
         [TestCaseSource(nameof(s_Some))]
         public void TheWholeModel_AddsToTheDelayOfTheLoads(string species) => AssertLoaded(species);

@@ -6,11 +6,16 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Insects
 {
-    /// <summary>The paper's Fig. 14 as numbers: a fishfly from a quarter to four times its elasticity, in substeps at which the softest has converged.</summary>
+    /// <summary>
+    /// The paper's Fig. 14 as numbers: a fishfly from a quarter to four times its elasticity, in substeps at which the softest has
+    /// converged.
+    /// </summary>
     public sealed class ElasticitySweepTests
     {
         private static readonly Lazy<Sweep> s_Sweep = new Lazy<Sweep>(() => Sweep.Fly(
-            new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, 5, new FlightPlan { Species = "fishfly", Substeps = 240 }, SweepWaves.Both), _ => { }));
+            new SweepPlan(
+                FlownParameters.Find("elasticity"), 0.25, 4, 5, new FlightPlan { Species = "fishfly", Substeps = 240 }, SweepWaves.Both),
+            _ => { }));
 
         [Test]
         public void Values_AreAQuarterToFourTimes()
@@ -30,7 +35,8 @@ namespace Alate.Tests.Insects
         public void CamberByTheLoads_FallsAsElasticityRises(bool wave, int wing) =>
             AssertFalling(wave, point => point.LoadCamberPct[wing]);
 
-        // Softer than the species' own, it bends so far that its joints stiffen; its converged camber falls again there, which few substeps hide.
+        // Softer than the species' own, it bends so far that its joints stiffen; its converged camber falls again there, which few substeps
+        // hide.
         [Test]
         public void CamberByTheLoads_OfTheForeWing_IsLargestAtTheSpeciesOwnElasticity()
         {
@@ -56,7 +62,8 @@ namespace Alate.Tests.Insects
             {
                 // The softest twists by 68° even without the wave.
                 double least = k == 0 ? 1.1 : 1.2;
-                Assert.That(with[k].Summary.Main.TwistPpDeg, Is.GreaterThan(least * without[k].Summary.Main.TwistPpDeg), $"{with[k].Value}");
+                Assert.That(
+                    with[k].Summary.Main.TwistPpDeg, Is.GreaterThan(least * without[k].Summary.Main.TwistPpDeg), $"{with[k].Value}");
             }
         }
 

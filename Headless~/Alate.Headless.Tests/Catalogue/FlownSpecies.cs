@@ -12,7 +12,8 @@ namespace Alate.Tests.Insects
     {
         public const int k_Phases = 12;
 
-        private static readonly ConcurrentDictionary<(string, InsectVariant), FlownSpecies> s_Flown = new ConcurrentDictionary<(string, InsectVariant), FlownSpecies>();
+        private static readonly ConcurrentDictionary<(string, InsectVariant), FlownSpecies> s_Flown =
+            new ConcurrentDictionary<(string, InsectVariant), FlownSpecies>();
 
         private FlownSpecies(string name, InsectVariant variant)
         {
@@ -29,7 +30,8 @@ namespace Alate.Tests.Insects
 
         public SurfaceMesh Body => Flight.Insect.Body;
 
-        public static FlownSpecies Of(string name, InsectVariant variant) => s_Flown.GetOrAdd((name, variant), _ => new FlownSpecies(name, variant));
+        public static FlownSpecies Of(string name, InsectVariant variant) =>
+            s_Flown.GetOrAdd((name, variant), _ => new FlownSpecies(name, variant));
 
         /// <summary>A wing's vertices on the body at each phase, metres.</summary>
         public static IEnumerable<float3[]> Poses(RecordedWing wing)

@@ -70,7 +70,8 @@ namespace Alate.Tests.Insects
 
         private static double Cruise => FlightPlan.CruiseOf(InsectCatalogue.Find("snailfish"));
 
-        private static FlightPlan Swimming(int beats) => new FlightPlan { Species = "snailfish", Speed = Cruise, Seconds = beats / SetFrequency };
+        private static FlightPlan Swimming(int beats) =>
+            new FlightPlan { Species = "snailfish", Speed = Cruise, Seconds = beats / SetFrequency };
 
         private static double Delay(float chordDelay)
         {
@@ -79,7 +80,8 @@ namespace Alate.Tests.Insects
             return PhaseDelay.Of(fin.Frames, frame => section.Leading(frame.Positions).y, frame => section.Trailing(frame.Positions).y);
         }
 
-        // Wing lengths a second, mean over the beat, of the leading ray: in water the soft rear rays flick. Converged (96 substeps), the fastest of all tips is at 8.30 in water and at 8.27 in air.
+        // Wing lengths a second, mean over the beat, of the leading ray: in water the soft rear rays flick. Converged (96 substeps), the
+        // fastest of all tips is at 8.30 in water and at 8.27 in air.
         private static float TipSpeed(RecordedWing wing)
         {
             int tip = wing.JointsPerChain - 1;

@@ -20,7 +20,8 @@ namespace Alate.Tests.Insects
             var summary = FlightSummary.Of(Fly(species, variant));
 
             Assert.That(summary.Resets, Is.Zero);
-            Assert.That(summary.Wings.Select(wing => wing.EdgeStretchMaxPct), Is.All.LessThan(variant == InsectVariant.Expressive ? 8.0 : 6.0));
+            Assert.That(
+                summary.Wings.Select(wing => wing.EdgeStretchMaxPct), Is.All.LessThan(variant == InsectVariant.Expressive ? 8.0 : 6.0));
         }
 
         [TestCase("monarch")]
@@ -47,16 +48,19 @@ namespace Alate.Tests.Insects
             double flexible = LargestGap(flight, out double atBottom);
             double rigid = LargestGap(TetheredFlight.Fly(flight.Plan with { Column = ComparisonColumn.RigidWing }), out _);
 
-            TestContext.Progress.WriteLine($"swallowtail {variant}: gap {flexible:P1} of the fore wing's length, {atBottom:P1} at the bottom of the stroke; {rigid:P1} with rigid wings");
+            TestContext.Progress.WriteLine($"swallowtail {variant}: gap "
+                + $"{flexible:P1} of the fore wing's length, {atBottom:P1} at the bottom of the stroke; {rigid:P1} with rigid wings");
             Assert.That(flexible, Is.LessThan(0.12));
             Assert.That(atBottom, Is.LessThan(0.05));
             Assert.That(flexible, Is.LessThan(rigid), "the wings bend towards one another");
         }
 
         private static FlightRecord Fly(string species, InsectVariant variant) =>
-            TetheredFlight.Fly(new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)) });
+            TetheredFlight.Fly(
+                new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)) });
 
-        // Of the inner half of the hind wing's front edge, where the wings lie against one another, from the nearest place of the fore wing.
+        // Of the inner half of the hind wing's front edge, where the wings lie against one another, from the nearest place of the fore
+        // wing.
         private static double LargestGap(FlightRecord flight, out double atBottom)
         {
             const int k_Phases = 12;

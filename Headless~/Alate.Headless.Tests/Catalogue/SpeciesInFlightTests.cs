@@ -10,7 +10,9 @@ using UnityEngine;
 
 namespace Alate.Tests.Insects
 {
-    /// <summary>Every species in every variant, as it flies: a wing is one sheet that neither tears nor folds through itself or the body.</summary>
+    /// <summary>
+    /// Every species in every variant, as it flies: a wing is one sheet that neither tears nor folds through itself or the body.
+    /// </summary>
     public sealed class SpeciesInFlightTests
     {
         private static IEnumerable<TestCaseData> All => InsectCatalogue.All.SelectMany(
@@ -48,7 +50,8 @@ namespace Alate.Tests.Insects
                 foreach (float3[] places in FlownSpecies.Poses(wing))
                     farthest = root.Aggregate(farthest, (far, k) => math.max(far, DistanceToSkin(flown.Body, places[k])));
                 farthest /= wing.Placement.Length;
-                Tell($"{name} {variant} {wing.Wing.Name}: {root.Length} vertices of the root up to {farthest:P2} of the span from the skin");
+                Tell(
+                    $"{name} {variant} {wing.Wing.Name}: {root.Length} vertices of the root up to {farthest:P2} of the span from the skin");
                 Assert.That(root, Is.Not.Empty);
                 Assert.That(farthest, Is.LessThan(0.065f), wing.Wing.Name);
             }
@@ -70,7 +73,8 @@ namespace Alate.Tests.Insects
         public void HardlyAnyOfAWing_IsWithinTheBody(string name, InsectVariant variant)
         {
             var flown = FlownSpecies.Of(name, variant);
-            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(flown.Body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(flown.Body, piece)));
+            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(flown.Body)
+                .ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(flown.Body, piece)));
             foreach (RecordedWing wing in flown.Wings)
             {
                 int within = FlownSpecies.Poses(wing).Sum(places => places.Count(place => pieces.Exists(
@@ -104,7 +108,8 @@ namespace Alate.Tests.Insects
             for (int k = 0; k < body.triangles.Length; k += 3)
             {
                 nearest = Math.Min(nearest, TriangleDistance.Square(
-                    place, body.positions[body.triangles[k]], body.positions[body.triangles[k + 1]], body.positions[body.triangles[k + 2]]));
+                    place, body.positions[body.triangles[k]], body.positions[body.triangles[k + 1]],
+                    body.positions[body.triangles[k + 2]]));
             }
 
             return (float)Math.Sqrt(nearest);

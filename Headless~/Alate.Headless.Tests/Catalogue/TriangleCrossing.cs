@@ -8,7 +8,9 @@ namespace Alate.Tests.Insects
     /// <summary>Finds triangles that pass through each other.</summary>
     internal static class TriangleCrossing
     {
-        /// <summary>Pairs of triangles of one or two sheets that pass through each other; neighbours, which share a corner, do not count.</summary>
+        /// <summary>
+        /// Pairs of triangles of one or two sheets that pass through each other; neighbours, which share a corner, do not count.
+        /// </summary>
         /// <param name="places">[vertex] Of all triangles.</param>
         /// <param name="one">Corners of triangles.</param>
         /// <param name="other">Corners of triangles; the same list for a sheet and itself.</param>
@@ -46,8 +48,11 @@ namespace Alate.Tests.Insects
         {
             for (int k = 0; k < 3; k++)
             {
-                if (Pierces(places[one[k]], places[one[(k + 1) % 3]], places, other) || Pierces(places[other[k]], places[other[(k + 1) % 3]], places, one))
+                if (Pierces(places[one[k]], places[one[(k + 1) % 3]], places, other)
+                    || Pierces(places[other[k]], places[other[(k + 1) % 3]], places, one))
+                {
                     return true;
+                }
             }
 
             return false;
@@ -65,8 +70,10 @@ namespace Alate.Tests.Insects
 
         private static float Volume(float3 a, float3 b, float3 c, float3 d) => math.dot(math.cross(b - a, c - a), d - a);
 
-        private static float3 Min(float3[] places, int3 triangle) => math.min(places[triangle.x], math.min(places[triangle.y], places[triangle.z]));
+        private static float3 Min(float3[] places, int3 triangle) =>
+            math.min(places[triangle.x], math.min(places[triangle.y], places[triangle.z]));
 
-        private static float3 Max(float3[] places, int3 triangle) => math.max(places[triangle.x], math.max(places[triangle.y], places[triangle.z]));
+        private static float3 Max(float3[] places, int3 triangle) =>
+            math.max(places[triangle.x], math.max(places[triangle.y], places[triangle.z]));
     }
 }

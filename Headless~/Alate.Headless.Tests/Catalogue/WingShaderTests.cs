@@ -192,7 +192,8 @@ namespace Alate.Tests.Insects
             return Regex.Matches(block, @"\b(_\w+) \(").Select(match => match.Groups[1].Value).ToArray();
         }
 
-        private static string Text() => File.ReadAllText(Path.Combine(PackageRoot(), "Runtime", "Catalogue", "Materials", "Resources", "Alate", "Wing.shader"));
+        private static string Text() =>
+            File.ReadAllText(Path.Combine(PackageRoot(), "Runtime", "Catalogue", "Materials", "Resources", "Alate", "Wing.shader"));
 
         private static string PackageRoot([CallerFilePath] string here = null) =>
             Path.GetFullPath(Path.Combine(Path.GetDirectoryName(here), "..", "..", ".."));

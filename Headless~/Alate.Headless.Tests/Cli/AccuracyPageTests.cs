@@ -13,7 +13,8 @@ namespace Alate.Tests.Cli
     public sealed class AccuracyPageTests
     {
         private static readonly string s_Folder = Path.Combine(PackageRoot.Find(), "Documentation~");
-        private static readonly Lazy<string> s_Page = new Lazy<string>(() => File.ReadAllText(Path.Combine(s_Folder, AccuracyFigures.Page)).ReplaceLineEndings("\n"));
+        private static readonly Lazy<string> s_Page = new Lazy<string>(
+            () => File.ReadAllText(Path.Combine(s_Folder, AccuracyFigures.Page)).ReplaceLineEndings("\n"));
 
         private static IEnumerable<string> Parts => new[] { "errors", "converged values", "winds" };
 
@@ -22,10 +23,13 @@ namespace Alate.Tests.Cli
         {
             string page = s_Page.Value, begin = PageBlock.Begin(part);
             int from = page.IndexOf(begin, StringComparison.Ordinal) + begin.Length;
-            string[] rows = page.Substring(from, page.IndexOf(PageBlock.End(part), StringComparison.Ordinal) - from).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+            string[] rows = page.Substring(from, page.IndexOf(PageBlock.End(part), StringComparison.Ordinal) - from)
+                .Split('\n', StringSplitOptions.RemoveEmptyEntries);
 
-            Assert.That(rows.Skip(2).Select(row => string.Join(' ', row.Split('|').Skip(1).Take(2).Select(cell => cell.Trim()))), Is.EqualTo(
-                from species in InsectCatalogue.All from wing in species.Wings select $"{species.Name} {wing.Name}"), "run the command figures");
+            Assert.That(
+                rows.Skip(2).Select(row => string.Join(' ', row.Split('|').Skip(1).Take(2).Select(cell => cell.Trim()))), Is.EqualTo(
+                from species in InsectCatalogue.All from wing in species.Wings select $"{species.Name} {wing.Name}"),
+                "run the command figures");
         }
 
         [Test]

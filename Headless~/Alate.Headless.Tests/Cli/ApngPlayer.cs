@@ -9,7 +9,10 @@ using UnityEngine;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>A player of animated PNG files with a palette, from the third edition of PNG alone: check sums, order, disposal and blending of the frames.</summary>
+/// <summary>
+/// A player of animated PNG files with a palette, from the third edition of PNG alone: check sums, order, disposal and blending of the
+/// frames.
+/// </summary>
 internal sealed class ApngPlayer
 {
     private readonly byte[] m_Palette, m_Opacity;
@@ -59,8 +62,10 @@ internal sealed class ApngPlayer
             else
                 Assert.That((chunks[k + 1].Name, m_Frames.Count), Is.EqualTo(("IDAT", 0)));
             (int width, int height, int left, int top) = (Number(control, 4), Number(control, 8), Number(control, 12), Number(control, 16));
-            Assert.That(width > 0 && height > 0 && left >= 0 && top >= 0 && left + width <= Width && top + height <= Height, Is.True, "within the picture");
-            Delays.Add(BinaryPrimitives.ReadUInt16BigEndian(control.AsSpan(20)) / (double)BinaryPrimitives.ReadUInt16BigEndian(control.AsSpan(22)));
+            Assert.That(width > 0 && height > 0 && left >= 0 && top >= 0 && left + width <= Width && top + height <= Height, Is.True,
+                "within the picture");
+            Delays.Add(BinaryPrimitives.ReadUInt16BigEndian(control.AsSpan(20)) / (double)BinaryPrimitives.ReadUInt16BigEndian(
+                control.AsSpan(22)));
             var before = (Color32[])shown.Clone();
             Draw(shown, packed[(chunks[k + 1].Name == "fdAT" ? 4 : 0)..], (width, height, left, top), isOver: control[25] == 1);
             m_Frames.Add((Color32[])shown.Clone());
@@ -85,7 +90,10 @@ internal sealed class ApngPlayer
                 int entry = row[1 + x];
                 byte opacity = entry < m_Opacity.Length ? m_Opacity[entry] : byte.MaxValue;
                 if (!isOver || opacity > 0)
-                    shown[(part.Top + y) * Width + part.Left + x] = new Color32(m_Palette[3 * entry], m_Palette[3 * entry + 1], m_Palette[3 * entry + 2], opacity);
+                {
+                    shown[(part.Top + y) * Width + part.Left + x] = new Color32(
+                        m_Palette[3 * entry], m_Palette[3 * entry + 1], m_Palette[3 * entry + 2], opacity);
+                }
             }
         }
 

@@ -81,7 +81,8 @@ namespace Alate.Tests.Cli
         public void PilotWithoutWhatItNeeds_SaysSo(string options, string said)
         {
             string[] words = options.Split(' ');
-            AssertRefused(new[] { said }, words.Prepend("--free").Prepend("monarch").Prepend("fly").Append("--out").Append(m_Run.Out).ToArray());
+            AssertRefused(
+                new[] { said }, words.Prepend("--free").Prepend("monarch").Prepend("fly").Append("--out").Append(m_Run.Out).ToArray());
         }
 
         [TestCase("1,2\n", "line 1")]
@@ -96,7 +97,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
-        public void OptionOfAFreeFlight_WithoutFree_IsNamed() => AssertRefused(new[] { "--to", "--free" }, "fly", "monarch", "--to", "0,0,1", "--out", m_Run.Out);
+        public void OptionOfAFreeFlight_WithoutFree_IsNamed() =>
+            AssertRefused(new[] { "--to", "--free" }, "fly", "monarch", "--to", "0,0,1", "--out", m_Run.Out);
 
         [TestCase("mosquito", "--speeds", "1", "mosquito")]
         [TestCase("monarch", "--speeds", "NaN", "NaN")]

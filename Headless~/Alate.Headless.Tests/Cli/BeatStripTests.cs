@@ -59,7 +59,9 @@ namespace Alate.Tests.Cli
         [Test]
         public void EveryPhase_IsAPoseOfItsOwn()
         {
-            Assert.That(m_Panels.Select(panel => (panel.Count, panel.Min(pixel => pixel.y), panel.Max(pixel => pixel.x))).Distinct().Count(), Is.EqualTo(k_Phases));
+            Assert.That(
+                m_Panels.Select(panel => (panel.Count, panel.Min(pixel => pixel.y), panel.Max(pixel => pixel.x))).Distinct().Count(),
+                Is.EqualTo(k_Phases));
             Assert.That(m_Panels.Select(panel => panel.Count), Is.All.GreaterThan(500));
         }
 
@@ -67,10 +69,12 @@ namespace Alate.Tests.Cli
         public void UnderEachPhase_StandItsAngleAndItsTime()
         {
             double period = 1000.0 / MonarchFlight.Level.Wings[0].Frequency;
-            double[] told = m_Page.Texts.Where(text => Regex.IsMatch(text, "^[0-9.]+ ms$")).Select(text => double.Parse(text[..^3], CultureInfo.InvariantCulture)).ToArray();
+            double[] told = m_Page.Texts.Where(text => Regex.IsMatch(text, "^[0-9.]+ ms$"))
+                .Select(text => double.Parse(text[..^3], CultureInfo.InvariantCulture)).ToArray();
 
             Assert.That(told, Is.EqualTo(Enumerable.Range(0, k_Phases).Select(k => k * period / k_Phases)).Within(0.051));
-            Assert.That(m_Page.Texts.Where(text => text.EndsWith("°")), Is.EqualTo(Enumerable.Range(0, k_Phases).Select(k => $"{30 * k}°")));
+            Assert.That(
+                m_Page.Texts.Where(text => text.EndsWith("°")), Is.EqualTo(Enumerable.Range(0, k_Phases).Select(k => $"{30 * k}°")));
         }
 
         [Test]
@@ -127,7 +131,8 @@ namespace Alate.Tests.Cli
             Color32 paper = picture.Pixels[0];
             for (int y = (int)(PixelPage.Fineness * panel.Top); y < PixelPage.Fineness * (panel.Top + panel.Height) - 14; y++)
             {
-                for (int x = (int)(PixelPage.Fineness * panel.Left); x < Math.Min(PixelPage.Fineness * (panel.Left + panel.Width), picture.Width); x++)
+                for (int x = (int)(PixelPage.Fineness * panel.Left); x < Math.Min(
+                    PixelPage.Fineness * (panel.Left + panel.Width), picture.Width); x++)
                 {
                     Color32 pixel = picture.Pixels[y * picture.Width + x];
                     if (Math.Abs(pixel.r - paper.r) + Math.Abs(pixel.g - paper.g) + Math.Abs(pixel.b - paper.b) > 12)

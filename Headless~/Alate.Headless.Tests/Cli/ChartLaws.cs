@@ -23,7 +23,8 @@ public sealed class ChartLaws
         for (int k = 0; k < 300; k++)
         {
             double size = Math.Pow(10.0, 6.0 * random.NextDouble() - 3.0);
-            double[] values = Enumerable.Range(0, 5).Select(_ => size * (random.NextDouble() - (k % 3 == 0 ? 0.0 : 0.4))).Append(double.NaN).ToArray();
+            double[] values = Enumerable.Range(0, 5).Select(_ => size * (random.NextDouble() - (k % 3 == 0 ? 0.0 : 0.4)))
+                .Append(double.NaN).ToArray();
             var axis = ChartAxis.Linear(values);
             double step = axis.Ticks[1] - axis.Ticks[0], mantissa = step / Math.Pow(10.0, Math.Floor(Math.Log10(step) + 1e-9));
 
@@ -57,7 +58,8 @@ public sealed class ChartLaws
         new LineChart(places, isLogarithmic, 100f, 50f, 400f, 200f).Draw(page, "title", [new ChartCurve(values, "#123456", false)]);
         var svg = XElement.Parse(page.Finish(600f, 300f, "a chart"));
         Dictionary<double, double> heights = Labels(svg, "end", "y"), ways = Labels(svg, "middle", "x");
-        (double X, double Y)[] points = svg.Elements(s_Svg + "circle").Select(circle => (Number(circle, "cx"), Number(circle, "cy"))).ToArray();
+        (double X, double Y)[] points = svg.Elements(s_Svg + "circle")
+            .Select(circle => (Number(circle, "cx"), Number(circle, "cy"))).ToArray();
 
         Assert.That(points, Has.Length.EqualTo(3), "what is no number is left out");
         double perUnit = (heights[heights.Keys.Max()] - heights[heights.Keys.Min()]) / (heights.Keys.Max() - heights.Keys.Min());
@@ -81,18 +83,21 @@ public sealed class ChartLaws
         var page = new SvgPage();
         ChartAxis across = new(0.1, 10.0, true, [0.1, 1.0, 10.0]), up = new(-2.0, 2.0, false, [-2.0, 0.0, 2.0]);
         var chart = new PointChart(page, "title", across, up, 20f, 30f, new float2(400f, 300f));
-        chart.Draw(new PointCurve([new ChartPoint(1.0, 1.0), new ChartPoint(10.0, -1.0), new ChartPoint(5.0, 3.0)], "#123456", CurveLook.Discs));
+        chart.Draw(
+            new PointCurve([new ChartPoint(1.0, 1.0), new ChartPoint(10.0, -1.0), new ChartPoint(5.0, 3.0)], "#123456", CurveLook.Discs));
         chart.Ring(new ChartPoint(0.1, -2.0), "#654321");
         var svg = XElement.Parse(page.Finish(600f, 400f, "points"));
         Dictionary<double, double> heights = Labels(svg, "end", "y"), ways = Labels(svg, "middle", "x");
-        (double X, double Y)[] marks = svg.Elements(s_Svg + "circle").Select(circle => (Number(circle, "cx"), Number(circle, "cy"))).ToArray();
+        (double X, double Y)[] marks = svg.Elements(s_Svg + "circle")
+            .Select(circle => (Number(circle, "cx"), Number(circle, "cy"))).ToArray();
 
         Assert.That(marks, Has.Length.EqualTo(3), "two marks within and the ring");
         Assert.That(marks[0].X, Is.EqualTo(ways[1.0]).Within(0.1));
         Assert.That(marks[0].Y, Is.EqualTo(0.5 * (heights[0.0] + heights[2.0]) - 4.0).Within(0.1));
         Assert.That(marks[1].X, Is.EqualTo(ways[10.0]).Within(0.1));
         Assert.That(marks[1].Y, Is.EqualTo(0.5 * (heights[0.0] + heights[-2.0]) - 4.0).Within(0.1));
-        Assert.That(marks[2], Is.EqualTo((ways[0.1], heights[-2.0] - 4.0)).Using<(double, double)>((a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 0.2));
+        Assert.That(marks[2], Is.EqualTo((ways[0.1], heights[-2.0] - 4.0)).Using<(double, double)>(
+            (a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 0.2));
         Assert.That(ways[1.0], Is.EqualTo(0.5 * (ways[0.1] + ways[10.0])).Within(0.1), "equal ratios are equal ways");
     }
 
@@ -109,7 +114,8 @@ public sealed class ChartLaws
         Assert.That(math.distance(middle, new float3(0f, 0f, 50f)), Is.LessThan(1e-4f));
         float3 towards = camera.Towards, across = camera.Direction(1f, 0f, 0f), above = camera.Direction(0f, 1f, 0f);
         Assert.That(math.length(towards), Is.EqualTo(1f).Within(1e-5f));
-        Assert.That(math.abs(math.dot(towards, across)) + math.abs(math.dot(towards, above)) + math.abs(math.dot(across, above)), Is.LessThan(1e-5f));
+        Assert.That(math.abs(math.dot(towards, across)) + math.abs(math.dot(towards, above)) + math.abs(math.dot(across, above)),
+            Is.LessThan(1e-5f));
         Assert.That(math.distance(camera.Direction(0f, 0f, 1f), towards), Is.LessThan(1e-5f));
         float3 near = camera.Project(0.4f * across + 0.2f * above + 25f * towards);
         Assert.That(math.distance(near, new float3(0.8f, -0.4f, 25f)), Is.LessThan(1e-4f), "at half the distance twice as large");
@@ -127,12 +133,14 @@ public sealed class ChartLaws
 
         Assert.That(PageBlock.Replace(page, "part", "new\n"), Is.EqualTo($"before\n{begin}new\n<!-- end of part -->\nafter\n"));
         Assert.That(() => PageBlock.Replace(page, "other", "new"), Throws.Exception.With.Message.Contains("<!-- end of other -->"));
-        Assert.That(MarkdownTable.Write([["a", "b|c"], ["1", "2"], ["3", "4"]]), Is.EqualTo("| a | b\\|c |\n| --- | --- |\n| 1 | 2 |\n| 3 | 4 |\n"));
+        Assert.That(MarkdownTable.Write([["a", "b|c"], ["1", "2"], ["3", "4"]]),
+            Is.EqualTo("| a | b\\|c |\n| --- | --- |\n| 1 | 2 |\n| 3 | 4 |\n"));
     }
 
     private static Dictionary<double, double> Labels(XElement svg, string anchor, string place) => svg.Elements(s_Svg + "text")
         .Where(text => (string)text.Attribute("text-anchor") == anchor && Regex.IsMatch(text.Value, @"^[−\d.]+$"))
         .ToDictionary(text => double.Parse(text.Value.Replace('−', '-'), CultureInfo.InvariantCulture), text => Number(text, place));
 
-    private static double Number(XElement element, string name) => double.Parse((string)element.Attribute(name), CultureInfo.InvariantCulture);
+    private static double Number(XElement element, string name) =>
+        double.Parse((string)element.Attribute(name), CultureInfo.InvariantCulture);
 }

@@ -8,7 +8,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>The page <c>command-line.md</c> has every command and option of <c>--help</c>, with their defaults and ranges, and no others.</summary>
+    /// <summary>
+    /// The page <c>command-line.md</c> has every command and option of <c>--help</c>, with their defaults and ranges, and no others.
+    /// </summary>
     public sealed class CommandLineManualTests
     {
         private static readonly string s_Page = File.ReadAllText(Path.Combine(PackageRoot.Find(), "Documentation~", "command-line.md"))
@@ -19,7 +21,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void EveryCommandOfTheHelp_HasItsPlaceOnThePage_AndNoOther()
         {
-            string[] headings = Regex.Matches(s_Page, "^##+ (.+)$", RegexOptions.Multiline).Select(heading => heading.Groups[1].Value).ToArray();
+            string[] headings = Regex.Matches(s_Page, "^##+ (.+)$", RegexOptions.Multiline)
+                .Select(heading => heading.Groups[1].Value).ToArray();
 
             Assert.That(headings, Is.EquivalentTo(s_Commands));
         }
@@ -60,11 +63,13 @@ namespace Alate.Tests.Cli
 
         // The commands that the help of a command lists.
         private static string[] Names(string command) =>
-            Regex.Matches(Part(Help(command), "Commands:"), @"^  (\S+)", RegexOptions.Multiline).Select(line => line.Groups[1].Value).ToArray();
+            Regex.Matches(Part(Help(command), "Commands:"), @"^  (\S+)", RegexOptions.Multiline)
+                .Select(line => line.Groups[1].Value).ToArray();
 
         private static IEnumerable<(string Name, string Values, string Text, string Default)> Options(string command)
         {
-            foreach (Match line in Regex.Matches(Part(Help(command), "Options:"), @"^  (--\S+)(?: <([^>]+)>)?  +(.*)$", RegexOptions.Multiline))
+            foreach (Match line in Regex.Matches(
+                Part(Help(command), "Options:"), @"^  (--\S+)(?: <([^>]+)>)?  +(.*)$", RegexOptions.Multiline))
             {
                 Match fallback = Regex.Match(line.Groups[3].Value, @"\[default: (.*)\]$");
                 yield return (line.Groups[1].Value, line.Groups[2].Value, line.Groups[3].Value, fallback.Groups[1].Value);
@@ -91,7 +96,8 @@ namespace Alate.Tests.Cli
         // From its heading to the next.
         private static string Section(string command)
         {
-            Match section = Regex.Match(s_Page, $"^##+ {Regex.Escape(command)}\n(.*?)(?=^##|\\z)", RegexOptions.Multiline | RegexOptions.Singleline);
+            Match section = Regex.Match(
+                s_Page, $"^##+ {Regex.Escape(command)}\n(.*?)(?=^##|\\z)", RegexOptions.Multiline | RegexOptions.Singleline);
             Assert.That(section.Success, $"'{command}' has no heading on the page");
             return section.Groups[1].Value;
         }

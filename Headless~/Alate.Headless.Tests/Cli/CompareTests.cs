@@ -25,7 +25,8 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void Folder_HoldsAPictureOfEachSpeciesOnce_AndTheTable() => Assert.That(
-            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "monarch.png", "fishfly.png", "compare.csv", "free-flight.csv" }));
+            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "monarch.png", "fishfly.png", "compare.csv", "free-flight.csv" }));
 
         [Test]
         public void Table_HasARowForEachColumnAndKindOfWing()
@@ -64,7 +65,8 @@ namespace Alate.Tests.Cli
         {
             string[] texts = PngTexts.Of(Path.Combine(m_Run.Out, "monarch.png"));
 
-            Assert.That(texts, Is.SupersetOf(new[] { "Monarch", "Rigid wing", "No deformation wave", "Full model", "Elasticity × 4", "0°", "180°" }));
+            Assert.That(texts,
+                Is.SupersetOf(new[] { "Monarch", "Rigid wing", "No deformation wave", "Full model", "Elasticity × 4", "0°", "180°" }));
             Assert.That(texts, Does.Contain(Of("monarch", "twist_pp_deg")[2].ToString("0.0", CultureInfo.InvariantCulture)));
             Assert.That(new FileInfo(Path.Combine(m_Run.Out, "monarch.png")).Length, Is.LessThan(300_000));
         }
@@ -74,7 +76,8 @@ namespace Alate.Tests.Cli
         {
             string[][] rows = File.ReadAllLines(Path.Combine(m_Run.Out, "free-flight.csv")).Select(line => line.Split(',')).ToArray();
             double Of(string species, string flight, string measure) =>
-                double.Parse(rows.Single(row => row[0] == species && row[1] == flight)[System.Array.IndexOf(rows[0], measure)], CultureInfo.InvariantCulture);
+                double.Parse(rows.Single(row => row[0] == species && row[1] == flight)[System.Array.IndexOf(rows[0], measure)],
+                    CultureInfo.InvariantCulture);
 
             Assert.That(rows, Has.Length.EqualTo(1 + 2 * 2));
             foreach (string species in new[] { "monarch", "fishfly" })
@@ -92,8 +95,10 @@ namespace Alate.Tests.Cli
         [Test]
         public void Terminal_ShowsTheDifferences()
         {
-            Assert.That(m_Run.Output, Does.Contain("Full model").And.Contain("twist").And.Contain("Fishfly: hind wing").And.Contain("compare.csv"));
-            Assert.That(m_Run.Output, Does.Contain("usual").And.Contain("10–50 *").And.Contain("0.00 †").And.Not.Contain("-0.00"), "a rigid wing neither twists nor lags");
+            Assert.That(
+                m_Run.Output, Does.Contain("Full model").And.Contain("twist").And.Contain("Fishfly: hind wing").And.Contain("compare.csv"));
+            Assert.That(m_Run.Output, Does.Contain("usual").And.Contain("10–50 *").And.Contain("0.00 †").And.Not.Contain("-0.00"),
+                "a rigid wing neither twists nor lags");
         }
 
         private double[] Of(string species, string measure)

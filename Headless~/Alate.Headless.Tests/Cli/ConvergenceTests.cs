@@ -26,7 +26,8 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void Folder_HoldsThePictureAndTheTable() => Assert.That(
-            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "convergence.svg", "convergence.csv" }));
+            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "convergence.svg", "convergence.csv" }));
 
         [Test]
         public void Table_HasARowForEachSchemeAndNumberOfSubsteps_AndOneForVersion01()
@@ -62,7 +63,8 @@ namespace Alate.Tests.Cli
             XNamespace space = "http://www.w3.org/2000/svg";
             string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
 
-            Assert.That(texts, Is.SupersetOf(new[] { "Monarch", "second order (default)", "backward Euler", "default substeps", "version 0.1", "wing" }));
+            Assert.That(texts,
+                Is.SupersetOf(new[] { "Monarch", "second order (default)", "backward Euler", "default substeps", "version 0.1", "wing" }));
             Assert.That(texts, Has.None.EqualTo("hind wing"));
             Assert.That(svg.Elements(space + "path").Count(path => path.Attribute("clip-path") != null), Is.EqualTo(2));
         }
@@ -70,7 +72,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void Terminal_ShowsTheValuesBesideTheirLimits()
         {
-            Assert.That(m_Run.Output, Does.Contain("(default)").And.Contain("at 480").And.Contain("lift over weight at pitch 30°").And.Contain("convergence.csv"));
+            Assert.That(m_Run.Output, Does.Contain("(default)").And.Contain("at 480").And.Contain("lift over weight at pitch 30°").And
+                .Contain("convergence.csv"));
         }
 
         private double[] Errors(string scheme) => m_Rows.Where(row => row[3] == "now" && row[4] == scheme)

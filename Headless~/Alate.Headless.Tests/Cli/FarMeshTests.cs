@@ -81,7 +81,8 @@ namespace Alate.Tests.Cli
             Assert.That(code, Is.Zero, m_Run.Errors);
             using var json = JsonDocument.Parse(File.ReadAllText(Path.Combine(m_Run.Out, "skeleton.json")));
             return json.RootElement.GetProperty("hinge").EnumerateArray()
-                .Concat(json.RootElement.GetProperty("chains").EnumerateArray().SelectMany(chain => chain.EnumerateArray()).SelectMany(joint => joint.EnumerateArray()))
+                .Concat(json.RootElement.GetProperty("chains").EnumerateArray().SelectMany(chain => chain.EnumerateArray())
+                    .SelectMany(joint => joint.EnumerateArray()))
                 .Select(number => number.GetDouble()).ToArray();
         }
 
@@ -90,11 +91,13 @@ namespace Alate.Tests.Cli
             Fit(at, FormattableString.Invariant($"{at.X},{at.Y},{at.Z}"));
             string flight = Path.Combine(m_Run.Folder, "flight");
             int code = m_Run.Run(
-                "fly", "--mesh", Path.Combine(m_Run.Folder, "wing.obj"), "--skeleton", Path.Combine(m_Run.Out, "skeleton.json"), "--species", "monarch",
+                "fly", "--mesh", Path.Combine(m_Run.Folder, "wing.obj"), "--skeleton", Path.Combine(m_Run.Out, "skeleton.json"),
+                "--species", "monarch",
                 "--no-pictures", "--seconds", "0.3", "--out", flight);
             Assert.That(code, Is.Zero, m_Run.Errors);
             return File.ReadAllLines(Path.Combine(flight, "joints.csv")).Skip(1)
-                .SelectMany(line => line.Split(',').Skip(6).Take(3)).Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();
+                .SelectMany(line => line.Split(',').Skip(6).Take(3))
+                .Select(number => double.Parse(number, CultureInfo.InvariantCulture)).ToArray();
         }
 
         private void Renew()

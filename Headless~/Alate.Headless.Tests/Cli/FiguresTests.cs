@@ -13,7 +13,8 @@ namespace Alate.Tests.Cli
     public sealed class FiguresTests
     {
         private static readonly string s_Folder = Path.Combine(PackageRoot.Find(), "Documentation~");
-        private static readonly Lazy<string> s_Page = new Lazy<string>(() => File.ReadAllText(Path.Combine(s_Folder, "species.md")).ReplaceLineEndings("\n"));
+        private static readonly Lazy<string> s_Page = new Lazy<string>(
+            () => File.ReadAllText(Path.Combine(s_Folder, "species.md")).ReplaceLineEndings("\n"));
 
         private static IEnumerable<InsectDefinition> All => InsectCatalogue.All;
 
@@ -30,15 +31,23 @@ namespace Alate.Tests.Cli
         [TestCaseSource(nameof(All))]
         public void ThePagesSources_AreThoseOfTheSpecies(InsectDefinition species)
         {
-            Assert.That(Part("sources of " + species.Name), Is.EqualTo(MarkdownTable.Write(SpeciesTable.Sources(species))), "run the command figures");
+            Assert.That(Part("sources of " + species.Name), Is.EqualTo(MarkdownTable.Write(SpeciesTable.Sources(species))),
+                "run the command figures");
         }
 
         [TestCaseSource(nameof(All))]
         public void ThePagesNumbers_AreThoseMeasuredNow(InsectDefinition species)
         {
             var measured = FlightSummary.Of(TetheredFlight.Fly(
-                new FlightPlan { Species = species.Name, Speed = FlightPlan.CruiseOf(species), Substeps = FiguresCommand.MeasuredSubsteps }));
-            string[] rows = Part("numbers").Split('\n').Where(row => row.StartsWith($"| {species.Name} | standard |", StringComparison.Ordinal)).ToArray();
+                new FlightPlan
+                {
+                    Species = species.Name,
+                    Speed = FlightPlan.CruiseOf(
+                    species),
+                    Substeps = FiguresCommand.MeasuredSubsteps
+                }));
+            string[] rows = Part("numbers").Split('\n')
+                .Where(row => row.StartsWith($"| {species.Name} | standard |", StringComparison.Ordinal)).ToArray();
 
             Assert.That(rows, Has.Length.EqualTo(measured.Wings.Count));
             for (int k = 0; k < rows.Length; k++)

@@ -9,13 +9,15 @@ namespace Alate.Tests.Cli
     public sealed class FilmTests
     {
         [Test, Explicit, Category("Long")]
-        public void FilmsOfEveryKind_HaveNumberedFrames([Values("--compare", "--free")] string kind) => Film_HasNumberedFrames_OfOneSize_ThatAllDiffer(kind);
+        public void FilmsOfEveryKind_HaveNumberedFrames([Values("--compare", "--free")] string kind) =>
+            Film_HasNumberedFrames_OfOneSize_ThatAllDiffer(kind);
 
         [TestCase("--variant", "expressive", "--turn", "90")]
         public void Film_HasNumberedFrames_OfOneSize_ThatAllDiffer(params string[] options)
         {
             using var run = new CommandRun();
-            Assert.That(run.Run(["film", "fishfly", "--frames", "4", "--beats", "1", "--width", "160", "--out", run.Out, .. options]), Is.Zero, run.Errors);
+            Assert.That(run.Run(["film", "fishfly", "--frames", "4", "--beats", "1", "--width", "160", "--out", run.Out, .. options]),
+                Is.Zero, run.Errors);
 
             string[] files = Directory.GetFiles(Path.Combine(run.Out, "frames")).Order().ToArray();
             PngFile[] frames = files.Select(file => PngFile.Read(File.ReadAllBytes(file))).ToArray();
@@ -29,7 +31,8 @@ namespace Alate.Tests.Cli
             for (int k = 0; k < 4; k++)
             {
                 // Each file has a palette of its own.
-                double off = film.Frames[k].Zip(frames[k].Pixels, (a, b) => (double)System.Math.Abs(a.r - b.r) + System.Math.Abs(a.g - b.g) + System.Math.Abs(a.b - b.b)).Average();
+                double off = film.Frames[k].Zip(frames[k].Pixels, (a, b) =>
+                    (double)System.Math.Abs(a.r - b.r) + System.Math.Abs(a.g - b.g) + System.Math.Abs(a.b - b.b)).Average();
                 Assert.That(off, Is.LessThan(3.0), $"frame {k}: shades of all channels");
             }
         }

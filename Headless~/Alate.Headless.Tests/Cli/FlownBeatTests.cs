@@ -19,7 +19,8 @@ public sealed class FlownBeatTests
         FlightPlan beat = record.Beat.Plan;
         float3 nose = math.rotate(middle.Rotation, new float3(0f, 0f, 1f));
 
-        Assert.That(math.sin(math.radians((float)beat.PitchDegrees)), Is.EqualTo(nose.y).Within(1e-5f), "height of the nose over the hinge");
+        Assert.That(
+            math.sin(math.radians((float)beat.PitchDegrees)), Is.EqualTo(nose.y).Within(1e-5f), "height of the nose over the hinge");
         Assert.That(beat.Speed, Is.EqualTo(math.length(middle.Wanted.xz)), "along, m/s");
         Assert.That(beat.Climb, Is.EqualTo(middle.Wanted.y), "up, m/s");
         Assert.That(middle.Wanted.y, Is.GreaterThan(0.01f), "the way leads up");

@@ -9,24 +9,38 @@ namespace Alate.Tests.Cli
 {
     public sealed class FlownParametersTests
     {
-        private static readonly FieldInfo[] s_Sliders = new[] { typeof(PresetSize), typeof(PresetBeat), typeof(PresetWave), typeof(PresetStiffness) }
+        private static readonly FieldInfo[] s_Sliders =
+            new[] { typeof(PresetSize), typeof(PresetBeat), typeof(PresetWave), typeof(PresetStiffness) }
             .SelectMany(group => group.GetFields(BindingFlags.Public | BindingFlags.Instance)).ToArray();
 
         [Test]
         public void NumbersOfTheFlight_ChangeTheirOwnNumberAlone()
         {
-            var plan = new FlightPlan { Species = "monarch", Speed = 1, Climb = 0.25, PitchDegrees = 5, Wind = [0.1, 0.2, 0.3], Elasticity = 1.5, Substeps = 16 };
+            var plan = new FlightPlan
+            {
+                Species = "monarch",
+                Speed = 1,
+                Climb = 0.25,
+                PitchDegrees = 5,
+                Wind = [0.1, 0.2,
+                0.3],
+                Elasticity = 1.5,
+                Substeps = 16
+            };
             FlightPlan In(string name, double value) => FlownParameters.Find(name).In(plan, value);
 
             Assert.That(In("wind", 3).Wind, Is.EqualTo(new[] { 0.0, 0.0, -3.0 }), "from ahead");
-            Assert.That((In("speed", 2).Speed, In("climb", -1).Climb, In("pitch", 20).PitchDegrees, In("elasticity", 4).Elasticity, In("substeps-per-beat", 24).Substeps), Is.EqualTo((2.0, -1.0, 20.0, 4.0, (int?)24)));
-            Assert.That((In("speed", 2).Climb, In("speed", 2).PitchDegrees, In("pitch", 20).Speed, In("climb", -1).Speed, In("elasticity", 4).Speed), Is.EqualTo((0.25, 5.0, 1.0, 1.0, 1.0)));
+            Assert.That((In("speed", 2).Speed, In("climb", -1).Climb, In("pitch", 20).PitchDegrees,
+                In("elasticity", 4).Elasticity, In("substeps-per-beat", 24).Substeps), Is.EqualTo((2.0, -1.0, 20.0, 4.0, (int?)24)));
+            Assert.That((In("speed", 2).Climb, In("speed", 2).PitchDegrees,
+                In("pitch", 20).Speed, In("climb", -1).Speed, In("elasticity", 4).Speed), Is.EqualTo((0.25, 5.0, 1.0, 1.0, 1.0)));
         }
 
         [Test]
         public void EverySlider_HasItsName_InTheInspectorsOrder()
         {
-            Assert.That(FlownParameters.OfSpecies.Select(parameter => parameter.Name), Is.EqualTo(s_Sliders.Select(field => Hyphenated(field.Name))));
+            Assert.That(FlownParameters.OfSpecies.Select(parameter => parameter.Name),
+                Is.EqualTo(s_Sliders.Select(field => Hyphenated(field.Name))));
         }
 
         [Test]

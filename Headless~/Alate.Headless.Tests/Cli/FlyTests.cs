@@ -32,7 +32,8 @@ namespace Alate.Tests.Cli
             Is.EquivalentTo(new[] { "strip.png", "stretch.png", "wings.glb", "joints.csv", "forces.csv", "summary.json" }));
 
         [TestCase("frequency_hz", 10.085, 10.086)] // 11 / (1 + exp(-16 (1.3 / 2 - 0.5))), Eq. 6 at its cruise of 1.3 m/s
-        // Within 20 % of the limits of many substeps, Documentation~/convergence.md, and twist at most 10 % above; the largest bend is about half of the bend peak to peak.
+        // Within 20 % of the limits of many substeps, Documentation~/convergence.md, and twist at most 10 % above; the largest bend is
+        // about half of the bend peak to peak.
         [TestCase("twist_pp_deg", 21.0, 28.9)]
         [TestCase("camber_min_pct", -5.8, -3.9)]
         [TestCase("camber_max_pct", 3.1, 4.7)]
@@ -96,7 +97,8 @@ namespace Alate.Tests.Cli
         public void RigidWing_DoesNotDeform()
         {
             using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--rigid", "--no-pictures", "--no-pictures", "--seconds", "0.2", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "monarch", "--rigid", "--no-pictures", "--no-pictures", "--seconds", "0.2", "--out", run.Out),
+                Is.Zero, run.Errors);
 
             JsonElement summary = Summary(run.Out);
 
@@ -126,7 +128,8 @@ namespace Alate.Tests.Cli
         public void WindFromTheSide_IsFeltByTheTwoWingsDifferently()
         {
             using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--wind", "-3,0,0", "--no-pictures", "--seconds", "0.3", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(
+                run.Run("fly", "monarch", "--wind", "-3,0,0", "--no-pictures", "--seconds", "0.3", "--out", run.Out), Is.Zero, run.Errors);
 
             string[][] rows = File.ReadAllLines(Path.Combine(run.Out, "joints.csv")).Skip(1).Select(line => line.Split(',')).ToArray();
             string[] right = rows.First(row => row[3] == "right" && row[4] == "4" && row[5] == "4");

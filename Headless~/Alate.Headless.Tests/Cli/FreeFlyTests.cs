@@ -20,7 +20,8 @@ namespace Alate.Tests.Cli
         public void Fly()
         {
             m_Run = new CommandRun();
-            int code = m_Run.Run("fly", "monarch", "--free", "--to", "0.3,0.2,1", "--gust", "0.3,0,0", "--seconds", "4", "--out", m_Run.Out);
+            int code = m_Run.Run(
+                "fly", "monarch", "--free", "--to", "0.3,0.2,1", "--gust", "0.3,0,0", "--seconds", "4", "--out", m_Run.Out);
             Assert.That(code, Is.Zero, m_Run.Errors);
         }
 
@@ -29,7 +30,8 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void Folder_HoldsPathForcesPictureAndScene() => Assert.That(
-            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "trajectory.csv", "forces.csv", "path.png", "flight.glb" }));
+            Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "trajectory.csv", "forces.csv", "path.png", "flight.glb" }));
 
         [Test]
         public void Trajectory_HasARowAStep_WithAllColumnsFilled()
@@ -37,7 +39,8 @@ namespace Alate.Tests.Cli
             string[][] rows = Table("trajectory.csv");
 
             Assert.That(rows[0].Take(7), Is.EqualTo(new[] { "time_s", "x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s" }));
-            Assert.That(rows[0], Is.SupersetOf(new[] { "heading_deg", "pitch_deg", "roll_deg", "wx_rad_s", "phase_deg", "frequency_hz", "half_flap_deg", "aid_w", "state" }));
+            Assert.That(rows[0], Is.SupersetOf(new[] { "heading_deg", "pitch_deg", "roll_deg", "wx_rad_s", "phase_deg", "frequency_hz",
+                "half_flap_deg", "aid_w", "state" }));
             Assert.That(rows, Has.Length.EqualTo(1 + 200));
             Assert.That(rows.Select(row => row.Length), Is.All.EqualTo(rows[0].Length));
             Assert.That(Column(rows, "time_s"), Is.Ordered.Ascending);
@@ -65,27 +68,35 @@ namespace Alate.Tests.Cli
         public void Scene_IsSound_MovesTheInsect_AndBeatsItsWings()
         {
             var file = new GlbFile(File.ReadAllBytes(Path.Combine(m_Run.Out, "flight.glb")));
-            JsonElement[] channels = file.Root.GetProperty("animations").EnumerateArray().SelectMany(animation => animation.GetProperty("channels").EnumerateArray()).ToArray();
+            JsonElement[] channels = file.Root.GetProperty("animations").EnumerateArray()
+                .SelectMany(animation => animation.GetProperty("channels").EnumerateArray()).ToArray();
             JsonElement animation = file.Root.GetProperty("animations")[0];
 
             for (int accessor = 0; accessor < file.AccessorCount; accessor++)
                 Assert.That(file.Read(accessor), Is.All.InRange(-1e6, 1e6), $"accessor {accessor} is finite");
-            Assert.That(channels.Select(channel => channel.GetProperty("target").GetProperty("path").GetString()).Distinct(), Is.EquivalentTo(new[] { "translation", "rotation", "weights" }));
+            Assert.That(channels.Select(channel => channel.GetProperty("target").GetProperty("path").GetString()).Distinct(),
+                Is.EquivalentTo(new[] { "translation", "rotation", "weights" }));
             foreach (JsonElement sampler in animation.GetProperty("samplers").EnumerateArray())
             {
                 int times = sampler.GetProperty("input").GetInt32();
                 Assert.That(file.Read(times), Is.Ordered.Ascending.And.Unique);
-                Assert.That(file.Accessor(times).TryGetProperty("min", out _) && file.Accessor(times).TryGetProperty("max", out _), "times have bounds");
+                Assert.That(file.Accessor(times).TryGetProperty("min", out _) && file.Accessor(times).TryGetProperty("max", out _),
+                    "times have bounds");
             }
 
             JsonElement turn = channels.Single(channel => channel.GetProperty("target").GetProperty("path").GetString() == "rotation");
-            double[] rotations = file.Read(animation.GetProperty("samplers")[turn.GetProperty("sampler").GetInt32()].GetProperty("output").GetInt32());
+            double[] rotations = file.Read(
+                animation.GetProperty("samplers")[turn.GetProperty("sampler").GetInt32()].GetProperty("output").GetInt32());
             for (int k = 0; k < rotations.Length; k += 4)
-                Assert.That(rotations.Skip(k).Take(4).Sum(part => part * part), Is.EqualTo(1.0).Within(1e-5), "rotations are unit quaternions");
+            {
+                Assert.That(
+                    rotations.Skip(k).Take(4).Sum(part => part * part), Is.EqualTo(1.0).Within(1e-5), "rotations are unit quaternions");
+            }
         }
 
         [Test]
-        public void Picture_IsAPng() => Assert.That(File.ReadAllBytes(Path.Combine(m_Run.Out, "path.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4e, 0x47 }));
+        public void Picture_IsAPng() =>
+            Assert.That(File.ReadAllBytes(Path.Combine(m_Run.Out, "path.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4e, 0x47 }));
 
         [Test]
         public void OneSeed_GivesOneTrack_AndAnotherAnother()
@@ -114,7 +125,8 @@ namespace Alate.Tests.Cli
         public void TheCommand_FliesTheTrackOfItsSeed()
         {
             using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", "7", "--seconds", "0.3", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", "7", "--seconds", "0.3", "--out", run.Out),
+                Is.Zero, run.Errors);
             Assert.That(File.ReadAllLines(Path.Combine(run.Out, "trajectory.csv")), Is.EqualTo(Track(7)));
         }
 

@@ -24,14 +24,16 @@ public sealed class FreePictureTests
     {
         Color32[] pixels = Enumerable.Repeat(new Color32(255, 255, 255, 255), 1200 * 300).ToArray();
         new PathLabels(pixels, 1200).Scale(pixelsPerMetre);
-        int[] rows = Enumerable.Range(0, 300).Where(row => Enumerable.Range(24, 4).All(x => pixels[row * 1200 + x].Equals(s_Ink))).ToArray();
+        int[] rows = Enumerable.Range(0, 300)
+            .Where(row => Enumerable.Range(24, 4).All(x => pixels[row * 1200 + x].Equals(s_Ink))).ToArray();
         int lowest = rows.Max();
 
         Assert.That(lowest, Is.EqualTo(300 - 24 - 1), "above the margin");
         Assert.That(Enumerable.Range(0, 1200).Count(x => pixels[lowest * 1200 + x].Equals(s_Ink)), Is.EqualTo(bar));
         Assert.That(Enumerable.Range(0, 1200).First(x => pixels[lowest * 1200 + x].Equals(s_Ink)), Is.EqualTo(24));
         int end = lowest - 8;
-        Assert.That(Enumerable.Range(0, 1200).Where(x => pixels[end * 1200 + x].Equals(s_Ink)), Is.EqualTo(Enumerable.Range(24, 4).Concat(Enumerable.Range(24 + bar - 4, 4))), "ends stand up");
+        Assert.That(Enumerable.Range(0, 1200).Where(x => pixels[end * 1200 + x].Equals(s_Ink)),
+            Is.EqualTo(Enumerable.Range(24, 4).Concat(Enumerable.Range(24 + bar - 4, 4))), "ends stand up");
         Assert.That(pixels.Take(1200 * 240).Any(pixel => !pixel.Equals(new Color32(255, 255, 255, 255))), Is.True, "a label above it");
     }
 
@@ -40,7 +42,8 @@ public sealed class FreePictureTests
     {
         const int frames = 12, beats = 2;
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
-        var film = FreeStretch.Fly(new FilmPlan { Flight = FlightPlan.Cruise(monarch, InsectVariant.Flight), IsFree = true, Frames = frames, Beats = beats });
+        var film = FreeStretch.Fly(
+            new FilmPlan { Flight = FlightPlan.Cruise(monarch, InsectVariant.Flight), IsFree = true, Frames = frames, Beats = beats });
         FilmMoment[] moments = Enumerable.Range(0, beats * frames).Select(film.At).ToArray();
         float3 ahead = math.rotate(moments[frames * beats / 2].Turn, new float3(0f, 0f, 1f));
 
@@ -53,14 +56,18 @@ public sealed class FreePictureTests
             Assert.That(moments[k].Trail, Has.Count.InRange(3 * 8, (3 + beats) * frames));
         }
 
-        // Dots stay where they are in the world: from frame to frame all move alike, as the camera does, and the last is a place of the insect.
+        // Dots stay where they are in the world: from frame to frame all move alike, as the camera does, and the last is a place of the
+        // insect.
         for (int k = 1; k < moments.Length; k++)
         {
             float3 moved = moments[k].Trail[0] - moments[k - 1].Trail[0];
             for (int dot = 1; dot < moments[k - 1].Trail.Count; dot++)
                 Assert.That(math.distance(moments[k].Trail[dot] - moments[k - 1].Trail[dot], moved), Is.LessThan(1e-4f));
             if (moments[k].Trail.Count > moments[k - 1].Trail.Count)
-                Assert.That(math.distance(moments[k].Trail[^1], moments[k - 1].Way + moved), Is.LessThan(1e-4f), "the last dot is where the insect was a frame ago");
+            {
+                Assert.That(math.distance(moments[k].Trail[^1], moments[k - 1].Way + moved), Is.LessThan(1e-4f),
+                    "the last dot is where the insect was a frame ago");
+            }
         }
     }
 }

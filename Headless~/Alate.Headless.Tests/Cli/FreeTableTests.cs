@@ -13,7 +13,8 @@ namespace Alate.Tests.Cli;
 public sealed class FreeTableTests
 {
     private static readonly FreeMoment s_Moment = new FreeMoment(
-        1.25, new float3(1f, 2f, 3f), quaternion.identity, new float3(0.5f, -0.25f, 2f), new float3(4f, 5f, 6f), new float3(0.1f, 0.2f, 1.5f), new float3(0.5f, -0.25f, -1f),
+        1.25, new float3(1f, 2f, 3f), quaternion.identity, new float3(0.5f, -0.25f, 2f), new float3(4f, 5f, 6f),
+        new float3(0.1f, 0.2f, 1.5f), new float3(0.5f, -0.25f, -1f),
         Math.PI / 3.0, 10.5, 0.7, new float3(1e-3f, 5e-3f, -2e-3f), new float3(1e-5f, 2e-5f, 3e-5f), 0.03, 0.004, FlightState.Flying);
 
     [Test]
@@ -22,8 +23,10 @@ public sealed class FreeTableTests
         Dictionary<string, string> row = Trajectory(s_Moment);
 
         AssertAll(row, ("time_s", 1.25), ("x_m", 1), ("y_m", 2), ("z_m", 3), ("vx_m_s", 0.5), ("vy_m_s", -0.25), ("vz_m_s", 2));
-        AssertAll(row, ("wanted_vx_m_s", 0.1), ("wanted_vy_m_s", 0.2), ("wanted_vz_m_s", 1.5), ("wx_rad_s", 4), ("wy_rad_s", 5), ("wz_rad_s", 6));
-        AssertAll(row, ("phase_deg", 60), ("frequency_hz", 10.5), ("half_flap_deg", 40.107), ("aid_w", 0.004), ("heading_deg", 0), ("pitch_deg", 0), ("roll_deg", 0));
+        AssertAll(
+            row, ("wanted_vx_m_s", 0.1), ("wanted_vy_m_s", 0.2), ("wanted_vz_m_s", 1.5), ("wx_rad_s", 4), ("wy_rad_s", 5), ("wz_rad_s", 6));
+        AssertAll(row, ("phase_deg", 60), ("frequency_hz", 10.5), ("half_flap_deg", 40.107), ("aid_w", 0.004), ("heading_deg", 0),
+            ("pitch_deg", 0), ("roll_deg", 0));
         Assert.That(row["state"], Is.EqualTo("Flying"));
     }
 
@@ -42,7 +45,8 @@ public sealed class FreeTableTests
         Dictionary<string, string> row = Trajectory(s_Moment with { Rotation = quaternion.LookRotation(ahead, math.cross(ahead, right)) });
 
         AssertAll(row, ("heading_deg", heading), ("pitch_deg", pitch));
-        Assert.That(Math.Sin(Number(row["roll_deg"]) * Math.PI / 180.0), Is.EqualTo(Math.Sin(r) * Math.Cos(p)).Within(1e-4), "the right wing points as far down");
+        Assert.That(Math.Sin(Number(row["roll_deg"]) * Math.PI / 180.0), Is.EqualTo(Math.Sin(r) * Math.Cos(p)).Within(1e-4),
+            "the right wing points as far down");
     }
 
     [Test]
@@ -53,14 +57,16 @@ public sealed class FreeTableTests
         AssertAll(row, ("time_s", 1.25), ("phase_deg", 60), ("force_x_n", 1e-3), ("force_y_n", 5e-3), ("force_z_n", -2e-3));
         AssertAll(row, ("moment_x_nm", 1e-5), ("moment_y_nm", 2e-5), ("moment_z_nm", 3e-5), ("lift_n", 5e-3), ("power_w", 0.03));
         AssertAll(row, ("drag_n", 2e-3));
-        Assert.That(Forces(s_Moment with { Wind = new float3(0.5f, -0.25f, 4f) })["drag_n"], Is.EqualTo("-2E-3"), "a wind from behind, faster than the insect");
+        Assert.That(Forces(s_Moment with { Wind = new float3(0.5f, -0.25f, 4f) })["drag_n"], Is.EqualTo("-2E-3"),
+            "a wind from behind, faster than the insect");
     }
 
     [TestCase(0.0, "down")]
     [TestCase(3.14, "down")]
     [TestCase(3.15, "up")]
     [TestCase(6.28, "up")]
-    public void TheHalfStroke_IsThatOfTheFlap(double phase, string half) => Assert.That(Forces(s_Moment with { Phase = phase })["half_stroke"], Is.EqualTo(half));
+    public void TheHalfStroke_IsThatOfTheFlap(double phase, string half) =>
+        Assert.That(Forces(s_Moment with { Phase = phase })["half_stroke"], Is.EqualTo(half));
 
     [Test]
     public void Numbers_HaveAPoint_WhateverTheCulture()
@@ -76,7 +82,8 @@ public sealed class FreeTableTests
         FreeRecord record = Record(s_Moment, up);
 
         Assert.That(math.distance(record.Thorax(s_Moment), new float3(1f, 2f, 3f) - new float3(0.1f, 0.2f, 0.4f)), Is.LessThan(1e-6f));
-        Assert.That(math.distance(record.Thorax(up), new float3(1f, 2f, 3f) - new float3(0.4f, 0.2f, -0.1f)), Is.LessThan(1e-6f), "ahead turns to the right");
+        Assert.That(math.distance(record.Thorax(up), new float3(1f, 2f, 3f) - new float3(0.4f, 0.2f, -0.1f)), Is.LessThan(1e-6f),
+            "ahead turns to the right");
         Assert.That(record.UpstrokeShare, Is.EqualTo(1.0 / 6.0).Within(1e-6));
     }
 
@@ -96,7 +103,10 @@ public sealed class FreeTableTests
     private static void AssertAll(Dictionary<string, string> row, params (string Column, double Value)[] wanted)
     {
         foreach ((string column, double value) in wanted)
-            Assert.That(Number(row[column]), Is.EqualTo(value).Within(Math.Max(1e-4 * Math.Abs(value), 1e-9)).Or.EqualTo(value).Within(Math.Abs(value) > 1.0 ? 1e-3 : 1e-9), column);
+        {
+            Assert.That(Number(row[column]), Is.EqualTo(value).Within(Math.Max(1e-4 * Math.Abs(value), 1e-9)).Or.EqualTo(value)
+                .Within(Math.Abs(value) > 1.0 ? 1e-3 : 1e-9), column);
+        }
     }
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);

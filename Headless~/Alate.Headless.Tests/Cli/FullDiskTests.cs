@@ -92,7 +92,8 @@ namespace Alate.Tests.Cli
             using var folder = new TemporaryFolder();
             File.CreateSymbolicLink(folder.PathOf("link.json"), k_Full);
 
-            UserException problem = Assert.Throws<UserException>(() => OutputFile.Write(folder.PathOf("link.json"), stream => stream.Write("after"u8)));
+            UserException problem = Assert.Throws<UserException>(
+                () => OutputFile.Write(folder.PathOf("link.json"), stream => stream.Write("after"u8)));
 
             Assert.That(problem.Message, Does.Contain("No space left"));
             Assert.That(new FileInfo(folder.PathOf("link.json")).LinkTarget, Is.EqualTo(k_Full));

@@ -60,7 +60,8 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void TheFirst_IsAMonarch() => Assert.That(
-            m_Picture.Pixels.Where((pixel, k) => k % k_Width < k_Column && k / k_Width < k_Row && pixel.r > 180 && pixel.g is > 70 and < 150 && pixel.b < 70).Count(),
+            m_Picture.Pixels.Where((pixel, k) =>
+                k % k_Width < k_Column && k / k_Width < k_Row && pixel.r > 180 && pixel.g is > 70 and < 150 && pixel.b < 70).Count(),
             Is.GreaterThan(200));
 
         [TestCase("10", "between 90 and 3000")]

@@ -32,21 +32,26 @@ public sealed class GlbBufferTests
         GlbFile file = Written(buffer => buffer.AddVectors(places), buffer => buffer.AddVectors(places, false));
 
         Assert.That(file.ReadVectors(0), Is.EqualTo(places));
-        Assert.That(file.Accessor(0).GetProperty("min").EnumerateArray().Select(number => number.GetDouble()), Is.EqualTo(new[] { -4.0, -2.0, -6.0 }));
-        Assert.That(file.Accessor(0).GetProperty("max").EnumerateArray().Select(number => number.GetDouble()), Is.EqualTo(new[] { 1.0, 5.0, 3.0 }));
+        Assert.That(file.Accessor(0).GetProperty("min").EnumerateArray().Select(number => number.GetDouble()),
+            Is.EqualTo(new[] { -4.0, -2.0, -6.0 }));
+        Assert.That(
+            file.Accessor(0).GetProperty("max").EnumerateArray().Select(number => number.GetDouble()), Is.EqualTo(new[] { 1.0, 5.0, 3.0 }));
         Assert.That(file.Root.GetProperty("bufferViews")[0].GetProperty("target").GetInt32(), Is.EqualTo(34962));
-        Assert.That(file.Root.GetProperty("bufferViews")[1].TryGetProperty("target", out _), Is.False, "values of an animation are no vertices");
+        Assert.That(
+            file.Root.GetProperty("bufferViews")[1].TryGetProperty("target", out _), Is.False, "values of an animation are no vertices");
     }
 
     [Test]
     public void NumbersOfEachKind_ComeBackInTheirOrder()
     {
         GlbFile file = Written(
-            buffer => buffer.AddScalars([3f, 1f, 2f]), buffer => buffer.AddPairs([new float2(0.25f, 0.5f), new float2(1f, 0f)]), buffer => buffer.AddQuadruples([new float4(1f, 2f, 3f, 4f)]),
+            buffer => buffer.AddScalars([3f, 1f, 2f]), buffer => buffer.AddPairs([new float2(0.25f, 0.5f), new float2(1f, 0f)]),
+            buffer => buffer.AddQuadruples([new float4(1f, 2f, 3f, 4f)]),
             buffer => buffer.AddJoints([new int4(1, 2, 3, 300)]), buffer => buffer.AddTranslations([new float3(7f, 8f, 9f)]));
 
         Assert.That(file.Read(0), Is.EqualTo(new[] { 3.0, 1.0, 2.0 }));
-        Assert.That((file.Accessor(0).GetProperty("min")[0].GetDouble(), file.Accessor(0).GetProperty("max")[0].GetDouble()), Is.EqualTo((1.0, 3.0)));
+        Assert.That((file.Accessor(0).GetProperty("min")[0].GetDouble(), file.Accessor(0).GetProperty("max")[0].GetDouble()),
+            Is.EqualTo((1.0, 3.0)));
         Assert.That(file.Read(1), Is.EqualTo(new[] { 0.25, 0.5, 1.0, 0.0 }));
         Assert.That(file.Read(2), Is.EqualTo(new[] { 1.0, 2.0, 3.0, 4.0 }));
         Assert.That(file.Read(3), Is.EqualTo(new[] { 1.0, 2.0, 3.0, 300.0 }));
@@ -64,7 +69,8 @@ public sealed class GlbBufferTests
             for (int c = 0; c < 3; c++)
             {
                 // Of sRGB (IEC 61966-2-1): encoded again it is the byte.
-                double linear = read[4 * k + c], encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.Pow(linear, 1.0 / 2.4) - 0.055;
+                double linear = read[4 * k + c],
+                    encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.Pow(linear, 1.0 / 2.4) - 0.055;
                 Assert.That(255.0 * encoded, Is.EqualTo(channels[c]).Within(0.05), $"colour {k}, channel {c}");
             }
 
@@ -76,7 +82,8 @@ public sealed class GlbBufferTests
     public void AFileWithin_BeginsOnFourBytes_AndIsAllThere()
     {
         byte[] picture = [1, 2, 3, 4, 5, 6, 7];
-        GlbFile file = Written(buffer => buffer.AddIndices([0, 1, 2], 3), buffer => buffer.AddFile(picture), buffer => buffer.AddScalars([1f]));
+        GlbFile file = Written(
+            buffer => buffer.AddIndices([0, 1, 2], 3), buffer => buffer.AddFile(picture), buffer => buffer.AddScalars([1f]));
         JsonElement views = file.Root.GetProperty("bufferViews");
 
         Assert.That((views[1].GetProperty("byteOffset").GetInt32(), views[1].GetProperty("byteLength").GetInt32()), Is.EqualTo((8, 7)));

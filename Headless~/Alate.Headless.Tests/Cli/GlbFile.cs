@@ -43,7 +43,15 @@ namespace Alate.Tests.Cli
         {
             JsonElement accessor = Accessor(index), view = Root.GetProperty("bufferViews")[accessor.GetProperty("bufferView").GetInt32()];
             int type = accessor.GetProperty("componentType").GetInt32(), size = Size(type);
-            int components = accessor.GetProperty("type").GetString() switch { "SCALAR" => 1, "VEC2" => 2, "VEC3" => 3, "VEC4" => 4, "MAT4" => 16, _ => 0 };
+            int components = accessor.GetProperty("type").GetString() switch
+            {
+                "SCALAR" => 1,
+                "VEC2" => 2,
+                "VEC3" => 3,
+                "VEC4" => 4,
+                "MAT4" => 16,
+                _ => 0,
+            };
             int viewOffset = Number(view, "byteOffset"), offset = viewOffset + Number(accessor, "byteOffset");
             int stride = view.TryGetProperty("byteStride", out JsonElement given) ? given.GetInt32() : components * size;
             int count = accessor.GetProperty("count").GetInt32();

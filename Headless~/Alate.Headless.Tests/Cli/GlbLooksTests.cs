@@ -9,7 +9,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>Looks of GLB files: pictures on wings, judged by the file itself and by the format's own validator where it is installed.</summary>
+    /// <summary>
+    /// Looks of GLB files: pictures on wings, judged by the file itself and by the format's own validator where it is installed.
+    /// </summary>
     public sealed class GlbLooksTests
     {
         private static readonly string s_Photo = Path.Combine(PackageRoot.Find(), "Documentation~", "images", "wing-drawing.png");
@@ -20,7 +22,13 @@ namespace Alate.Tests.Cli
             using var run = new CommandRun();
             string traced = Path.Combine(run.Folder, "traced");
             Assert.That(run.Run("skeleton", "from-image", s_Photo, "--out", traced, "--triangles", "200"), Is.Zero, run.Errors);
-            byte[] glb = Fly(new FlightPlan { Species = "monarch", MeshFile = Path.Combine(traced, "wing.obj"), SkeletonFile = Path.Combine(traced, "skeleton.json") });
+            byte[] glb = Fly(new FlightPlan
+            {
+                Species = "monarch",
+                MeshFile = Path.Combine(traced, "wing.obj"),
+                SkeletonFile = Path.Combine(
+                traced, "skeleton.json")
+            });
 
             Assert.That(Picture(glb), Is.EqualTo(File.ReadAllBytes(s_Photo)));
             File.WriteAllBytes(Path.Combine(run.Folder, "wings.glb"), glb);
@@ -33,7 +41,9 @@ namespace Alate.Tests.Cli
             using var run = new CommandRun();
             string mesh = run.Write("wing.obj", OwnWing.Obj()), skeleton = run.Write("wing.json", OwnWing.Skeleton());
 
-            Assert.That(run.Run("fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--texture", s_Photo, "--out", run.Out), Is.EqualTo(2));
+            Assert.That(
+                run.Run("fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--texture", s_Photo, "--out", run.Out),
+                Is.EqualTo(2));
             Assert.That(run.Errors, Does.Contain("has no texture coordinates"));
             Assert.That(run.Run("fly", "monarch", "--texture", s_Photo, "--out", run.Out), Is.EqualTo(2));
             Assert.That(run.Errors, Does.Contain("--texture goes with --mesh"));
@@ -46,7 +56,15 @@ namespace Alate.Tests.Cli
             string mesh = run.Write("wing.obj", OwnWing.Obj()), skeleton = run.Write("wing.json", OwnWing.Skeleton());
             string[] both = { "--mesh", mesh, mesh, "--skeleton", skeleton, skeleton, "--out", run.Out };
 
-            var plan = new FlightPlan { Species = "fishfly", MeshFile = mesh, SkeletonFile = skeleton, HindMeshFile = mesh, HindSkeletonFile = skeleton, Seconds = 0.1 };
+            var plan = new FlightPlan
+            {
+                Species = "fishfly",
+                MeshFile = mesh,
+                SkeletonFile = skeleton,
+                HindMeshFile = mesh,
+                HindSkeletonFile = skeleton,
+                Seconds = 0.1,
+            };
             var file = new GlbFile(Fly(plan));
             Assert.That(file.Root.GetProperty("meshes").GetArrayLength(), Is.EqualTo(5), "body and four wings");
             Assert.That(run.Run(["fly", "--species", "monarch", .. both]), Is.EqualTo(2));
@@ -69,7 +87,8 @@ namespace Alate.Tests.Cli
             }).ToArray();
             Validate(files);
             WebTools.NeedChromium();
-            (int code, string output) = WebTools.Run("glb.mjs", [WebTools.Chromium, folder.Root, .. files.SelectMany(file => new[] { file, "0.25", "40", "30" })]).Result;
+            (int code, string output) = WebTools.Run(
+                "glb.mjs", [WebTools.Chromium, folder.Root, .. files.SelectMany(file => new[] { file, "0.25", "40", "30" })]).Result;
             Assert.That(code, Is.Zero, output);
         }
 

@@ -170,8 +170,10 @@ namespace Alate.Tests.Cli
             m_Run.Write("old.json", "old");
             File.CreateSymbolicLink(Path.Combine(m_Run.Folder, "link.obj"), "wing.obj");
             File.CreateSymbolicLink(Path.Combine(m_Run.Folder, "link.json"), "old.json");
-            string fit = $"{CommandProcess.Program} skeleton fit link.obj --out fit", species = $"{CommandProcess.Program} species --json link.json";
-            using var process = Process.Start(new ProcessStartInfo("/bin/sh", ["-c", $"cd '{m_Run.Folder}' && {fit} >/dev/null && {species} >/dev/null"]));
+            string fit = $"{CommandProcess.Program} skeleton fit link.obj --out fit",
+                species = $"{CommandProcess.Program} species --json link.json";
+            using var process = Process.Start(
+                new ProcessStartInfo("/bin/sh", ["-c", $"cd '{m_Run.Folder}' && {fit} >/dev/null && {species} >/dev/null"]));
             process.WaitForExit();
 
             Assert.That(process.ExitCode, Is.Zero);

@@ -34,21 +34,28 @@ namespace Alate.Tests.Cli
 
             Assert.That(read.Distinct().Count(), Is.LessThanOrEqualTo(255));
             for (int k = 0; k < pixels.Length; k++)
-                Assert.That(Math.Abs(read[k].r - pixels[k].r) + Math.Abs(read[k].g - pixels[k].g) + Math.Abs(read[k].b - pixels[k].b), Is.LessThan(60));
+            {
+                Assert.That(Math.Abs(read[k].r - pixels[k].r) + Math.Abs(read[k].g - pixels[k].g) + Math.Abs(read[k].b - pixels[k].b),
+                    Is.LessThan(60));
+            }
             Assert.That(read.Average(pixel => pixel.g), Is.EqualTo(pixels.Average(pixel => pixel.g)).Within(1.5));
         }
 
         [Test]
         public void Film_HasItsFrames_EachWithWhatChanged()
         {
-            var frames = Enumerable.Range(0, 3).Select(k => Picture((x, y) => x / 8 == k && y is > 4 and < 9 ? new Color32(200, 30, 0, 255) : new Color32(240, 240, 230, 255))).ToList();
+            var frames = Enumerable.Range(0, 3).Select(
+                k => Picture((x, y) => x / 8 == k && y is > 4 and < 9 ? new Color32(200, 30, 0, 255) : new Color32(240, 240, 230, 255)))
+                .ToList();
             byte[] film = IndexedPng.Write(k_Width, k_Height, frames, 24, true, ["a title"]);
             List<(string Name, byte[] Content)> chunks = Chunks(film);
 
             Assert.That(PngFile.Read(film).Pixels, Is.EqualTo(frames[0]), "programs that know no films show the first frame");
-            Assert.That(chunks.Select(chunk => chunk.Name), Is.EqualTo(new[] { "IHDR", "iTXt", "PLTE", "tRNS", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT", "IEND" }));
+            Assert.That(chunks.Select(chunk => chunk.Name),
+                Is.EqualTo(new[] { "IHDR", "iTXt", "PLTE", "tRNS", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT", "IEND" }));
             Assert.That(Number(chunks[4].Content, 0), Is.EqualTo(3));
-            Assert.That(chunks.Where(chunk => chunk.Name is "fcTL" or "fdAT").Select(chunk => Number(chunk.Content, 0)), Is.EqualTo(new[] { 0, 1, 2, 3, 4 }));
+            Assert.That(chunks.Where(chunk => chunk.Name is "fcTL" or "fdAT").Select(chunk => Number(chunk.Content, 0)),
+                Is.EqualTo(new[] { 0, 1, 2, 3, 4 }));
             Assert.That(Encoding.UTF8.GetString(chunks[1].Content), Does.EndWith("a title"));
             var played = new ApngPlayer(film);
             Assert.That(played.Frames, Is.EqualTo(frames));
@@ -63,7 +70,8 @@ namespace Alate.Tests.Cli
         {
             // A spot that wanders over another and off the edge, a frame as the one before, and the first one again.
             Color32 ground = new(250, 250, 250, 255), spot = new(200, 30, 0, 255), other = new(0, 60, 120, 255);
-            Color32[] At(int left, int top) => Picture((x, y) => x >= left && x < left + 5 && y >= top && y < top + 4 ? spot : x is > 10 and < 20 && y > 8 ? other : ground);
+            Color32[] At(int left, int top) => Picture(
+                (x, y) => x >= left && x < left + 5 && y >= top && y < top + 4 ? spot : x is > 10 and < 20 && y > 8 ? other : ground);
             Color32[][] frames = [At(-9, 0), At(36, 20), At(12, 9), At(13, 10), At(13, 10), At(0, 0), At(-9, 0)];
             var played = new ApngPlayer(IndexedPng.Write(k_Width, k_Height, frames, rate, false, []));
 
@@ -87,6 +95,7 @@ namespace Alate.Tests.Cli
 
         private static int Number(byte[] bytes, int at) => BinaryPrimitives.ReadInt32BigEndian(bytes.AsSpan(at));
 
-        private static Color32[] Picture(Func<int, int, Color32> colourOf) => Enumerable.Range(0, k_Width * k_Height).Select(k => colourOf(k % k_Width, k / k_Width)).ToArray();
+        private static Color32[] Picture(Func<int, int, Color32> colourOf) =>
+            Enumerable.Range(0, k_Width * k_Height).Select(k => colourOf(k % k_Width, k / k_Width)).ToArray();
     }
 }

@@ -69,18 +69,28 @@ namespace Alate.Tests.Cli
         // A wing that hardly sweeps: Prandtl's lifting line with the least induced drag, w = T / (2ρ π (b/2)² V).
         [Test]
         public void BehindAWingThatGlides_TheCircleOfTheSpanCounts() =>
-            Assert.That(MomentumTheory.InFlight(6e-3, k_Density, 1e-4, 7.9e-3, 0, 20), Is.EqualTo(6e-3 / (2 * k_Density * 7.9e-3 * 20)).Within(0.1).Percent);
+            Assert.That(MomentumTheory.InFlight(6e-3, k_Density, 1e-4, 7.9e-3, 0, 20),
+                Is.EqualTo(6e-3 / (2 * k_Density * 7.9e-3 * 20)).Within(0.1).Percent);
 
         [TestCase(1.0, 0.0)]
         [TestCase(1.2, 1.0)]
         public void AFlight_DrawsAsMuchAirAlong_AsItsMeanForceAsksFor(double factor, double speed)
         {
-            var plan = new FlightPlan { Species = "dragonfly", Speed = speed, PitchDegrees = 20, Substeps = 24, Column = ComparisonColumn.RigidWing };
+            var plan = new FlightPlan
+            {
+                Species = "dragonfly",
+                Speed = speed,
+                PitchDegrees = 20,
+                Substeps = 24,
+                Column = ComparisonColumn.RigidWing,
+            };
             FlightRecord still = TetheredFlight.Fly(plan), flight = TetheredFlight.Fly(plan with { Induced = new InducedFlow(factor) });
             float3 force = plan.ToWorld(FlightSummary.Of(flight).MeanForce), wake = -math.normalize(force);
             double area = Enumerable.Range(0, 4).Sum(wing => Swept(flight.Wings[wing])) / 2;
-            double circle = flight.Wings.Average(wing => Math.PI * wing.Wing.Preset.Size.wingLength * wing.Wing.Preset.Size.wingLength), along = -speed * wake.z;
-            double wanted = factor * MomentumTheory.InFlight(math.length(force), flight.Wings[0].Wing.Preset.Size.fluidDensity, area, circle, along, Math.Sqrt(speed * speed - along * along));
+            double circle = flight.Wings.Average(wing => Math.PI * wing.Wing.Preset.Size.wingLength * wing.Wing.Preset.Size.wingLength),
+                along = -speed * wake.z;
+            double wanted = factor * MomentumTheory.InFlight(math.length(force), flight.Wings[0].Wing.Preset.Size.fluidDensity, area,
+                circle, along, Math.Sqrt(speed * speed - along * along));
 
             Assert.That(math.length(flight.InducedVelocity), Is.EqualTo(wanted).Within(2).Percent);
             Assert.That(math.dot(math.normalize(flight.InducedVelocity), wake), Is.GreaterThan(0.999f));
@@ -93,11 +103,13 @@ namespace Alate.Tests.Cli
         {
             using var run = new CommandRun();
 
-            Assert.That(run.Run("fly", "monarch", "--induced-flow", "--added-mass", "--substeps", "12", "--no-pictures", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "monarch", "--induced-flow", "--added-mass", "--substeps", "12", "--no-pictures", "--out", run.Out),
+                Is.Zero, run.Errors);
             JsonElement json = JsonDocument.Parse(System.IO.File.ReadAllText(System.IO.Path.Combine(run.Out, "summary.json"))).RootElement;
             Assert.That(json.GetProperty("options").GetProperty("induced_flow").GetDouble(), Is.EqualTo(1));
             Assert.That(json.GetProperty("options").GetProperty("added_mass").GetBoolean());
-            Assert.That(json.GetProperty("induced_velocity_m_s").EnumerateArray().Sum(part => Math.Abs(part.GetDouble())), Is.GreaterThan(0.01));
+            Assert.That(
+                json.GetProperty("induced_velocity_m_s").EnumerateArray().Sum(part => Math.Abs(part.GetDouble())), Is.GreaterThan(0.01));
             Assert.That(run.Output, Does.Contain("The wings draw air along at"));
         }
 
@@ -117,7 +129,8 @@ namespace Alate.Tests.Cli
         private static double Swept(RecordedWing wing)
         {
             float3[] tips = wing.Frames.Select(frame => frame.Joints[wing.JointsPerChain - 1]).ToArray();
-            double angle = tips.SelectMany(a => tips.Select(b => Math.Acos(Math.Clamp(math.dot(math.normalize(a), math.normalize(b)), -1f, 1f)))).Max();
+            double angle = tips
+                .SelectMany(a => tips.Select(b => Math.Acos(Math.Clamp(math.dot(math.normalize(a), math.normalize(b)), -1f, 1f)))).Max();
             return 0.5 * angle * wing.Wing.Preset.Size.wingLength * wing.Wing.Preset.Size.wingLength * math.lengthsq(tips[0]);
         }
     }

@@ -24,7 +24,8 @@ namespace Alate.Tests.Cli
         public void StoppedRun_LeavesNoFile_NoFolder_AndItsExitCode(string signal, int expected)
         {
             NeedsFile("/bin/kill", "/usr/bin/kill");
-            using Process process = Start("/bin/sh", "-c", $"exec {CommandProcess.Program} gallery --width 3000 --out '{m_Folder.PathOf("a/b")}'");
+            using Process process = Start(
+                "/bin/sh", "-c", $"exec {CommandProcess.Program} gallery --width 3000 --out '{m_Folder.PathOf("a/b")}'");
             WaitFor(() => Directory.Exists(m_Folder.PathOf("a/b")));
 
             using (Process kill = Start("/bin/sh", "-c", $"kill -{signal} {process.Id}"))
@@ -69,12 +70,14 @@ namespace Alate.Tests.Cli
             Assert.That(process.WaitForExit(k_Patience), "it ends");
             process.WaitForExit();
             string text = Text(output);
-            Assert.That(text.LastIndexOf(show, System.StringComparison.Ordinal), Is.GreaterThan(text.LastIndexOf(hide, System.StringComparison.Ordinal)), text);
+            Assert.That(text.LastIndexOf(show, System.StringComparison.Ordinal),
+                Is.GreaterThan(text.LastIndexOf(hide, System.StringComparison.Ordinal)), text);
             Assert.That(process.ExitCode, Is.EqualTo(130));
             Assert.That(m_Folder.Content, Is.Empty);
         }
 
-        // In the background of a shell Ctrl-C is ignored by all that is started, so the signal's own meaning is set again where that can be done.
+        // In the background of a shell Ctrl-C is ignored by all that is started, so the signal's own meaning is set again where that can be
+        // done.
         private static Process Start(string program, params string[] arguments)
         {
             bool resets = File.Exists("/usr/bin/env");

@@ -15,7 +15,8 @@ namespace Alate.Tests.Cli
         public void AFile_IsReadAsItIsPublished()
         {
             KinematicsFile file = Read("{ 'name': 'n', 'frequencyHz': 26.5, 'angles': 'degrees', 'waves': true, 'wings': { 'fore wing': "
-                + "{ 'strokePlane': 40, 'flap': { 'mean': 0, 'harmonics': [[36, 0]] }, 'sweep': 8, 'pitch': { 'mean': 10, 'harmonics': [[54, 89], [2, -88]] } } } }");
+                + "{ 'strokePlane': 40, 'flap': { 'mean': 0, 'harmonics': [[36, 0]] }, 'sweep': 8, 'pitch': { 'mean': 10, 'harmonics': "
+                + "[[54, 89], [2, -88]] } } } }");
 
             PresetKinematics wing = file.Wings["fore wing"];
             Assert.That((file.Name, wing.frequency, wing.prescribed, wing.waves), Is.EqualTo(("n", 26.5f, true, true)));
@@ -29,9 +30,11 @@ namespace Alate.Tests.Cli
         [Test]
         public void ATable_IsTheSeriesThroughIt_InRadiansToo()
         {
-            string rows = string.Join(",", Enumerable.Range(0, 21).Select(n => FormattableString.Invariant($"[{n / 20.0},{0.5 + 0.4 * Math.Cos(2 * Math.PI * n / 20 + 0.3)}]")));
+            string rows = string.Join(",", Enumerable.Range(0, 21).Select(
+                n => FormattableString.Invariant($"[{n / 20.0},{0.5 + 0.4 * Math.Cos(2 * Math.PI * n / 20 + 0.3)}]")));
 
-            AngleSeries flap = Read("{ 'frequencyHz': 20, 'angles': 'radians', 'wings': { 'all': { 'flap': { 'table': [" + rows + "] } } } }").Wings["all"].flap;
+            AngleSeries flap = Read("{ 'frequencyHz': 20, 'angles': 'radians', 'wings': { 'all': { 'flap': { 'table': [" + rows
+                + "] } } } }").Wings["all"].flap;
 
             for (float turns = 0f; turns < 1f; turns += 0.07f)
                 Assert.That(flap.At(turns), Is.EqualTo((0.5 + 0.4 * Math.Cos(2 * Math.PI * turns + 0.3)) * 180 / Math.PI).Within(1e-3));
@@ -41,27 +44,40 @@ namespace Alate.Tests.Cli
         [TestCase("{ 'angles': 'degrees', 'wings': {} }", "the file: 'frequencyHz' is missing.")]
         [TestCase("{ 'frequencyHz': '20 Hz', 'angles': 'degrees', 'wings': {} }", "frequencyHz: it must be a number, not \"20 Hz\".")]
         [TestCase("{ 'frequencyHz': 0, 'angles': 'degrees', 'wings': {} }", "frequencyHz: 0 is out of range: 0.1 to 1000 hertz.")]
-        [TestCase("{ 'frequencyHz': 20, 'angles': 'turns', 'wings': {} }", "angles: \"turns\" is no unit that is known: \"degrees\" or \"radians\".")]
-        [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': {} }", "wings: it must be an object with the name of each wing, or 'all'.")]
+        [TestCase("{ 'frequencyHz': 20, 'angles': 'turns', 'wings': {} }",
+            "angles: \"turns\" is no unit that is known: \"degrees\" or \"radians\".")]
+        [TestCase(
+            "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': {} }", "wings: it must be an object with the name of each wing, or 'all'.")]
         [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'sweep': 1 } } }", "wings.all: 'flap' is missing.")]
-        [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'flap': 1, 'phi': 2 } } }", "wings.all.phi: unknown key; known: flap, sweep, feather, pitch, tilt, strokePlane.")]
-        [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'flap': 1, 'feather': 2, 'pitch': 2 } } }", "wings.all: 'feather' and 'pitch' exclude each other.")]
-        [TestCase("{ 'frequencyHz': 20, 'angles': 'radians', 'wings': { 'all': { 'flap': 36 } } }", "wings.all.flap: 2062.648° is beyond 180°; see the unit in 'angles'.")]
+        [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'flap': 1, 'phi': 2 } } }",
+            "wings.all.phi: unknown key; known: flap, sweep, feather, pitch, tilt, strokePlane.")]
+        [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'flap': 1, 'feather': 2, 'pitch': 2 } } }",
+            "wings.all: 'feather' and 'pitch' exclude each other.")]
+        [TestCase("{ 'frequencyHz': 20, 'angles': 'radians', 'wings': { 'all': { 'flap': 36 } } }",
+            "wings.all.flap: 2062.648° is beyond 180°; see the unit in 'angles'.")]
         [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': ", "not JSON at line 1, column 61.")]
         [TestCase("[]", "it must be a JSON object.")]
         public void ABadFile_IsOneLine(string json, string message) => AssertRefused(json, message);
 
         [TestCase("{ 'harmonics': [[1, 2]] }", "wings.all.flap: 'mean' is missing.")]
-        [TestCase("{ 'mean': 0, 'harmonics': [[1, 2, 3]] }", "wings.all.flap.harmonics[0]: it must be an amplitude and a phase, not [1, 2, 3].")]
-        [TestCase("{ 'mean': 0, 'harmonics': [[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2]] }", "wings.all.flap.harmonics: it has 9; at most 8 are taken.")]
+        [TestCase(
+            "{ 'mean': 0, 'harmonics': [[1, 2, 3]] }", "wings.all.flap.harmonics[0]: it must be an amplitude and a phase, not [1, 2, 3].")]
+        [TestCase("{ 'mean': 0, 'harmonics': [[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2]] }",
+            "wings.all.flap.harmonics: it has 9; at most 8 are taken.")]
         [TestCase("{ 'mean': 0, 'table': [] }", "wings.all.flap: a table excludes mean and harmonics.")]
         [TestCase("{ 'table': [[0, 1], [1, 1]] }", "wings.all.flap.table: it has 2 rows; a beat needs at least four, from 0 to 1.")]
-        [TestCase("{ 'table': [[0, 1], [0.25, null], [0.5, 0], [0.75, 1], [1, 1]] }", "wings.all.flap.table[1]: it must be a number, not null.")]
-        [TestCase("{ 'table': [[0, 1], [0.2, 3], [0.4, 0], [0.8, 1], [1, 1]] }", "wings.all.flap.table: there is a hole between 0.4 and 0.8; the rows must lie equally apart.")]
-        [TestCase("{ 'table': [[0, 1], [0.25, 3], [0.75, 1], [1, 1]] }", "wings.all.flap.table: there is a hole between 0.25 and 0.75; the rows must lie equally apart.")]
-        [TestCase("{ 'table': [[0, 1], [0.3, 3], [0.6, 1], [1, 1]] }", "wings.all.flap.table: 0 and 0.3 are not 0.3333 apart; the rows must lie equally apart.")]
-        [TestCase("{ 'table': [[0, 1], [0.25, 3], [0.5, 0], [0.75, 1]] }", "wings.all.flap.table: it runs from 0 to 0.75; it must run from 0 to 1.")]
-        [TestCase("{ 'table': [[0, 1], [0.25, 3], [0.5, 0], [0.75, 1], [1, 2]] }", "wings.all.flap.table: it is not periodic: 1° at 0 and 2° at 1.")]
+        [TestCase(
+            "{ 'table': [[0, 1], [0.25, null], [0.5, 0], [0.75, 1], [1, 1]] }", "wings.all.flap.table[1]: it must be a number, not null.")]
+        [TestCase("{ 'table': [[0, 1], [0.2, 3], [0.4, 0], [0.8, 1], [1, 1]] }",
+            "wings.all.flap.table: there is a hole between 0.4 and 0.8; the rows must lie equally apart.")]
+        [TestCase("{ 'table': [[0, 1], [0.25, 3], [0.75, 1], [1, 1]] }",
+            "wings.all.flap.table: there is a hole between 0.25 and 0.75; the rows must lie equally apart.")]
+        [TestCase("{ 'table': [[0, 1], [0.3, 3], [0.6, 1], [1, 1]] }",
+            "wings.all.flap.table: 0 and 0.3 are not 0.3333 apart; the rows must lie equally apart.")]
+        [TestCase("{ 'table': [[0, 1], [0.25, 3], [0.5, 0], [0.75, 1]] }",
+            "wings.all.flap.table: it runs from 0 to 0.75; it must run from 0 to 1.")]
+        [TestCase("{ 'table': [[0, 1], [0.25, 3], [0.5, 0], [0.75, 1], [1, 2]] }",
+            "wings.all.flap.table: it is not periodic: 1° at 0 and 2° at 1.")]
         [TestCase("'wide'", "wings.all.flap: it must be a number, or an object with mean and harmonics, or with a table.")]
         public void ABadAngle_IsOneLine(string flap, string message) => AssertRefused(k_Frame.Replace("FLAP", flap), message);
 
@@ -69,10 +85,12 @@ namespace Alate.Tests.Cli
         public void Fly_ReadsTheFile_AndTellsWhichWingsThereAre()
         {
             using var run = new CommandRun();
-            string path = run.Write("motion.json", "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'third wing': { 'flap': 1 } } }".Replace('\'', '"'));
+            string path = run.Write(
+                "motion.json", "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'third wing': { 'flap': 1 } } }".Replace('\'', '"'));
 
             Assert.That(run.Run("fly", "fishfly", "--kinematics", path, "--out", run.Out), Is.EqualTo(2));
-            Assert.That(run.Errors.Trim(), Is.EqualTo($"alate: {path}: wings.third wing: the insect has no such wing. It has: fore wing, hind wing; 'all' is every wing."));
+            Assert.That(run.Errors.Trim(), Is.EqualTo(
+                $"alate: {path}: wings.third wing: the insect has no such wing. It has: fore wing, hind wing; 'all' is every wing."));
             Assert.That(Directory.Exists(run.Out), Is.False);
         }
 
@@ -80,10 +98,12 @@ namespace Alate.Tests.Cli
         public void AFlight_BeatsAsTheFileSays_AndTheWingThatItDoesNotNameInStep()
         {
             using var run = new CommandRun();
-            const string motion = "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'fore wing': { 'flap': { 'mean': 5, 'harmonics': [[30, 0]] } } } }";
+            const string motion =
+                "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'fore wing': { 'flap': { 'mean': 5, 'harmonics': [[30, 0]] } } } }";
             string path = run.Write("motion.json", motion.Replace('\'', '"'));
 
-            FlightRecord flight = TetheredFlight.Fly(new FlightPlan { Species = "fishfly", KinematicsFile = path, Column = Alate.Catalogue.ComparisonColumn.RigidWing });
+            FlightRecord flight = TetheredFlight.Fly(
+                new FlightPlan { Species = "fishfly", KinematicsFile = path, Column = Alate.Catalogue.ComparisonColumn.RigidWing });
 
             foreach (RecordedWing wing in flight.Wings)
                 Assert.That(wing.Frequency, Is.EqualTo(20f));

@@ -24,7 +24,8 @@ namespace Alate.Tests.Cli
             var odd = new WingSummary("wing", 10, 60, -20, 4, 90, 47, 5, 10, 7, 1);
 
             Assert.That(MeasureBound.All.Select(bound => bound.Cell(odd, InsectVariant.Standard)), Is.All.Contains("†"));
-            Assert.That(MeasureBound.Find("edge_stretch_max_pct").Holds(odd, InsectVariant.Expressive), Is.True, "soft wings may stretch by 8 %");
+            Assert.That(
+                MeasureBound.Find("edge_stretch_max_pct").Holds(odd, InsectVariant.Expressive), Is.True, "soft wings may stretch by 8 %");
         }
 
         [Test]
@@ -38,7 +39,8 @@ namespace Alate.Tests.Cli
             SummaryJson.Write(summary, stream);
             using var terminal = new StringWriter();
             new Terminal(terminal).ShowSummary(summary, "out");
-            string[] outside = JsonDocument.Parse(stream.ToArray()).RootElement.GetProperty("outside_usual").EnumerateArray().Select(key => key.GetString()).ToArray();
+            string[] outside = JsonDocument.Parse(stream.ToArray()).RootElement.GetProperty("outside_usual").EnumerateArray()
+                .Select(key => key.GetString()).ToArray();
 
             Assert.That(outside, Is.Not.Empty.And.SubsetOf(MeasureBound.All.Select(bound => bound.Key)));
             foreach (string key in outside)
@@ -53,7 +55,8 @@ namespace Alate.Tests.Cli
         {
             var picture = PngFile.Read(StretchMap.Draw(MonarchFlight.Level));
 
-            Assert.That(picture.Pixels.Count(pixel => pixel.r > 200 && pixel.g > 150 && pixel.b is > 30 and < 190), Is.GreaterThan(300), "yellow where it stretches a little");
+            Assert.That(picture.Pixels.Count(pixel => pixel.r > 200 && pixel.g > 150 && pixel.b is > 30 and < 190), Is.GreaterThan(300),
+                "yellow where it stretches a little");
         }
 
         [Test]
@@ -67,8 +70,14 @@ namespace Alate.Tests.Cli
         [Test]
         public void StretchField_IsTheStretchOfTheEdges()
         {
-            var wing = new RecordedWing { Rest = new[] { new float3(0f, 0f, 0f), new float3(1f, 0f, 0f), new float3(0f, 0f, 1f), new float3(1f, 0f, 1f) }, Triangles = new[] { 0, 1, 2, 1, 3, 2 } };
-            float[] values = new StretchField(wing).Of(new[] { new float3(0f, 0f, 0f), new float3(1.1f, 0f, 0f), new float3(0f, 0f, 1f), new float3(1f, 0f, 1f) });
+            var wing = new RecordedWing
+            {
+                Rest = new[] { new float3(0f, 0f, 0f), new float3(1f, 0f, 0f), new float3(0f, 0f, 1f),
+                new float3(1f, 0f, 1f) },
+                Triangles = new[] { 0, 1, 2, 1, 3, 2 }
+            };
+            float[] values = new StretchField(wing)
+                .Of(new[] { new float3(0f, 0f, 0f), new float3(1.1f, 0f, 0f), new float3(0f, 0f, 1f), new float3(1f, 0f, 1f) });
 
             Assert.That(values[0], Is.EqualTo(0.1f).Within(1e-6f));
             Assert.That(values[1], Is.EqualTo(0.1f).Within(1e-6f));

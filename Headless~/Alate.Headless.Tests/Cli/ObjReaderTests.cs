@@ -18,11 +18,15 @@ namespace Alate.Tests.Cli
         [Test]
         public void NumbersOfAVertex_AreItsPlaceNormalColourAndTexturePoint_InTheirOrder()
         {
-            ObjMesh mesh = Read("v 1 2 3 0.2 0.4 0.6\nv 4 5 6 0 1 0\nv 7 8 10 1 0 0\nvn 1 0 0\nvn 0 0 1\nvt 0.25 0.75\nvt 0.5 1\nf 1/1/1 2/2/2 3/1/1\n");
+            ObjMesh mesh = Read(
+                "v 1 2 3 0.2 0.4 0.6\nv 4 5 6 0 1 0\nv 7 8 10 1 0 0\nvn 1 0 0\nvn 0 0 1\nvt 0.25 0.75\nvt 0.5 1\nf 1/1/1 2/2/2 3/1/1\n");
 
-            Assert.That(mesh.Positions[0] + new UnityEngine.Vector3((float)mesh.Origin.X, (float)mesh.Origin.Y, (float)mesh.Origin.Z), Is.EqualTo(new UnityEngine.Vector3(1f, 2f, 3f)));
-            Assert.That(mesh.Uvs, Is.EqualTo(new[] { new UnityEngine.Vector2(0.25f, 0.75f), new UnityEngine.Vector2(0.5f, 1f), new UnityEngine.Vector2(0.25f, 0.75f) }));
-            Assert.That(mesh.Normals, Is.EqualTo(new[] { UnityEngine.Vector3.right, UnityEngine.Vector3.forward, UnityEngine.Vector3.right }));
+            Assert.That(mesh.Positions[0] + new UnityEngine.Vector3((float)mesh.Origin.X, (float)mesh.Origin.Y, (float)mesh.Origin.Z),
+                Is.EqualTo(new UnityEngine.Vector3(1f, 2f, 3f)));
+            Assert.That(mesh.Uvs, Is.EqualTo(
+                new[] { new UnityEngine.Vector2(0.25f, 0.75f), new UnityEngine.Vector2(0.5f, 1f), new UnityEngine.Vector2(0.25f, 0.75f) }));
+            Assert.That(
+                mesh.Normals, Is.EqualTo(new[] { UnityEngine.Vector3.right, UnityEngine.Vector3.forward, UnityEngine.Vector3.right }));
             Assert.That(mesh.Colours[0], Is.EqualTo(new UnityEngine.Color32(51, 102, 153, 255)));
         }
 
@@ -79,7 +83,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void SeamOfAPicture_HasVerticesOnBothSides_WhereThePictureIsWanted()
         {
-            const string k_Square = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n";
+            const string k_Square =
+                "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n";
 
             ObjMesh plain = ObjReader.Read(new StringReader(k_Square)), textured = ObjReader.ReadTextured(new StringReader(k_Square));
             Assert.That(plain.Positions, Has.Length.EqualTo(4));
@@ -214,7 +219,10 @@ namespace Alate.Tests.Cli
             Vector3 shift = corners[indices[0]] - mesh.Positions[mesh.Triangles[0]];
             float largest = indices.Max(index => corners[index].magnitude);
             for (int k = 0; k < indices.Length; k++)
-                Assert.That((mesh.Positions[mesh.Triangles[k]] + shift - corners[indices[k]]).magnitude, Is.LessThanOrEqualTo(1e-6f * largest), $"corner {k}");
+            {
+                Assert.That((mesh.Positions[mesh.Triangles[k]] + shift - corners[indices[k]]).magnitude,
+                    Is.LessThanOrEqualTo(1e-6f * largest), $"corner {k}");
+            }
             Assert.That(mesh.Positions, Has.Length.EqualTo(indices.Distinct().Count()));
 
             int Named(int index) => random.Next(2) == 0 ? index + 1 : index - corners.Length;

@@ -10,7 +10,8 @@ namespace Alate.Tests.Cli;
 public sealed class OwnErrorTests
 {
     private const string k_Line =
-        "alate: an error of Alate itself, not of your input: {0}: The number is not in the table. Please report it with the command that you ran.";
+        "alate: an error of Alate itself, not of your input: {0}: The number is not in the table. Please report it with the "
+        + "command that you ran.";
 
     private static readonly Exception[] s_Own =
     [

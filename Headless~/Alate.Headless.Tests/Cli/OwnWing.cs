@@ -21,7 +21,8 @@ namespace Alate.Tests.Cli
             foreach (Vector3 position in surface.positions)
             {
                 Vector3 there = Mirrored(position, side);
-                text.AppendFormat(CultureInfo.InvariantCulture, "v {0:R} {1:R} {2:R}\n", there.x + offset.X, there.y + offset.Y, there.z + offset.Z);
+                text.AppendFormat(
+                    CultureInfo.InvariantCulture, "v {0:R} {1:R} {2:R}\n", there.x + offset.X, there.y + offset.Y, there.z + offset.Z);
             }
 
             for (int k = 0; k < surface.triangles.Length; k += 3)

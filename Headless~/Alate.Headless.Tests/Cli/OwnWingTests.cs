@@ -50,7 +50,8 @@ namespace Alate.Tests.Cli
         private static JsonElement Fly(CommandRun run, WingSide side)
         {
             string mesh = run.Write("wing.obj", OwnWing.Obj(side: side)), skeleton = run.Write("wing.json", OwnWing.Skeleton(side));
-            int code = run.Run("fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--no-pictures", "--seconds", "0.3", "--out", run.Out);
+            int code = run.Run("fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--no-pictures", "--seconds", "0.3",
+                "--out", run.Out);
             Assert.That(code, Is.Zero, run.Errors);
             return JsonDocument.Parse(File.ReadAllText(Path.Combine(run.Out, "summary.json"))).RootElement;
         }

@@ -15,9 +15,11 @@ namespace Alate.Tests.Cli
         {
             const string k_Letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789.,:;-−–+=±×°%()/'…λ<>_&†";
 
-            var shapes = k_Letters.Select(letter => string.Join('|', Lettering.Strokes(letter.ToString(), 10f, false).Strokes.Select(stroke => string.Join(' ', stroke)))).ToList();
+            var shapes = k_Letters.Select(letter => string.Join(
+                '|', Lettering.Strokes(letter.ToString(), 10f, false).Strokes.Select(stroke => string.Join(' ', stroke)))).ToList();
             Assert.That(shapes, Has.None.EqualTo(string.Join(' ', Lettering.Strokes("\u2603", 10f, false).Strokes[0])));
-            Assert.That(shapes.GroupBy(shape => shape).Where(group => group.Count() > 1).Select(group => string.Concat(group.Select(shape => k_Letters[shapes.IndexOf(shape)]))), Is.EquivalentTo(new[] { "II" }));
+            Assert.That(shapes.GroupBy(shape => shape).Where(group => group.Count() > 1)
+                .Select(group => string.Concat(group.Select(shape => k_Letters[shapes.IndexOf(shape)]))), Is.EquivalentTo(new[] { "II" }));
         }
 
         [Test]
@@ -27,7 +29,8 @@ namespace Alate.Tests.Cli
             page.Text(100f, 30f, 20f, "HHHH", anchor);
             float width = Lettering.Width("HHHH", 20f), left = 100f - (anchor == "end" ? width : anchor == "middle" ? 0.5f * width : 0f);
             var picture = PngFile.Read(page.Finish(200f, 40f, "H"));
-            int[] inked = Enumerable.Range(0, picture.Pixels.Length).Where(k => picture.Pixels[k].r < 120).Select(k => k % picture.Width).ToArray();
+            int[] inked = Enumerable.Range(0, picture.Pixels.Length).Where(k => picture.Pixels[k].r < 120)
+                .Select(k => k % picture.Width).ToArray();
 
             Assert.That(inked.Min() / PixelPage.Fineness, Is.EqualTo(left).Within(1.5f));
             Assert.That(inked.Max() / PixelPage.Fineness, Is.EqualTo(left + width).Within(1.5f));

@@ -4,7 +4,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>Flight of a typed command without the pictures and files that <c>fly</c> makes of it, which take thirty times as long.</summary>
+    /// <summary>
+    /// Flight of a typed command without the pictures and files that <c>fly</c> makes of it, which take thirty times as long.
+    /// </summary>
     internal static class PlannedFlight
     {
         /// <summary>Flies what is typed after <c>fly</c>.</summary>

@@ -74,7 +74,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void ALineAcrossRows_IsAsDarkEverywhere_AsALineOnARow([Values(0, 1, 2, 3)] int shift)
         {
-            // A black line of a pixel's height, on a row or between two: what it takes from the white around it is one pixel's value in every column.
+            // A black line of a pixel's height, on a row or between two: what it takes from the white around it is one pixel's value in
+            // every column.
             var grid = new SampleGrid(1, 6);
             for (int y = 0; y < SampleGrid.k_Fineness; y++)
             {

@@ -13,7 +13,8 @@ namespace Alate.Tests.Cli
     {
         private const int k_KeyFrames = 24;
 
-        private static readonly Dictionary<(string, InsectVariant), FlightRecord> s_OneBeat = new Dictionary<(string, InsectVariant), FlightRecord>();
+        private static readonly Dictionary<(string, InsectVariant), FlightRecord> s_OneBeat =
+            new Dictionary<(string, InsectVariant), FlightRecord>();
 
         private static IEnumerable<TestCaseData> Some => Cases(IsQuick);
 
@@ -35,15 +36,18 @@ namespace Alate.Tests.Cli
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void AFlightOfOneBeat_OfAnyOtherVariant_HasTheBeatOfALongOne(string name, InsectVariant variant) => AssertSettled(name, variant);
+        public void AFlightOfOneBeat_OfAnyOtherVariant_HasTheBeatOfALongOne(string name, InsectVariant variant) =>
+            AssertSettled(name, variant);
 
         [TestCaseSource(nameof(Some))]
-        public void NoStepBetweenKeyFrames_IsLargerThanThoseBesideIt_AllRound(string name, InsectVariant variant) => AssertEven(name, variant);
+        public void NoStepBetweenKeyFrames_IsLargerThanThoseBesideIt_AllRound(string name, InsectVariant variant) =>
+            AssertEven(name, variant);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void NoStepBetweenKeyFrames_OfAnyOtherVariant_IsLargerThanThoseBesideIt(string name, InsectVariant variant) => AssertEven(name, variant);
+        public void NoStepBetweenKeyFrames_OfAnyOtherVariant_IsLargerThanThoseBesideIt(string name, InsectVariant variant) =>
+            AssertEven(name, variant);
 
         [Test]
         public void TheClock_StartsAfterSettling()
@@ -57,7 +61,8 @@ namespace Alate.Tests.Cli
 
         private static void AssertSettled(string name, InsectVariant variant)
         {
-            FlightRecord one = OneBeat(name, variant), many = MonarchFlight.Fly(Plan(name, variant) with { Seconds = 40.0 / one.Wings[0].Frequency });
+            FlightRecord one = OneBeat(name, variant),
+                many = MonarchFlight.Fly(Plan(name, variant) with { Seconds = 40.0 / one.Wings[0].Frequency });
 
             Assert.That(one.Beats, Is.EqualTo(1));
             for (int k = 0; k < one.Wings.Count; k++)

@@ -55,7 +55,8 @@ namespace Alate.Tests.Cli
             string one = OwnWing.Obj(), other = OwnWing.Obj(new Vector3(3f, 0f, 0f));
             int count = one.Split("\nv ").Length - 1;
             string shifted = System.Text.RegularExpressions.Regex.Replace(
-                other, @"(?m)^f (\d+) (\d+) (\d+)", m => $"f {int.Parse(m.Groups[1].Value) + count} {int.Parse(m.Groups[2].Value) + count} {int.Parse(m.Groups[3].Value) + count}");
+                other, @"(?m)^f (\d+) (\d+) (\d+)", m => $"f {int.Parse(m.Groups[1].Value) + count} "
+                    + $"{int.Parse(m.Groups[2].Value) + count} {int.Parse(m.Groups[3].Value) + count}");
 
             AssertRefused(m_Run.Write("wings.obj", one + shifted), "fit each wing by itself");
         }

@@ -25,7 +25,8 @@ namespace Alate.Tests.Cli
         {
             string image = Image("wing.png", new DrawnVeinPicture(DrawnWing.Monarch(), 300, 6, VeinLook.Photo).Picture);
 
-            int code = m_Run.Run("skeleton", "from-image", image, "--vein-widths", "--triangles", "777", "--chains", "6", "--joints", "4", "--out", m_Run.Out);
+            int code = m_Run.Run("skeleton", "from-image", image, "--vein-widths", "--triangles", "777", "--chains", "6", "--joints", "4",
+                "--out", m_Run.Out);
 
             Assert.That(code, Is.Zero, m_Run.Errors);
             Assert.That(m_Run.Output, Does.Contain("777 triangles").And.Contain("6 chains of 4 joints"));
@@ -39,17 +40,20 @@ namespace Alate.Tests.Cli
             Assert.That(svg.Elements(ns + "image").Single().Attribute("width").Value, Is.EqualTo("300"));
             Assert.That(svg.Value, Does.Contain("300 × 300 pixels").And.Contain("777 triangles"));
             Assert.That(svg.Elements(ns + "polyline").Count(), Is.GreaterThan(6 + 3), "chains and veins");
-            Assert.That(Directory.GetFiles(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "skeleton.json", "wing.obj", "wing.mtl", "wing.png", "overlay.svg" }));
+            Assert.That(Directory.GetFiles(m_Run.Out).Select(Path.GetFileName),
+                Is.EquivalentTo(new[] { "skeleton.json", "wing.obj", "wing.mtl", "wing.png", "overlay.svg" }));
         }
 
         [Test]
         public void MeshAndSkeleton_Fly()
         {
-            string image = Image("wing.png", DrawnWing.Scalloped().In(300).Draw(DrawnKind.Silhouette)), flight = Path.Combine(m_Run.Folder, "flight");
+            string image = Image("wing.png", DrawnWing.Scalloped().In(300).Draw(DrawnKind.Silhouette)),
+                flight = Path.Combine(m_Run.Folder, "flight");
             Assert.That(m_Run.Run("skeleton", "from-image", image, "--out", m_Run.Out), Is.Zero, m_Run.Errors);
 
             int code = m_Run.Run(
-                "fly", "--mesh", Path.Combine(m_Run.Out, "wing.obj"), "--skeleton", Path.Combine(m_Run.Out, "skeleton.json"), "--species", "monarch",
+                "fly", "--mesh", Path.Combine(m_Run.Out, "wing.obj"), "--skeleton", Path.Combine(m_Run.Out, "skeleton.json"),
+                "--species", "monarch",
                 "--no-pictures", "--seconds", "0.3", "--out", flight);
 
             Assert.That(code, Is.Zero, m_Run.Errors);
@@ -150,13 +154,15 @@ namespace Alate.Tests.Cli
             Vector2[] wing = DrawnWing.Fan().In(300, 0f, false, 0.4f).Outline;
             var black = new Color32(0, 0, 0, 255);
             DrawnPicture picture = new DrawnPicture(300, 300, new Color32(250, 250, 250, 255))
-                .Fill(Array.ConvertAll(wing, p => p - new Vector2(75f, 0f)), black).Fill(Array.ConvertAll(wing, p => p + new Vector2(75f, 0f)), black);
+                .Fill(Array.ConvertAll(wing, p => p - new Vector2(75f, 0f)), black)
+                .Fill(Array.ConvertAll(wing, p => p + new Vector2(75f, 0f)), black);
 
             AssertRefused(Image("wing.png", picture), "2 wings");
         }
 
         [Test]
-        public void TinyPicture_IsRefused() => AssertRefused(Image("wing.png", new DrawnPicture(16, 16, new Color32(250, 250, 250, 255))), "too small");
+        public void TinyPicture_IsRefused() =>
+            AssertRefused(Image("wing.png", new DrawnPicture(16, 16, new Color32(250, 250, 250, 255))), "too small");
 
         [TestCase("--chains", "2")]
         [TestCase("--joints", "17")]
@@ -213,6 +219,7 @@ namespace Alate.Tests.Cli
             return read(reader);
         }
 
-        private string[] Contents() => Directory.GetFiles(m_Run.Out).OrderBy(file => file, StringComparer.Ordinal).Select(File.ReadAllText).ToArray();
+        private string[] Contents() =>
+            Directory.GetFiles(m_Run.Out).OrderBy(file => file, StringComparer.Ordinal).Select(File.ReadAllText).ToArray();
     }
 }

@@ -27,7 +27,8 @@ namespace Alate.Tests.Cli
 
             Assert.That(run.Run("species", "Firefly"), Is.Zero, run.Errors);
 
-            Assert.That(run.Output, Does.Contain("flap-range").And.Contain("156").And.Contain("62 Hz").And.Contain("Table 1").And.Contain("1.39e-7"));
+            Assert.That(run.Output, Does.Contain("flap-range").And.Contain("156").And.Contain("62 Hz").And.Contain("Table 1").And
+                .Contain("1.39e-7"));
         }
 
         [Test]
@@ -43,7 +44,8 @@ namespace Alate.Tests.Cli
             Assert.That(species.Select(one => one.GetProperty("name").GetString()), Is.EqualTo(InsectCatalogue.Names));
             JsonElement firefly = species.Single(one => one.GetProperty("name").GetString() == "firefly");
             JsonElement variants = firefly.GetProperty("wings")[0].GetProperty("variants");
-            Assert.That(variants.EnumerateObject().Select(variant => variant.Name), Is.EqualTo(new[] { "standard", "biological", "expressive", "flight" }));
+            Assert.That(variants.EnumerateObject().Select(variant => variant.Name),
+                Is.EqualTo(new[] { "standard", "biological", "expressive", "flight" }));
             Assert.That(variants.GetProperty("biological").GetProperty("max_frequency").GetDouble(), Is.EqualTo(62));
             Assert.That(json.RootElement.GetProperty("units").GetProperty("max_frequency").GetString(), Is.EqualTo("Hz"));
             Assert.That(firefly.GetProperty("sources").GetArrayLength(), Is.EqualTo(InsectCatalogue.Find("firefly").Sources.Count));

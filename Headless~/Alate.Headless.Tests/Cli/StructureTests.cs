@@ -41,8 +41,10 @@ namespace Alate.Tests.Cli
             Assert.That(ours.Phase, Is.EqualTo(beam.Phase).Within(0.02), "1°");
         }
 
-        [TestCase("[[-1e-6], [], [], [], []]", "flexuralStiffness", "Chain 0 has a flexural stiffness of -1E-06 N·m² (value 0); it must be between 1E-15 and 1000.")]
-        [TestCase("[[1e-6], [], [], [], []]", "torsionalStiffness", "Chain 0 has a torsional stiffness but no flexural stiffness; give both, or the flexural one alone.")]
+        [TestCase("[[-1e-6], [], [], [], []]", "flexuralStiffness",
+            "Chain 0 has a flexural stiffness of -1E-06 N·m² (value 0); it must be between 1E-15 and 1000.")]
+        [TestCase("[[1e-6], [], [], [], []]", "torsionalStiffness",
+            "Chain 0 has a torsional stiffness but no flexural stiffness; give both, or the flexural one alone.")]
         [TestCase("[[1e-6]]", "flexuralStiffness", "\"flexuralStiffness\" has 1 lists for 5 chains.")]
         [TestCase("[[NaN], [], [], [], []]", "flexuralStiffness", "expected a number, found 'NaN'.")]
         public void ABadStiffness_IsOneLine(string values, string key, string message)
@@ -70,7 +72,8 @@ namespace Alate.Tests.Cli
             string text = OwnWing.Skeleton(WingSide.Right).TrimEnd();
             string mesh = run.Write("wing.obj", OwnWing.Obj(side: WingSide.Right));
             string skeleton = run.Write("wing.json", $"{text.Substring(0, text.Length - 1)}, \"{key}\": {values} }}");
-            return run.Run("fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--no-pictures", "--seconds", "0.1", "--out", run.Out);
+            return run.Run("fly", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--no-pictures", "--seconds", "0.1",
+                "--out", run.Out);
         }
     }
 }

@@ -15,7 +15,8 @@ public sealed class SurfaceDistanceTests
         RecordedWing wing = Wing(length, (_, _) => 0f), moved = Wing(length, (_, _) => new float3(0.006f, 0f, 0.008f));
         var distance = SurfaceDistance.Between(wing, moved);
 
-        Assert.That((distance.MeanPct, distance.MaxPct), Is.EqualTo((1.0, 1.0)).Using<(double, double)>((a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-4));
+        Assert.That((distance.MeanPct, distance.MaxPct),
+            Is.EqualTo((1.0, 1.0)).Using<(double, double)>((a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-4));
         Assert.That(JointError.Percent(wing, moved), Is.EqualTo(1.0).Within(1e-4));
         Assert.That(JointError.Percent(wing, wing), Is.EqualTo(0.0).Within(1e-6));
     }
@@ -38,19 +39,34 @@ public sealed class SurfaceDistanceTests
         float3 Beat(double phase, int vertex) => new float3(0f, 0.1f * (float)Math.Sin(phase), 0f);
         RecordedWing sixteen = Wing(1f, Beat), shifted = Wing(1f, Beat, 48, 0.03);
 
-        Assert.That(SurfaceDistance.Between(sixteen, shifted).MaxPct, Is.LessThan(0.25), "but for what straight lines between frames cut off");
+        Assert.That(
+            SurfaceDistance.Between(sixteen, shifted).MaxPct, Is.LessThan(0.25), "but for what straight lines between frames cut off");
         Assert.That(JointError.Percent(sixteen, shifted), Is.LessThan(0.1));
     }
 
     private static RecordedWing Wing(float length, Func<double, int, float3> moved, int frames = 16, double first = 0.0)
     {
         float3[] rest = [new float3(0f, 0f, 0f), new float3(1f, 0f, 0f), new float3(0.5f, 0f, -0.4f), new float3(0.2f, 0f, -0.2f)];
-        var wing = new RecordedWing { Rest = rest, Placement = new WingMount(new float3(0.1f, 0f, 0f), length, WingSide.Left), ChainCount = 2, JointsPerChain = 2 };
+        var wing = new RecordedWing
+        {
+            Rest = rest,
+            Placement = new WingMount(
+            new float3(0.1f, 0f, 0f), length, WingSide.Left),
+            ChainCount = 2,
+            JointsPerChain = 2
+        };
         for (int k = 0; k < frames; k++)
         {
             double phase = first + 2.0 * Math.PI * k / frames;
             float3[] places = rest.Select((place, vertex) => place + moved(phase, vertex)).ToArray();
-            wing.Frames.Add(new RecordedFrame { Phase = (float)phase, Positions = places, Normals = rest.Select(_ => new float3(0f, 1f, 0f)).ToArray(), Joints = places });
+            wing.Frames.Add(new RecordedFrame
+            {
+                Phase = (float)phase,
+                Positions = places,
+                Normals = rest.Select(_ => new float3(0f, 1f, 0f))
+                .ToArray(),
+                Joints = places
+            });
         }
 
         return wing;

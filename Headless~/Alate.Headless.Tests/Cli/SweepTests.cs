@@ -39,7 +39,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheWave_ChangesTheTwist_AndWithoutItItsDelayDoesNothing()
         {
-            double[] twist = m_Rows.Skip(1).Where(row => row[2] == "fore wing").Select(row => double.Parse(row[4], CultureInfo.InvariantCulture)).ToArray();
+            double[] twist = m_Rows.Skip(1).Where(row => row[2] == "fore wing")
+                .Select(row => double.Parse(row[4], CultureInfo.InvariantCulture)).ToArray();
 
             Assert.That(twist.Take(3), Is.Ordered);
             Assert.That(twist[2], Is.GreaterThan(1.3 * twist[0]));
@@ -54,7 +55,8 @@ namespace Alate.Tests.Cli
             string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
 
             string[] labels = PngTexts.Of(Path.Combine(m_Run.Out, "sweep.png"));
-            Assert.That(labels.Where(text => text.EndsWith("°") && !text.Contains(',')), Is.EqualTo(Enumerable.Repeat(new[] { "0°", "90°", "180°", "270°" }, 2).SelectMany(row => row)));
+            Assert.That(labels.Where(text => text.EndsWith("°") && !text.Contains(',')),
+                Is.EqualTo(Enumerable.Repeat(new[] { "0°", "90°", "180°", "270°" }, 2).SelectMany(row => row)));
             Assert.That(labels, Does.Contain("with the deformation wave").And.Contain("without the deformation wave"));
             Assert.That(texts, Is.SupersetOf(new[] { "twist, peak to peak, °", "lag of the tip, °", "fore wing", "hind wing", "0.1" }));
             // Each chart: two kinds of wings with and without the wave; the lift is that of all wings.
@@ -64,8 +66,11 @@ namespace Alate.Tests.Cli
         [Test]
         public void Terminal_ShowsTheMeasures()
         {
-            Assert.That(m_Run.Output, Does.Contain("twist °").And.Contain("off │ hind wing").And.Contain("sweep.svg").And.Contain("sweep.png"));
-            Assert.That(m_Run.Output, Does.Contain("usual").And.Contain("10–50 *").And.Contain("1.0 †").And.Contain("no published range is known"), "a wing without a wave hardly lags");
+            Assert.That(
+                m_Run.Output, Does.Contain("twist °").And.Contain("off │ hind wing").And.Contain("sweep.svg").And.Contain("sweep.png"));
+            Assert.That(
+                m_Run.Output, Does.Contain("usual").And.Contain("10–50 *").And.Contain("1.0 †").And.Contain("no published range is known"),
+                "a wing without a wave hardly lags");
         }
 
         [TestCase(0.25, 4, 5, new[] { 0.25, 0.5, 1.0, 2.0, 4.0 })]
@@ -73,7 +78,8 @@ namespace Alate.Tests.Cli
         [TestCase(1, 2, 3, new[] { 1.0, 1.5, 2.0 })]
         public void Values_AreEven_OrOfEqualRatiosOverAWideRange(double from, double to, int steps, double[] expected)
         {
-            var plan = new SweepPlan(FlownParameters.Find("elasticity"), from, to, steps, new FlightPlan { Species = "fishfly" }, SweepWaves.On);
+            var plan = new SweepPlan(
+                FlownParameters.Find("elasticity"), from, to, steps, new FlightPlan { Species = "fishfly" }, SweepWaves.On);
 
             Assert.That(plan.Values, Is.EqualTo(expected).Within(1e-9));
         }
@@ -81,7 +87,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void WholeNumbers_StayWhole()
         {
-            var plan = new SweepPlan(FlownParameters.Find("substeps-per-beat"), 12, 13, 5, new FlightPlan { Species = "fishfly" }, SweepWaves.On);
+            var plan = new SweepPlan(
+                FlownParameters.Find("substeps-per-beat"), 12, 13, 5, new FlightPlan { Species = "fishfly" }, SweepWaves.On);
 
             Assert.That(plan.Values, Is.EqualTo(new[] { 12.0, 13.0 }));
         }

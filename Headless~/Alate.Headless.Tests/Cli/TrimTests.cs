@@ -28,7 +28,8 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void Folder_HoldsTableAndPicture() =>
-            Assert.That(Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "trim.csv", "trim.svg" }));
+            Assert.That(
+                Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "trim.csv", "trim.svg" }));
 
         [Test]
         public void LevelFlight_Closes_WithinHalfAPercent_AndGivesPowerToTheAir()

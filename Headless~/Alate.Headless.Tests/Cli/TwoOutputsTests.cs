@@ -10,7 +10,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>Files of one flight against each other, by Newton's law and by sight: what one says in its units the others say in theirs.</summary>
+/// <summary>
+/// Files of one flight against each other, by Newton's law and by sight: what one says in its units the others say in theirs.
+/// </summary>
 public sealed class TwoOutputsTests
 {
     private CommandRun m_Free, m_Held;
@@ -19,8 +21,10 @@ public sealed class TwoOutputsTests
     public void Fly()
     {
         (m_Free, m_Held) = (new CommandRun(), new CommandRun());
-        Assert.That(m_Free.Run("fly", "monarch", "--free", "--to", "0.6,0.2,2", "--seconds", "3", "--no-pictures", "--out", m_Free.Out), Is.Zero, m_Free.Errors);
-        Assert.That(m_Held.Run("fly", "monarch", "--speed", "1.2", "--climb", "0.3", "--pitch", "20", "--no-pictures", "--out", m_Held.Out), Is.Zero, m_Held.Errors);
+        Assert.That(m_Free.Run("fly", "monarch", "--free", "--to", "0.6,0.2,2", "--seconds", "3", "--no-pictures", "--out", m_Free.Out),
+            Is.Zero, m_Free.Errors);
+        Assert.That(m_Held.Run("fly", "monarch", "--speed", "1.2", "--climb", "0.3", "--pitch", "20", "--no-pictures", "--out", m_Held.Out),
+            Is.Zero, m_Held.Errors);
     }
 
     [OneTimeTearDown]
@@ -40,7 +44,10 @@ public sealed class TwoOutputsTests
         {
             double impulse = 0.0, gained = monarch.Mass * (path[$"v{axis}_m_s"][last] - path[$"v{axis}_m_s"][0]);
             for (int k = 1; k <= last; k++)
-                impulse += (path["time_s"][k] - path["time_s"][k - 1]) * (forces[$"force_{axis}_n"][k] - (axis == "y" ? monarch.Weight : 0.0));
+            {
+                impulse +=
+                    (path["time_s"][k] - path["time_s"][k - 1]) * (forces[$"force_{axis}_n"][k] - (axis == "y" ? monarch.Weight : 0.0));
+            }
             Assert.That(impulse, Is.EqualTo(gained).Within(0.03 * monarch.Weight * path["time_s"][last]), axis);
         }
 
@@ -76,7 +83,8 @@ public sealed class TwoOutputsTests
         double sum = 0.0, size = 0.0;
         for (int k = 1; k < path["time_s"].Length; k++)
         {
-            double rate = (path["pitch_deg"][k] - path["pitch_deg"][k - 1]) / (path["time_s"][k] - path["time_s"][k - 1]), told = -0.5 * (path["wx_rad_s"][k] + path["wx_rad_s"][k - 1]) * 180.0 / Math.PI;
+            double rate = (path["pitch_deg"][k] - path["pitch_deg"][k - 1]) / (path["time_s"][k] - path["time_s"][k - 1]),
+                told = -0.5 * (path["wx_rad_s"][k] + path["wx_rad_s"][k - 1]) * 180.0 / Math.PI;
             sum += rate * told;
             size += told * told;
         }
@@ -90,14 +98,17 @@ public sealed class TwoOutputsTests
         Dictionary<string, double[]> path = Table(m_Free, "trajectory.csv");
         var file = new GlbFile(File.ReadAllBytes(Path.Combine(m_Free.Out, "flight.glb")));
         JsonElement animation = file.Root.GetProperty("animations")[0];
-        double[] Of(string what, string side) => file.Read(animation.GetProperty("samplers")[animation.GetProperty("channels").EnumerateArray()
-            .First(channel => channel.GetProperty("target").GetProperty("path").GetString() == what).GetProperty("sampler").GetInt32()].GetProperty(side).GetInt32());
+        double[] Of(string what, string side) =>
+            file.Read(animation.GetProperty("samplers")[animation.GetProperty("channels").EnumerateArray()
+            .First(channel => channel.GetProperty("target").GetProperty("path").GetString() == what).GetProperty("sampler").GetInt32()]
+                .GetProperty(side).GetInt32());
         double[] places = Of("translation", "output"), turns = Of("rotation", "output"), times = Of("translation", "input");
 
         Assert.That(times, Is.EqualTo(path["time_s"]).Within(1e-4), "seconds");
         for (int k = 0; k < times.Length; k += 7)
         {
-            double away = Math.Sqrt(Math.Pow(places[3 * k] + path["x_m"][k], 2.0) + Math.Pow(places[3 * k + 1] - path["y_m"][k], 2.0) + Math.Pow(places[3 * k + 2] - path["z_m"][k], 2.0));
+            double away = Math.Sqrt(Math.Pow(places[3 * k] + path["x_m"][k], 2.0) + Math.Pow(places[3 * k + 1] - path["y_m"][k], 2.0)
+                + Math.Pow(places[3 * k + 2] - path["z_m"][k], 2.0));
             Assert.That(away, Is.LessThan(0.02), "the thorax is within centimetres of the centre of mass");
             (double x, double y, double z, double w) = (turns[4 * k], turns[4 * k + 1], turns[4 * k + 2], turns[4 * k + 3]);
 
@@ -116,8 +127,10 @@ public sealed class TwoOutputsTests
         double[] Mean(string name) => summary.GetProperty(name).EnumerateArray().Select(number => number.GetDouble()).ToArray();
         double weight = 9.81 * InsectCatalogue.Find("monarch").Wings[0].CreatePreset().Size.insectMass;
 
-        Assert.That(new[] { "x", "y", "z" }.Select(axis => forces[$"force_{axis}_n"].Average()), Is.EqualTo(Mean("mean_force_n")).Within(1e-4 * weight));
-        Assert.That(new[] { "x", "y", "z" }.Select(axis => forces[$"moment_{axis}_nm"].Average()), Is.EqualTo(Mean("mean_moment_n_m")).Within(1e-6 * weight));
+        Assert.That(new[] { "x", "y", "z" }.Select(axis => forces[$"force_{axis}_n"].Average()),
+            Is.EqualTo(Mean("mean_force_n")).Within(1e-4 * weight));
+        Assert.That(new[] { "x", "y", "z" }.Select(axis => forces[$"moment_{axis}_nm"].Average()),
+            Is.EqualTo(Mean("mean_moment_n_m")).Within(1e-6 * weight));
         Assert.That(forces["lift_n"].Average() / weight, Is.EqualTo(summary.GetProperty("lift_over_weight").GetDouble()).Within(1e-4));
         Assert.That(forces["lift_n"].Average(), Is.InRange(0.2 * weight, 3.0 * weight), "a body that is pitched up is lifted: newtons");
     }
@@ -131,7 +144,8 @@ public sealed class TwoOutputsTests
         double sine = Math.Sin(Math.PI / 9.0), cosine = Math.Cos(Math.PI / 9.0), speed = Math.Sqrt(1.2 * 1.2 + 0.3 * 0.3);
         for (int k = 0; k < forces["time_s"].Length; k++)
         {
-            double up = cosine * forces["force_y_n"][k] + sine * forces["force_z_n"][k], ahead = cosine * forces["force_z_n"][k] - sine * forces["force_y_n"][k];
+            double up = cosine * forces["force_y_n"][k] + sine * forces["force_z_n"][k],
+                ahead = cosine * forces["force_z_n"][k] - sine * forces["force_y_n"][k];
             double size = Math.Abs(up) + Math.Abs(ahead);
             Assert.That(forces["lift_n"][k], Is.EqualTo(up).Within(1e-4 * size));
             Assert.That(forces["drag_n"][k], Is.EqualTo(-(1.2 * ahead + 0.3 * up) / speed).Within(1e-4 * size));
@@ -154,7 +168,10 @@ public sealed class TwoOutputsTests
             {
                 double least = double.MaxValue;
                 for (int k = 0; k < mesh.Length; k += 3)
-                    least = Math.Min(least, Math.Pow(mesh[k] + Cell(row, "x_m"), 2.0) + Math.Pow(mesh[k + 1] - Cell(row, "y_m"), 2.0) + Math.Pow(mesh[k + 2] - Cell(row, "z_m"), 2.0));
+                {
+                    least = Math.Min(least, Math.Pow(mesh[k] + Cell(row, "x_m"), 2.0) + Math.Pow(mesh[k + 1] - Cell(row, "y_m"), 2.0)
+                        + Math.Pow(mesh[k + 2] - Cell(row, "z_m"), 2.0));
+                }
                 Assert.That(Math.Sqrt(least), Is.LessThan(0.005), $"{side}, chain {row[4]}, joint {row[5]}");
             }
         }
@@ -163,17 +180,20 @@ public sealed class TwoOutputsTests
     [Test]
     public void Bends_AreDegreesBetweenBones()
     {
-        // The bend up and the one in the plane of a bone at the hinge of a joint make its angle to the bone before, for small bends by Pythagoras; the rest shape has bends of its own.
+        // The bend up and the one in the plane of a bone at the hinge of a joint make its angle to the bone before, for small bends by
+        // Pythagoras; the rest shape has bends of its own.
         string[][] rows = File.ReadAllLines(Path.Combine(m_Held.Out, "joints.csv")).Skip(1).Select(line => line.Split(',')).ToArray();
         string[][] tip = rows.Where(row => row[3] == "right" && row[4] == "4").ToArray();
-        double[][] places = tip.Select(row => row.Skip(6).Take(3).Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray()).ToArray();
+        double[][] places = tip
+            .Select(row => row.Skip(6).Take(3).Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray()).ToArray();
         var angles = new List<double>();
         var bends = new List<double>();
         for (int k = 0; k < tip.Length; k++)
         {
             if (tip[k][5] != "2")
                 continue;
-            double[] before = places[k].Zip(places[k - 1], (a, b) => a - b).ToArray(), after = places[k + 1].Zip(places[k], (a, b) => a - b).ToArray();
+            double[] before = places[k].Zip(places[k - 1], (a, b) => a - b).ToArray(),
+                after = places[k + 1].Zip(places[k], (a, b) => a - b).ToArray();
             double dot = before.Zip(after, (a, b) => a * b).Sum() / Math.Sqrt(before.Sum(a => a * a) * after.Sum(a => a * a));
             angles.Add(Math.Acos(Math.Min(1.0, dot)) * 180.0 / Math.PI);
             bends.Add(double.Parse(tip[k][9], CultureInfo.InvariantCulture));
@@ -188,7 +208,13 @@ public sealed class TwoOutputsTests
         string[][] rows = File.ReadAllLines(Path.Combine(run.Out, name)).Select(line => line.Split(',')).ToArray();
         var table = new Dictionary<string, double[]>();
         for (int column = 0; column < rows[0].Length; column++)
-            table.Add(rows[0][column], rows.Skip(1).Select(row => double.TryParse(row[column], NumberStyles.Float, CultureInfo.InvariantCulture, out double value) ? value : double.NaN).ToArray());
+        {
+            table.Add(rows[0][column], rows
+                .Skip(1)
+                .Select(row =>
+                    double.TryParse(row[column], NumberStyles.Float, CultureInfo.InvariantCulture, out double value) ? value : double.NaN)
+                .ToArray());
+        }
         return table;
     }
 }

@@ -15,19 +15,24 @@ namespace Alate.Tests.Cli
         [TearDown]
         public void RemoveFolder() => m_Run.Dispose();
 
-        [TestCase("--elasticity must lie between 0.001 and 500000 for firefly; it is 1000000.", "fly", "firefly", "--elasticity", "1000000")]
+        [TestCase(
+            "--elasticity must lie between 0.001 and 500000 for firefly; it is 1000000.", "fly", "firefly", "--elasticity", "1000000")]
         [TestCase(
             "--elasticity must lie between 0.00142858 and 1000000 for firefly, expressive; it is 0.001.",
             "fly", "firefly", "--variant", "expressive", "--elasticity", "0.001")]
-        [TestCase("--elasticity must lie between 0.001 and 71428.5 for snailfish; it is 100000.", "compare", "snailfish", "--elasticity", "100000")]
-        [TestCase("--elasticity must lie between 0.002 and 1000000 for fishfly; it is 0.001.", "compare", "monarch", "fishfly", "--elasticity", "0.001")]
+        [TestCase("--elasticity must lie between 0.001 and 71428.5 for snailfish; it is 100000.", "compare", "snailfish",
+            "--elasticity", "100000")]
+        [TestCase("--elasticity must lie between 0.002 and 1000000 for fishfly; it is 0.001.", "compare", "monarch", "fishfly",
+            "--elasticity", "0.001")]
         [TestCase("FROM must lie between 0.002 and 1000000 for elasticity of fishfly; it is 0.001.", "sweep", "elasticity", "0.001", "1")]
-        [TestCase("TO must lie between 0.001 and 500000 for elasticity of firefly; it is 600000.", "sweep", "elasticity", "1", "600000", "--species", "firefly")]
+        [TestCase("TO must lie between 0.001 and 500000 for elasticity of firefly; it is 600000.", "sweep", "elasticity", "1", "600000",
+            "--species", "firefly")]
         [TestCase("--elasticity must lie between 0.001 and 1000000; it is 2000000.", "fly", "firefly", "--elasticity", "2000000")]
         public void ProductOutOfTheModelsRange_IsToldAsTyped(string said, params string[] arguments) => AssertRefused(said, arguments);
 
         [TestCase("FROM must lie between -85 and 90 for mean-flap of swallowtail; it is -90.", "mean-flap", "-90", "0", "swallowtail")]
-        [TestCase("TO must lie between 1.11629E-09 and 0.673913 for wing-mass of swallowtail; it is 0.9.", "wing-mass", "0.001", "0.9", "swallowtail")]
+        [TestCase("TO must lie between 1.11629E-09 and 0.673913 for wing-mass of swallowtail; it is 0.9.", "wing-mass", "0.001", "0.9",
+            "swallowtail")]
         public void OtherWingOutOfItsRange_IsToldAsTyped(string said, string parameter, string from, string to, string species) =>
             AssertRefused(said, "sweep", parameter, from, to, "--species", species);
 
@@ -53,7 +58,8 @@ namespace Alate.Tests.Cli
                     Assert.That(told.Success, m_Run.Errors);
                     value = told.Groups[typed == "0.001" ? 1 : 2].Value;
                     using var again = new CommandRun();
-                    int code = again.Run("fly", species, "--variant", variant, "--elasticity", value, "--no-pictures", "--seconds", seconds, "--out", again.Out);
+                    int code = again.Run("fly", species, "--variant", variant, "--elasticity", value, "--no-pictures", "--seconds", seconds,
+                        "--out", again.Out);
                     Assert.That(code, Is.Zero, again.Errors);
                 }
             }
@@ -63,7 +69,8 @@ namespace Alate.Tests.Cli
         {
             m_Run.Dispose();
             m_Run = new CommandRun();
-            return m_Run.Run("fly", species, "--variant", variant, "--elasticity", elasticity, "--no-pictures", "--seconds", seconds, "--out", m_Run.Out);
+            return m_Run.Run("fly", species, "--variant", variant, "--elasticity", elasticity, "--no-pictures", "--seconds", seconds,
+                "--out", m_Run.Out);
         }
 
         private void AssertRefused(string said, params string[] arguments)

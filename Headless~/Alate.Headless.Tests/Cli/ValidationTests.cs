@@ -12,7 +12,8 @@ namespace Alate.Tests.Cli
     /// <summary>Comparisons with published flights.</summary>
     public sealed class ValidationTests
     {
-        private static readonly ValidationCurve[] s_Curves = [new("twist", "twist", [("flexible", [0.0, 1.0, 0.0, -1.0])], null), new("camber", "camber", [("flexible", [0.0, 0.0, 0.0, 0.0])], null)];
+        private static readonly ValidationCurve[] s_Curves = [new("twist", "twist", [("flexible", [0.0, 1.0, 0.0, -1.0])], null),
+            new("camber", "camber", [("flexible", [0.0, 0.0, 0.0, 0.0])], null)];
 
         // An estimate by others: 20 strips, uniform chord, no twist, the stream on the axis.
         [TestCase(0, 1.10)]
@@ -22,7 +23,8 @@ namespace Alate.Tests.Cli
             Assert.That(BladeElements.Lift(MeasuredDragonfly.Flights[flight], BladeElements.Point.Axis), Is.EqualTo(lift).Within(0.01));
 
         [Test]
-        public void TheInducedFlow_IsThatOfMomentumTheory() => Assert.That(DragonflyRun.Fly(MeasuredDragonfly.Tethered, true, 48, 1).Induced, Is.EqualTo(0.93).Within(0.03));
+        public void TheInducedFlow_IsThatOfMomentumTheory() =>
+            Assert.That(DragonflyRun.Fly(MeasuredDragonfly.Tethered, true, 48, 1).Induced, Is.EqualTo(0.93).Within(0.03));
 
         [Test]
         public void ATetheredDragonfly_PullsAsItWasComputed_WithAWakeFactor()
@@ -39,7 +41,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void AMeanOverAHalfBeat_CountsBothEndsOnce()
         {
-            RecordedFrame[] frames = Enumerable.Range(1, 48).Select(k => new RecordedFrame { Phase = (float)(2 * Math.PI * (k % 48) / 48) }).ToArray();
+            RecordedFrame[] frames = Enumerable.Range(1, 48)
+                .Select(k => new RecordedFrame { Phase = (float)(2 * Math.PI * (k % 48) / 48) }).ToArray();
             var sine = new BeatCurve(frames, frames.Select(frame => Math.Sin(frame.Phase)).ToList());
             var cosine = new BeatCurve(frames, frames.Select(frame => Math.Cos(frame.Phase)).ToList());
 
@@ -61,13 +64,18 @@ namespace Alate.Tests.Cli
         [Test]
         public void ThePage_IsThatOfTheReport_AndTheFrontPageHasRowsOfIt()
         {
-            string documentation = Path.Combine(PackageRoot.Find(), "Documentation~"), page = Text(documentation, "validation.md"), front = Text(PackageRoot.Find(), "README.md");
+            string documentation = Path.Combine(PackageRoot.Find(), "Documentation~"), page = Text(documentation, "validation.md"),
+                front = Text(PackageRoot.Find(), "README.md");
             JsonElement report = JsonDocument.Parse(Text(documentation, "validation.json")).RootElement;
             var rows = report.GetProperty("rows").EnumerateArray().Select(Row).ToList();
             string begin = PageBlock.Begin(ValidateCommand.Part, "validate");
-            string part = front[(front.IndexOf(begin, StringComparison.Ordinal) + begin.Length)..front.IndexOf(PageBlock.End(ValidateCommand.Part), StringComparison.Ordinal)];
+            string part = front[(front.IndexOf(begin, StringComparison.Ordinal) + begin.Length)..front.IndexOf(
+                PageBlock.End(ValidateCommand.Part), StringComparison.Ordinal)];
 
-            Assert.That(ValidationPage.Markdown(rows, report.GetProperty("curves").EnumerateArray().Select(Curve).ToList(), "images/validation.svg"), Is.EqualTo(page), "run the command validate");
+            Assert.That(
+                ValidationPage.Markdown(
+                    rows, report.GetProperty("curves").EnumerateArray().Select(Curve).ToList(), "images/validation.svg"),
+                Is.EqualTo(page), "run the command validate");
             Assert.That(part, Is.EqualTo(ValidationPage.Selection(rows)), "run the command validate");
             Assert.That(part.Split('\n'), Has.Length.GreaterThan(8));
         }
@@ -104,7 +112,8 @@ namespace Alate.Tests.Cli
         [TestCase(2)]
         public void ADragonflysOwnDrag_TakesMostOfTheNegativeThrust(int flight)
         {
-            double ours = BladeElements.Thrust(MeasuredDragonfly.Flights[flight], BladeElements.Point.MidChord), own = BladeElements.Thrust(MeasuredDragonfly.Flights[flight], BladeElements.Point.MidChord, ownDrag: true);
+            double ours = BladeElements.Thrust(MeasuredDragonfly.Flights[flight], BladeElements.Point.MidChord),
+                own = BladeElements.Thrust(MeasuredDragonfly.Flights[flight], BladeElements.Point.MidChord, ownDrag: true);
 
             Assert.That(own, Is.GreaterThan(0.25 * ours), "thrust over weight, both below 0 or the second above");
         }
@@ -142,13 +151,17 @@ namespace Alate.Tests.Cli
         [Test]
         public void ThePage_HasTheRowsOutsideFirst_WithTheirCauses()
         {
-            var rows = new List<ValidationRow> { new("good", 1, 2, "1 to 2", "s", 1.5, 1.5, "unseen"), new("bad", 1, 2, "1 to 2", "s", 3, 3, "because") };
+            var rows = new List<ValidationRow> { new("good", 1, 2, "1 to 2", "s", 1.5, 1.5, "unseen"),
+                new("bad", 1, 2, "1 to 2", "s", 3, 3, "because") };
 
             string page = ValidationPage.Markdown(rows, s_Curves, "p.svg");
 
-            Assert.That(page.IndexOf("| bad |", StringComparison.Ordinal), Is.InRange(0, page.IndexOf("| good |", StringComparison.Ordinal)));
-            Assert.That(page, Does.Contain("outside by 1.00").And.Contain("because").And.Not.Contain("unseen").And.Contain("1 of 2 rows agree"));
-            Assert.That(JsonDocument.Parse(ValidationPage.Json(rows, s_Curves)).RootElement.GetProperty("rows")[1].GetProperty("distance").GetDouble(), Is.EqualTo(1));
+            Assert.That(
+                page.IndexOf("| bad |", StringComparison.Ordinal), Is.InRange(0, page.IndexOf("| good |", StringComparison.Ordinal)));
+            Assert.That(
+                page, Does.Contain("outside by 1.00").And.Contain("because").And.Not.Contain("unseen").And.Contain("1 of 2 rows agree"));
+            Assert.That(JsonDocument.Parse(ValidationPage.Json(rows, s_Curves)).RootElement.GetProperty("rows")[1].GetProperty("distance")
+                .GetDouble(), Is.EqualTo(1));
         }
 
         [Test]
@@ -161,7 +174,8 @@ namespace Alate.Tests.Cli
 
             Assert.That(curves[0].Measured, Is.EqualTo(new[] { 0.0, 2, 0, -2 }));
             Assert.That(curves[1].Measured, Is.Null);
-            Assert.That(UserCurves.Rows(curves).Select(row => row.Ours), Is.EqualTo(new[] { 1.0, 0.5 }).Within(1e-9), "correlation and size");
+            Assert.That(
+                UserCurves.Rows(curves).Select(row => row.Ours), Is.EqualTo(new[] { 1.0, 0.5 }).Within(1e-9), "correlation and size");
         }
 
         [Test]
@@ -175,7 +189,8 @@ namespace Alate.Tests.Cli
 
             Assert.That(curves[0].Measured, Is.EqualTo(new[] { 1, 1, 1, 1, 0, double.NaN, double.NaN, double.NaN, 0, 0 }));
             Assert.That(DragonflyRows.Correlation([1, 2, 3, 50], [2, 4, 6, double.NaN]), Is.EqualTo(1).Within(1e-9));
-            Assert.That(JsonDocument.Parse(ValidationPage.Json([], curves)).RootElement.GetProperty("curves")[0].GetProperty("measured")[5].ValueKind, Is.EqualTo(JsonValueKind.Null));
+            Assert.That(JsonDocument.Parse(ValidationPage.Json([], curves)).RootElement.GetProperty("curves")[0]
+                .GetProperty("measured")[5].ValueKind, Is.EqualTo(JsonValueKind.Null));
         }
 
         [TestCase("lift.csv", "0,1", "there is no such curve. Known: twist.csv, camber.csv.")]
@@ -194,18 +209,23 @@ namespace Alate.Tests.Cli
             using var run = new CommandRun();
             string path = run.Write(name, text);
 
-            Assert.That(() => UserCurves.Read(run.Folder, s_Curves), Throws.TypeOf<UserException>().With.Message.EqualTo($"{path}: {message}"));
+            Assert.That(
+                () => UserCurves.Read(run.Folder, s_Curves), Throws.TypeOf<UserException>().With.Message.EqualTo($"{path}: {message}"));
         }
 
         private static string Text(params string[] path) => File.ReadAllText(Path.Combine(path)).ReplaceLineEndings("\n");
 
         private static ValidationRow Row(JsonElement row) => new(
-            row.GetProperty("title").GetString(), Number(row, "low", double.NegativeInfinity), Number(row, "high", double.PositiveInfinity), row.GetProperty("measured").GetString(),
-            row.GetProperty("source").GetString(), Number(row, "ours", double.NaN), Number(row, "at_twice_the_substeps", double.NaN), row.GetProperty("cause").GetString());
+            row.GetProperty("title").GetString(), Number(row, "low", double.NegativeInfinity), Number(row, "high", double.PositiveInfinity),
+            row.GetProperty("measured").GetString(),
+            row.GetProperty("source").GetString(), Number(row, "ours", double.NaN), Number(row, "at_twice_the_substeps", double.NaN),
+            row.GetProperty("cause").GetString());
 
-        private static ValidationCurve Curve(JsonElement curve) => new("", curve.GetProperty("title").GetString(), [], null, curve.GetProperty("published").GetString());
+        private static ValidationCurve Curve(JsonElement curve) =>
+            new("", curve.GetProperty("title").GetString(), [], null, curve.GetProperty("published").GetString());
 
-        private static double Number(JsonElement row, string name, double missing) => row.GetProperty(name) is { ValueKind: JsonValueKind.Number } number ? number.GetDouble() : missing;
+        private static double Number(JsonElement row, string name, double missing) =>
+            row.GetProperty(name) is { ValueKind: JsonValueKind.Number } number ? number.GetDouble() : missing;
 
         [Test]
         public void AFolderThatIsNotThere_OrIsEmpty_IsRefused()
@@ -214,7 +234,8 @@ namespace Alate.Tests.Cli
 
             Assert.That(run.Run("validate", "--data", run.Out), Is.EqualTo(2));
             Assert.That(run.Errors, Does.Contain("there is no such folder"));
-            Assert.That(() => UserCurves.Read(run.Folder, s_Curves), Throws.TypeOf<UserException>().With.Message.Contains("has no CSV file"));
+            Assert.That(
+                () => UserCurves.Read(run.Folder, s_Curves), Throws.TypeOf<UserException>().With.Message.Contains("has no CSV file"));
         }
     }
 }

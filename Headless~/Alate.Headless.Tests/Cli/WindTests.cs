@@ -48,7 +48,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void TenMetresASecond_TearVersion01_AndNotTheWingOfToday()
         {
-            double[] monarch = m_Rows.Where(row => row[0] == "monarch").Select(row => double.Parse(row[6], CultureInfo.InvariantCulture)).ToArray();
+            double[] monarch = m_Rows.Where(row => row[0] == "monarch")
+                .Select(row => double.Parse(row[6], CultureInfo.InvariantCulture)).ToArray();
 
             Assert.That(monarch[1], Is.InRange(monarch[0], 15.0));
             Assert.That(monarch[3], Is.GreaterThan(30.0));
@@ -58,7 +59,8 @@ namespace Alate.Tests.Cli
         public void WorstSide_IsNamed_WhereThereIsWind()
         {
             Assert.That(m_Rows.Skip(1).Where(row => row[5] == "0").Select(row => row[8]), Is.All.Empty);
-            Assert.That(m_Rows.Skip(1).Where(row => row[5] != "0").Select(row => row[8]).Distinct(), Is.SubsetOf(WindDirection.All.Select(side => side.Name)));
+            Assert.That(m_Rows.Skip(1).Where(row => row[5] != "0").Select(row => row[8]).Distinct(),
+                Is.SubsetOf(WindDirection.All.Select(side => side.Name)));
         }
 
         [Test]
@@ -68,7 +70,8 @@ namespace Alate.Tests.Cli
             XNamespace space = "http://www.w3.org/2000/svg";
             string[] texts = svg.Elements(space + "text").Select(text => text.Value).ToArray();
 
-            Assert.That(texts, Is.SupersetOf(new[] { "Monarch", "Snailfish, in water", "limit of the largest: 10, 12, 15 %", "largest, version 0.1" }));
+            Assert.That(texts,
+                Is.SupersetOf(new[] { "Monarch", "Snailfish, in water", "limit of the largest: 10, 12, 15 %", "largest, version 0.1" }));
             // In each: limits, the largest of both models, and a percentile.
             Assert.That(svg.Elements(space + "path").Count(path => path.Attribute("clip-path") != null), Is.EqualTo(2 * 4));
         }
@@ -76,7 +79,8 @@ namespace Alate.Tests.Cli
         [Test]
         public void Terminal_ShowsTheWorstSide_AndTheBendOfTheTip()
         {
-            Assert.That(m_Run.Output, Does.Contain("worst from").And.Contain("tip bend").And.Contain("Snailfish: fin").And.Contain("wind.csv"));
+            Assert.That(
+                m_Run.Output, Does.Contain("worst from").And.Contain("tip bend").And.Contain("Snailfish: fin").And.Contain("wind.csv"));
         }
 
         [Test]
@@ -84,7 +88,8 @@ namespace Alate.Tests.Cli
         {
             using var run = new CommandRun();
 
-            Assert.That(run.Run("wind", "snailfish", "--speeds", "3", "--gusts", "--variant", "expressive", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(
+                run.Run("wind", "snailfish", "--speeds", "3", "--gusts", "--variant", "expressive", "--out", run.Out), Is.Zero, run.Errors);
             Assert.That(Rows(run).Skip(1).Select(row => $"{row[1]} {row[4]}"), Is.All.EqualTo("expressive gusts"));
         }
 
@@ -121,7 +126,8 @@ namespace Alate.Tests.Cli
             Assert.That(axis.Ticks.Select(axis.Share), Is.Ordered.Ascending.And.All.InRange(0f, 1f));
         }
 
-        private static string[][] Rows(CommandRun run) => File.ReadAllLines(Path.Combine(run.Out, "wind.csv")).Select(line => line.Split(',')).ToArray();
+        private static string[][] Rows(CommandRun run) =>
+            File.ReadAllLines(Path.Combine(run.Out, "wind.csv")).Select(line => line.Split(',')).ToArray();
 
         private static float3 ToVector(double[] velocity) => new float3((float)velocity[0], (float)velocity[1], (float)velocity[2]);
     }

@@ -224,7 +224,9 @@ namespace Alate.Tests.Cli
             JsonElement material = m_File.Root.GetProperty("materials")[primitive.GetProperty("material").GetInt32()];
             JsonElement light = material.GetProperty("pbrMetallicRoughness");
             PngFile picture = Picture(light.GetProperty("baseColorTexture").GetProperty("index").GetInt32());
-            int orange = Enumerable.Range(0, vertices).Select(k => picture.Pixels[(int)(places[2 * k + 1] * (picture.Height - 1)) * picture.Width + (int)(places[2 * k] * (picture.Width - 1))])
+            int orange = Enumerable.Range(0, vertices)
+                .Select(k => picture.Pixels[(int)(places[2 * k + 1] * (picture.Height - 1)) * picture.Width
+                    + (int)(places[2 * k] * (picture.Width - 1))])
                 .Count(colour => colour.r > 190 && colour.b < 90);
 
             Assert.That(orange, Is.GreaterThan(vertices / 5));
@@ -237,11 +239,13 @@ namespace Alate.Tests.Cli
 
         private PngFile Picture(int texture)
         {
-            JsonElement image = m_File.Root.GetProperty("images")[m_File.Root.GetProperty("textures")[texture].GetProperty("source").GetInt32()];
+            JsonElement image = m_File.Root.GetProperty("images")[m_File.Root.GetProperty("textures")[texture]
+                .GetProperty("source").GetInt32()];
             JsonElement view = m_File.Root.GetProperty("bufferViews")[image.GetProperty("bufferView").GetInt32()];
             Assert.That(image.GetProperty("mimeType").GetString(), Is.EqualTo("image/png"));
             int json = BitConverter.ToInt32(m_Bytes, 12), binary = 12 + 8 + json + 8;
-            return PngFile.Read(m_Bytes.AsMemory(binary + view.GetProperty("byteOffset").GetInt32(), view.GetProperty("byteLength").GetInt32()));
+            return PngFile.Read(
+                m_Bytes.AsMemory(binary + view.GetProperty("byteOffset").GetInt32(), view.GetProperty("byteLength").GetInt32()));
         }
 
         private double[] Times => m_File.Read(Sampler.GetProperty("input").GetInt32());

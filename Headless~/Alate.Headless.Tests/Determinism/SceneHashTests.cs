@@ -43,10 +43,10 @@ namespace Alate.Tests.Determinism
         {
             string root = PackageRoot.Find();
             IEnumerable<string> calls = from file in Directory.GetFiles(Path.Combine(root, "Runtime"), "*.cs", SearchOption.AllDirectories)
-                let place = Path.GetRelativePath(root, file).Replace('\\', '/')
-                where !s_Looks.IsMatch(place)
-                from call in s_Library.Matches(File.ReadAllText(file))
-                select $"{place}: {call.Value}";
+                                        let place = Path.GetRelativePath(root, file).Replace('\\', '/')
+                                        where !s_Looks.IsMatch(place)
+                                        from call in s_Library.Matches(File.ReadAllText(file))
+                                        select $"{place}: {call.Value}";
 
             Assert.That(calls, Is.Empty, "Alate.Geometry.Elementary, Rotations and SoaMath give the same bits everywhere");
         }

@@ -16,13 +16,17 @@ namespace Alate.Tests.Editor
         public void EveryCommand_HasALineWithItsKey()
         {
             foreach (EditCommand command in SkeletonCommands.All)
-                Assert.That(s_Manual, Does.Match($@"(?m)^\| {Regex.Escape(command.Name)} \| {Regex.Escape(command.Shortcut)} ?\| \S"), command.Name);
+            {
+                Assert.That(s_Manual, Does.Match($@"(?m)^\| {Regex.Escape(command.Name)} \| {Regex.Escape(command.Shortcut)} ?\| \S"),
+                    command.Name);
+            }
         }
 
         [Test]
         public void NoLine_IsOfACommandThatIsNotThere()
         {
-            int begin = s_Manual.IndexOf("| command | key |", StringComparison.Ordinal), end = s_Manual.IndexOf("\n\n", begin, StringComparison.Ordinal);
+            int begin = s_Manual.IndexOf("| command | key |", StringComparison.Ordinal),
+                end = s_Manual.IndexOf("\n\n", begin, StringComparison.Ordinal);
             int lines = s_Manual[begin..end].Split('\n').Length - 2;
 
             Assert.That(lines, Is.EqualTo(SkeletonCommands.All.Count));

@@ -94,7 +94,8 @@ public sealed class InsectMenuTests
     private static (string Path, MethodInfo Method)[] Items()
     {
         return (
-            from method in typeof(InsectPlacing).Assembly.GetType("Alate.Editor.InsectMenu", true).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+            from method in typeof(InsectPlacing).Assembly.GetType("Alate.Editor.InsectMenu", true)
+                .GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
             from item in method.GetCustomAttributesData()
             where item.AttributeType == typeof(MenuItem)
             select ((string)item.ConstructorArguments[0].Value, method)).ToArray();

@@ -34,7 +34,10 @@ namespace Alate.Tests.Inspectors
             DrawnInspector page = Draw();
 
             foreach (EditCommand command in SkeletonCommands.All)
-                Assert.That(page.Control(command.Name).Tooltip, Does.StartWith(command.Tooltip).And.EndsWith(command.Shortcut == "" ? "." : $"({command.Shortcut})"));
+            {
+                Assert.That(page.Control(command.Name).Tooltip,
+                    Does.StartWith(command.Tooltip).And.EndsWith(command.Shortcut == "" ? "." : $"({command.Shortcut})"));
+            }
         }
 
         [Test]
@@ -65,7 +68,8 @@ namespace Alate.Tests.Inspectors
         [Test]
         public void Weaknesses_AreListedToo()
         {
-            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 3), new JointIndex(0, 4) }, -0.15f));
+            m_Session.Group.Active.Do(
+                "Slide", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 3), new JointIndex(0, 4) }, -0.15f));
             m_Session.Place();
 
             Assert.That(Draw().HelpBoxes, Has.Some.Contains("beside the joints"));

@@ -61,7 +61,8 @@ namespace Alate.Tests
 
         private static void AssertCalibrated(List<(double Confidence, bool IsRight)> guesses)
         {
-            foreach ((string Name, List<(double Confidence, bool IsRight)> Guesses) bin in Bins(guesses).Where(bin => bin.Guesses.Count >= 30))
+            foreach ((string Name, List<(double Confidence, bool IsRight)> Guesses) bin in Bins(guesses)
+                .Where(bin => bin.Guesses.Count >= 30))
             {
                 double told = bin.Guesses.Average(guess => guess.Confidence);
                 Assert.That(Share(bin.Guesses), Is.EqualTo(told).Within(0.2), $"{bin.Name}: {bin.Guesses.Count} guesses");
@@ -75,7 +76,8 @@ namespace Alate.Tests
         private static string Cell(IReadOnlyCollection<(double, bool IsRight)> guesses) =>
             guesses.Count == 0 ? "none" : FormattableString.Invariant($"{100.0 * Share(guesses):0} % of {guesses.Count}");
 
-        private static IEnumerable<(string Name, List<(double Confidence, bool IsRight)> Guesses)> Bins(List<(double Confidence, bool IsRight)> guesses)
+        private static IEnumerable<(string Name, List<(double Confidence, bool IsRight)> Guesses)> Bins(
+            List<(double Confidence, bool IsRight)> guesses)
         {
             for (int k = 0; k + 1 < s_Bounds.Length; k++)
             {

@@ -11,7 +11,8 @@ namespace Alate.Tests
     {
         private const float k_CruiseShare = 0.65f;
 
-        private static readonly Dictionary<(WingDefinition, bool), FittedFlight> s_Flown = new Dictionary<(WingDefinition, bool), FittedFlight>();
+        private static readonly Dictionary<(WingDefinition, bool), FittedFlight> s_Flown =
+            new Dictionary<(WingDefinition, bool), FittedFlight>();
 
         private readonly WingDefinition m_Wing;
         private readonly WingPreset m_Preset;
@@ -35,7 +36,8 @@ namespace Alate.Tests
 
         /// <summary>Flight of a wing, flown once for all tests.</summary>
         /// <param name="wing">Whose.</param>
-        /// <param name="byFirstOrder">By <see cref="SpeciesFlight.FirstOrder"/>, whose delays do not depend on how close chains are.</param>
+        /// <param name="byFirstOrder">By <see cref="SpeciesFlight.FirstOrder"/>, whose delays do not depend on how close chains
+        /// are.</param>
         public static FittedFlight Of(WingDefinition wing, bool byFirstOrder = false)
         {
             if (!s_Flown.TryGetValue((wing, byFirstOrder), out FittedFlight flight))
@@ -75,7 +77,8 @@ namespace Alate.Tests
                 speed = speed,
             };
             WingParameters parameters = m_Preset.ToParameters();
-            return FlownBeat.Measure(m_Mesh, rig, m_ByFirstOrder ? SpeciesFlight.FirstOrder(parameters) : parameters, surroundings, m_Frame);
+            return FlownBeat.Measure(
+                m_Mesh, rig, m_ByFirstOrder ? SpeciesFlight.FirstOrder(parameters) : parameters, surroundings, m_Frame);
         }
     }
 }

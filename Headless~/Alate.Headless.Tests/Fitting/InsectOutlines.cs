@@ -8,7 +8,9 @@ namespace Alate.Tests
     /// <summary>Kinds of wings that differ in where their points and their breadth are.</summary>
     public enum OutlineKind
     {
-        /// <summary>A butterfly's fore wing: a triangle with a long costa, a pointed apex and a narrow base opposite its outer margin.</summary>
+        /// <summary>
+        /// A butterfly's fore wing: a triangle with a long costa, a pointed apex and a narrow base opposite its outer margin.
+        /// </summary>
         Butterfly,
 
         /// <summary>A butterfly's or moth's hind wing: a round fan from a narrow base.</summary>
@@ -22,8 +24,8 @@ namespace Alate.Tests
     }
 
     /// <summary>
-    /// Outlines of insects' wings as tests draw them: the hinge at (0, 0), x towards the tip, y towards the leading edge, the length about 1. Every seed makes
-    /// another, within what wings of its kind have.
+    /// Outlines of insects' wings as tests draw them: the hinge at (0, 0), x towards the tip, y towards the leading edge, the length about
+    /// 1. Every seed makes another, within what wings of its kind have.
     /// </summary>
     internal static class InsectOutlines
     {
@@ -66,7 +68,8 @@ namespace Alate.Tests
             for (int k = 0; k <= 4 * k_Steps; k++)
             {
                 double share = (double)k / (4 * k_Steps), angle = last + (first - last) * share;
-                double reach = (1.0 - skew * (1.0 - share)) * Math.Pow(Math.Sin(Math.PI * (0.12 + 0.76 * share)), 0.5) + wave * Math.Cos(2.0 * Math.PI * waves * share);
+                double reach = (1.0 - skew * (1.0 - share)) * Math.Pow(Math.Sin(Math.PI * (0.12 + 0.76 * share)), 0.5)
+                    + wave * Math.Cos(2.0 * Math.PI * waves * share);
                 path.Add(new Vector2((float)(reach * Math.Cos(angle)), (float)(reach * Math.Sin(angle))));
             }
 
@@ -74,10 +77,13 @@ namespace Alate.Tests
             return Rounded(path.ToArray(), 0.02);
         }
 
-        private static Vector2[] Blade(Random random, double frontLeast, double frontMost, double rearLeast, double rearMost, double powerLeast, double powerMost)
+        private static Vector2[] Blade(
+            Random random, double frontLeast, double frontMost, double rearLeast, double rearMost, double powerLeast, double powerMost)
         {
-            double front = Between(random, frontLeast, frontMost), rear = Between(random, rearLeast, rearMost), half = Between(random, 0.015, 0.04);
-            double frontPower = Between(random, powerLeast, powerMost) + 1.5, rearPower = Between(random, powerLeast, powerMost), stalk = Between(random, 3.0, 7.0);
+            double front = Between(random, frontLeast, frontMost), rear = Between(random, rearLeast, rearMost),
+                half = Between(random, 0.015, 0.04);
+            double frontPower = Between(random, powerLeast, powerMost) + 1.5, rearPower = Between(random, powerLeast, powerMost),
+                stalk = Between(random, 3.0, 7.0);
             double sweep = Between(random, -0.1, 0.1);
             var path = new List<Vector2>();
             for (int k = 0; k <= 4 * k_Steps; k++)
@@ -89,7 +95,8 @@ namespace Alate.Tests
             Vector2 Place(double x, double width, double power)
             {
                 // x runs 0 to 1, slowly at the base and quickly at the tip.
-                double at = Math.Sin(0.5 * Math.PI * x), bell = Math.Sqrt(Math.Max(0.0, 1.0 - Math.Pow(at, power))) * Math.Min(1.0, stalk * at * 0.5);
+                double at = Math.Sin(0.5 * Math.PI * x),
+                    bell = Math.Sqrt(Math.Max(0.0, 1.0 - Math.Pow(at, power))) * Math.Min(1.0, stalk * at * 0.5);
                 return new Vector2((float)at, (float)(Math.Sign(width) * half * (1.0 - at) + width * bell + sweep * at * at));
             }
         }

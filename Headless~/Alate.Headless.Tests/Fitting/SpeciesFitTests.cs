@@ -18,7 +18,8 @@ namespace Alate.Tests
     {
         private const int k_Moves = 1, k_ManyMoves = 3;
 
-        private static readonly ConcurrentDictionary<WingDefinition, SkeletonFit> s_Fits = new ConcurrentDictionary<WingDefinition, SkeletonFit>();
+        private static readonly ConcurrentDictionary<WingDefinition, SkeletonFit> s_Fits =
+            new ConcurrentDictionary<WingDefinition, SkeletonFit>();
 
         private static IEnumerable<TestCaseData> Wings()
         {
@@ -65,13 +66,15 @@ namespace Alate.Tests
                 moved.forward = move.Direction(hints.forward.Value);
                 moved.up = move.Direction(Vector3.up);
 
-                SurfaceMesh split = Split(Surface(wing, wing.TriangleCount), seed), finer = Surface(wing, wing.TriangleCount * (seed + 4) / 4);
+                SurfaceMesh split = Split(Surface(wing, wing.TriangleCount), seed),
+                    finer = Surface(wing, wing.TriangleCount * (seed + 4) / 4);
                 WingSkeleton same = SkeletonFitter.Fit(move.Surface(split), moved).Skeleton;
                 WingSkeleton near = SkeletonFitter.Fit(move.Surface(finer), moved).Skeleton;
 
                 Assert.That(measure.Apart(same, move.Point, move.Scale), Is.LessThan(0.01), $"move {seed}");
                 Assert.That(measure.Apart(near, move.Point, move.Scale, 1), Is.LessThan(0.01), $"move {seed}, a finer mesh");
-                Assert.That(measure.Apart(near, move.Point, move.Scale), Is.LessThan(0.03), $"move {seed}, a finer mesh, along whose rounder edge joints lie elsewhere");
+                Assert.That(measure.Apart(near, move.Point, move.Scale), Is.LessThan(0.03),
+                    $"move {seed}, a finer mesh, along whose rounder edge joints lie elsewhere");
             }
         }
 
@@ -90,7 +93,8 @@ namespace Alate.Tests
             var flight = FittedFlight.Of(wing);
             WingDeformation hand = flight.ByHand, fitted = flight.Fitted;
 
-            // The fitter spreads the chains of narrow wings wider than their authors did, which gives the delay more room: 32 % more twist, 67 % more camber.
+            // The fitter spreads the chains of narrow wings wider than their authors did, which gives the delay more room: 32 % more twist,
+            // 67 % more camber.
             bool isFishfly = wing == InsectCatalogue.Find("fishfly").Wings[0], isFirefly = wing == InsectCatalogue.Find("firefly").Wings[0];
             Assert.That(fitted.TwistRange, Is.EqualTo(hand.TwistRange).Within(isFishfly ? 35 : 25).Percent, "twist");
             Assert.That(Camber(fitted), Is.EqualTo(Camber(hand)).Within(isFirefly ? 70 : 25).Percent, "camber");
@@ -102,7 +106,8 @@ namespace Alate.Tests
         {
             double[][] rows = File.ReadLines(Path.Combine(PackageRoot.Find(), "Documentation~", "results.md"))
                 .Where(line => line.StartsWith("| ") && line.Contains("° → "))
-                .Select(line => Regex.Matches(line, @"[\d.]+").Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray())
+                .Select(line =>
+                    Regex.Matches(line, @"[\d.]+").Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray())
                 .ToArray();
             WingDefinition[] wings = InsectCatalogue.All.SelectMany(species => species.Wings).ToArray();
 
@@ -113,14 +118,16 @@ namespace Alate.Tests
                 double[] numbers =
                 [
                     math.degrees(flight.ByHand.TwistRange), math.degrees(flight.Fitted.TwistRange),
-                    100.0 * Camber(flight.ByHand), 100.0 * Camber(flight.Fitted), 100.0 * flight.ByHand.StretchMax, 100.0 * flight.Fitted.StretchMax,
+                    100.0 * Camber(flight.ByHand), 100.0 * Camber(flight.Fitted), 100.0 * flight.ByHand.StretchMax,
+                    100.0 * flight.Fitted.StretchMax,
                 ];
                 Assert.That(rows[k], Is.EqualTo(numbers).Within(0.1), $"row {k}, {wings[k].Name}");
             }
         }
 
         // Wings that are not moved are fitted once for all tests.
-        private static SkeletonFit Fit(WingDefinition wing) => s_Fits.GetOrAdd(wing, own => SkeletonFitter.Fit(Surface(own, own.TriangleCount), FittedFlight.Hints(own)));
+        private static SkeletonFit Fit(WingDefinition wing) =>
+            s_Fits.GetOrAdd(wing, own => SkeletonFitter.Fit(Surface(own, own.TriangleCount), FittedFlight.Hints(own)));
 
         private static float Camber(in WingDeformation beat) => beat.CamberMax - beat.CamberMin;
 

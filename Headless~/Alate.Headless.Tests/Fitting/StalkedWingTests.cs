@@ -19,7 +19,8 @@ namespace Alate.Tests
             settings.hinge = Vector3.zero;
             settings.forward = Vector3.forward;
             SkeletonFit fit = SkeletonFitter.Fit(new DrawnInsectWing(outline, 0f, false).Surface, settings);
-            PlanPoint[][] chains = Array.ConvertAll(fit.Skeleton.Chains, chain => Array.ConvertAll(chain.joints, joint => new PlanPoint(joint.x, joint.z)));
+            PlanPoint[][] chains = Array.ConvertAll(
+                fit.Skeleton.Chains, chain => Array.ConvertAll(chain.joints, joint => new PlanPoint(joint.x, joint.z)));
             Assert.That(fit.Warnings.Select(warning => warning.Kind), Has.No.Member(SkeletonFitWarningKind.ChainsLaidAsRays));
             foreach (PlanPoint[] chain in chains)
                 Assert.That(chain[^1].x, Is.GreaterThan(stalk + 0.2));

@@ -5,10 +5,14 @@ using Random = System.Random;
 
 namespace Alate.Tests
 {
-    /// <summary>Wings as scans have them, far wilder than <see cref="RandomWings"/>, with any hinge, any forward direction and any counts.</summary>
+    /// <summary>
+    /// Wings as scans have them, far wilder than <see cref="RandomWings"/>, with any hinge, any forward direction and any counts.
+    /// </summary>
     internal static class WildWings
     {
-        /// <summary>Some of the seeds whose chains along the wing's edges cross or break another rule; of the first 1500 seeds 42 do.</summary>
+        /// <summary>
+        /// Some of the seeds whose chains along the wing's edges cross or break another rule; of the first 1500 seeds 42 do.
+        /// </summary>
         public static readonly int[] Crossing = [54, 60, 63, 157, 163, 165, 185, 212];
 
         /// <summary>More of them.</summary>

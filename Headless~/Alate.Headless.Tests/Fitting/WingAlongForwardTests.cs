@@ -3,7 +3,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests
 {
-    /// <summary>A wing that points the way the insect faces, or back: forward does not tell which of its edges leads, its shape does.</summary>
+    /// <summary>
+    /// A wing that points the way the insect faces, or back: forward does not tell which of its edges leads, its shape does.
+    /// </summary>
     public sealed class WingAlongForwardTests
     {
         private const int k_Wings = 10, k_SweptWings = 4, k_ManyWings = 25;
@@ -39,12 +41,14 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void SweptUpTo50Degrees_ForwardStillDecides([Values(-50f, 0f, 50f)] float degrees) => AssertDecides(degrees, 0, k_SweptWings);
+        public void SweptUpTo50Degrees_ForwardStillDecides([Values(-50f, 0f, 50f)] float degrees) =>
+            AssertDecides(degrees, 0, k_SweptWings);
 
         [Test]
         [Explicit]
         [Category("Long")]
-        public void OfMoreWings_SweptUpTo50Degrees_ForwardStillDecides([Values(-50f, 0f, 50f)] float degrees) => AssertDecides(degrees, k_SweptWings, k_ManyWings);
+        public void OfMoreWings_SweptUpTo50Degrees_ForwardStillDecides([Values(-50f, 0f, 50f)] float degrees) =>
+            AssertDecides(degrees, k_SweptWings, k_ManyWings);
 
         private static void AssertDecides(float degrees, int first, int end)
         {

@@ -20,10 +20,12 @@ namespace Alate.Tests.FreeFlights
 
         [Test]
         public void NoWings_AreNamed([Values] bool isNull) =>
-            Assert.That(Refusal(isNull ? null : [], [s_Thorax], 1e-3f), Does.Contain("without wings cannot fly").And.Contain("at least one right and one left wing"));
+            Assert.That(Refusal(isNull ? null : [], [s_Thorax], 1e-3f),
+                Does.Contain("without wings cannot fly").And.Contain("at least one right and one left wing"));
 
         [Test]
-        public void NoParts_AreNamed() => Assert.That(Refusal(m_Insect.Model.Wings, [], 1e-3f), Does.Contain("at least one part with mass"));
+        public void NoParts_AreNamed() =>
+            Assert.That(Refusal(m_Insect.Model.Wings, [], 1e-3f), Does.Contain("at least one part with mass"));
 
         [TestCase(0f)]
         [TestCase(-1f)]
@@ -31,17 +33,20 @@ namespace Alate.Tests.FreeFlights
         [TestCase(float.NaN)]
         [TestCase(float.PositiveInfinity)]
         public void AMassBelowThatOfTheWings_IsNamed(float mass) =>
-            Assert.That(Refusal(m_Insect.Model.Wings, [s_Thorax], mass), Does.Contain($"mass is {mass} kg").And.Contain("above that of its wings"));
+            Assert.That(
+                Refusal(m_Insect.Model.Wings, [s_Thorax], mass), Does.Contain($"mass is {mass} kg").And.Contain("above that of its wings"));
 
         [TestCase(0, 1)]
         [TestCase(2, -1)]
         [TestCase(double.NaN, 1)]
         [TestCase(2, double.NaN)]
         public void AnImpossiblePart_IsNamed(double halfAxis, double share) =>
-            Assert.That(Refusal(m_Insect.Model.Wings, [BodyEllipsoid.Millimetres(0, 0, 0, halfAxis, 2, 4, share)], 1e-3f), Does.Contain("half axes above 0 and a share of at least 0"));
+            Assert.That(Refusal(m_Insect.Model.Wings, [BodyEllipsoid.Millimetres(0, 0, 0, halfAxis, 2, 4, share)], 1e-3f),
+                Does.Contain("half axes above 0 and a share of at least 0"));
 
         [Test]
-        public void PartsWithoutMass_AreNamed() => Assert.That(Refusal(m_Insect.Model.Wings, [BodyEllipsoid.Millimetres(0, 0, 0, 2, 2, 4, 0)], 1e-3f), Does.Contain("have no mass"));
+        public void PartsWithoutMass_AreNamed() => Assert.That(
+            Refusal(m_Insect.Model.Wings, [BodyEllipsoid.Millimetres(0, 0, 0, 2, 2, 4, 0)], 1e-3f), Does.Contain("have no mass"));
 
         private static string Refusal(IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass)
         {

@@ -112,12 +112,14 @@ namespace Alate.Tests.FreeFlights
                 sums.Read(out _, out Vector moment);
                 var read = new Vector(flight.Moment);
                 impulse += h * Vector.Rotate(math.slerp(before, flight.Rotation, 0.5f), read);
-                most = Math.Max(most, (Spin(insect.Model, flight) - start - impulse).Length / (unit * step * h + unit / insect.Model.Frequency));
+                most = Math.Max(
+                    most, (Spin(insect.Model, flight) - start - impulse).Length / (unit * step * h + unit / insect.Model.Frequency));
                 if (sums.Steps >= 3)
                     largest = Math.Max(largest, (read - moment).Length / unit);
             }
 
-            TestContext.Out.WriteLine($"{species}: off by {largest:0.0e+0} of weight and wing length, the angular momentum by {most:0.0e+0} of their impulse");
+            TestContext.Out.WriteLine(
+                $"{species}: off by {largest:0.0e+0} of weight and wing length, the angular momentum by {most:0.0e+0} of their impulse");
             Assert.That(largest, Is.LessThan(1e-4));
             Assert.That(most, Is.LessThan(1e-2));
         }
@@ -227,6 +229,7 @@ namespace Alate.Tests.FreeFlights
 
         // Angular momentum about the centre of mass, along the world's axes.
         private static Vector Spin(FlightModel model, FreeFlight flight) =>
-            Vector.Rotate(flight.Rotation, Vector.Transform(model.Inertia, Vector.Rotate(math.conjugate(flight.Rotation), new Vector(flight.AngularVelocity))));
+            Vector.Rotate(flight.Rotation, Vector.Transform(
+                model.Inertia, Vector.Rotate(math.conjugate(flight.Rotation), new Vector(flight.AngularVelocity))));
     }
 }

@@ -22,10 +22,16 @@ namespace Alate.Tests.Flight
             Object.DestroyImmediate(wings.gameObject);
             Assert.That(scene.Wings, Has.Count.EqualTo(model.Wings.Count));
             foreach (FlightWing wing in model.Wings)
-                Assert.That(scene.Wings.Min(other => math.distance(other.Hinge, wing.Hinge)), Is.LessThan(1e-5f * model.Length), $"{wing.Hinge}");
+            {
+                Assert.That(
+                    scene.Wings.Min(other => math.distance(other.Hinge, wing.Hinge)), Is.LessThan(1e-5f * model.Length), $"{wing.Hinge}");
+            }
             Assert.That(math.distance(scene.Centre, model.Centre), Is.LessThan(1e-5f * model.Length));
             for (int axis = 0; axis < 3; axis++)
-                Assert.That(math.distance(scene.Inertia[axis], model.Inertia[axis]), Is.LessThan(1e-4f * model.Inertia[axis][axis]), $"axis {axis}");
+            {
+                Assert.That(math.distance(scene.Inertia[axis], model.Inertia[axis]), Is.LessThan(1e-4f * model.Inertia[axis][axis]),
+                    $"axis {axis}");
+            }
         }
 
         [Test]
@@ -38,7 +44,8 @@ namespace Alate.Tests.Flight
                 wing.Renderer.transform.localPosition += new Vector3(0f, 0.05f, 0.1f);
             using FlightModel moved = wings.GetComponent<InsectFlight>().CreateModel();
             Object.DestroyImmediate(wings.gameObject);
-            float3 way = moved.Wings[0].Hinge - model.Wings[0].Hinge, expected = model.Centre + way * (model.Wings.Sum(wing => wing.Mass) / model.Mass);
+            float3 way = moved.Wings[0].Hinge - model.Wings[0].Hinge,
+                expected = model.Centre + way * (model.Wings.Sum(wing => wing.Mass) / model.Mass);
             Assert.That(math.length(way), Is.EqualTo(0.011f).Within(0.001f));
             Assert.That(math.distance(moved.Centre, expected), Is.LessThan(1e-7f));
         }

@@ -20,13 +20,16 @@ namespace Alate.Tests.FreeFlights
 
         public TrimTable Table { get; }
 
-        /// <summary>Flies hover, step to 1.3 m/s, turn by 90°, climb of 0.3 m/s, gusts of 1 m/s from the side and ahead, and a stop, without aid.</summary>
+        /// <summary>
+        /// Flies hover, step to 1.3 m/s, turn by 90°, climb of 0.3 m/s, gusts of 1 m/s from the side and ahead, and a stop, without aid.
+        /// </summary>
         /// <returns>Root mean squares of the velocity's error against the reference, mean over a beat, m/s, by part.</returns>
         public Dictionary<string, double> Mission(float dt)
         {
             (string Name, double From, double To)[] parts =
             [
-                ("hover", 1, 5), ("step", 5, 8), ("cruise", 8, 12), ("turn", 12, 16), ("climb", 16, 20), ("side gust", 20, 23), ("head gust", 23, 26), ("stop", 26, 30), ("rest", 30, 35),
+                ("hover", 1, 5), ("step", 5, 8), ("cruise", 8, 12), ("turn", 12, 16), ("climb", 16, 20), ("side gust", 20, 23),
+                ("head gust", 23, 26), ("stop", 26, 30), ("rest", 30, 35),
             ];
             var squares = new Dictionary<string, (double Sum, int Count)>();
             using var flight = new FreeFlight(Model, Table);
@@ -35,8 +38,10 @@ namespace Alate.Tests.FreeFlights
             while (flight.Time < 35)
             {
                 double time = flight.Time;
-                float3 wanted = time < 5 || time >= 26 ? default : time < 12 ? new float3(0f, 0f, 1.3f) : new float3(1.3f, time >= 16 && time < 20 ? 0.3f : 0f, 0f);
-                flight.Wind = time >= 20 && time < 21 ? new float3(0f, 0f, 1f) : time >= 23 && time < 24 ? new float3(-1f, 0f, 0f) : default;
+                float3 wanted = time < 5 || time >= 26 ? default : time < 12 ? new float3(0f, 0f, 1.3f) : new float3(
+                    1.3f, time >= 16 && time < 20 ? 0.3f : 0f, 0f);
+                flight.Wind =
+                    time >= 20 && time < 21 ? new float3(0f, 0f, 1f) : time >= 23 && time < 24 ? new float3(-1f, 0f, 0f) : default;
                 flight.Step(FlightCommand.Fly(wanted), dt);
                 float3 error = flight.Velocity - flight.Reference.Velocity;
                 beat.Enqueue(error);

@@ -27,21 +27,25 @@ namespace Alate.Tests.FreeFlights
         public void TheMonarch_FliesTheMission([Values(0.01f, 0.02f)] float dt) => Fly("monarch", dt);
 
         [Test, Explicit, Category("Long")]
-        public void EverySpecies_FliesTheMission([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species, [Values(0.01f, 0.02f)] float dt) =>
+        public void EverySpecies_FliesTheMission(
+            [Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species,
+            [Values(0.01f, 0.02f)] float dt) =>
             Fly(species, dt);
 
         [Test]
         public void WithAPositionLoop_AMinuteOfHovering_StaysWithinAMetre() => Hover("monarch");
 
         [Test, Explicit, Category("Long")]
-        public void WithAPositionLoop_AMinuteOfHoveringOfEverySpecies_StaysWithinAMetre([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species) =>
+        public void WithAPositionLoop_AMinuteOfHoveringOfEverySpecies_StaysWithinAMetre(
+            [Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species) =>
             Hover(species);
 
         [Test]
         public void AGustOfOneMetreASecond_IsRecoveredWithinTwoSeconds() => MeetAGust("monarch");
 
         [Test, Explicit, Category("Long")]
-        public void AGustOfOneMetreASecond_IsRecoveredWithinTwoSeconds_ByEverySpecies([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species) =>
+        public void AGustOfOneMetreASecond_IsRecoveredWithinTwoSeconds_ByEverySpecies(
+            [Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species) =>
             MeetAGust(species);
 
         private static void Hover(string species)
@@ -82,7 +86,8 @@ namespace Alate.Tests.FreeFlights
             using var insect = new FlyingInsect(species);
             Dictionary<string, double> errors = insect.Mission(dt);
 
-            TestContext.Out.WriteLine($"{species} at {dt} s: " + string.Join(", ", errors.Select(error => $"{error.Key} {error.Value:0.000}")));
+            TestContext.Out.WriteLine(
+                $"{species} at {dt} s: " + string.Join(", ", errors.Select(error => $"{error.Key} {error.Value:0.000}")));
             foreach ((string part, double error) in errors)
                 Assert.That(error, Is.LessThanOrEqualTo(s_Bounds[part]), part);
         }

@@ -4,8 +4,9 @@ using Alate.Flight;
 namespace Alate.Tests.FreeFlights
 {
     /// <summary>
-    /// Force and moment of the air on a body, summed over the patches of all its wings in double precision. A patch meets the air before the wing has answered it: where the
-    /// beat has got to in the substep, with a deformation that goes on as it did in the last one. The joints' places are made of readings and the rest pose alone.
+    /// Force and moment of the air on a body, summed over the patches of all its wings in double precision. A patch meets the air before
+    /// the wing has answered it: where the beat has got to in the substep, with a deformation that goes on as it did in the last one. The
+    /// joints' places are made of readings and the rest pose alone.
     /// </summary>
     internal sealed unsafe class PatchSums
     {
@@ -78,7 +79,10 @@ namespace Alate.Tests.FreeFlights
         {
             var deformed = new Vector[driven.Length];
             for (int joint = 0; joint < driven.Length; joint++)
-                deformed[joint] = new Vector(reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain)) - driven[joint];
+            {
+                deformed[joint] = new Vector(reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain))
+                    - driven[joint];
+            }
             return deformed;
         }
 

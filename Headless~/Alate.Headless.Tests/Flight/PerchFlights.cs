@@ -34,9 +34,11 @@ namespace Alate.Tests.Flight
         public PerchFlight Fly(int seed)
         {
             var random = Random.CreateFromIndex((uint)seed);
-            float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI), from = random.NextFloat(0f, 2f * math.PI);
+            float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI),
+                from = random.NextFloat(0f, 2f * math.PI);
             var normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way));
-            float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, 1.2f) + new float3(0f, random.NextFloat(0.35f, 0.8f), 0f);
+            float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, 1.2f)
+                + new float3(0f, random.NextFloat(0.35f, 0.8f), 0f);
             off -= math.min(math.dot(off, normal) - 0.3f, 0f) * normal;
             var spot = new PerchSpot { position = -off, normal = normal, heading = random.NextFloat(-math.PI, math.PI) };
             var record = new PerchFlight();
@@ -81,12 +83,19 @@ namespace Alate.Tests.Flight
             using var flight = new FreeFlight(m_Model, m_Table, default, heading);
             var plan = new PerchPlan(1);
             PerchSettings settings = PerchSettings.Default;
-            var seat = new PerchSpot { position = flight.Position - (m_Stand + Landing.Clearance * WingLength) * spot.normal, normal = spot.normal, heading = heading };
+            var seat = new PerchSpot
+            {
+                position = flight.Position
+                - (m_Stand + Landing.Clearance * WingLength) * spot.normal,
+                normal = spot.normal,
+                heading = heading
+            };
             plan.Sit(seat);
             float least = float.PositiveInfinity;
             while (flight.Time < k_LeavingTime)
             {
-                flight.Step(plan.Next(flight.Situation(k_Step), settings, flight.Position + spot.normal, FlightCommand.Fly(default)), k_Step);
+                flight.Step(
+                    plan.Next(flight.Situation(k_Step), settings, flight.Position + spot.normal, FlightCommand.Fly(default)), k_Step);
                 least = math.min(least, math.dot(flight.Position - seat.position, spot.normal));
                 record.Tumbled |= flight.State == FlightState.Tumbling;
             }

@@ -45,21 +45,26 @@ namespace Alate.Tests.Flight
             {
                 TestContext.Progress.WriteLine(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"  held at {down.Max(flight => flight.HeldSpeed):0.000} m/s at most, {down.Average(flight => flight.HeldSpeed):0.000} on average, "
+                    $"  held at {down.Max(flight => flight.HeldSpeed):0.000} m/s at most, "
+                    + $"{down.Average(flight => flight.HeldSpeed):0.000} on average, "
                     + $"reference {down.Max(flight => flight.MeanSpeed):0.000}, "
                     + $"{down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed)} too low to fly on; "
-                    + $"{down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and {down.Max(flight => flight.Beside) * 1000:0.0} mm beside the place above the spot at most; "
+                    + $"{down.Max(flight => Math.Abs(flight.Gap)) * 1000:0.0} mm over and "
+                    + $"{down.Max(flight => flight.Beside) * 1000:0.0} mm beside the place above the spot at most; "
                     + $"lowest on the way {down.Min(flight => flight.Below) * 1000:0.0} mm; "
-                    + $"lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, {down.Min(flight => flight.LeftBehind):0.00} m away at least"));
+                    + $"lowest after the start {down.Min(flight => flight.LeastHeight) * 1000:0.0} mm, "
+                    + $"{down.Min(flight => flight.LeftBehind):0.00} m away at least"));
             }
 
             Assert.That(down, Has.Count.EqualTo(count));
             Assert.That(all.Where(flight => flight.Tumbled), Is.Empty);
-            Assert.That(down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed), Is.LessThanOrEqualTo(0.06 * count), "too low to fly on");
+            Assert.That(
+                down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed), Is.LessThanOrEqualTo(0.06 * count), "too low to fly on");
             Assert.That(down.Max(flight => Math.Abs(flight.Gap)), Is.LessThan(0.5f * flights.WingLength), "wings clear the spot");
             Assert.That(down.Max(flight => flight.Beside), Is.LessThan(0.8f * flights.WingLength));
             Assert.That(down.Min(flight => flight.LeastHeight), Is.GreaterThan(0f), "hovering insects sink before they climb");
-            Assert.That(down.Min(flight => flight.LeftBehind), Is.GreaterThan(math.max(0.3f, 5f * flights.WingLength)), "within three seconds");
+            Assert.That(
+                down.Min(flight => flight.LeftBehind), Is.GreaterThan(math.max(0.3f, 5f * flights.WingLength)), "within three seconds");
         }
     }
 }

@@ -38,7 +38,9 @@ namespace Alate.Tests.FreeFlights
 
             turns.Sort();
             double worst = turns[^1];
-            TestContext.Out.WriteLine($"{species}: {flights} flights, largest turn out of the trim: median {turns[flights / 2]:0}°, 90 % {turns[flights * 9 / 10]:0}°, worst {worst:0}°; beyond 70° {turns.FindAll(t => t > 70).Count}, beyond 90° {over}, tumbling at the end {tumbled}");
+            TestContext.Out.WriteLine($"{species}: {flights} flights, largest turn out of the trim: median "
+                + $"{turns[flights / 2]:0}°, 90 % {turns[flights * 9 / 10]:0}°, worst "
+                + $"{worst:0}°; beyond 70° {turns.FindAll(t => t > 70).Count}, beyond 90° {over}, tumbling at the end {tumbled}");
             Assert.That(lost, Is.Zero, "left the finite");
             Assert.That(tumbled, Is.Zero, "tumbling at the end");
             Assert.That(over, Is.Zero, "beyond 90°");

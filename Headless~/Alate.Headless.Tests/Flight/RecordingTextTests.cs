@@ -21,7 +21,10 @@ namespace Alate.Tests.Flight
             var random = new Unity.Mathematics.Random(seed);
             var recording = new FlightRecording
             {
-                Package = "1.2.3", Insect = "monarch", Key = random.NextUInt(), Options = "--pilot wander --seed 7",
+                Package = "1.2.3",
+                Insect = "monarch",
+                Key = random.NextUInt(),
+                Options = "--pilot wander --seed 7",
                 Start = new FlightStart
                 {
                     settled = seed == 1,
@@ -30,8 +33,12 @@ namespace Alate.Tests.Flight
                     phase = seed == 1 ? 0f : 12.3f
                 },
             };
-            recording.Wings.Add(new RecordedPlace { hinge = random.NextFloat3(), axes = new float3x3(
-                random.NextFloat3(), random.NextFloat3(), random.NextFloat3()) });
+            recording.Wings.Add(new RecordedPlace
+            {
+                hinge = random.NextFloat3(),
+                axes = new float3x3(
+                random.NextFloat3(), random.NextFloat3(), random.NextFloat3())
+            });
             var step = new RecordedStep { length = 0.02f, count = 1, gravity = new float3(0f, -9.81f, 0f) };
             for (int k = 0; k < 400; k++)
             {

@@ -31,7 +31,8 @@ namespace Alate.Tests.FreeFlights
         [Test]
         public void AnUnstableStateThatNoCommandReaches_HasNoGains()
         {
-            Assert.That(Riccati.Gains(new double[,] { { 2, 0 }, { 0, 0.5 } }, new double[,] { { 0 }, { 1 } }, new double[] { 1, 1 }), Is.Null);
+            Assert.That(
+                Riccati.Gains(new double[,] { { 2, 0 }, { 0, 0.5 } }, new double[,] { { 0 }, { 1 } }, new double[] { 1, 1 }), Is.Null);
         }
 
         // P grows with Q where the commands shrink by the root: smaller units change nothing but the gains' own unit.
@@ -78,6 +79,7 @@ namespace Alate.Tests.FreeFlights
             return (lower * upper.Inverse()).Map(value => value.Real);
         }
 
-        private static Matrix<double> Fill(Random random, int rows, int columns) => Matrix<double>.Build.Dense(rows, columns, (_, _) => 2 * random.NextDouble() - 1);
+        private static Matrix<double> Fill(Random random, int rows, int columns) =>
+            Matrix<double>.Build.Dense(rows, columns, (_, _) => 2 * random.NextDouble() - 1);
     }
 }

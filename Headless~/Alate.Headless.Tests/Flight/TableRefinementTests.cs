@@ -11,7 +11,8 @@ namespace Alate.Tests.FreeFlights
     public sealed class TableRefinementTests
     {
         [Test]
-        public void BetweenItsSlowestSpeeds_ASwallowtailFlies() => FlyBetween("swallowtail", (speed, climb) => speed < 0.06f && math.abs(climb) < 0.06f);
+        public void BetweenItsSlowestSpeeds_ASwallowtailFlies() =>
+            FlyBetween("swallowtail", (speed, climb) => speed < 0.06f && math.abs(climb) < 0.06f);
 
         [TestCase("monarch")]
         [TestCase("swallowtail")]
@@ -65,7 +66,9 @@ namespace Alate.Tests.FreeFlights
         }
 
         private static IEnumerable<(int Speed, int Climb)> Points(TrimTable table) =>
-            from speed in Enumerable.Range(0, table.Speeds.Length) from climb in Enumerable.Range(0, table.ClimbRates.Length) select (speed, climb);
+            from speed in Enumerable.Range(0, table.Speeds.Length)
+            from climb in Enumerable.Range(0, table.ClimbRates.Length)
+            select (speed, climb);
 
         // Halfway between two speeds of a climb, and between two climbs of a speed.
         private static void FlyBetween(string species, Func<float, float, bool> isFlown)
@@ -79,7 +82,8 @@ namespace Alate.Tests.FreeFlights
                 {
                     if (s == table.Speeds.Length || c == table.ClimbRates.Length || !table.IsClosed(s, c))
                         continue;
-                    var middle = new FlightCondition(0.5f * (table.Speeds[speed] + table.Speeds[s]), 0.5f * (table.ClimbRates[climb] + table.ClimbRates[c]));
+                    var middle = new FlightCondition(
+                        0.5f * (table.Speeds[speed] + table.Speeds[s]), 0.5f * (table.ClimbRates[climb] + table.ClimbRates[c]));
                     if (!isFlown(middle.Speed, middle.Climb))
                         continue;
                     count++;

@@ -31,6 +31,7 @@ namespace Alate.Tests.FreeFlights
         }
 
         /// <summary>A vector of a frame with these directions.</summary>
-        public static Vector Transform(float3x3 axes, Vector v) => v.X * new Vector(axes.c0) + v.Y * new Vector(axes.c1) + v.Z * new Vector(axes.c2);
+        public static Vector Transform(float3x3 axes, Vector v) =>
+            v.X * new Vector(axes.c0) + v.Y * new Vector(axes.c1) + v.Z * new Vector(axes.c2);
     }
 }

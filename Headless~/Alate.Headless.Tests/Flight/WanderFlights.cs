@@ -24,7 +24,8 @@ namespace Alate.Tests.FreeFlights
 
         [Test, Explicit, Category("Long")]
         public void OfTwentyInsects_NoneTumbles(
-            [Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species, [Values(0.01f, 0.02f)] float step) =>
+            [Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species,
+            [Values(0.01f, 0.02f)] float step) =>
             Fly(species, step, Seeds(20));
 
         private static IEnumerable<int> Seeds(int count)

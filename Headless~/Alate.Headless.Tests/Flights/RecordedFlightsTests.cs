@@ -20,7 +20,8 @@ namespace Alate.Tests.Flights
             ["swallowtail-slope-124.txt"] = ("tumbles where it brakes and turns on its way to a slope", false),
             ["monarch-gust-from-above.txt"] = ("tumbles in a gust of 2 m/s from above, without aid", false),
             ["monarch-behind.txt"] = ("tumbles on its way to a place a metre behind it", false),
-            ["monarch-below.txt"] = ("tumbled on its way to a place two metres below it, before commands were limited where they arrive", true),
+            ["monarch-below.txt"] = ("tumbled on its way to a place two metres below it, before commands were limited where they arrive",
+                true),
         };
 
         private static string Folder => Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Flights");

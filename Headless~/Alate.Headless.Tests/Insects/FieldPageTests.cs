@@ -36,7 +36,8 @@ namespace Alate.Tests
         /// <summary>Headings of the columns that may have the ends of a slider.</summary>
         private static readonly string[] s_RangeColumns = ["range", "unit, range", "ends"];
 
-        private static IEnumerable<TestCaseData> Groups => s_Groups.Select(group => new TestCaseData(group.Type, group.Page, group.Heading).SetArgDisplayNames(group.Type.Name));
+        private static IEnumerable<TestCaseData> Groups =>
+            s_Groups.Select(group => new TestCaseData(group.Type, group.Page, group.Heading).SetArgDisplayNames(group.Type.Name));
 
         [TestCaseSource(nameof(Groups))]
         public void EveryField_HasARow_WithItsRangeAndDefault(Type type, string page, string heading)
@@ -45,11 +46,13 @@ namespace Alate.Tests
             object normal = Normal(type);
             foreach (FieldInfo field in Fields(type))
             {
-                Assert.That(table.Cell(field.Name, ""), Is.Not.Null, $"{type.Name}.{field.Name} has no row under '{heading}' of {page}.md.");
+                Assert.That(
+                    table.Cell(field.Name, ""), Is.Not.Null, $"{type.Name}.{field.Name} has no row under '{heading}' of {page}.md.");
                 if (field.GetCustomAttribute<UnityEngine.RangeAttribute>() is { } bounds)
                 {
                     string range = s_RangeColumns.Select(column => table.Cell(field.Name, column)).First(cell => cell != "");
-                    Assert.That(PageTable.Numbers(range), Is.SupersetOf(new[] { Written(bounds.min), Written(bounds.max) }), $"{field.Name}: range");
+                    Assert.That(PageTable.Numbers(range), Is.SupersetOf(new[] { Written(bounds.min), Written(bounds.max) }),
+                        $"{field.Name}: range");
                 }
 
                 string value = table.Cell(field.Name, "default");
@@ -71,17 +74,22 @@ namespace Alate.Tests
                 return holder.AddComponent(type);
             }
 
-            return DefaultOf(type) ?? s_Groups.SelectMany(group => group.Type.GetFields(), (group, field) => (Settings: DefaultOf(group.Type), Field: field))
-                .Where(place => place.Settings != null && place.Field.FieldType == type).Select(place => place.Field.GetValue(place.Settings)).FirstOrDefault() ?? Activator.CreateInstance(type);
+            return DefaultOf(type)
+                ?? s_Groups.SelectMany(group => group.Type.GetFields(), (group, field) => (Settings: DefaultOf(group.Type), Field: field))
+                .Where(place => place.Settings != null && place.Field.FieldType == type)
+                .Select(place => place.Field.GetValue(place.Settings)).FirstOrDefault() ?? Activator.CreateInstance(type);
         }
 
-        private static object DefaultOf(Type type) => type.GetProperty("Default", BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic)?.GetValue(null);
+        private static object DefaultOf(Type type) =>
+            type.GetProperty("Default", BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic)?.GetValue(null);
 
         private static double Written(float value) => Math.Round(value, 6);
 
         // A group within a component has a table of its own.
-        private static IEnumerable<FieldInfo> Fields(Type type) => type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic)
+        private static IEnumerable<FieldInfo> Fields(Type type) =>
+            type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic)
             .Where(field => field.IsPublic || field.IsDefined(typeof(SerializeField)))
-            .Where(field => !field.IsDefined(typeof(HideInInspector)) && !field.IsDefined(typeof(NonSerializedAttribute)) && s_Groups.All(group => group.Type != field.FieldType));
+            .Where(field => !field.IsDefined(typeof(HideInInspector)) && !field.IsDefined(typeof(NonSerializedAttribute))
+                && s_Groups.All(group => group.Type != field.FieldType));
     }
 }

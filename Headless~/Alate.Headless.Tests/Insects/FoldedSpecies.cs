@@ -9,7 +9,9 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Insects
 {
-    /// <summary>A species that beats, folds its wings as a perched insect does, opens them to bask, and rests: all wings at every step of the game.</summary>
+    /// <summary>
+    /// A species that beats, folds its wings as a perched insect does, opens them to bask, and rests: all wings at every step of the game.
+    /// </summary>
     internal sealed class FoldedSpecies
     {
         private const float k_Step = 0.02f;
@@ -77,7 +79,8 @@ namespace Alate.Tests.Insects
         public SurfaceMesh Body => Record.Insect.Body;
 
         /// <summary>Steps from the first one that folds; every one while the wings close, then each fifth.</summary>
-        public IEnumerable<int> Sitting => Enumerable.Range(k_Beating, 40).Concat(Enumerable.Range(0, (k_Sitting - 40) / 5).Select(k => k_Beating + 40 + 5 * k));
+        public IEnumerable<int> Sitting =>
+            Enumerable.Range(k_Beating, 40).Concat(Enumerable.Range(0, (k_Sitting - 40) / 5).Select(k => k_Beating + 40 + 5 * k));
 
         /// <summary>The step at which the wings have just been closed and have come to rest.</summary>
         public int Closed => Enumerable.Range(k_Beating, k_Sitting).First(step => Folds[step] >= 0.9999f) + 15;
@@ -89,7 +92,8 @@ namespace Alate.Tests.Insects
 
         private static RecordedFrame Frame(NativeArray<SkinnedVertex> vertices, in WingFrame frame, double time)
         {
-            var recorded = new RecordedFrame { Time = time, Positions = new float3[vertices.Length], Normals = new float3[vertices.Length] };
+            var recorded =
+                new RecordedFrame { Time = time, Positions = new float3[vertices.Length], Normals = new float3[vertices.Length] };
             for (int k = 0; k < vertices.Length; k++)
             {
                 recorded.Positions[k] = frame.ToWing(vertices[k].position);

@@ -43,7 +43,8 @@ namespace Alate.Tests.Insects
             foreach (RecordedWing wing in folded.Wings.Where(wing => !wing.Placement.IsLeft))
             {
                 List<int3> inner = FlownSpecies.TrianglesWithin(wing, 1f / 3f);
-                Assert.That(folded.Sitting.Sum(step => TriangleCrossing.Count(FoldedSpecies.Places(wing, step), inner, inner)), Is.Zero, wing.Wing.Name);
+                Assert.That(folded.Sitting.Sum(step => TriangleCrossing.Count(FoldedSpecies.Places(wing, step), inner, inner)), Is.Zero,
+                    wing.Wing.Name);
             }
         }
 
@@ -77,7 +78,8 @@ namespace Alate.Tests.Insects
 
         [TestCase("monarch", 80f, 100f)]
         [TestCase("swallowtail", 80f, 100f)]
-        public void Butterflies_CloseTheirWingsAboveTheBack(string name, float least, float most) => Assert.That(SpanAngle(name), Is.InRange(least, most));
+        public void Butterflies_CloseTheirWingsAboveTheBack(string name, float least, float most) =>
+            Assert.That(SpanAngle(name), Is.InRange(least, most));
 
         [TestCase("firefly")]
         [TestCase("fishfly")]
@@ -97,13 +99,16 @@ namespace Alate.Tests.Insects
         private static void AssertOutsideOfTheBody(string name)
         {
             var folded = FoldedSpecies.Of(name);
-            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(folded.Body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(folded.Body, piece)));
+            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(folded.Body)
+                .ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(folded.Body, piece)));
             foreach (RecordedWing wing in folded.Wings.Where(wing => !wing.Placement.IsLeft))
             {
                 double Within(int step) => FoldedSpecies.Places(wing, step).Count(place => pieces.Exists(
-                    piece => piece.Bounds.Contains(place) && BodyPieces.Winding(folded.Body, piece.Corners, place) > 0.5)) / (double)wing.Rest.Length;
+                    piece => piece.Bounds.Contains(place) && BodyPieces.Winding(folded.Body, piece.Corners, place) > 0.5))
+                    / (double)wing.Rest.Length;
                 double closed = Within(folded.Closed), mean = folded.Sitting.Average(Within);
-                TestContext.Progress.WriteLine(FormattableString.Invariant($"{name} {wing.Wing.Name}: {closed:P2} within the body while closed, {mean:P2} on average"));
+                TestContext.Progress.WriteLine(FormattableString.Invariant(
+                    $"{name} {wing.Wing.Name}: {closed:P2} within the body while closed, {mean:P2} on average"));
                 Assert.That(closed, Is.LessThan(0.01), wing.Wing.Name);
                 Assert.That(mean, Is.LessThan(0.01), wing.Wing.Name);
             }
@@ -121,7 +126,8 @@ namespace Alate.Tests.Insects
         private static void AssertApart(FoldedSpecies folded, RecordedWing one, RecordedWing other)
         {
             var found = folded.Sitting.Select(step => (Step: step, Count: Crossings(one, other, step))).Where(at => at.Count > 0).ToList();
-            Assert.That(found, Is.Empty, $"{one.Wing.Name}: " + string.Join(", ", found.Select(at => FormattableString.Invariant($"fold {folded.Folds[at.Step]:0.00}: {at.Count}"))));
+            Assert.That(found, Is.Empty, $"{one.Wing.Name}: "
+                + string.Join(", ", found.Select(at => FormattableString.Invariant($"fold {folded.Folds[at.Step]:0.00}: {at.Count}"))));
         }
 
         private static int Crossings(RecordedWing one, RecordedWing other, int step)

@@ -17,7 +17,8 @@ namespace Alate.Tests
         public PageTable(string page, string heading)
         {
             string[] columns = null;
-            foreach (string line in ManualPages.Text($"Documentation~/{page}.md").Split('\n').SkipWhile(line => !IsHeading(line) || line.TrimStart('#', ' ') != heading).Skip(1).TakeWhile(line => !IsHeading(line)))
+            foreach (string line in ManualPages.Text($"Documentation~/{page}.md").Split('\n')
+                .SkipWhile(line => !IsHeading(line) || line.TrimStart('#', ' ') != heading).Skip(1).TakeWhile(line => !IsHeading(line)))
             {
                 string[] cells = line.StartsWith('|') ? line.Trim('|').Split('|').Select(cell => cell.Trim()).ToArray() : null;
                 if (cells != null && columns != null && !cells[0].StartsWith("--", StringComparison.Ordinal))
@@ -26,10 +27,14 @@ namespace Alate.Tests
             }
         }
 
-        /// <summary>Finds the cell of a field, by its name in the inspector, under the heading of a column; null where there is no such row, and empty where there is no such column.</summary>
+        /// <summary>
+        /// Finds the cell of a field, by its name in the inspector, under the heading of a column; null where there is no such row, and
+        /// empty where there is no such column.
+        /// </summary>
         public string Cell(string field, string column)
         {
-            (string[] columns, string[] cells) = m_Rows.SingleOrDefault(row => !row.Cells[0].StartsWith('`') && row.Cells[0].Split('(')[0].Split(',').Any(name => Plain(name) == Plain(field)));
+            (string[] columns, string[] cells) = m_Rows.SingleOrDefault(
+                row => !row.Cells[0].StartsWith('`') && row.Cells[0].Split('(')[0].Split(',').Any(name => Plain(name) == Plain(field)));
             if (cells == null)
                 return null;
             int index = Array.IndexOf(columns, column);
@@ -54,11 +59,14 @@ namespace Alate.Tests
 
         /// <summary>All numbers of a text without powers of ten: "−60–60", "0 to 1,000,000", "0.1 snaps, 5 slow".</summary>
         public static IEnumerable<double> Numbers(string text) =>
-            Regex.Matches(text, @"(?<![\d.])−?\d+(?:,\d{3})*(?:\.\d+)?").Select(match => double.Parse(match.Value.Replace("−", "-").Replace(",", ""), CultureInfo.InvariantCulture));
+            Regex.Matches(text, @"(?<![\d.])−?\d+(?:,\d{3})*(?:\.\d+)?")
+                .Select(match => double.Parse(match.Value.Replace("−", "-").Replace(",", ""), CultureInfo.InvariantCulture));
 
         private static bool IsHeading(string line) => line.StartsWith('#');
 
         // "Chord Delay", "chord-delay", "chordDelay" and "m_ChordDelay" are one name.
-        private static string Plain(string name) => string.Concat((name.StartsWith("m_", StringComparison.Ordinal) ? name[2..] : name).Where(char.IsLetterOrDigit)).ToLowerInvariant();
+        private static string Plain(string name) =>
+            string.Concat((name.StartsWith("m_", StringComparison.Ordinal) ? name[2..] : name).Where(char.IsLetterOrDigit))
+            .ToLowerInvariant();
     }
 }

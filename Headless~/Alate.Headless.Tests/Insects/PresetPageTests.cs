@@ -12,7 +12,8 @@ namespace Alate.Tests
         [Test]
         public void EveryNumber_HasARow_WithItsUnitRangeAndDefault()
         {
-            PageTable[] tables = new[] { "Size", "Beat", "Wave", "Stiffness" }.Select(heading => new PageTable("wing-preset", heading)).ToArray();
+            PageTable[] tables = new[] { "Size", "Beat", "Wave", "Stiffness" }
+                .Select(heading => new PageTable("wing-preset", heading)).ToArray();
             WingPreset monarch = ScriptableObject.CreateInstance<WingPreset>();
             foreach (FlownParameter parameter in FlownParameters.OfSpecies)
             {
@@ -20,8 +21,10 @@ namespace Alate.Tests
                 Assert.That(table, Is.Not.Null, parameter.Name);
                 string unit = table.Cell(parameter.Name, "unit");
                 Assert.That(unit == "–" || unit.StartsWith('×') ? "" : unit, Is.EqualTo(parameter.Unit), parameter.Name);
-                Assert.That(PageTable.Range(table.Cell(parameter.Name, "range")), Is.EqualTo(new[] { parameter.Min, parameter.Max }).Within(1e-4).Percent, parameter.Name);
-                Assert.That(PageTable.Number(table.Cell(parameter.Name, "default")), Is.EqualTo(parameter.Of(monarch)).Within(1e-4).Percent, parameter.Name);
+                Assert.That(PageTable.Range(table.Cell(parameter.Name, "range")),
+                    Is.EqualTo(new[] { parameter.Min, parameter.Max }).Within(1e-4).Percent, parameter.Name);
+                Assert.That(PageTable.Number(table.Cell(parameter.Name, "default")), Is.EqualTo(parameter.Of(monarch)).Within(1e-4).Percent,
+                    parameter.Name);
             }
 
             Object.DestroyImmediate(monarch);
@@ -33,7 +36,8 @@ namespace Alate.Tests
             string tooltip = typeof(PresetSize).GetField(nameof(PresetSize.insectMass)).GetCustomAttribute<TooltipAttribute>().tooltip;
 
             Assert.That(tooltip, Does.Contain("Insect Flight").And.Contain("trims"));
-            Assert.That(new PageTable("wing-preset", "Size").Cell("Insect Mass", "at its ends"), Does.Contain("Insect Flight").And.Contain("trims"));
+            Assert.That(new PageTable("wing-preset", "Size").Cell("Insect Mass", "at its ends"),
+                Does.Contain("Insect Flight").And.Contain("trims"));
         }
     }
 }

@@ -89,7 +89,8 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
         yield return Frames(5);
         Assert.That(Insects.Count(), Is.EqualTo(4));
         Assert.That(Insects.Select(insect => insect.State), Is.All.EqualTo(InsectState.Ready));
-        Assert.That(Insects.First().Preset.WingLength, Is.EqualTo((float)InsectCatalogue.All[^1].Wings[0].Outline.Length).Within(1e-6f), "the last species comes before the first");
+        Assert.That(Insects.First().Preset.WingLength, Is.EqualTo((float)InsectCatalogue.All[^1].Wings[0].Outline.Length).Within(1e-6f),
+            "the last species comes before the first");
     }
 
     [UnityTest]
@@ -111,8 +112,10 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
 
         string[] lines = File.ReadAllLines(Path.Combine(Application.persistentDataPath, "Alate comparison votes.csv"));
         Assert.That(lines, Has.Length.EqualTo(13));
-        Assert.That(lines.Skip(1).Where(line => line.Contains(",full")).All(line => line.EndsWith(",full")), Is.True, "the votes are not those that were given");
-        Assert.That(DrawnScreen.Text, Does.Contain("Full model 4 : 0 Rigid wing, p < 0.001").And.Contain("Full model 4 : 0 No deformation wave"));
+        Assert.That(lines.Skip(1).Where(line => line.Contains(",full")).All(line => line.EndsWith(",full")), Is.True,
+            "the votes are not those that were given");
+        Assert.That(
+            DrawnScreen.Text, Does.Contain("Full model 4 : 0 Rigid wing, p < 0.001").And.Contain("Full model 4 : 0 No deformation wave"));
 
         DrawnScreen.Press("Leave study");
         yield return Frames(4);

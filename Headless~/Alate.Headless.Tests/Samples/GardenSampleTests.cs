@@ -67,7 +67,8 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         float brightest = 0f;
         for (int frame = 0; frame < 360; frame++)
         {
-            brightest = Mathf.Max(brightest, Sample.GetComponentsInChildren<Light>().Where(light => light.type == LightType.Point).Max(light => light.intensity));
+            brightest = Mathf.Max(brightest, Sample.GetComponentsInChildren<Light>().Where(light => light.type == LightType.Point)
+                .Max(light => light.intensity));
             yield return null;
         }
 

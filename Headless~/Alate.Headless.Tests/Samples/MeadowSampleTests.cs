@@ -23,7 +23,8 @@ public sealed class MeadowSampleTests : PlayFixture
     [UnityTest]
     public IEnumerator TenThousandFly_AHandfulOfThemLive_AndNothingIsLeft()
     {
-        int before = Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length + Resources.FindObjectsOfTypeAll<GameObject>().Length;
+        int before = Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length
+            + Resources.FindObjectsOfTypeAll<GameObject>().Length;
         MeadowSample sample = Keep(new GameObject("meadow")).AddComponent<MeadowSample>();
         yield return Frames(2);
         InsectCrowd[] crowds = sample.GetComponentsInChildren<InsectCrowd>();
@@ -39,7 +40,8 @@ public sealed class MeadowSampleTests : PlayFixture
 
         Object.Destroy(sample.gameObject);
         yield return Frames(3);
-        int after = Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length + Resources.FindObjectsOfTypeAll<GameObject>().Length;
+        int after = Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length
+            + Resources.FindObjectsOfTypeAll<GameObject>().Length;
         Assert.That(after, Is.EqualTo(before), "something was left behind");
     }
 }

@@ -24,7 +24,8 @@ public sealed class SampleFilesTests
     [Test]
     public void EverySampleFolder_IsListed()
     {
-        IEnumerable<string> folders = Directory.GetDirectories(Path.Combine(Root, "Samples~")).Select(folder => "Samples~/" + Path.GetFileName(folder));
+        IEnumerable<string> folders = Directory.GetDirectories(Path.Combine(Root, "Samples~"))
+            .Select(folder => "Samples~/" + Path.GetFileName(folder));
         Assert.That(Samples(), Is.EquivalentTo(folders));
     }
 
@@ -39,7 +40,8 @@ public sealed class SampleFilesTests
         string name = Path.GetFileName(meta).Replace(".cs.meta", "");
         Type type = typeof(MonarchSample).Assembly.GetType("Alate.Samples." + name);
         Assert.That(typeof(MonoBehaviour).IsAssignableFrom(type), Is.True, $"{name} is no script for an object");
-        Assert.That(File.ReadAllText(Path.Combine(folder, "README.md")), Does.Contain(Path.GetFileName(Directory.GetFiles(folder, "*.unity").Single())));
+        Assert.That(File.ReadAllText(Path.Combine(folder, "README.md")),
+            Does.Contain(Path.GetFileName(Directory.GetFiles(folder, "*.unity").Single())));
     }
 
     [TestCaseSource(nameof(Samples))]
@@ -47,11 +49,13 @@ public sealed class SampleFilesTests
     {
         string scene = File.ReadAllText(Directory.GetFiles(Path.Combine(Root, path), "*.unity").Single());
         Assert.That(scene, Does.Match(@"\nOcclusionCullingSettings:\n(?:  .*\n)*?  m_SceneGUID: 0{32}\n"));
-        Assert.That(Regex.Matches(scene, @"--- !u!81 &\d+\nAudioListener:"), Has.Count.EqualTo(1), "Unity warns of a scene without a listener");
+        Assert.That(
+            Regex.Matches(scene, @"--- !u!81 &\d+\nAudioListener:"), Has.Count.EqualTo(1), "Unity warns of a scene without a listener");
 
         // Components are listed by their object, and belong to it.
         string[] listed = [.. Regex.Matches(scene, @"- component: \{fileID: (\d+)\}").Select(match => match.Groups[1].Value)];
-        string[] owned = [.. Regex.Matches(scene, @"--- !u!\d+ &(\d+)\n\w+:\n(?:  .*\n)*?  m_GameObject:").Select(match => match.Groups[1].Value)];
+        string[] owned = [.. Regex.Matches(scene, @"--- !u!\d+ &(\d+)\n\w+:\n(?:  .*\n)*?  m_GameObject:")
+            .Select(match => match.Groups[1].Value)];
         Assert.That(owned, Is.EqualTo(listed));
     }
 
@@ -59,9 +63,11 @@ public sealed class SampleFilesTests
     public void NoLinkOfThePackage_LeadsNowhere()
     {
         string[] folders = ["Runtime", "Editor", "Samples~"];
-        IEnumerable<string> files = folders.SelectMany(folder => Directory.GetFiles(Path.Combine(Root, folder), "*.cs", SearchOption.AllDirectories))
+        IEnumerable<string> files = folders
+            .SelectMany(folder => Directory.GetFiles(Path.Combine(Root, folder), "*.cs", SearchOption.AllDirectories))
             .Append(Path.Combine(Root, "package.json"));
-        Assert.That(files.Where(file => Regex.IsMatch(File.ReadAllText(file), @"https?://[^/""]*(example\.|\.invalid|localhost)")), Is.Empty);
+        Assert.That(
+            files.Where(file => Regex.IsMatch(File.ReadAllText(file), @"https?://[^/""]*(example\.|\.invalid|localhost)")), Is.Empty);
     }
 
     [TestCaseSource(nameof(Samples))]
@@ -88,7 +94,8 @@ public sealed class SampleFilesTests
     // The assemblies of flight, crowds and mathematics only where the sample uses them.
     private static IEnumerable<string> References(string text)
     {
-        string[] always = ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model"], chosen = ["Alate.Crowds", "Alate.Flight", "Unity.Mathematics"];
+        string[] always = ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model"],
+            chosen = ["Alate.Crowds", "Alate.Flight", "Unity.Mathematics"];
         return always.Concat(chosen.Where(assembly => text.Contains($"using {assembly};"))).Order(StringComparer.Ordinal);
     }
 

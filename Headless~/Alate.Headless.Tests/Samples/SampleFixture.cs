@@ -8,7 +8,9 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play.Samples;
 
-/// <summary>A sample in an empty scene, as after opening its scene and pressing Play. Whatever it logs as an error fails its test.</summary>
+/// <summary>
+/// A sample in an empty scene, as after opening its scene and pressing Play. Whatever it logs as an error fails its test.
+/// </summary>
 public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
 {
     /// <summary>The sample's script, on an object of its own.</summary>
@@ -64,6 +66,7 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
     }
 
     private static int Count() =>
-        Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length
+        Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length
+        + Resources.FindObjectsOfTypeAll<Texture2D>().Length
         + Resources.FindObjectsOfTypeAll<ScriptableObject>().Length + Resources.FindObjectsOfTypeAll<GameObject>().Length;
 }

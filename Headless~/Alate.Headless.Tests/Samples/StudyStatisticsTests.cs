@@ -13,11 +13,13 @@ namespace Alate.Tests.Samples;
 public sealed class StudyStatisticsTests
 {
     [Test]
-    public void StudentT_IsMathNets([Values(1, 2, 3, 10, 159, 5000)] int degreesOfFreedom, [Values(0, 0.01, 0.5, 1, 1.96, 3, 12, 40)] double t)
+    public void StudentT_IsMathNets(
+        [Values(1, 2, 3, 10, 159, 5000)] int degreesOfFreedom, [Values(0, 0.01, 0.5, 1, 1.96, 3, 12, 40)] double t)
     {
         double expected = 2 * BelowOf(-t, degreesOfFreedom);
         Assert.That(Alate.Samples.StudentT.TwoTailed(t, degreesOfFreedom), Is.EqualTo(expected).Within(1e-12 + 1e-9 * expected));
-        Assert.That(Alate.Samples.StudentT.TwoTailed(-t, degreesOfFreedom), Is.EqualTo(Alate.Samples.StudentT.TwoTailed(t, degreesOfFreedom)));
+        Assert.That(
+            Alate.Samples.StudentT.TwoTailed(-t, degreesOfFreedom), Is.EqualTo(Alate.Samples.StudentT.TwoTailed(t, degreesOfFreedom)));
     }
 
     [Test]
@@ -75,7 +77,10 @@ public sealed class StudyStatisticsTests
                 for (int one = 0; one < 3; one++)
                 {
                     for (int other = one + 1; other < 3; other++)
-                        Assert.That(votes.Count(vote => vote.Species == kind && vote.IsBetween(methods[one].Name, methods[other].Name)), Is.EqualTo(1));
+                    {
+                        Assert.That(votes.Count(vote => vote.Species == kind && vote.IsBetween(methods[one].Name, methods[other].Name)),
+                            Is.EqualTo(1));
+                    }
                 }
             }
 
@@ -94,7 +99,8 @@ public sealed class StudyStatisticsTests
     {
         var file = new VoteFile(Path.Combine(Path.GetTempPath(), Path.GetRandomFileName(), "votes.csv"));
         Assert.That(file.Read(), Is.Empty);
-        Vote[] given = [new("p1", "monarch", "full", "rigid", "full"), new("p1", "firefly", "no-wave", "full", "no-wave"), new("p2", "monarch", "rigid", "full", "full")];
+        Vote[] given = [new("p1", "monarch", "full", "rigid", "full"), new("p1", "firefly", "no-wave", "full", "no-wave"),
+            new("p2", "monarch", "rigid", "full", "full")];
         foreach (Vote vote in given)
             file.Add(vote);
         Assert.That(file.Read(), Is.EqualTo(given));
@@ -108,5 +114,6 @@ public sealed class StudyStatisticsTests
         Directory.Delete(Path.GetDirectoryName(file.Path), true);
     }
 
-    private static double BelowOf(double t, double degreesOfFreedom) => MathNet.Numerics.Distributions.StudentT.CDF(0, 1, degreesOfFreedom, t);
+    private static double BelowOf(double t, double degreesOfFreedom) =>
+        MathNet.Numerics.Distributions.StudentT.CDF(0, 1, degreesOfFreedom, t);
 }

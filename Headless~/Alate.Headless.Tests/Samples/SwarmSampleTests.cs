@@ -42,7 +42,8 @@ public sealed class SwarmSampleTests : SampleFixture<SwarmSample>
                 wing.Renderer.GetPropertyBlock(tint);
                 return tint.GetColor("_Color");
             }).ToArray();
-            Assert.That(colours.GroupBy(colour => colour).Max(group => group.Count()), Is.GreaterThan(0.8 * colours.Length), "the colours do not say the detail");
+            Assert.That(colours.GroupBy(colour => colour).Max(group => group.Count()), Is.GreaterThan(0.8 * colours.Length),
+                "the colours do not say the detail");
         }
     }
 

@@ -6,7 +6,9 @@ using System.Linq;
 
 namespace Alate.Tests.Shaders;
 
-/// <summary>HLSL front end of glslang (Debian: glslang-tools), which checks names, types and semantics as far as a shader's text goes.</summary>
+/// <summary>
+/// HLSL front end of glslang (Debian: glslang-tools), which checks names, types and semantics as far as a shader's text goes.
+/// </summary>
 internal static class Glslang
 {
     /// <summary>Path of the program; null where it is not installed.</summary>
@@ -17,7 +19,8 @@ internal static class Glslang
     public static string Errors(string file, string stage, string entry, IEnumerable<string> includes, IEnumerable<string> macros)
     {
         var start = new ProcessStartInfo(Path) { RedirectStandardOutput = true, RedirectStandardError = true };
-        string[] arguments = ["-D", "-V", "-S", stage == "vertex" ? "vert" : "frag", "-e", entry, "-o", file + "." + Guid.NewGuid().ToString("N") + ".spv"];
+        string[] arguments =
+            ["-D", "-V", "-S", stage == "vertex" ? "vert" : "frag", "-e", entry, "-o", file + "." + Guid.NewGuid().ToString("N") + ".spv"];
         IEnumerable<string> folders = includes.Select(folder => "-I" + folder);
         IEnumerable<string> defined = macros.Select(macro => "-D" + (macro.Contains('=') ? macro : macro + "=1"));
         foreach (string argument in arguments.Concat(folders).Concat(defined).Append(file))
@@ -25,13 +28,15 @@ internal static class Glslang
         using var run = Process.Start(start);
         string output = run.StandardOutput.ReadToEnd() + run.StandardError.ReadToEnd();
         run.WaitForExit();
-        return run.ExitCode == 0 ? "" : string.Join("\n", output.Split('\n').Where(line => line.StartsWith("ERROR", StringComparison.Ordinal)).DefaultIfEmpty(output));
+        return run.ExitCode == 0 ? "" : string.Join(
+            "\n", output.Split('\n').Where(line => line.StartsWith("ERROR", StringComparison.Ordinal)).DefaultIfEmpty(output));
     }
 
     private static string Find()
     {
         string[] names = OperatingSystem.IsWindows() ? ["glslangValidator.exe", "glslang.exe"] : ["glslangValidator", "glslang"];
-        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(System.IO.Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries);
+        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "")
+            .Split(System.IO.Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries);
         return folders.SelectMany(folder => names.Select(name => System.IO.Path.Combine(folder, name))).FirstOrDefault(File.Exists);
     }
 }

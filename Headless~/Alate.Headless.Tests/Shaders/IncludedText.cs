@@ -21,7 +21,8 @@ internal static class IncludedText
         all.AppendLine(Regex.Replace(text, @"//[^\n]*|#pragma[^\n]*", ""));
         foreach (Match include in Regex.Matches(text, "#include(?:_with_pragmas)? \"([^\"]+)\""))
         {
-            string found = includes.Prepend(folder).Select(root => Path.GetFullPath(Path.Combine(root, include.Groups[1].Value))).FirstOrDefault(File.Exists)
+            string found = includes.Prepend(folder).Select(root => Path.GetFullPath(Path.Combine(root, include.Groups[1].Value)))
+                .FirstOrDefault(File.Exists)
                 ?? throw new FileNotFoundException($"There is no stand-in for what the shader includes: {include.Groups[1].Value}");
             if (seen.Add(found))
                 Add(File.ReadAllText(found), Path.GetDirectoryName(found), includes, all, seen);

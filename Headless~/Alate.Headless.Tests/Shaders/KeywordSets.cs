@@ -18,27 +18,34 @@ internal static class KeywordSets
         ["fwdbase"] =
         [
             ["DIRECTIONAL"], [k_None, "SHADOWS_SCREEN"], [k_None, "LIGHTPROBE_SH"], [k_None, "VERTEXLIGHT_ON"], [k_None, "LIGHTMAP_ON"],
-            [k_None, "DIRLIGHTMAP_COMBINED"], [k_None, "DYNAMICLIGHTMAP_ON"], [k_None, "SHADOWS_SHADOWMASK"], [k_None, "LIGHTMAP_SHADOW_MIXING"],
+            [k_None, "DIRLIGHTMAP_COMBINED"], [k_None, "DYNAMICLIGHTMAP_ON"], [k_None, "SHADOWS_SHADOWMASK"],
+            [k_None, "LIGHTMAP_SHADOW_MIXING"],
         ],
         ["fwdadd_fullshadows"] =
         [
             [
-                "POINT", "DIRECTIONAL", "SPOT", "POINT_COOKIE", "DIRECTIONAL_COOKIE", "POINT SHADOWS_CUBE", "DIRECTIONAL SHADOWS_SCREEN", "SPOT SHADOWS_DEPTH",
+                "POINT", "DIRECTIONAL", "SPOT", "POINT_COOKIE", "DIRECTIONAL_COOKIE", "POINT SHADOWS_CUBE", "DIRECTIONAL SHADOWS_SCREEN",
+                "SPOT SHADOWS_DEPTH",
                 "POINT_COOKIE SHADOWS_CUBE", "DIRECTIONAL_COOKIE SHADOWS_SCREEN",
             ],
             [k_None, "SHADOWS_SOFT"], [k_None, "SHADOWS_SHADOWMASK"], [k_None, "LIGHTMAP_SHADOW_MIXING"],
         ],
     };
 
-    /// <summary>Macros of every variant of a stage: keywords that are set, and for each that is declared the macro by which Unity says so.</summary>
+    /// <summary>
+    /// Macros of every variant of a stage: keywords that are set, and for each that is declared the macro by which Unity says so.
+    /// </summary>
     /// <param name="program">Code with its pragmas.</param>
     /// <param name="stage">"vertex" or "fragment".</param>
-    /// <param name="mentioned">Code that is compiled, with all that it includes: keywords that it never mentions change nothing and are left out.</param>
-    public static IEnumerable<string[]> Of(string program, string stage, string mentioned) => Macros(program, stage, Product(program, stage, mentioned));
+    /// <param name="mentioned">Code that is compiled, with all that it includes: keywords that it never mentions change nothing and are
+    /// left out.</param>
+    public static IEnumerable<string[]> Of(string program, string stage, string mentioned) =>
+        Macros(program, stage, Product(program, stage, mentioned));
 
     /// <summary>Macros of so many variants of a stage that any two lines of the pragmas meet in every two of their keywords.</summary>
     /// <inheritdoc cref="Of"/>
-    public static IEnumerable<string[]> PairsOf(string program, string stage, string mentioned) => Covering(program, stage, mentioned, Pairs);
+    public static IEnumerable<string[]> PairsOf(string program, string stage, string mentioned) =>
+        Covering(program, stage, mentioned, Pairs);
 
     /// <summary>Macros of variants of a stage that together set every keyword.</summary>
     /// <inheritdoc cref="Of"/>
@@ -85,7 +92,8 @@ internal static class KeywordSets
 
     private static IEnumerable<string[]> Macros(string program, string stage, List<string[]> sets)
     {
-        string[] declared = [.. Choices(program, stage).SelectMany(choice => choice).SelectMany(Words).Distinct().Select(keyword => keyword + "_KEYWORD_DECLARED")];
+        string[] declared = [.. Choices(program, stage).SelectMany(choice => choice).SelectMany(Words).Distinct()
+            .Select(keyword => keyword + "_KEYWORD_DECLARED")];
         return sets.Select(set => set.SelectMany(Words).Concat(declared).ToArray());
     }
 

@@ -39,7 +39,8 @@ internal sealed class ShaderFile
         {
             Match required = Regex.Match(text, $"\"{Regex.Escape(k_Universal)}\"\\s*:\\s*\"([^\"]+)\"");
             Universal = required.Success ? required.Groups[1].Value : null;
-            string included = string.Concat(Regex.Matches(text, @"(?:HLSL|CG)INCLUDE\b(.*?)END(?:HLSL|CG)\b", RegexOptions.Singleline).Select(m => m.Groups[1].Value));
+            string included = string.Concat(
+                Regex.Matches(text, @"(?:HLSL|CG)INCLUDE\b(.*?)END(?:HLSL|CG)\b", RegexOptions.Singleline).Select(m => m.Groups[1].Value));
             Passes = [.. Blocks(text, "Pass").Select(pass => new Pass(pass, included))];
         }
 

@@ -13,8 +13,9 @@ using NUnit.Framework;
 namespace Alate.Tests.Shaders;
 
 /// <summary>
-/// Every pass of Alate/Wing that ships, compiled by glslang on includes of our own, which have the names and signatures of Unity's: with every two keywords (built-in
-/// pipeline: with each of them), and in the long tests with every keyword set. Skipped where glslang is not installed (Debian: glslang-tools).
+/// Every pass of Alate/Wing that ships, compiled by glslang on includes of our own, which have the names and signatures of Unity's: with
+/// every two keywords (built-in pipeline: with each of them), and in the long tests with every keyword set. Skipped where glslang is not
+/// installed (Debian: glslang-tools).
 /// </summary>
 public sealed class WingShaderCompileTests
 {
@@ -32,7 +33,8 @@ public sealed class WingShaderCompileTests
     [TestCase("14.0.11", 1400, Explicit = true, Category = "Long")]
     [TestCase("17.0.4", 1700, Explicit = true, Category = "Long")]
     [TestCase("17.1.0", 1701)]
-    public void InUrp_EveryPassCompiles_WithEveryTwoKeywords(string version, int macros) => CompileInUrp(version, macros, KeywordSets.PairsOf);
+    public void InUrp_EveryPassCompiles_WithEveryTwoKeywords(string version, int macros) =>
+        CompileInUrp(version, macros, KeywordSets.PairsOf);
 
     [TestCase("14.0.11", 1400)]
     [TestCase("17.0.4", 1700)]
@@ -62,7 +64,8 @@ public sealed class WingShaderCompileTests
                 {
                     List<string[]> all = [.. KeywordSets.Of(pass.Program, stage, text)];
                     Assert.That(Meeting(KeywordSets.PairsOf(pass.Program, stage, text)), Is.EquivalentTo(Meeting(all)), pass.Name);
-                    Assert.That(KeywordSets.EachOf(pass.Program, stage, text).SelectMany(set => set).Distinct(), Is.EquivalentTo(all.SelectMany(set => set).Distinct()), pass.Name);
+                    Assert.That(KeywordSets.EachOf(pass.Program, stage, text).SelectMany(set => set).Distinct(),
+                        Is.EquivalentTo(all.SelectMany(set => set).Distinct()), pass.Name);
                 }
             }
         }
@@ -124,7 +127,8 @@ public sealed class WingShaderCompileTests
     private static void CompileInTheBuiltInPipeline(Sets sets) =>
         Compile("Built-in pipeline", Shader.SubShaders.Single(sub => sub.Universal == null), sets, Path.Combine(Includes, "BuiltIn"));
 
-    private static HashSet<(string, string)> Meeting(IEnumerable<string[]> sets) => [.. sets.SelectMany(set => set.SelectMany(one => set.Select(other => (one, other))))];
+    private static HashSet<(string, string)> Meeting(IEnumerable<string[]> sets) =>
+        [.. sets.SelectMany(set => set.SelectMany(one => set.Select(other => (one, other))))];
 
     private static void Compile(string pipeline, ShaderFile.SubShader taken, Sets sets, string includes, params string[] macros)
     {
@@ -140,12 +144,17 @@ public sealed class WingShaderCompileTests
         Parallel.ForEach(taken.Passes.SelectMany(pass => Variants(pass, sets, includes, folder)), variant =>
         {
             Interlocked.Increment(ref count);
-            string errors = Glslang.Errors(variant.File, variant.Stage, variant.Entry, [ShaderFolder, includes], variant.Keywords.Concat(macros));
+            string errors = Glslang.Errors(
+                variant.File, variant.Stage, variant.Entry, [ShaderFolder, includes], variant.Keywords.Concat(macros));
             if (errors != "")
-                wrong.Add($"{variant.Name} {variant.Stage} with {string.Join(" ", variant.Keywords.Where(word => !word.EndsWith("_DECLARED")))}: {errors}");
+            {
+                wrong.Add($"{variant.Name} "
+                    + $"{variant.Stage} with {string.Join(" ", variant.Keywords.Where(word => !word.EndsWith("_DECLARED")))}: {errors}");
+            }
         });
 
-        TestContext.Progress.WriteLine($"{pipeline}: {count} variants of {taken.Passes.Count} passes compiled, {wrong.Count} of them do not.");
+        TestContext.Progress.WriteLine(
+            $"{pipeline}: {count} variants of {taken.Passes.Count} passes compiled, {wrong.Count} of them do not.");
         Assert.That(wrong.Order().Take(5), Is.Empty, $"{wrong.Count} of {count} variants");
         Assert.That(count, Is.GreaterThan(4 * taken.Passes.Count), "the pragmas were not found");
     }

@@ -7,7 +7,9 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Views;
 
-/// <summary>States of a live flight without a server: places, forces, stretches and angles of what is drawn, and the air that the wings meet.</summary>
+/// <summary>
+/// States of a live flight without a server: places, forces, stretches and angles of what is drawn, and the air that the wings meet.
+/// </summary>
 public sealed class LiveFlightTests
 {
     [Test]
@@ -28,7 +30,8 @@ public sealed class LiveFlightTests
         Assert.That(math.distance(right * new float3(-1f, 1f, 1f), left), Is.LessThan(1e-5f));
         Assert.That(right.x, Is.LessThan(-0.03f), "glTF's X is the insect's left");
         float3 span = state.Wings[0][0].Joints[4] - state.Wings[0][0].Joints[0];
-        Assert.That(state.Flap[0], Is.EqualTo(Math.Atan2(span.y, Math.Sqrt(span.x * span.x + span.z * span.z))).Within(1e-4), "radians above the horizontal");
+        Assert.That(state.Flap[0], Is.EqualTo(Math.Atan2(span.y, Math.Sqrt(span.x * span.x + span.z * span.z))).Within(1e-4),
+            "radians above the horizontal");
         Assert.That(state.Substeps[0], Is.EqualTo(flight.Wings[0].Parameters.substepsPerBeat));
         Assert.That(state.Hertz[0], Is.EqualTo(10.086f).Within(0.01f));
     }
@@ -73,7 +76,8 @@ public sealed class LiveFlightTests
             lift += k < 32 ? 0f : state.Lift[0] / 32f;
         }
 
-        Assert.That(math.length(off), Is.LessThan(0.1f * size), "the loads of the joints add up to the force of the wing, but for the substep that they are of");
+        Assert.That(math.length(off), Is.LessThan(0.1f * size),
+            "the loads of the joints add up to the force of the wing, but for the substep that they are of");
         Assert.That(drag, Is.InRange(0.05f, 50f), "a head wind of 3 m/s and the way ahead push to the rear");
         Assert.That(Math.Abs(lift), Is.LessThan(20f));
     }
@@ -86,7 +90,8 @@ public sealed class LiveFlightTests
 
         Assert.That(plan.Wind, Is.EqualTo(new[] { 0.0, 0.0, -2.5 }));
         Assert.That(plan.AirPastBody.z, Is.EqualTo((float)(-2.5 - settings.Flight.Speed)).Within(1e-6f), "with the speed ahead");
-        Assert.That(() => ViewSlider.Set(settings, "wind", 5.01), Throws.Exception.With.Message.EqualTo("'wind' must lie between -5 and 5; it is 5.01."));
+        Assert.That(() => ViewSlider.Set(settings, "wind", 5.01),
+            Throws.Exception.With.Message.EqualTo("'wind' must lie between -5 and 5; it is 5.01."));
         Assert.That(ViewSlider.Set(settings, "substeps", 20.4).Flight.Substeps, Is.EqualTo(20));
         foreach (ViewSlider slider in ViewSlider.All)
         {

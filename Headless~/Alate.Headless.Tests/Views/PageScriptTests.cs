@@ -6,7 +6,10 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Views;
 
-/// <summary>The scripts of the live view's page, run by Node with a state of the server: what they read, blend, colour and draw. Skipped where Node is missing.</summary>
+/// <summary>
+/// The scripts of the live view's page, run by Node with a state of the server: what they read, blend, colour and draw. Skipped where Node
+/// is missing.
+/// </summary>
 public sealed class PageScriptTests : ViewFixture
 {
     [Test]

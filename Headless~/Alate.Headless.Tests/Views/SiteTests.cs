@@ -26,9 +26,11 @@ namespace Alate.Tests.Views
             Assert.That(page, Does.Contain("data-mode=\"baked\"").And.Not.Contain("http"));
             Assert.That(File.Exists(Path.Combine(run.Out, "three", "build", "three.core.js")), Is.True);
             JsonElement index = JsonDocument.Parse(File.ReadAllText(Path.Combine(run.Out, "insects", "index.json"))).RootElement;
-            string[] variants = index.GetProperty("species")[0].GetProperty("variants").EnumerateArray().Select(variant => variant.GetString()).ToArray();
+            string[] variants = index.GetProperty("species")[0].GetProperty("variants").EnumerateArray()
+                .Select(variant => variant.GetString()).ToArray();
             Assert.That(index.GetProperty("sliders").GetArrayLength(), Is.EqualTo(1));
-            Assert.That(Directory.GetFiles(Path.Combine(run.Out, "insects"), "*-look.json"), Has.Length.EqualTo(1), "all variants look alike");
+            Assert.That(
+                Directory.GetFiles(Path.Combine(run.Out, "insects"), "*-look.json"), Has.Length.EqualTo(1), "all variants look alike");
             foreach (string name in variants.Append("standard-parts"))
             {
                 using var file = new MemoryStream(Unpacked(Path.Combine(run.Out, "insects", $"fishfly-{name}.bin")));
@@ -43,7 +45,8 @@ namespace Alate.Tests.Views
 
                 Assert.That(count, Is.EqualTo(24));
                 Assert.That(first.Columns, Is.EqualTo(name == "standard-parts" ? 4 : 1));
-                Assert.That(last.Beats[0] - first.Beats[0], Is.EqualTo(23.0 / 24.0).Within(0.01), "a whole beat with the way back to the first state");
+                Assert.That(last.Beats[0] - first.Beats[0], Is.EqualTo(23.0 / 24.0).Within(0.01),
+                    "a whole beat with the way back to the first state");
                 float step = math.distance(last.Wings[0][0].Places[^1], first.Wings[0][0].Places[^1]);
                 Assert.That(step, Is.LessThan(0.5f * first.Wings[0][0].Reach), "the last state leads into the first");
             }

@@ -10,7 +10,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Views
 {
-    /// <summary>The page of the live view in Chromium, against the real server. Skipped where Chromium, Node or its packages are missing.</summary>
+    /// <summary>
+    /// The page of the live view in Chromium, against the real server. Skipped where Chromium, Node or its packages are missing.
+    /// </summary>
     [Explicit]
     [Category("Long")]
     public sealed class ViewBrowserTests
@@ -33,7 +35,8 @@ namespace Alate.Tests.Views
 
         [Test]
         public void Page_DoesWhatItSays() => Try(
-            "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause", "comparison", "overlays", "species", "files",
+            "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause", "comparison",
+            "overlays", "species", "files",
             "badFiles", "phone", "reconnect");
 
         [Test]
@@ -44,7 +47,8 @@ namespace Alate.Tests.Views
         {
             ViewServer server = Start(0);
             Uri address = server.Address;
-            Task<(int Code, string Output)> run = Task.Run(() => WebTools.Run("view.mjs", [address.ToString(), WebTools.Chromium, m_Folder.Root, .. cases]));
+            Task<(int Code, string Output)> run = Task.Run(
+                () => WebTools.Run("view.mjs", [address.ToString(), WebTools.Chromium, m_Folder.Root, .. cases]));
             server.Simulation.RunUntil(Task.WhenAny(run, Appears("stop")));
             if (!run.IsCompleted)
             {
@@ -72,6 +76,7 @@ namespace Alate.Tests.Views
         }
 
         private static ViewServer Start(int port) =>
-            ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, port, ThreeSource.Of(WebTools.Three)).GetAwaiter().GetResult();
+            ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, port, ThreeSource.Of(WebTools.Three))
+                .GetAwaiter().GetResult();
     }
 }

@@ -25,7 +25,8 @@ namespace Alate.Tests.Views
             return client;
         }
 
-        public Task Say(string message) => m_Socket.SendAsync(Encoding.UTF8.GetBytes(message), WebSocketMessageType.Text, true, m_Patience.Token);
+        public Task Say(string message) =>
+            m_Socket.SendAsync(Encoding.UTF8.GetBytes(message), WebSocketMessageType.Text, true, m_Patience.Token);
 
         public Task Give(byte[] file) => m_Socket.SendAsync(file, WebSocketMessageType.Binary, true, m_Patience.Token);
 

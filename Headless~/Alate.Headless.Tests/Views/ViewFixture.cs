@@ -28,7 +28,8 @@ namespace Alate.Tests.Views
             Server.Simulation.RunUntil(Server.Stop());
         }
 
-        private static Task<ViewServer> StartServer() => ViewServer.Start(InsectCatalogue.Find("fishfly"), InsectVariant.Standard, 0, ThreeSource.Public);
+        private static Task<ViewServer> StartServer() =>
+            ViewServer.Start(InsectCatalogue.Find("fishfly"), InsectVariant.Standard, 0, ThreeSource.Public);
 
         // Runs clients beside this thread, which flies for them.
         private protected void Fly(Func<Task> clients)

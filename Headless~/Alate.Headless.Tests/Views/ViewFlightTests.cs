@@ -28,8 +28,10 @@ namespace Alate.Tests.Views
             for (int k = 0; k < 4; k++)
             {
                 JsonElement wing = scene.GetProperty("wings")[k];
-                Assert.That(state.Wings[0][k].Joints, Has.Count.EqualTo(wing.GetProperty("chains").GetInt32() * wing.GetProperty("joints").GetInt32()));
-                Assert.That(Convert.FromBase64String(wing.GetProperty("uvs").GetString()), Has.Length.EqualTo(8 * state.Wings[0][k].Places.Count));
+                Assert.That(state.Wings[0][k].Joints,
+                    Has.Count.EqualTo(wing.GetProperty("chains").GetInt32() * wing.GetProperty("joints").GetInt32()));
+                Assert.That(
+                    Convert.FromBase64String(wing.GetProperty("uvs").GetString()), Has.Length.EqualTo(8 * state.Wings[0][k].Places.Count));
             }
         });
 
@@ -58,7 +60,8 @@ namespace Alate.Tests.Views
         public void Beat_HasTheFrequencyThatIsSaid_AndTheSlidersChangeIt() => Fly(async () =>
         {
             await using ViewClient page = await ViewClient.Open(Server);
-            Assert.That(await Frequency(page, "{\"values\":{\"slow\":0.5}}"), Is.EqualTo(1.0).Within(0.02), "beats of the insect a second, over the frequency that is said");
+            Assert.That(await Frequency(page, "{\"values\":{\"slow\":0.5}}"), Is.EqualTo(1.0).Within(0.02),
+                "beats of the insect a second, over the frequency that is said");
             float before = (await page.ReadState()).Hertz[0];
             await page.Say("{\"values\":{\"frequency\":2,\"slow\":1}}");
             for (int k = 0; k < 20; k++)
@@ -106,7 +109,8 @@ namespace Alate.Tests.Views
             for (int k = 0; k < 6; k++)
                 state = await page.ReadState();
 
-            Assert.That(scene.GetProperty("columns").EnumerateArray().Select(column => column.GetProperty("title").GetString()), Is.EqualTo(ComparisonColumn.All.Select(column => column.Title)));
+            Assert.That(scene.GetProperty("columns").EnumerateArray().Select(column => column.GetProperty("title").GetString()),
+                Is.EqualTo(ComparisonColumn.All.Select(column => column.Title)));
             Assert.That(state.Columns, Is.EqualTo(4));
             Assert.That(state.Wings[0][0].StretchPct.Max(), Is.LessThan(state.Wings[2][0].StretchPct.Max()));
         });
@@ -137,7 +141,8 @@ namespace Alate.Tests.Views
         public void SettingsOfASpecies_AreThoseOfItsPreset()
         {
             var settings = ViewSettings.Of(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
-            FlightPlan plan = settings.Plan(ComparisonColumn.FullModel), own = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+            FlightPlan plan = settings.Plan(ComparisonColumn.FullModel),
+                own = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
             WingPreset preset = InsectCatalogue.Find("monarch").Wings[0].CreatePreset();
 
             Assert.That(plan.ParametersOf(preset).SameAs(own.ParametersOf(preset)), Is.True);

@@ -30,7 +30,8 @@ namespace Alate.Tests.Views
 
             Assert.That(answer.StatusCode, Is.EqualTo(HttpStatusCode.OK));
             Assert.That(page, Does.Contain("data-mode=\"live\""));
-            Assert.That(answer.Headers.GetValues("Content-Security-Policy").Single(), Does.Contain($"'sha256-{hash}'").And.Contain("default-src 'none'"));
+            Assert.That(answer.Headers.GetValues("Content-Security-Policy").Single(),
+                Does.Contain($"'sha256-{hash}'").And.Contain("default-src 'none'"));
             foreach (string file in new[] { "main.js", "view.css", "icon.svg" })
                 Assert.That((await Client.GetAsync(file)).StatusCode, Is.EqualTo(HttpStatusCode.OK), file);
         }
@@ -40,7 +41,10 @@ namespace Alate.Tests.Views
         {
             WebTools.NeedThree();
             foreach ((string name, string hash) in ThreeSource.Hashes)
-                Assert.That("sha384-" + Convert.ToBase64String(SHA384.HashData(File.ReadAllBytes(Path.Combine(WebTools.Three, name)))), Is.EqualTo(hash), name);
+            {
+                Assert.That("sha384-" + Convert.ToBase64String(SHA384.HashData(File.ReadAllBytes(Path.Combine(WebTools.Three, name)))),
+                    Is.EqualTo(hash), name);
+            }
         }
 
         [TestCase("/../../../../etc/passwd")]
@@ -49,7 +53,8 @@ namespace Alate.Tests.Views
         [TestCase("//etc/passwd")]
         [TestCase("/three/../../main.js%00.css")]
         [TestCase("/Page/main.js")]
-        public async Task OtherPaths_AreNotFound(string path) => Assert.That(await Status($"GET {path} HTTP/1.1\r\nHost: {Host}\r\nConnection: close\r\n\r\n"), Is.EqualTo(404).Or.EqualTo(400));
+        public async Task OtherPaths_AreNotFound(string path) =>
+            Assert.That(await Status($"GET {path} HTTP/1.1\r\nHost: {Host}\r\nConnection: close\r\n\r\n"), Is.EqualTo(404).Or.EqualTo(400));
 
         [TestCase("evil.example")]
         [TestCase("127.0.0.1.evil.example")]
@@ -72,7 +77,8 @@ namespace Alate.Tests.Views
             Assert.That(await Status($"GET /{longLine} HTTP/1.1\r\nHost: {Host}\r\n\r\n"), Is.EqualTo(414));
             Assert.That(await Status($"GET / HTTP/1.1\r\nHost: {Host}\r\nCookie: {longLine}\r\n\r\n"), Is.EqualTo(431));
             Assert.That(await Status("\0\u0001 no HTTP at all\r\n\r\n"), Is.EqualTo(400));
-            Assert.That(await Status($"POST / HTTP/1.1\r\nHost: {Host}\r\nContent-Length: 99999999\r\n\r\n"), Is.EqualTo(405).Or.EqualTo(413));
+            Assert.That(
+                await Status($"POST / HTTP/1.1\r\nHost: {Host}\r\nContent-Length: 99999999\r\n\r\n"), Is.EqualTo(405).Or.EqualTo(413));
         }
 
         [TestCase("http://evil.example")]

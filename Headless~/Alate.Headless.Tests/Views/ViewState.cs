@@ -38,7 +38,8 @@ namespace Alate.Tests.Views
                         wing.Loads.Add(Vector());
                     for (int k = 0; k < vertices; k++, at += 8)
                     {
-                        wing.Places.Add(wing.Reach / short.MaxValue * new float3(BitConverter.ToInt16(bytes, at), BitConverter.ToInt16(bytes, at + 2), BitConverter.ToInt16(bytes, at + 4)));
+                        wing.Places.Add(wing.Reach / short.MaxValue * new float3(
+                            BitConverter.ToInt16(bytes, at), BitConverter.ToInt16(bytes, at + 2), BitConverter.ToInt16(bytes, at + 4)));
                         wing.StretchPct.Add(bytes[at + 6] / 10f);
                         wing.Attack.Add(bytes[at + 7]);
                     }

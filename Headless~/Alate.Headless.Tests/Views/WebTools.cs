@@ -8,13 +8,16 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Views
 {
-    /// <summary>Programs that tests of web pages and 3D files need: Chromium (Debian: chromium), Node and what Headless~/Web/package.json names.</summary>
+    /// <summary>
+    /// Programs that tests of web pages and 3D files need: Chromium (Debian: chromium), Node and what Headless~/Web/package.json names.
+    /// </summary>
     internal static class WebTools
     {
         public const string Chromium = "/usr/bin/chromium";
 
         /// <summary>Chromium's options for WebGL 2 without a screen or a graphics card.</summary>
-        public static readonly string[] Options = { "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader" };
+        public static readonly string[] Options = { "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
+            "--enable-unsafe-swiftshader" };
 
         /// <summary>Folder of the scripts.</summary>
         public static string Folder => Path.Combine(PackageRoot.Find(), "Headless~", "Web");
@@ -47,15 +50,19 @@ namespace Alate.Tests.Views
         public static void NeedPlainNode()
         {
             string path = Environment.GetEnvironmentVariable("PATH") ?? "";
-            if (!path.Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, "node")) || File.Exists(Path.Combine(folder, "node.exe"))))
+            if (!path.Split(Path.PathSeparator)
+                .Any(folder => File.Exists(Path.Combine(folder, "node")) || File.Exists(Path.Combine(folder, "node.exe"))))
+            {
                 Assert.Ignore("node is not installed.");
+            }
         }
 
         /// <summary>Runs a script of the folder.</summary>
         /// <returns>The exit code and what it printed.</returns>
         public static async Task<(int Code, string Output)> Run(string script, params string[] arguments)
         {
-            var start = new ProcessStartInfo("node") { RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = Folder };
+            var start =
+                new ProcessStartInfo("node") { RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = Folder };
             foreach (string argument in arguments.Prepend(script))
                 start.ArgumentList.Add(argument);
             using var process = Process.Start(start);

@@ -5,8 +5,9 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// One closed piece of a body, millimetres: triangles that face outwards, smooth normals, and texture coordinates from 0 to 1 of the piece itself, u around it
-    /// (0 on its upper line, 1 on its lower one, the same on both sides, so that no seam is needed) and v along it.
+    /// One closed piece of a body, millimetres: triangles that face outwards, smooth normals, and texture coordinates from 0 to 1 of the
+    /// piece itself, u around it (0 on its upper line, 1 on its lower one, the same on both sides, so that no seam is needed) and v along
+    /// it.
     /// </summary>
     internal sealed class BodyPart
     {
@@ -34,7 +35,8 @@ namespace Alate.Catalogue
         public static BodyPart Of(Vector3[] positions, Vector2[] uvs, int[] triangles, Vector2 extent)
         {
             int[] outward = Volume(positions, triangles) >= 0 ? triangles : SurfaceMesh.Turned(triangles);
-            var surface = new SurfaceMesh { positions = positions, normals = SmoothNormals(positions, outward), uvs = uvs, triangles = outward };
+            var surface =
+                new SurfaceMesh { positions = positions, normals = SmoothNormals(positions, outward), uvs = uvs, triangles = outward };
             return new BodyPart(surface, extent);
         }
 

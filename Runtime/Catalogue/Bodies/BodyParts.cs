@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>A part in its place on a body: in the middle, or on the right with a twin on the left; how it is painted, and its patch of the texture.</summary>
+    /// <summary>
+    /// A part in its place on a body: in the middle, or on the right with a twin on the left; how it is painted, and its patch of the
+    /// texture.
+    /// </summary>
     internal sealed class BodyPatch
     {
         public BodyPart part;
@@ -47,7 +50,8 @@ namespace Alate.Catalogue
                     int first = positions.Count;
                     positions.AddRange(part.Positions);
                     normals.AddRange(part.Normals);
-                    uvs.AddRange(Array.ConvertAll(part.Uvs, uv => new Vector2(shelf.x + uv.x * shelf.width, shelf.y + uv.y * shelf.height)));
+                    uvs.AddRange(
+                        Array.ConvertAll(part.Uvs, uv => new Vector2(shelf.x + uv.x * shelf.width, shelf.y + uv.y * shelf.height)));
                     colours.AddRange(painted);
                     triangles.AddRange(Array.ConvertAll(part.Triangles, vertex => first + vertex));
                 }

@@ -50,14 +50,19 @@ namespace Alate.Catalogue
             parts.AddPair(Stalk.Along(curve, Girth, 24, 6), paint);
         }
 
-        /// <summary>Legs as they hang folded under the thorax in flight: hip, knee, ankle, toes and tip of each right one; the radius of the thigh, millimetres.</summary>
+        /// <summary>
+        /// Legs as they hang folded under the thorax in flight: hip, knee, ankle, toes and tip of each right one; the radius of the thigh,
+        /// millimetres.
+        /// </summary>
         public static void AddLegs(BodyParts parts, IEnumerable<Vector3[]> pairs, float girth, BodyPaint paint)
         {
             foreach (Vector3[] joints in pairs)
                 parts.AddPair(Stalk.Leg(joints, new[] { 1.2f * girth, girth, 0.8f * girth, 0.5f * girth, 0.3f * girth }, 6), paint);
         }
 
-        /// <summary>Factor on an abdomen's girth that shows its rings: each swells a little and is drawn in where the next begins.</summary>
+        /// <summary>
+        /// Factor on an abdomen's girth that shows its rings: each swells a little and is drawn in where the next begins.
+        /// </summary>
         /// <param name="segments">Number of rings.</param>
         /// <param name="depth">Depth of the furrows over the radius.</param>
         public static Func<float, float> Rings(float segments, float depth)

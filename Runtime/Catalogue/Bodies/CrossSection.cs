@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A slice across a part of a body, millimetres: two half ellipses, one above and one below the centre, bent up in the middle by an arch. Flat and arched
-    /// it is a slice of a shell, thin and high one of a fin.
+    /// A slice across a part of a body, millimetres: two half ellipses, one above and one below the centre, bent up in the middle by an
+    /// arch. Flat and arched it is a slice of a shell, thin and high one of a fin.
     /// </summary>
     internal readonly struct CrossSection
     {
@@ -41,7 +41,8 @@ namespace Alate.Catalogue
             {
                 float height = 0.5f * (Above + Below);
                 float sum = HalfWidth + height;
-                return (float)(0.5 * Math.PI * (3 * sum - Math.Sqrt((3 * HalfWidth + height) * (HalfWidth + 3 * height)))) + 2f * Math.Abs(Arch);
+                return (float)(0.5 * Math.PI * (3 * sum - Math.Sqrt((3 * HalfWidth + height) * (HalfWidth + 3 * height))))
+                    + 2f * Math.Abs(Arch);
             }
         }
 

@@ -11,7 +11,10 @@ namespace Alate.Catalogue
         /// <summary>Depth of a hair's root in the skin, as a share of the hair's length.</summary>
         private const float k_Root = 0.15f;
 
-        /// <summary>Share of the skin's normal in a hair's own, so that fur is lit as the round body it grows on; below 1, so that normals still point outwards.</summary>
+        /// <summary>
+        /// Share of the skin's normal in a hair's own, so that fur is lit as the round body it grows on; below 1, so that normals still
+        /// point outwards.
+        /// </summary>
         private const float k_SkinNormal = 0.6f;
 
         /// <summary>Hairs on the right side; the left has as many.</summary>

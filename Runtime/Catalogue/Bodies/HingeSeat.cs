@@ -12,7 +12,9 @@ namespace Alate.Catalogue
         /// <summary>Distance of the skin inside the plane of the hinge, as a share of the hinge's distance from the middle.</summary>
         private const float k_Inset = 0.003f;
 
-        /// <summary>Flat skin all round the root, of the root's length: wider than the triangles are, which span the edge of the flat area.</summary>
+        /// <summary>
+        /// Flat skin all round the root, of the root's length: wider than the triangles are, which span the edge of the flat area.
+        /// </summary>
         private const float k_Margin = 0.22f;
 
         private readonly Vector3 m_Hinge;

@@ -5,8 +5,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A simple body made by code: X to the right, Y up, Z ahead, the origin in the middle of the thorax. It carries the wings in a picture and does
-    /// not take part in the model.
+    /// A simple body made by code: X to the right, Y up, Z ahead, the origin in the middle of the thorax. It carries the wings in a picture
+    /// and does not take part in the model.
     /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class InsectBody
@@ -24,8 +24,9 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// The body as one mesh of closed parts that reach into one another, the same on both sides, with smooth normals, vertex colours, and texture coordinates in
-        /// which every part has a patch of its own and the left side shares that of the right. Alpha below 255 lets light through, as in a fish's fins.
+        /// The body as one mesh of closed parts that reach into one another, the same on both sides, with smooth normals, vertex colours,
+        /// and texture coordinates in which every part has a patch of its own and the left side shares that of the right. Alpha below 255
+        /// lets light through, as in a fish's fins.
         /// </summary>
         /// <param name="unitsPerMetre">Mesh units of one metre of the real insect.</param>
         public SurfaceMesh CreateSurface(float unitsPerMetre)

@@ -17,7 +17,8 @@ namespace Alate.Catalogue
         /// <param name="rings">Pieces along the plate.</param>
         /// <param name="sides">Vertices of a slice, both faces together, even.</param>
         public static BodyPart Along(
-            Vector3 start, Vector3 along, Vector3 up, Func<float, float> halfWidth, float arch, float thickness, float bow, int rings, int sides)
+            Vector3 start, Vector3 along, Vector3 up, Func<float, float> halfWidth, float arch, float thickness, float bow,
+            int rings, int sides)
         {
             Vector3 upright = Upright(up, along);
             var sections = new CrossSection[rings + 1];

@@ -20,7 +20,8 @@ namespace Alate.Catalogue
         public static float Below(float value, float limit, float softness) => math.saturate(0.5f + (limit - value) / softness);
 
         /// <summary>Soft ball: 1 inside, 0 outside, over the given width.</summary>
-        public static float Spot(Vector3 place, Vector3 centre, float radius, float softness) => Below((place - centre).magnitude, radius, softness);
+        public static float Spot(Vector3 place, Vector3 centre, float radius, float softness) =>
+            Below((place - centre).magnitude, radius, softness);
 
         /// <summary>Pseudo-random value from 0 to 1 by place, repeatable: for the mottling of skins and the shades of hairs.</summary>
         public static float Grain(Vector3 place)

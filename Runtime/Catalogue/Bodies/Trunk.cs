@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A smooth, rounded part through a few sections, such as a thorax. The squares of the sizes are interpolated by monotone cubics: near an end
-    /// where they fall to 0 that makes a round cap, as of an ellipsoid.
+    /// A smooth, rounded part through a few sections, such as a thorax. The squares of the sizes are interpolated by monotone cubics: near
+    /// an end where they fall to 0 that makes a round cap, as of an ellipsoid.
     /// </summary>
     internal static class Trunk
     {

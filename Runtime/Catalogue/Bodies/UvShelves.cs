@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Lays the unrolled parts of a body side by side in the unit square, all to one scale: in shelves, the longest parts first.</summary>
+    /// <summary>
+    /// Lays the unrolled parts of a body side by side in the unit square, all to one scale: in shelves, the longest parts first.
+    /// </summary>
     internal static class UvShelves
     {
         private const float k_Gap = 0.006f;

@@ -10,8 +10,9 @@ namespace Alate.Catalogue
     public sealed class InsectDefinition
     {
         /// <summary>
-        /// Mesh units of one metre of the real insect: ten times life size, so that a monarch spans more than a unit and even a firefly lies beyond a
-        /// camera's near plane. The model takes its lengths from <see cref="PresetSize"/>; this number and any scale of a transform change the picture only.
+        /// Mesh units of one metre of the real insect: ten times life size, so that a monarch spans more than a unit and even a firefly
+        /// lies beyond a camera's near plane. The model takes its lengths from <see cref="PresetSize"/>; this number and any scale of a
+        /// transform change the picture only.
         /// </summary>
         public const float UnitsPerMetre = 10f;
 

@@ -23,7 +23,10 @@ namespace Alate.Catalogue
         /// </summary>
         Expressive,
 
-        /// <summary>Numbers with which the wings carry the insect: masses, lengths and frequencies of real animals where those of the paper do not fly.</summary>
+        /// <summary>
+        /// Numbers with which the wings carry the insect: masses, lengths and frequencies of real animals where those of the paper do not
+        /// fly.
+        /// </summary>
         Flight,
     }
 }

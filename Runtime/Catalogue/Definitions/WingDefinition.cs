@@ -6,8 +6,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// One kind of wing of a species, described for the right side: its outline, where it sits on the body, how finely it is meshed and jointed, and how it beats.
-    /// A four-winged insect has two of them.
+    /// One kind of wing of a species, described for the right side: its outline, where it sits on the body, how finely it is meshed and
+    /// jointed, and how it beats. A four-winged insect has two of them.
     /// </summary>
     [MovedFrom(true, "Alate", "Alate", "SpeciesWing")]
     public sealed class WingDefinition
@@ -46,16 +46,21 @@ namespace Alate.Catalogue
         /// <summary>Joints of each chain, 5 unless the species says otherwise.</summary>
         public int JointsPerChain { get; internal set; } = 5;
 
-        /// <summary>Span at which the last chain meets the trailing edge, wing lengths, where the chains' tips lie evenly; 0 where they were chosen one by one.</summary>
+        /// <summary>
+        /// Span at which the last chain meets the trailing edge, wing lengths, where the chains' tips lie evenly; 0 where they were chosen
+        /// one by one.
+        /// </summary>
         public double LastTipSpan { get; internal set; }
 
         /// <summary>
-        /// [chain] Place at which each chain runs to the margin of <see cref="Contour"/>; null for tips that lie evenly on <see cref="Outline"/> from the wing's tip to
-        /// <see cref="LastTipSpan"/>.
+        /// [chain] Place at which each chain runs to the margin of <see cref="Contour"/>; null for tips that lie evenly on
+        /// <see cref="Outline"/> from the wing's tip to <see cref="LastTipSpan"/>.
         /// </summary>
         internal ChainPath[] ChainPaths { get; set; }
 
-        /// <summary>The base of the right wing (the outline's origin) on the body, metres: X right, Y up, Z ahead of the middle of the thorax.</summary>
+        /// <summary>
+        /// The base of the right wing (the outline's origin) on the body, metres: X right, Y up, Z ahead of the middle of the thorax.
+        /// </summary>
         public Vector3 Hinge { get; internal set; }
 
         /// <summary>The colouring; null leaves the mesh without vertex colours.</summary>
@@ -73,14 +78,18 @@ namespace Alate.Catalogue
         public IReadOnlyList<InsectVariant> Variants => m_Variants;
 
         /// <summary>A preset of this wing.</summary>
-        /// <param name="reading">How the paper's equations are read; applied last, so that <see cref="ModelReading.Paper"/> sets its delays and phases in every variant.</param>
+        /// <param name="reading">How the paper's equations are read; applied last, so that <see cref="ModelReading.Paper"/> sets its delays
+        /// and phases in every variant.</param>
         /// <param name="variant">Which numbers of the species are taken.</param>
         /// <exception cref="ArgumentException">The wing has no such variant; the message lists those there are.</exception>
         public WingPreset CreatePreset(ModelReading reading = ModelReading.Physical, InsectVariant variant = InsectVariant.Standard)
         {
             int change = m_Variants.IndexOf(variant);
             if (change < 0)
-                throw new ArgumentException($"The {Name} has no variant '{variant}'. It has: {string.Join(", ", m_Variants)}.", nameof(variant));
+            {
+                throw new ArgumentException(
+                    $"The {Name} has no variant '{variant}'. It has: {string.Join(", ", m_Variants)}.", nameof(variant));
+            }
             WingPreset preset = ScriptableObject.CreateInstance<WingPreset>();
             m_Changes[0](preset);
             if (change > 0)
@@ -105,7 +114,9 @@ namespace Alate.Catalogue
         public SurfaceMesh CreateSurface(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
             float scale = (float)Outline.Length * unitsPerMetre;
-            SurfaceMesh surface = IsFilled ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale) : WingMesher.Strips(Contour, TriangleCount, scale);
+            SurfaceMesh surface = IsFilled
+                ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale)
+                : WingMesher.Strips(Contour, TriangleCount, scale);
             double spacing = Math.Sqrt(2 * Contour.Area / TriangleCount);
             surface.name = Name;
             surface.colours = Pattern?.ColourVertices(surface, scale, spacing);

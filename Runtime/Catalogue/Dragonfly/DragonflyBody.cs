@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A dragonfly's body, 75 mm long: a head of two large eyes, a high thorax, and a long thin abdomen. Dark with green flanks and pale blue spots along the
-    /// abdomen. Proportions and colours chosen by us.
+    /// A dragonfly's body, 75 mm long: a head of two large eyes, a high thorax, and a long thin abdomen. Dark with green flanks and pale
+    /// blue spots along the abdomen. Proportions and colours chosen by us.
     /// </summary>
     internal static class DragonflyBody
     {
@@ -49,9 +49,12 @@ namespace Alate.Catalogue
 
         private static readonly Vector3[][] s_Legs =
         {
-            new[] { new Vector3(1.2f, -3f, 8f), new Vector3(3.4f, -5f, 9.6f), new Vector3(3.2f, -7.6f, 8.2f), new Vector3(3.1f, -9f, 8.6f), new Vector3(3.1f, -9.5f, 9.2f) },
-            new[] { new Vector3(1.4f, -3.6f, 6f), new Vector3(4.2f, -5.4f, 5.4f), new Vector3(4.2f, -8f, 3.8f), new Vector3(4.2f, -9f, 3.8f), new Vector3(4.2f, -9.5f, 4.4f) },
-            new[] { new Vector3(1.4f, -4f, 3.6f), new Vector3(4.4f, -5.6f, 1.4f), new Vector3(4.4f, -8f, -0.4f), new Vector3(4.6f, -9f, -0.6f), new Vector3(4.6f, -9.5f, -1.2f) },
+            new[] { new Vector3(1.2f, -3f, 8f), new Vector3(3.4f, -5f, 9.6f), new Vector3(3.2f, -7.6f, 8.2f), new Vector3(3.1f, -9f, 8.6f),
+                new Vector3(3.1f, -9.5f, 9.2f) },
+            new[] { new Vector3(1.4f, -3.6f, 6f), new Vector3(4.2f, -5.4f, 5.4f), new Vector3(4.2f, -8f, 3.8f),
+                new Vector3(4.2f, -9f, 3.8f), new Vector3(4.2f, -9.5f, 4.4f) },
+            new[] { new Vector3(1.4f, -4f, 3.6f), new Vector3(4.4f, -5.6f, 1.4f), new Vector3(4.4f, -8f, -0.4f),
+                new Vector3(4.6f, -9f, -0.6f), new Vector3(4.6f, -9.5f, -1.2f) },
         };
 
         public static InsectBody Create(WingDefinition fore, WingDefinition hind) =>
@@ -61,8 +64,10 @@ namespace Alate.Catalogue
         {
             // Finer than elsewhere: the roots of the wings are a tenth of the thorax.
             parts.Add(hind.Press(fore.Press(Trunk.Through(s_Thorax, 34, 32))), Flanks);
-            parts.Add(Trunk.Through(s_Head, 16, 18), (in BodyPoint point) => Tint.Mix(s_Green, s_Dark, Tint.Below(point.Around, 0.4f, 0.3f)));
-            parts.AddPair(Ellipsoid.Around(new Vector3(2.1f, 0.9f, 12.6f), new Vector3(1.9f, 2f, 2.3f), 12, 16), (in BodyPoint point) => s_Eye);
+            parts.Add(
+                Trunk.Through(s_Head, 16, 18), (in BodyPoint point) => Tint.Mix(s_Green, s_Dark, Tint.Below(point.Around, 0.4f, 0.3f)));
+            parts.AddPair(
+                Ellipsoid.Around(new Vector3(2.1f, 0.9f, 12.6f), new Vector3(1.9f, 2f, 2.3f), 12, 16), (in BodyPoint point) => s_Eye);
             parts.Add(Trunk.Through(s_Abdomen, 60, 14, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Spotted);
             ButterflyParts.AddLegs(parts, s_Legs, 0.28f, (in BodyPoint point) => s_Dark);
         }
@@ -70,7 +75,8 @@ namespace Alate.Catalogue
         // Green stripes on each flank.
         private static Color32 Flanks(in BodyPoint point)
         {
-            float stripe = Tint.Below(Mathf.Abs((point.Place.z + 0.6f * point.Place.y + 20f) % 5f - 2f), 0.9f, 0.5f) * Tint.Below(0.3f, point.Around, 0.15f);
+            float stripe = Tint.Below(Mathf.Abs((point.Place.z + 0.6f * point.Place.y + 20f) % 5f - 2f), 0.9f, 0.5f) * Tint.Below(
+                0.3f, point.Around, 0.15f);
             return Tint.Mix(s_Dark, s_Green, stripe);
         }
 

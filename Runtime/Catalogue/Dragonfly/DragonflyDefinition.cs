@@ -3,14 +3,19 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>A dragonfly of the sizes that Azuma and Watanabe measured: four long clear wings, the hind ones broad at their base and ahead of the fore ones in the beat.</summary>
+    /// <summary>
+    /// A dragonfly of the sizes that Azuma and Watanabe measured: four long clear wings, the hind ones broad at their base and ahead of the
+    /// fore ones in the beat.
+    /// </summary>
     internal static class DragonflyDefinition
     {
         private static readonly double[] s_ForeSpan = { 0, 2, 5, 10, 16, 22, 28, 34, 40, 45, 48, 49.5, 50 };
         private static readonly double[] s_HindSpan = { 0, 2, 5, 10, 16, 22, 28, 34, 39, 43.5, 46.5, 48, 48.5 };
         private static readonly double[] s_Leading = { 0.6, 1, 1.3, 1.6, 1.8, 1.9, 1.9, 1.8, 1.5, 0.9, 0.1, -0.9, -1.9 };
-        private static readonly double[] s_ForeTrailing = { -1.2, -3.74, -6.23, -8.51, -9.65, -10.17, -10.38, -10.27, -9.55, -7.89, -6.02, -4.36, -3.11 };
-        private static readonly double[] s_HindTrailing = { -1.4, -7.01, -11.19, -13.82, -14.01, -13.23, -12.26, -11.09, -9.63, -7.69, -5.74, -4.09, -2.92 };
+        private static readonly double[] s_ForeTrailing = { -1.2, -3.74, -6.23, -8.51, -9.65, -10.17, -10.38, -10.27, -9.55, -7.89, -6.02,
+            -4.36, -3.11 };
+        private static readonly double[] s_HindTrailing = { -1.4, -7.01, -11.19, -13.82, -14.01, -13.23, -12.26, -11.09, -9.63, -7.69,
+            -5.74, -4.09, -2.92 };
 
         public static InsectDefinition Define()
         {
@@ -136,21 +141,29 @@ namespace Alate.Catalogue
                 new InsectSource("wing outlines", "13 landmarks each", "drawn by us to the measured length and area"),
                 new InsectSource("wing mass", "4.5 mg each", "Wakeling 1997, Odonatologica 26, Aeshna cyanea: about 9 mg a pair"),
                 new InsectSource("insect mass, length", "790 mg, 75 mm", flown),
-                new InsectSource("centre of mass", "0.14 of the length behind the fore wing's base", "Wakeling 1997: 0.09 to 0.15; parts of the body chosen for it"),
+                new InsectSource("centre of mass", "0.14 of the length behind the fore wing's base",
+                    "Wakeling 1997: 0.09 to 0.15; parts of the body chosen for it"),
                 new InsectSource("MAX_f", "29 Hz, at least 26.1", "Azuma and Watanabe 1988: 26.5 to 29.0 Hz at 0.7 to 2.3 m/s"),
                 new InsectSource("u_max", "2 m/s", "assumed: as the monarch's"),
                 new InsectSource("MAX_a flap", "fore 50°, hind 52°", second),
-                new InsectSource("MAX_a feather", "fore 90°, hind 60°", "Azuma and Watanabe 1988: first harmonics of 46 to 54° and 24 to 38°"),
-                new InsectSource("tilt", "fore 35°, hind 42°", "Azuma and Watanabe 1988, flight 2: stroke planes of 55 and 48° from the horizontal"),
+                new InsectSource(
+                    "MAX_a feather", "fore 90°, hind 60°", "Azuma and Watanabe 1988: first harmonics of 46 to 54° and 24 to 38°"),
+                new InsectSource(
+                    "tilt", "fore 35°, hind 42°", "Azuma and Watanabe 1988, flight 2: stroke planes of 55 and 48° from the horizontal"),
                 new InsectSource("phase of the hind wing", "61° ahead", second),
-                new InsectSource("λ, μ, w_0", "fore 0, hind 0.02; 0; 1", "chosen: the feather is driven at the root, and the veins are stiff"),
+                new InsectSource(
+                    "λ, μ, w_0", "fore 0, hind 0.02; 0; 1", "chosen: the feather is driven at the root, and the veins are stiff"),
                 new InsectSource("elasticity k_e", "4", "chosen: stiffer than a butterfly's"),
                 new InsectSource("k_e, λ, μ, w_0", "1, 0.08, 0.3, 0.8", "chosen for the eye", InsectVariant.Expressive),
-                new InsectSource("MAX_f", "33.4 Hz", "Wang and Russell 2007, Phys. Rev. Lett. 99:148101: a tethered Libellula pulchella", InsectVariant.Flight),
-                new InsectSource("MAX_a flap", "fore 72°, hind 52°", "Azuma and Watanabe 1988, flight 1, the slowest", InsectVariant.Flight),
+                new InsectSource("MAX_f", "33.4 Hz", "Wang and Russell 2007, Phys. Rev. Lett. 99:148101: a tethered Libellula pulchella",
+                    InsectVariant.Flight),
+                new InsectSource(
+                    "MAX_a flap", "fore 72°, hind 52°", "Azuma and Watanabe 1988, flight 1, the slowest", InsectVariant.Flight),
                 new InsectSource(
                     "middle of the stroke", "12° up",
-                    "chosen: it brings the force of a tilted stroke back to the centre of mass, which lies 8 mm behind the middle of the hinges", InsectVariant.Flight),
+                    "chosen: it brings the force of a tilted stroke back to the centre of mass, which lies 8 mm behind the "
+                    + "middle of the hinges",
+                    InsectVariant.Flight),
                 new InsectSource("veins, colours", "ten veins, six forks, cross veins", "drawn by us"),
             };
         }

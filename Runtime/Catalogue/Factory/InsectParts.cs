@@ -5,7 +5,9 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Parts of the wings of one kind, left and right alike: the left wing is the right one with its X axis turned round.</summary>
+    /// <summary>
+    /// Parts of the wings of one kind, left and right alike: the left wing is the right one with its X axis turned round.
+    /// </summary>
     [Serializable]
     internal sealed class GeneratedWing
     {

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Parts that all insects of one species share in play, with the number of insects that use them. A hidden asset holds them because assets survive a recompile
-    /// during play, and static fields do not.
+    /// Parts that all insects of one species share in play, with the number of insects that use them. A hidden asset holds them because
+    /// assets survive a recompile during play, and static fields do not.
     /// </summary>
     internal sealed class SharedAssets : ScriptableObject
     {

@@ -4,8 +4,9 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A firefly's body, 12 mm long: a flat shield with a dark spot covers the head, dark wing cases with pale rims are held open and up, ahead of the beating
-    /// wings, and the last rings of the soft abdomen are the lantern. Proportions chosen by us, after the look of Photinus.
+    /// A firefly's body, 12 mm long: a flat shield with a dark spot covers the head, dark wing cases with pale rims are held open and up,
+    /// ahead of the beating wings, and the last rings of the soft abdomen are the lantern. Proportions chosen by us, after the look of
+    /// Photinus.
     /// </summary>
     internal static class FireflyBody
     {
@@ -63,8 +64,8 @@ namespace Alate.Catalogue
             },
             new[]
             {
-                new Vector3(0.7f, -1f, -1f), new Vector3(2f, -1.6f, -1.4f), new Vector3(1.9f, -2.3f, -3.4f), new Vector3(1.7f, -2.4f, -4.6f),
-                new Vector3(1.7f, -2.6f, -5f),
+                new Vector3(0.7f, -1f, -1f), new Vector3(2f, -1.6f, -1.4f), new Vector3(1.9f, -2.3f, -3.4f),
+                new Vector3(1.7f, -2.4f, -4.6f), new Vector3(1.7f, -2.6f, -5f),
             },
         };
 
@@ -74,8 +75,10 @@ namespace Alate.Catalogue
         {
             parts.Add(seat.Press(Trunk.Through(s_Thorax, 18, 20)), (in BodyPoint point) => s_Brown);
             parts.Add(Trunk.Through(s_Abdomen, 36, 16, ButterflyParts.Rings(k_AbdomenRings, 0.08f)), Lit);
-            parts.Add(Ellipsoid.Around(new Vector3(0f, -0.15f, 2.6f), new Vector3(1.15f, 0.75f, 1.3f), 10, 16), (in BodyPoint point) => s_Brown);
-            parts.Add(Ellipsoid.Around(new Vector3(0f, -0.35f, 3.7f), new Vector3(0.85f, 0.6f, 0.9f), 8, 14), (in BodyPoint point) => s_Brown);
+            parts.Add(
+                Ellipsoid.Around(new Vector3(0f, -0.15f, 2.6f), new Vector3(1.15f, 0.75f, 1.3f), 10, 16), (in BodyPoint point) => s_Brown);
+            parts.Add(
+                Ellipsoid.Around(new Vector3(0f, -0.35f, 3.7f), new Vector3(0.85f, 0.6f, 0.9f), 8, 14), (in BodyPoint point) => s_Brown);
             parts.AddPair(
                 Ellipsoid.Around(new Vector3(0.62f, -0.45f, 3.9f), new Vector3(0.48f, 0.48f, 0.5f), 8, 12), (in BodyPoint point) => s_Eye);
             parts.Add(Shield(), Spotted);
@@ -88,13 +91,15 @@ namespace Alate.Catalogue
         private static BodyPart Shield() =>
             Shell.Along(
                 new Vector3(0f, 0.55f, 1.85f), new Vector3(0f, -0.35f, 3.3f), new Vector3(0f, 1f, 0f),
-                t => 1.95f * (float)Math.Pow(1 - Math.Pow(t, 2.2), 0.5) * Math.Min(1f, 6f * (float)Math.Sqrt(t)), 0.28f, 0.16f, 0.2f, 14, 20);
+                t => 1.95f * (float)Math.Pow(1 - Math.Pow(t, 2.2), 0.5) * Math.Min(1f, 6f * (float)Math.Sqrt(t)), 0.28f, 0.16f,
+                0.2f, 14, 20);
 
         // Nearly as wide as long sides can be, rounded at the end.
         private static BodyPart Case() =>
             Shell.Along(
                 s_CaseBase, s_CaseAlong, s_CaseUp,
-                t => 1.12f * (float)Math.Pow(Math.Max(1 - Math.Pow(t, 4), 0), 0.5) * (float)Math.Pow(Math.Min(1, 0.12 + 4 * t), 0.4), 0.34f, 0.14f, 0.45f, 20, 16);
+                t => 1.12f * (float)Math.Pow(Math.Max(1 - Math.Pow(t, 4), 0), 0.5) * (float)Math.Pow(Math.Min(1, 0.12 + 4 * t), 0.4), 0.34f,
+                0.14f, 0.45f, 20, 16);
 
         // Eleven short pieces, thickest at their ends.
         private static float Beaded(float t)

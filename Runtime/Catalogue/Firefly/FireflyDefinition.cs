@@ -4,7 +4,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A firefly of the kind of Photinus pyralis. Its hind wings beat; the elytra, its hardened fore wings, are held open and still, and belong to the body.
+    /// A firefly of the kind of Photinus pyralis. Its hind wings beat; the elytra, its hardened fore wings, are held open and still, and
+    /// belong to the body.
     /// </summary>
     internal static class FireflyDefinition
     {
@@ -95,17 +96,21 @@ namespace Alate.Catalogue
                 new InsectSource("wing mass", "0.139 mg", "assumed: ρ* of 8.8, 4 g/m² of membrane"),
                 new InsectSource("insect mass", "35 mg", "assumed: a soft beetle of this size"),
                 new InsectSource("MAX_f", "11 Hz", "the paper, Sec. 5.1, for all insects"),
-                new InsectSource("MAX_f", "62 Hz at any speed", "A. Smith, film at 3200 frames/s, North Carolina Museum of Natural Sciences 2020", biological),
+                new InsectSource("MAX_f", "62 Hz at any speed",
+                    "A. Smith, film at 3200 frames/s, North Carolina Museum of Natural Sciences 2020", biological),
                 new InsectSource("u_max", "2 m/s", "assumed: as the monarch's"),
                 new InsectSource("MAX_a flap, feather, sweep", "156°, 78°, 0°", "the paper, Table 1"),
                 new InsectSource("elasticity k_e", "2", "the paper, Table 2"),
                 new InsectSource("triangles", "12568 on two wings", "the paper, Table 2; the elytra belong to the body"),
-                new InsectSource("chord delay λ", "0.095", "chosen: with the large feathering of Table 1 more stretches the wing beyond 6 %"),
+                new InsectSource(
+                    "chord delay λ", "0.095", "chosen: with the large feathering of Table 1 more stretches the wing beyond 6 %"),
                 new InsectSource("chord delay λ", "0.09", "chosen: as above, at the faster beat", biological),
                 new InsectSource("strongest wind", "0.75", "chosen: a firefly's tip bends half again as far in 5 m/s as in still air"),
-                new InsectSource("k_e, λ, μ, w_0, κ, strongest wind", "0.7, 0.18, 0.35, 0.6, 40, 0.65", "chosen for the eye: a membrane that flutters like a flag, as in the paper's Fig. 11", expressive),
+                new InsectSource("k_e, λ, μ, w_0, κ, strongest wind", "0.7, 0.18, 0.35, 0.6, 40, 0.65",
+                    "chosen for the eye: a membrane that flutters like a flag, as in the paper's Fig. 11", expressive),
                 new InsectSource("MAX_f", "62 Hz", "as biological", InsectVariant.Flight),
-                new InsectSource("insect mass", "17.5 mg", "chosen: half of the other variants', which these wings do not carry", InsectVariant.Flight),
+                new InsectSource(
+                    "insect mass", "17.5 mg", "chosen: half of the other variants', which these wings do not carry", InsectVariant.Flight),
                 new InsectSource("veins, colours", "six veins and three forks", "drawn by us"),
             };
         }

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A fishfly's body, 33 mm long without the antennae: a flat head, a square fore thorax like a neck, and a long soft abdomen. The antennae are combs, as
-    /// those of a male Chauliodes. Dull brown with ochre. Proportions chosen by us.
+    /// A fishfly's body, 33 mm long without the antennae: a flat head, a square fore thorax like a neck, and a long soft abdomen. The
+    /// antennae are combs, as those of a male Chauliodes. Dull brown with ochre. Proportions chosen by us.
     /// </summary>
     internal static class FishflyBody
     {
@@ -68,8 +68,8 @@ namespace Alate.Catalogue
         {
             new[]
             {
-                new Vector3(1f, -0.6f, 6.2f), new Vector3(3.4f, -2.2f, 8.4f), new Vector3(3.9f, -4.8f, 5.8f), new Vector3(3.7f, -5.5f, 3.9f),
-                new Vector3(3.7f, -6f, 3f),
+                new Vector3(1f, -0.6f, 6.2f), new Vector3(3.4f, -2.2f, 8.4f), new Vector3(3.9f, -4.8f, 5.8f),
+                new Vector3(3.7f, -5.5f, 3.9f), new Vector3(3.7f, -6f, 3f),
             },
             new[]
             {
@@ -78,8 +78,8 @@ namespace Alate.Catalogue
             },
             new[]
             {
-                new Vector3(1f, -1.7f, -2.4f), new Vector3(3.9f, -3.2f, -2.2f), new Vector3(3.6f, -4.4f, -7f), new Vector3(3.2f, -4.6f, -9.4f),
-                new Vector3(3.2f, -5.1f, -10.4f),
+                new Vector3(1f, -1.7f, -2.4f), new Vector3(3.9f, -3.2f, -2.2f), new Vector3(3.6f, -4.4f, -7f),
+                new Vector3(3.2f, -4.6f, -9.4f), new Vector3(3.2f, -5.1f, -10.4f),
             },
         };
 

@@ -78,7 +78,8 @@ namespace Alate.Catalogue
             preset.Size.wingLength = 0.0376f;
             preset.Size.wingMass = 3.62e-6f;
             preset.Size.insectMass = 0.2e-3f;
-            preset.Rest = new PresetRest { feet = new Vector3(0f, -6.5e-3f, -1e-3f), flap = -20f, sweep = -84f, feather = 66f, tilt = -10f };
+            preset.Rest =
+                new PresetRest { feet = new Vector3(0f, -6.5e-3f, -1e-3f), flap = -20f, sweep = -84f, feather = 66f, tilt = -10f };
             preset.Beat.flapRange = 120f;
             preset.Beat.featherRange = 24f;
             preset.Beat.sweepRange = 0f;
@@ -138,22 +139,28 @@ namespace Alate.Catalogue
                 new InsectSource("wing length", "fore 37.6 mm", film),
                 new InsectSource("wing length", "hind 34 mm", "assumed: a little shorter and broader than the fore wing"),
                 new InsectSource("wing outlines", "11 landmarks each, 3.1 and 3.2 cm²", "proportions chosen by us"),
-                new InsectSource("wing mass", "fore 3.62 mg, hind 3.77 mg", "assumed: ρ* of 18 for the fore wing, 11.8 g/m² of membrane for both"),
+                new InsectSource(
+                    "wing mass", "fore 3.62 mg, hind 3.77 mg", "assumed: ρ* of 18 for the fore wing, 11.8 g/m² of membrane for both"),
                 new InsectSource("insect mass", "0.2 g", "assumed: a slender body of 30 mm"),
                 new InsectSource("MAX_f", "11 Hz", "the paper, Sec. 5.1 and 7.1"),
                 new InsectSource("MAX_f", "11 Hz at any speed", film, biological),
                 new InsectSource("phase of the hind wing", "with the fore wing", "assumed: the paper says nothing of it"),
                 new InsectSource(
                     "phase of the hind wing", "40° later",
-                    "Ennos and Wootton 1989, measured on the scorpion fly Panorpa, whose two pairs of wings are as alike; not measured on fishflies", biological),
+                    "Ennos and Wootton 1989, measured on the scorpion fly Panorpa, whose two pairs of wings are as alike; not "
+                    + "measured on fishflies",
+                    biological),
                 new InsectSource("u_max", "2 m/s", "assumed: as the monarch's"),
                 new InsectSource("MAX_a flap, feather, sweep", "120°, 24°, 0°", "the paper, Table 1"),
                 new InsectSource("elasticity k_e", "0.5", "the paper, Table 2"),
                 new InsectSource("triangles", "1210 on four wings", "the paper, Table 2"),
                 new InsectSource("chord delay λ", "0.08", "chosen: a lag of some 12° on a narrow, soft wing"),
-                new InsectSource("k_e, λ, μ, w_0, κ", "0.2, 0.12, 0.5, 0.55, 60", "chosen for the eye: wings that flutter like flags, as in the paper's Fig. 13", expressive),
-                new InsectSource("phase of the hind wing", "30° later", "chosen for the eye: the flutter runs on from wing to wing", expressive),
-                new InsectSource("MAX_f", "19.5 Hz", "chosen: the beat at which these wings carry 0.2 g; 11 Hz carry a third of it", InsectVariant.Flight),
+                new InsectSource("k_e, λ, μ, w_0, κ", "0.2, 0.12, 0.5, 0.55, 60",
+                    "chosen for the eye: wings that flutter like flags, as in the paper's Fig. 13", expressive),
+                new InsectSource(
+                    "phase of the hind wing", "30° later", "chosen for the eye: the flutter runs on from wing to wing", expressive),
+                new InsectSource("MAX_f", "19.5 Hz", "chosen: the beat at which these wings carry 0.2 g; 11 Hz carry a third of it",
+                    InsectVariant.Flight),
                 new InsectSource("veins, colours", "nine veins, six forks, cross veins", "drawn by us"),
             };
         }

@@ -43,9 +43,13 @@ namespace Alate.Catalogue
         /// <param name="insect">The insect.</param>
         /// <param name="model">Its model.</param>
         /// <returns>The table; null where none is made for these numbers: <see cref="TrimBake"/> makes one.</returns>
-        public static TrimTable CreateTable(InsectDefinition insect, FlightModel model) => TrimTableText.Read(TrimTables.Of(insect.Name), model.Key);
+        public static TrimTable CreateTable(InsectDefinition insect, FlightModel model) =>
+            TrimTableText.Read(TrimTables.Of(insect.Name), model.Key);
 
-        /// <summary>Returns true where an insect flies, or swims, with <see cref="InsectVariant.Flight"/>: it has such numbers and a trim table for them.</summary>
+        /// <summary>
+        /// Returns true where an insect flies, or swims, with <see cref="InsectVariant.Flight"/>: it has such numbers and a trim table for
+        /// them.
+        /// </summary>
         /// <param name="insect">The insect.</param>
         public static bool Flies(InsectDefinition insect) => TrimTables.Of(insect.Name) != null;
 

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Paints the vertex colours of a surface into a picture for its texture coordinates, for shaders that show no vertex colours.</summary>
+    /// <summary>
+    /// Paints the vertex colours of a surface into a picture for its texture coordinates, for shaders that show no vertex colours.
+    /// </summary>
     internal static class ColourTexture
     {
         /// <summary>Reach of colours beyond the used parts of the picture, pixels: for filtering and small mipmaps.</summary>
@@ -17,7 +19,10 @@ namespace Alate.Catalogue
         public static Color32[] Paint(SurfaceMesh surface, int size)
         {
             if (surface.uvs == null || surface.colours == null)
-                throw new ArgumentException("Only a surface with vertex colours and texture coordinates can be painted into a texture.", nameof(surface));
+            {
+                throw new ArgumentException(
+                    "Only a surface with vertex colours and texture coordinates can be painted into a texture.", nameof(surface));
+            }
             if (size < 1)
                 throw new ArgumentOutOfRangeException(nameof(size), size, "A texture has one pixel or more.");
             var pixels = new Color32[size * size];

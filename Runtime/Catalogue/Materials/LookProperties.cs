@@ -75,7 +75,8 @@ namespace Alate.Catalogue
             material.doubleSidedGI = look.IsThin;
             EnableIf(look.IsThin, material, "_DOUBLESIDED_ON");
             material.SetFloatIfPresent("_SurfaceType", look.IsTranslucent ? 1f : 0f);
-            material.SetFloatIfPresent("_ZTestDepthEqualForOpaque", (float)(look.IsTranslucent ? CompareFunction.LessEqual : CompareFunction.Equal));
+            material.SetFloatIfPresent(
+                "_ZTestDepthEqualForOpaque", (float)(look.IsTranslucent ? CompareFunction.LessEqual : CompareFunction.Equal));
             material.SetFloatIfPresent("_TransparentZWrite", look.WritesDepth ? 1f : 0f);
             material.SetFloatIfPresent("_AlphaSrcBlend", (float)BlendMode.One);
             material.SetFloatIfPresent("_AlphaDstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));

@@ -2,7 +2,9 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Reads and writes properties of materials whose shader may not have them: Unity logs an error for each access to one that is missing.</summary>
+    /// <summary>
+    /// Reads and writes properties of materials whose shader may not have them: Unity logs an error for each access to one that is missing.
+    /// </summary>
     internal static class MaterialProperties
     {
         // The newest name first: some shaders keep the older ones, hidden, for materials that are converted.

@@ -20,8 +20,10 @@ namespace Alate.Catalogue
             if (!s_Told.Add(material.shader.name + features))
                 return;
             Debug.LogWarning(
-                $"The material '{material.name}' was made at run time with the features {features} of {material.shader.name}. A build has them only where a saved material uses "
-                + "them; without them wings are opaque, or are seen from one side. Make the insect in the editor with GameObject > Alate, which saves its materials, or keep a "
+                $"The material '{material.name}' was made at run time with the features "
+                + $"{features} of {material.shader.name}. A build has them only where a saved material uses "
+                + "them; without them wings are opaque, or are seen from one side. Make the insect in the editor with GameObject > Alate, "
+                + "which saves its materials, or keep a "
                 + "material with these features in a scene or in a Resources folder.", material);
         }
 

@@ -5,8 +5,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Plain materials for generated wings and bodies in every render pipeline: the package's own shader in the built-in pipeline and URP, HDRP/Lit with a
-    /// painted texture in HDRP. Materials made here belong to the caller; <see cref="Destroy"/> frees one with its texture.
+    /// Plain materials for generated wings and bodies in every render pipeline: the package's own shader in the built-in pipeline and URP,
+    /// HDRP/Lit with a painted texture in HDRP. Materials made here belong to the caller; <see cref="Destroy"/> frees one with its texture.
     /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public static class WingMaterial
@@ -23,8 +23,9 @@ namespace Alate.Catalogue
         private static readonly Color s_Membrane = new Color(0.84f, 0.79f, 0.66f);
 
         /// <summary>
-        /// The shader for the pipeline that draws now: built-in: <see cref="ShaderName"/>, then Standard; URP: <see cref="ShaderName"/>, then Universal Render
-        /// Pipeline/Lit; HDRP: HDRP/Lit; any other pipeline: its default shader. Null where none of them is in the build.
+        /// The shader for the pipeline that draws now: built-in: <see cref="ShaderName"/>, then Standard; URP: <see cref="ShaderName"/>,
+        /// then Universal Render Pipeline/Lit; HDRP: HDRP/Lit; any other pipeline: its default shader. Null where none of them is in the
+        /// build.
         /// </summary>
         public static Shader FindShader()
         {
@@ -36,8 +37,8 @@ namespace Alate.Catalogue
         public static bool ShowsVertexColours(Shader shader) => shader != null && shader.name == ShaderName;
 
         /// <summary>
-        /// A material for a kind of wing, the same for left and right: its pattern as a texture, which is finer than vertex colours, or a pale membrane where it has
-        /// no pattern. Translucent where the pattern's alpha is below 1.
+        /// A material for a kind of wing, the same for left and right: its pattern as a texture, which is finer than vertex colours, or a
+        /// pale membrane where it has no pattern. Translucent where the pattern's alpha is below 1.
         /// </summary>
         /// <param name="wing">The wing.</param>
         /// <param name="textureSize">Pixels along the longer side, 16 to 8192.</param>
@@ -65,7 +66,8 @@ namespace Alate.Catalogue
             int width = Math.Max(1, (int)Math.Round(textureSize / longer));
             int height = Math.Max(1, (int)Math.Round(textureSize * depth / longer));
             Color32[] pixels = wing.Pattern.Paint(outline, width, height);
-            return Create(shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, pixels, width, height, keepPixels), true, HasClearPixels(pixels)));
+            return Create(
+                shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, pixels, width, height, keepPixels), true, HasClearPixels(pixels)));
         }
 
         /// <summary>
@@ -75,7 +77,8 @@ namespace Alate.Catalogue
         /// <param name="textureSize">Pixels along each side, 16 to 8192, where a texture is needed.</param>
         /// <exception cref="ArgumentOutOfRangeException">The size is out of range.</exception>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
-        public static Material ForBody(InsectDefinition species, int textureSize = DefaultTextureSize) => ForBody(species, textureSize, false);
+        public static Material ForBody(InsectDefinition species, int textureSize = DefaultTextureSize) =>
+            ForBody(species, textureSize, false);
 
         internal static Material ForBody(InsectDefinition species, int textureSize, bool keepPixels)
         {
@@ -92,7 +95,8 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// A material for a mesh of one's own with vertex colours. In HDRP, whose shader shows none, it is white: give <see cref="Material.mainTexture"/> a texture.
+        /// A material for a mesh of one's own with vertex colours. In HDRP, whose shader shows none, it is white: give
+        /// <see cref="Material.mainTexture"/> a texture.
         /// </summary>
         /// <param name="isWing">Seen from both sides, with light shining through; else a closed body.</param>
         /// <param name="isTranslucent">Whether what lies behind is seen through where alpha is below 1.</param>
@@ -124,7 +128,8 @@ namespace Alate.Catalogue
             return shader != null
                 ? shader
                 : throw new InvalidOperationException(
-                    $"No shader for wings was found: neither '{ShaderName}' nor a lit one of the render pipeline is in this build. Use a material with one of them in a scene, or list it under "
+                    $"No shader for wings was found: neither '{ShaderName}' nor a lit one of the render pipeline is in this build. Use a "
+                    + "material with one of them in a scene, or list it under "
                     + "Project Settings > Graphics > Always Included Shaders.");
         }
 
@@ -141,7 +146,10 @@ namespace Alate.Catalogue
         private static void CheckSize(int size)
         {
             if (size < k_LeastSize || size > k_MostSize)
-                throw new ArgumentOutOfRangeException(nameof(size), size, $"A texture has {k_LeastSize} to {k_MostSize} pixels along its longer side.");
+            {
+                throw new ArgumentOutOfRangeException(
+                    nameof(size), size, $"A texture has {k_LeastSize} to {k_MostSize} pixels along its longer side.");
+            }
         }
     }
 }

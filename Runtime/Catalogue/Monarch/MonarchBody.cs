@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A monarch's body, 29 mm long: black, with white dots on head and thorax, a paler belly, and four legs, since a monarch folds its fore legs away. Proportions
-    /// chosen by us.
+    /// A monarch's body, 29 mm long: black, with white dots on head and thorax, a paler belly, and four legs, since a monarch folds its
+    /// fore legs away. Proportions chosen by us.
     /// </summary>
     internal static class MonarchBody
     {
@@ -47,13 +47,13 @@ namespace Alate.Catalogue
         {
             new[]
             {
-                new Vector3(0.9f, -1.9f, 1.6f), new Vector3(2.3f, -4.1f, 3.2f), new Vector3(2.2f, -5.5f, -0.9f), new Vector3(1.9f, -5.7f, -3.4f),
-                new Vector3(1.8f, -6.1f, -4.6f),
+                new Vector3(0.9f, -1.9f, 1.6f), new Vector3(2.3f, -4.1f, 3.2f), new Vector3(2.2f, -5.5f, -0.9f),
+                new Vector3(1.9f, -5.7f, -3.4f), new Vector3(1.8f, -6.1f, -4.6f),
             },
             new[]
             {
-                new Vector3(0.9f, -1.9f, -1.2f), new Vector3(2.4f, -3.9f, 0.2f), new Vector3(2.1f, -4.5f, -5f), new Vector3(1.8f, -4.3f, -7.8f),
-                new Vector3(1.7f, -4.6f, -9f),
+                new Vector3(0.9f, -1.9f, -1.2f), new Vector3(2.4f, -3.9f, 0.2f), new Vector3(2.1f, -4.5f, -5f),
+                new Vector3(1.8f, -4.3f, -7.8f), new Vector3(1.7f, -4.6f, -9f),
             },
         };
 

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>The monarch, Danaus plexippus. Its fore and hind wing move as one (Dudley 2002) and are one wing here, as in the paper.</summary>
+    /// <summary>
+    /// The monarch, Danaus plexippus. Its fore and hind wing move as one (Dudley 2002) and are one wing here, as in the paper.
+    /// </summary>
     internal static class MonarchDefinition
     {
         private const double k_LastTipSpan = 26.9;
@@ -62,13 +64,17 @@ namespace Alate.Catalogue
                 new InsectSource("insect mass", "0.428 g", measured),
                 new InsectSource("MAX_f", "11 Hz", "the paper, Sec. 5.1, after Davenport 1994 and Kang et al. 2018"),
                 new InsectSource("u_max", "2 m/s", "assumed: a brisk cruise of a monarch"),
-                new InsectSource("MAX_a flap, feather, sweep", "120°, 24°, 36°", "the paper, Table 1; read from end to end, as the measured ±60° asks"),
+                new InsectSource(
+                    "MAX_a flap, feather, sweep", "120°, 24°, 36°", "the paper, Table 1; read from end to end, as the measured ±60° asks"),
                 new InsectSource("elasticity k_e", "1", "the paper, Table 2"),
                 new InsectSource("triangles", "4192 on two wings", "the paper, Table 2"),
-                new InsectSource("chord delay λ", "0.15", "chosen so that the trailing edge lags by some 27°, within the 10 to 40° measured on butterflies"),
-                new InsectSource("k_e, λ, μ, w_0, decay, κ", "0.35, 0.22, 0.25, 0.65, 0.5, 30", "chosen for the eye: wings that bow and roll", InsectVariant.Expressive),
+                new InsectSource("chord delay λ", "0.15",
+                    "chosen so that the trailing edge lags by some 27°, within the 10 to 40° measured on butterflies"),
+                new InsectSource("k_e, λ, μ, w_0, decay, κ", "0.35, 0.22, 0.25, 0.65, 0.5, 30",
+                    "chosen for the eye: wings that bow and roll", InsectVariant.Expressive),
                 new InsectSource("last chain's tip", "span 26.9 mm", "chosen: the rearmost point of the hind wing"),
-                new InsectSource("body", "ellipsoids of head, thorax and abdomen, 8, 38 and 54 % of its mass", "chosen: proportions of a monarch", InsectVariant.Flight),
+                new InsectSource("body", "ellipsoids of head, thorax and abdomen, 8, 38 and 54 % of its mass",
+                    "chosen: proportions of a monarch", InsectVariant.Flight),
                 new InsectSource("body, colours", "29 mm long, thorax 4.5 mm wide", "proportions chosen by us"),
             };
         }

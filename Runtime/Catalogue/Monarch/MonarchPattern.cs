@@ -5,12 +5,13 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A monarch's colours, drawn for this package: orange ground, dark veins that fan out from a closed cell of each wing, a dark margin with a row of pale
-    /// spots, and a dark fore wing tip with paler windows. Veins are laid by eye into the outline, in wing lengths.
+    /// A monarch's colours, drawn for this package: orange ground, dark veins that fan out from a closed cell of each wing, a dark margin
+    /// with a row of pale spots, and a dark fore wing tip with paler windows. Veins are laid by eye into the outline, in wing lengths.
     /// </summary>
     internal sealed class MonarchPattern : WingPattern
     {
-        private const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027, k_SpotSpacing = 0.055, k_SpotRadius = 0.0115;
+        private const double k_VeinHalfWidth = 0.0045, k_ThinRimWidth = 0.014, k_MarginWidth = 0.055, k_SpotDepth = 0.027,
+            k_SpotSpacing = 0.055, k_SpotRadius = 0.0115;
         private const double k_MarginStart = 0.93, k_MarginEnd = 0.4;
         private const double k_LeastFeature = 0.35;
 
@@ -46,7 +47,8 @@ namespace Alate.Catalogue
 
         private static readonly double[] s_Windows =
         {
-            0.72, 0.122, 0.03, 0.012, 0.76, 0.08, 0.035, 0.013, 0.745, 0.04, 0.035, 0.012, 0.86, 0.112, 0.018, 0.01, 0.88, 0.075, 0.018, 0.01,
+            0.72, 0.122, 0.03, 0.012, 0.76, 0.08, 0.035, 0.013, 0.745, 0.04,
+            0.035, 0.012, 0.86, 0.112, 0.018, 0.01, 0.88, 0.075, 0.018, 0.01,
             0.85, 0.035, 0.018, 0.01,
         };
 
@@ -77,7 +79,8 @@ namespace Alate.Catalogue
 
             double edge = m_Margin.Distance(span, forward, out double along, k_MarginWidth + softness);
             colour = Color.Lerp(
-                colour, s_Dark, Math.Max(Ink.Within(edge, k_MarginWidth, softness), m_ThinRim.Line(span, forward, k_ThinRimWidth, softness)));
+                colour, s_Dark,
+                Math.Max(Ink.Within(edge, k_MarginWidth, softness), m_ThinRim.Line(span, forward, k_ThinRimWidth, softness)));
 
             return Color.Lerp(colour, s_Spot, Ink.Row(along, edge, k_SpotSpacing, k_SpotDepth, k_SpotRadius, k_SpotRadius, 0.5 * softness));
         }

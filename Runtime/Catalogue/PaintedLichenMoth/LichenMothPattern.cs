@@ -4,12 +4,13 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A painted lichen moth's colours, drawn for this package: grey stripes along a fore wing that turns from yellow to orange red, and a pink hind wing with a
-    /// grey border. Laid by eye into the outline of the couple.
+    /// A painted lichen moth's colours, drawn for this package: grey stripes along a fore wing that turns from yellow to orange red, and a
+    /// pink hind wing with a grey border. Laid by eye into the outline of the couple.
     /// </summary>
     internal sealed class LichenMothPattern : WingPattern
     {
-        private const double k_Tornus = 0.77, k_TipStart = 0.83, k_SeamStart = -0.03, k_SeamSlope = -0.27, k_BorderWidth = 0.085, k_SeamHalfWidth = 0.006;
+        private const double k_Tornus = 0.77, k_TipStart = 0.83, k_SeamStart = -0.03, k_SeamSlope = -0.27, k_BorderWidth = 0.085,
+            k_SeamHalfWidth = 0.006;
         private const double k_VeinHalfWidth = 0.004, k_LeastFeature = 0.3;
 
         private static readonly Color s_Yellow = new Color(0.95f, 0.76f, 0.30f);

@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A painted lichen moth's body, 10 mm long: short and plump, the thorax covered with long hair in the stripes of the wings (yellow, rose and slate), thread-like
-    /// antennae with fine bristles. Proportions chosen by us.
+    /// A painted lichen moth's body, 10 mm long: short and plump, the thorax covered with long hair in the stripes of the wings (yellow,
+    /// rose and slate), thread-like antennae with fine bristles. Proportions chosen by us.
     /// </summary>
     internal static class PaintedLichenMothBody
     {
@@ -47,8 +47,8 @@ namespace Alate.Catalogue
         {
             new[]
             {
-                new Vector3(0.4f, -0.7f, 1.5f), new Vector3(0.9f, -1.6f, 2.6f), new Vector3(0.95f, -2.4f, 1.7f), new Vector3(0.9f, -2.7f, 0.8f),
-                new Vector3(0.9f, -2.9f, 0.4f),
+                new Vector3(0.4f, -0.7f, 1.5f), new Vector3(0.9f, -1.6f, 2.6f), new Vector3(0.95f, -2.4f, 1.7f),
+                new Vector3(0.9f, -2.7f, 0.8f), new Vector3(0.9f, -2.9f, 0.4f),
             },
             new[]
             {
@@ -57,8 +57,8 @@ namespace Alate.Catalogue
             },
             new[]
             {
-                new Vector3(0.5f, -1f, -0.8f), new Vector3(1.3f, -1.9f, -0.4f), new Vector3(1.2f, -2.2f, -2.9f), new Vector3(1f, -2.2f, -4.2f),
-                new Vector3(1f, -2.4f, -4.6f),
+                new Vector3(0.5f, -1f, -0.8f), new Vector3(1.3f, -1.9f, -0.4f), new Vector3(1.2f, -2.2f, -2.9f),
+                new Vector3(1f, -2.2f, -4.2f), new Vector3(1f, -2.4f, -4.6f),
             },
         };
 
@@ -89,13 +89,23 @@ namespace Alate.Catalogue
         private static void AddHead(BodyParts parts)
         {
             BodyPatch head = parts.Add(Ellipsoid.Around(new Vector3(0f, 0.1f, 2.75f), new Vector3(0.72f, 0.66f, 0.7f), 8, 14), Striped);
-            var tuft = new Fur { Count = 36, Length = 0.42f, Radius = 0.07f, Seed = 59, Lay = new Vector3(0f, 0.6f, 0.2f), Where = place => place.y > 0.2f };
+            var tuft = new Fur
+            {
+                Count = 36,
+                Length = 0.42f,
+                Radius = 0.07f,
+                Seed = 59,
+                Lay = new Vector3(
+                0f, 0.6f, 0.2f),
+                Where = place => place.y > 0.2f
+            };
             parts.AddFur(head, tuft.GrowOn(head.part), Shaggy);
             parts.AddPair(
                 Ellipsoid.Around(new Vector3(0.5f, 0.12f, 2.95f), new Vector3(0.36f, 0.42f, 0.42f), 8, 10), (in BodyPoint point) => s_Eye);
             Vector3[] palp = new[]
             {
-                new Vector3(0.18f, -0.3f, 3f), new Vector3(0.2f, -0.45f, 3.5f), new Vector3(0.2f, -0.1f, 3.75f), new Vector3(0.18f, 0.2f, 3.8f),
+                new Vector3(0.18f, -0.3f, 3f), new Vector3(0.2f, -0.45f, 3.5f), new Vector3(0.2f, -0.1f, 3.75f),
+                new Vector3(0.18f, 0.2f, 3.8f),
             };
             parts.AddPair(Stalk.Along(palp, t => 0.15f - 0.09f * t, 5, 6), (in BodyPoint point) => s_Slate);
         }

@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace Alate.Catalogue
 {
-    /// <summary>The painted lichen moth, Hypoprepia fucosa. Its fore and hind wing are hooked to each other and are one wing here, as the monarch's are.</summary>
+    /// <summary>
+    /// The painted lichen moth, Hypoprepia fucosa. Its fore and hind wing are hooked to each other and are one wing here, as the monarch's
+    /// are.
+    /// </summary>
     internal static class PaintedLichenMothDefinition
     {
         private static readonly double[] s_Span = { 0, 0.9, 2.0, 3.6, 5.2, 6.8, 8.2, 9.4, 10.3, 11.0, 12.0, 12.9, 13.6, 14.0 };
@@ -36,7 +39,8 @@ namespace Alate.Catalogue
             preset.Size.wingLength = 0.014f;
             preset.Size.wingMass = 0.84e-6f;
             preset.Size.insectMass = 25e-6f;
-            preset.Rest = new PresetRest { feet = new Vector3(0f, -3.2e-3f, -0.4e-3f), flap = -25f, sweep = -80f, feather = 80f, tilt = -10f };
+            preset.Rest =
+                new PresetRest { feet = new Vector3(0f, -3.2e-3f, -0.4e-3f), flap = -25f, sweep = -80f, feather = 80f, tilt = -10f };
             preset.Beat.flapRange = 126f;
             preset.Beat.featherRange = 37f;
             preset.Beat.sweepRange = 37f;
@@ -79,8 +83,10 @@ namespace Alate.Catalogue
                 new InsectSource(
                     "k_e, λ, μ, w_0, decay, joint limit, κ", "0.28, 0.28, 0.35, 0.55, 0.35, 40°, 60",
                     "chosen for the eye: tips that cup, as in the paper's Fig. 12", expressive),
-                new InsectSource("MAX_f", "39 Hz", "chosen: the beat at which these wings carry 25 mg; small moths beat at 30 to 60 Hz", InsectVariant.Flight),
-                new InsectSource("colours", "grey stripes on yellow and red, a pink hind wing", "after descriptions of the species, drawn by us"),
+                new InsectSource("MAX_f", "39 Hz", "chosen: the beat at which these wings carry 25 mg; small moths beat at 30 to 60 Hz",
+                    InsectVariant.Flight),
+                new InsectSource(
+                    "colours", "grey stripes on yellow and red, a pink hind wing", "after descriptions of the species, drawn by us"),
             };
         }
     }

@@ -47,7 +47,9 @@ namespace Alate.Catalogue
         public static List<double> Edge(Func<double, double> edge, double from, double to) =>
             Points(from, to, span => new PlanPoint(span, edge(span)));
 
-        /// <summary>Points x, z, x, z, … of a part of a wing's margin, between two shares of its length from the leading corner of the base.</summary>
+        /// <summary>
+        /// Points x, z, x, z, … of a part of a wing's margin, between two shares of its length from the leading corner of the base.
+        /// </summary>
         public static List<double> Margin(WingOutline outline, double from, double to)
         {
             Polyline margin = WingRim.Margin(outline);

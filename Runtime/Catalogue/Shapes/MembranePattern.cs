@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A clear wing: a tinted membrane that lets things behind it show through, and opaque veins that thin out towards the margin. Opacity is in the
-    /// colour's alpha; a material that ignores alpha shows a pale membrane.
+    /// A clear wing: a tinted membrane that lets things behind it show through, and opaque veins that thin out towards the margin. Opacity
+    /// is in the colour's alpha; a material that ignores alpha shows a pale membrane.
     /// </summary>
     internal sealed class MembranePattern : WingPattern
     {
@@ -54,7 +54,8 @@ namespace Alate.Catalogue
             double vein = m_Veins.Distance(span, forward, out double along, reach);
             if (Dapple > 0f)
             {
-                double wave = Math.Sin(2 * Math.PI * fromBase / DappleLength) + Math.Sin(2 * Math.PI * (span - 1.3 * forward) / (1.7 * DappleLength));
+                double wave = Math.Sin(2 * Math.PI * fromBase / DappleLength)
+                    + Math.Sin(2 * Math.PI * (span - 1.3 * forward) / (1.7 * DappleLength));
                 float dark = (float)(Math.Clamp(0.6 * wave - 0.1, 0, 1) * Math.Exp(-Math.Pow(vein / (3 * VeinHalfWidth), 2)));
                 colour = Color.Lerp(colour, Vein, Dapple * dark);
             }
@@ -64,7 +65,8 @@ namespace Alate.Catalogue
             double cross = Math.Max(k_CrossShare * VeinHalfWidth, k_LeastFeature * softness);
             float drawn = Math.Max(Ink.Within(vein, width, softness), m_Veins.CrossVeins(span, forward, cross, softness));
             drawn = Math.Max(drawn, m_Rim.Line(span, forward, k_RimWidth, softness));
-            drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out double ahead, CostaHalfWidth + softness), CostaHalfWidth * (1 - 0.7 * ahead), softness));
+            drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out double ahead, CostaHalfWidth + softness),
+                CostaHalfWidth * (1 - 0.7 * ahead), softness));
             return Color.Lerp(colour, Vein, drawn);
         }
     }

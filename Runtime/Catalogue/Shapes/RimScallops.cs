@@ -5,8 +5,8 @@ using Alate.Geometry;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Scallops of a margin: hollows between points that stay on the outline, as between the veins of a hind wing or the rays of a fin. The points lie evenly
-    /// along a part of the margin.
+    /// Scallops of a margin: hollows between points that stay on the outline, as between the veins of a hind wing or the rays of a fin. The
+    /// points lie evenly along a part of the margin.
     /// </summary>
     internal sealed class RimScallops
     {
@@ -16,7 +16,8 @@ namespace Alate.Catalogue
         private readonly double m_To;
         private readonly double[] m_Depths;
 
-        /// <param name="from">Where the first hollow begins: share of the margin's length from the leading corner of the base, 0 to 1.</param>
+        /// <param name="from">Where the first hollow begins: share of the margin's length from the leading corner of the base, 0 to
+        /// 1.</param>
         /// <param name="to">Where the last hollow ends.</param>
         /// <param name="depths">Depth of each hollow in order, wing lengths.</param>
         public RimScallops(double from, double to, params double[] depths)
@@ -50,7 +51,8 @@ namespace Alate.Catalogue
             stretches.Add(Polyline.Trace(steps, share =>
             {
                 double distance = (from + share * (to - from)) * margin.Length;
-                return margin.At(distance) + Inward(margin, distance, 0.5 * (to - from) * margin.Length) * (depth * Elementary.Sin(Math.PI * share));
+                return margin.At(distance)
+                    + Inward(margin, distance, 0.5 * (to - from) * margin.Length) * (depth * Elementary.Sin(Math.PI * share));
             }));
         }
 

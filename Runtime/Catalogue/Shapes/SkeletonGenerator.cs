@@ -6,8 +6,9 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Makes the radial skeleton of a right or left wing from its outline (Sec. 4.1): roots evenly on the base chord, tips evenly along the contour from the leading corner
-    /// of the tip over the trailing edge, chain 0 along the leading edge, the others straight, joints evenly along each chain.
+    /// Makes the radial skeleton of a right or left wing from its outline (Sec. 4.1): roots evenly on the base chord, tips evenly along the
+    /// contour from the leading corner of the tip over the trailing edge, chain 0 along the leading edge, the others straight, joints
+    /// evenly along each chain.
     /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public static class SkeletonGenerator
@@ -18,7 +19,8 @@ namespace Alate.Catalogue
         /// <summary>Makes a skeleton.</summary>
         /// <param name="outline">The wing's contour.</param>
         /// <param name="chains">Radial chains, <see cref="WingSkeleton.MinChains"/> to <see cref="WingSkeleton.MaxChains"/>.</param>
-        /// <param name="jointsPerChain">Joints of each chain, <see cref="WingSkeleton.MinJoints"/> to <see cref="WingSkeleton.MaxJoints"/>.</param>
+        /// <param name="jointsPerChain">Joints of each chain, <see cref="WingSkeleton.MinJoints"/> to
+        /// <see cref="WingSkeleton.MaxJoints"/>.</param>
         /// <param name="lastTipSpan">Span of the last chain's tip on the trailing edge, wing lengths, above 0 and below 1.</param>
         /// <param name="scale">Length of the wing in mesh units.</param>
         /// <param name="side">Left gives the mirror image.</param>
@@ -30,7 +32,11 @@ namespace Alate.Catalogue
             Polyline rim = TipAndTrailingEdge(outline, lastTipSpan);
             var paths = new Polyline[chains];
             for (int i = 0; i < chains; i++)
-                paths[i] = i == 0 ? LeadingEdge(outline) : new Polyline(new[] { Root(outline, i, chains), rim.At(rim.Length * i / (chains - 1)) });
+            {
+                paths[i] = i == 0
+                    ? LeadingEdge(outline)
+                    : new Polyline(new[] { Root(outline, i, chains), rim.At(rim.Length * i / (chains - 1)) });
+            }
 
             return Make(paths, jointsPerChain, scale, side);
         }
@@ -112,7 +118,10 @@ namespace Alate.Catalogue
             }
 
             if (!(lastTipSpan > 0 && lastTipSpan < 1))
-                throw new ArgumentOutOfRangeException(nameof(lastTipSpan), lastTipSpan, "The last chain ends between the base and the tip.");
+            {
+                throw new ArgumentOutOfRangeException(
+                    nameof(lastTipSpan), lastTipSpan, "The last chain ends between the base and the tip.");
+            }
 
             if (!(scale > 0 && scale <= float.MaxValue))
                 throw new ArgumentOutOfRangeException(nameof(scale), scale, "The wing length is a positive number.");

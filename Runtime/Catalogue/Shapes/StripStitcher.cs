@@ -29,7 +29,8 @@ namespace Alate.Catalogue
             return triangles;
         }
 
-        private static int StitchStrip(Vector3[] positions, int inner, int innerPieces, int outer, int outerPieces, int[] triangles, int corner)
+        private static int StitchStrip(
+            Vector3[] positions, int inner, int innerPieces, int outer, int outerPieces, int[] triangles, int corner)
         {
             int a = inner;
             int b = outer;

@@ -44,7 +44,8 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// Strokes that may be nearest to a place; none where all are known to be beyond the reach; all of them for a place outside of the cells.
+        /// Strokes that may be nearest to a place; none where all are known to be beyond the reach; all of them for a place outside of the
+        /// cells.
         /// </summary>
         public Stroke[] Around(double x, double z, double reach)
         {

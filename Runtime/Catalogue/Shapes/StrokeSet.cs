@@ -27,7 +27,9 @@ namespace Alate.Catalogue
         public float Line(double x, double z, double limit, double softness) =>
             Ink.Within(Distance(x, z, out _, limit + softness), limit, softness);
 
-        /// <summary>Distance to the nearest stroke, with the distance along its polyline of the nearest point; a huge number without strokes.</summary>
+        /// <summary>
+        /// Distance to the nearest stroke, with the distance along its polyline of the nearest point; a huge number without strokes.
+        /// </summary>
         /// <param name="x">Along the span.</param>
         /// <param name="z">Forward.</param>
         /// <param name="along">Along the polyline.</param>

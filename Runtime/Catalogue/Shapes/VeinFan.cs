@@ -5,8 +5,8 @@ using Alate.Geometry;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Veins of a wing or rays of a fin: curves from the base to the margin, their forks, and cross veins between neighbours. They are laid out by shares of the
-    /// margin, so that they fit whatever outline they are drawn into.
+    /// Veins of a wing or rays of a fin: curves from the base to the margin, their forks, and cross veins between neighbours. They are laid
+    /// out by shares of the margin, so that they fit whatever outline they are drawn into.
     /// </summary>
     internal sealed class VeinFan
     {
@@ -15,12 +15,14 @@ namespace Alate.Catalogue
         private readonly WingOutline m_Outline;
         private readonly Polyline m_Margin;
         private readonly double m_Gather;
-        private readonly List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)> m_Veins = new List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)>();
+        private readonly List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)> m_Veins =
+            new List<(PlanPoint Root, PlanPoint Bend, PlanPoint Tip)>();
         private readonly StrokeSet m_Strokes = new StrokeSet();
         private readonly StrokeSet m_Crosses = new StrokeSet();
 
         /// <param name="outline">The outline to draw into.</param>
-        /// <param name="gather">How closely veins follow the leading edge before they turn to their tips: 0 runs straight, 1 along the edge.</param>
+        /// <param name="gather">How closely veins follow the leading edge before they turn to their tips: 0 runs straight, 1 along the
+        /// edge.</param>
         public VeinFan(WingOutline outline, double gather)
         {
             m_Outline = outline;
@@ -73,10 +75,12 @@ namespace Alate.Catalogue
             m_Strokes.Distance(span, forward, out along, reach);
 
         /// <summary>Veins as soft lines of a half width.</summary>
-        public float Veins(double span, double forward, double halfWidth, double softness) => m_Strokes.Line(span, forward, halfWidth, softness);
+        public float Veins(double span, double forward, double halfWidth, double softness) =>
+            m_Strokes.Line(span, forward, halfWidth, softness);
 
         /// <summary>Cross veins as soft lines of a half width.</summary>
-        public float CrossVeins(double span, double forward, double halfWidth, double softness) => m_Crosses.Line(span, forward, halfWidth, softness);
+        public float CrossVeins(double span, double forward, double halfWidth, double softness) =>
+            m_Crosses.Line(span, forward, halfWidth, softness);
 
         private PlanPoint On(int vein, double t)
         {

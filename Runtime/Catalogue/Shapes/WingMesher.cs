@@ -7,9 +7,9 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Triangulates a right wing's outline in the plane y = 0, facing up: span along X from the hinge line, leading edge towards +Z, one wing length
-    /// long times <c>scale</c>. Texture coordinates: u along the span, v from the rearmost to the foremost point of the outline. The same input gives
-    /// the same mesh, bit for bit.
+    /// Triangulates a right wing's outline in the plane y = 0, facing up: span along X from the hinge line, leading edge towards +Z, one
+    /// wing length long times <c>scale</c>. Texture coordinates: u along the span, v from the rearmost to the foremost point of the
+    /// outline. The same input gives the same mesh, bit for bit.
     /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public static class WingMesher
@@ -21,8 +21,8 @@ namespace Alate.Catalogue
         public const int MaxTriangles = 1000000;
 
         /// <summary>
-        /// A regular grid: stations evenly along the span, vertices evenly along each chord from leading to trailing edge. Vertex (k, c) has the index
-        /// k (chordCells + 1) + c. For experiments: triangles are as narrow as the chord
+        /// A regular grid: stations evenly along the span, vertices evenly along each chord from leading to trailing edge. Vertex (k, c)
+        /// has the index k (chordCells + 1) + c. For experiments: triangles are as narrow as the chord
         /// at their station, and vanish in the tip of a rounded one.
         /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">A count is below 1.</exception>
@@ -34,7 +34,8 @@ namespace Alate.Catalogue
             if (spanCells < 1 || chordCells < 1)
             {
                 throw new ArgumentOutOfRangeException(
-                    spanCells < 1 ? nameof(spanCells) : nameof(chordCells), Math.Min(spanCells, chordCells), "A grid has at least one cell each way.");
+                    spanCells < 1 ? nameof(spanCells) : nameof(chordCells), Math.Min(spanCells, chordCells),
+                    "A grid has at least one cell each way.");
             }
 
             int[] segments = new int[spanCells + 1];
@@ -49,10 +50,11 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// An even mesh of an exact number of triangles: the chord of every station is cut into pieces of nearly one size, and neighbouring stations are
-        /// stitched along the shorter diagonals.
+        /// An even mesh of an exact number of triangles: the chord of every station is cut into pieces of nearly one size, and neighbouring
+        /// stations are stitched along the shorter diagonals.
         /// </summary>
-        /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and <see cref="MaxTriangles"/>.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and
+        /// <see cref="MaxTriangles"/>.</exception>
         public static SurfaceMesh Strips(WingOutline outline, int triangleCount, float scale = 1f)
         {
             Check(outline, triangleCount);
@@ -65,8 +67,10 @@ namespace Alate.Catalogue
         /// Makes an even mesh of an exact number of triangles whose vertices follow the rim and lie on a lattice of equilateral triangles
         /// inside it: for outlines that are too steep for stations, such as a tail or a fan.
         /// </summary>
-        /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and <see cref="MaxTriangles"/>.</exception>
-        public static SurfaceMesh Fill(WingOutline outline, int triangleCount, float scale = 1f) => Fill(outline, null, triangleCount, scale);
+        /// <exception cref="ArgumentOutOfRangeException">The count is not between <see cref="MinTriangles"/> and
+        /// <see cref="MaxTriangles"/>.</exception>
+        public static SurfaceMesh Fill(WingOutline outline, int triangleCount, float scale = 1f) =>
+            Fill(outline, null, triangleCount, scale);
 
         /// <summary>Mesh of an outline with a scalloped margin; null for none.</summary>
         internal static SurfaceMesh Fill(WingOutline outline, RimScallops scallops, int triangleCount, float scale)
@@ -74,7 +78,8 @@ namespace Alate.Catalogue
             Check(outline, triangleCount);
             PlanPoint[] rim = WingRim.Of(outline, scallops, out List<int> corners);
             TriangleLinks mesh = OutlineMesher.Mesh(rim, triangleCount, out _, corners);
-            Vector3[] positions = Array.ConvertAll(mesh.points, point => new Vector3((float)(point.x * scale), 0f, (float)(point.z * scale)));
+            Vector3[] positions = Array.ConvertAll(
+                mesh.points, point => new Vector3((float)(point.x * scale), 0f, (float)(point.z * scale)));
             return Surface(outline, positions, mesh.Clockwise(), scale);
         }
 

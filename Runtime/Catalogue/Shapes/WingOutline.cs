@@ -6,8 +6,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// The contour of a right wing at rest, lying in the plane y = 0: a leading and a trailing edge over the span. Inside, lengths are in wing lengths;
-    /// the origin lies on the hinge line at the wing base, X runs to the tip and Z forward.
+    /// The contour of a right wing at rest, lying in the plane y = 0: a leading and a trailing edge over the span. Inside, lengths are in
+    /// wing lengths; the origin lies on the hinge line at the wing base, X runs to the tip and Z forward.
     /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class WingOutline
@@ -49,8 +49,10 @@ namespace Alate.Catalogue
         /// <summary>An outline with straight edges through landmarks in millimetres.</summary>
         /// <param name="span">Distance from the base along the span, rising from 0; its last value is the wing length.</param>
         /// <param name="leading">Leading edge ahead of the hinge line, one for each span.</param>
-        /// <param name="trailing">Trailing edge ahead of the hinge line (so mostly negative), one for each span. The two edges may meet at the tip only.</param>
-        /// <exception cref="ArgumentException">The three differ in length, hold fewer than two landmarks, or their order is broken.</exception>
+        /// <param name="trailing">Trailing edge ahead of the hinge line (so mostly negative), one for each span. The two edges may meet at
+        /// the tip only.</param>
+        /// <exception cref="ArgumentException">The three differ in length, hold fewer than two landmarks, or their order is
+        /// broken.</exception>
         public static WingOutline FromMillimetres(double[] span, double[] leading, double[] trailing)
         {
             CheckLandmarks(span, leading, trailing);
@@ -141,7 +143,8 @@ namespace Alate.Catalogue
             if (span.Length < 2 || span.Length != leading.Length || span.Length != trailing.Length)
             {
                 throw new ArgumentException(
-                    $"An outline needs two or more landmarks, each with a span, a leading and a trailing edge; given {span.Length}, {leading.Length}, {trailing.Length}.");
+                    "An outline needs two or more landmarks, each with a span, a leading and a trailing edge; given "
+                    + $"{span.Length}, {leading.Length}, {trailing.Length}.");
             }
 
             for (int i = 0; i < span.Length; i++)

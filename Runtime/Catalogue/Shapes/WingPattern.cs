@@ -4,7 +4,9 @@ using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate.Catalogue
 {
-    /// <summary>The colouring of a right wing as a function of the place on it, for vertex colours as well as for textures of any size.</summary>
+    /// <summary>
+    /// The colouring of a right wing as a function of the place on it, for vertex colours as well as for textures of any size.
+    /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public abstract class WingPattern
     {
@@ -31,8 +33,8 @@ namespace Alate.Catalogue
         }
 
         /// <summary>
-        /// A picture of the wing for the texture coordinates of <see cref="WingMesher"/>, row by row from v = 0 as in a texture. The colours near the edge go on
-        /// outside the outline, so that filtering finds no foreign colour.
+        /// A picture of the wing for the texture coordinates of <see cref="WingMesher"/>, row by row from v = 0 as in a texture. The
+        /// colours near the edge go on outside the outline, so that filtering finds no foreign colour.
         /// </summary>
         /// <param name="outline">The outline that was meshed.</param>
         /// <param name="width">Columns, 1 or more.</param>

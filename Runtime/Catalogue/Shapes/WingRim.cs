@@ -11,7 +11,9 @@ namespace Alate.Catalogue
         /// <summary>Number of steps along each edge; they crowd at the tip, where a rounded edge falls steeply.</summary>
         private const int k_EdgeSteps = 1200;
 
-        /// <summary>The rim counterclockwise: from the trailing corner of the base around the tip to the leading one, then home along the base.</summary>
+        /// <summary>
+        /// The rim counterclockwise: from the trailing corner of the base around the tip to the leading one, then home along the base.
+        /// </summary>
         /// <param name="outline">Outline of the wing.</param>
         /// <param name="scallops">Hollows of its margin; null for none.</param>
         /// <param name="corners">Indices of the points between two smooth stretches, rising; a mesh keeps them.</param>

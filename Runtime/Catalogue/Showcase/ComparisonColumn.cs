@@ -5,8 +5,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// One column of the paper's comparisons (Fig. 14, and methods I to III of its user study): the same wing by a model with parts left out, or of another
-    /// elasticity.
+    /// One column of the paper's comparisons (Fig. 14, and methods I to III of its user study): the same wing by a model with parts left
+    /// out, or of another elasticity.
     /// </summary>
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class ComparisonColumn
@@ -26,7 +26,10 @@ namespace Alate.Catalogue
             m_Change = change;
         }
 
-        /// <summary>Flat wings that flap, feather and sweep as the wings' roots are driven, as in earlier models of flight: neither wave nor bending.</summary>
+        /// <summary>
+        /// Flat wings that flap, feather and sweep as the wings' roots are driven, as in earlier models of flight: neither wave nor
+        /// bending.
+        /// </summary>
         public static ComparisonColumn RigidWing { get; } = new ComparisonColumn(
             "rigid", "Rigid wing", "as in earlier flight models: flapping, feathering and sweeping of a flat plate", MakeRigid);
 
@@ -38,7 +41,9 @@ namespace Alate.Catalogue
         public static ComparisonColumn FullModel { get; } = new ComparisonColumn(
             "full", "Full model", "deformation wave, bending and elasticity", _ => { });
 
-        /// <summary>The four columns from the least to the most flexible: rigid, no wave, full, and full with <see cref="OtherElasticity"/>.</summary>
+        /// <summary>
+        /// The four columns from the least to the most flexible: rigid, no wave, full, and full with <see cref="OtherElasticity"/>.
+        /// </summary>
         public static IReadOnlyList<ComparisonColumn> All { get; } = new[] { RigidWing, NoWave, FullModel, Elasticity(OtherElasticity) };
 
         /// <summary>A short name for tables and files: "rigid", "no-wave", "full", "elasticity-0.25".</summary>
@@ -59,7 +64,8 @@ namespace Alate.Catalogue
             if (!(factor >= k_Least && factor <= k_Most))
             {
                 throw new ArgumentOutOfRangeException(
-                    nameof(factor), factor, FormattableString.Invariant($"The factor on the elasticity must be between {k_Least} and {k_Most}."));
+                    nameof(factor), factor,
+                    FormattableString.Invariant($"The factor on the elasticity must be between {k_Least} and {k_Most}."));
             }
 
             return new ComparisonColumn(

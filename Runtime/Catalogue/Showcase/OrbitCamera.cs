@@ -4,8 +4,9 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Turns a camera about a point: drag to turn, with the right button or Shift to move, the wheel to come nearer. It listens to the events of IMGUI, so it works with the
-    /// old and the new input system alike. To look at insects in an empty scene, <see cref="Create"/> makes one with a light.
+    /// Turns a camera about a point: drag to turn, with the right button or Shift to move, the wheel to come nearer. It listens to the
+    /// events of IMGUI, so it works with the old and the new input system alike. To look at insects in an empty scene, <see cref="Create"/>
+    /// makes one with a light.
     /// </summary>
     [AddComponentMenu("Alate/Orbit Camera")]
     [RequireComponent(typeof(Camera))]
@@ -95,9 +96,13 @@ namespace Alate.Catalogue
         {
             foreach (Light light in Resources.FindObjectsOfTypeAll<Light>())
             {
-                // Prefabs are in no scene. While a scene wakes it does not count as loaded yet, nor its lights as enabled in their hierarchy.
-                if (light.type == LightType.Directional && light.enabled && light.gameObject.activeInHierarchy && light.gameObject.scene.IsValid())
+                // Prefabs are in no scene. While a scene wakes it does not count as loaded yet, nor its lights as enabled in their
+                // hierarchy.
+                if (light.type == LightType.Directional && light.enabled && light.gameObject.activeInHierarchy
+                    && light.gameObject.scene.IsValid())
+                {
                     return true;
+                }
             }
 
             return false;
@@ -128,7 +133,8 @@ namespace Alate.Catalogue
         {
             if (drag.button != 0 || drag.shift)
             {
-                float unitsPerPixel = 2f * m_Distance * Mathf.Tan(0.5f * Mathf.Deg2Rad * GetComponent<Camera>().fieldOfView) / Screen.height;
+                float unitsPerPixel =
+                    2f * m_Distance * Mathf.Tan(0.5f * Mathf.Deg2Rad * GetComponent<Camera>().fieldOfView) / Screen.height;
                 m_Target += unitsPerPixel * (drag.delta.y * transform.up - drag.delta.x * transform.right);
                 return;
             }

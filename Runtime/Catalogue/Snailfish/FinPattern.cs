@@ -4,7 +4,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A snailfish's fin, drawn for this package: jelly-like skin that light passes, stiffer rays that end free of it, blotches across them and a pale hem.
+    /// A snailfish's fin, drawn for this package: jelly-like skin that light passes, stiffer rays that end free of it, blotches across them
+    /// and a pale hem.
     /// </summary>
     internal sealed class FinPattern : WingPattern
     {
@@ -31,7 +32,8 @@ namespace Alate.Catalogue
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
-            double ray = m_Rays.Distance(span, forward, out double along, Math.Max(k_RayHalfWidth, k_LeastFeature * softness) + Math.Max(softness, 0.008));
+            double ray = m_Rays.Distance(
+                span, forward, out double along, Math.Max(k_RayHalfWidth, k_LeastFeature * softness) + Math.Max(softness, 0.008));
             double fromBase = Math.Sqrt(span * span + (forward + 0.09) * (forward + 0.09));
             var colour = Color.Lerp(s_Skin, s_Root, Ink.Within(fromBase, 0.15, 0.5));
             double waves = Math.Sin(2 * Math.PI * fromBase / k_BlotchLength) + k_BlotchBend * Math.Sin(9 * forward + 5 * span) - 0.45;

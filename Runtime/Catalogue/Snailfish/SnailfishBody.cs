@@ -4,8 +4,9 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A snailfish, 98 mm long: shaped as a tadpole, soft and rose, with a broad blunt head, small eyes, a short gill slit above the fins' base, a sucking disc
-    /// under the throat, and back and belly fins that run into the tail. Proportions chosen by us, after the look of Liparis.
+    /// A snailfish, 98 mm long: shaped as a tadpole, soft and rose, with a broad blunt head, small eyes, a short gill slit above the fins'
+    /// base, a sucking disc under the throat, and back and belly fins that run into the tail. Proportions chosen by us, after the look of
+    /// Liparis.
     /// </summary>
     internal static class SnailfishBody
     {
@@ -46,7 +47,8 @@ namespace Alate.Catalogue
             parts.Add(Fin(-14f, -68f, 0.4f, 7f, -1f), Rayed);
             parts.Add(TailFin(), Rayed);
             parts.AddPair(Ellipsoid.Around(s_Eye, new Vector3(1.5f, 1.7f, 1.9f), 10, 14), Eye);
-            parts.Add(Disc(), (in BodyPoint point) => Tint.Mix(s_Pale, s_Line, 0.6f * Tint.Below(Mathf.Abs(point.Around - 0.8f), 0.06f, 0.1f)));
+            parts.Add(
+                Disc(), (in BodyPoint point) => Tint.Mix(s_Pale, s_Line, 0.6f * Tint.Below(Mathf.Abs(point.Around - 0.8f), 0.06f, 0.1f)));
             parts.AddPair(Nostril(), (in BodyPoint point) => s_Back);
         }
 
@@ -89,7 +91,8 @@ namespace Alate.Catalogue
         private static BodyPart Nostril()
         {
             var place = new Vector3(3.1f, 2.4f, 21.4f);
-            Vector3[] curve = new[] { place, place + new Vector3(0.1f, 0.4f, 0.3f), place + new Vector3(0.2f, 0.8f, 0.6f), place + new Vector3(0.3f, 1.1f, 0.9f) };
+            Vector3[] curve = new[] { place, place + new Vector3(0.1f, 0.4f, 0.3f), place + new Vector3(0.2f, 0.8f, 0.6f),
+                place + new Vector3(0.3f, 1.1f, 0.9f) };
             return Stalk.Along(curve, t => 0.55f - 0.15f * t, 3, 8);
         }
 

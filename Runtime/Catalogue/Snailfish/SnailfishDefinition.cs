@@ -14,7 +14,8 @@ namespace Alate.Catalogue
         private static readonly double[] s_Trailing = { -8.0, -11.8, -15.4, -18.0, -18.8, -17.8, -15.2, -11.8, -7.6, -3.4, -0.4 };
 
         /// <summary>Depths of the hollows between the rays, wing lengths; the ends of the lower rays stand free.</summary>
-        private static readonly double[] s_Hollows = { 0.012, 0.013, 0.014, 0.016, 0.018, 0.021, 0.024, 0.028, 0.033, 0.04, 0.048, 0.056, 0.06, 0.056 };
+        private static readonly double[] s_Hollows = { 0.012, 0.013, 0.014, 0.016, 0.018, 0.021, 0.024, 0.028, 0.033, 0.04, 0.048, 0.056,
+            0.06, 0.056 };
 
         public static InsectDefinition Define()
         {
@@ -96,7 +97,8 @@ namespace Alate.Catalogue
             return new[]
             {
                 new InsectSource("fin length", "30 mm", "assumed: a fish of 100 mm with large pectoral fins"),
-                new InsectSource("fin outline", "11 landmarks, 15 rays, 7.3 cm²", "proportions chosen by us: a broad fan whose lower rays stand free of the membrane"),
+                new InsectSource("fin outline", "11 landmarks, 15 rays, 7.3 cm²",
+                    "proportions chosen by us: a broad fan whose lower rays stand free of the membrane"),
                 new InsectSource("fin mass", "0.2 g", "assumed: 7.3 cm² of jelly-like skin and rays, 0.27 mm thick"),
                 new InsectSource("fish mass", "15 g", "assumed; it floats, so that it has no weight"),
                 new InsectSource("fluid density", "998 kg/m³", "fresh water at 20 °C"),
@@ -105,13 +107,17 @@ namespace Alate.Catalogue
                 new InsectSource("MAX_f", "2.5 Hz", "assumed: an unhurried beat of pectoral fins"),
                 new InsectSource("u_max", "0.2 m/s", "assumed: two body lengths a second"),
                 new InsectSource("MAX_a flap, feather, sweep", "80°, 20°, 20°", "assumed: not in Table 1"),
-                new InsectSource("tilt of the stroke", "−20°, the downstroke backwards", "Walker and Westneat 1997, measured on the wrasse Gomphosus varius, which flies by its pectoral fins"),
-                new InsectSource("elasticity k_e", "14", "assumed: not in Table 2; water loads a fin some ten times more than air a wing of its mass"),
+                new InsectSource("tilt of the stroke", "−20°, the downstroke backwards",
+                    "Walker and Westneat 1997, measured on the wrasse Gomphosus varius, which flies by its pectoral fins"),
+                new InsectSource(
+                    "elasticity k_e", "14", "assumed: not in Table 2; water loads a fin some ten times more than air a wing of its mass"),
                 new InsectSource("triangles", "3600 on two fins", "chosen: a handful along each hollow of the margin"),
                 new InsectSource("chord delay λ", "0.15", "assumed: the monarch's"),
                 new InsectSource("k_e, λ, μ, w_0", "7, 0.22, 0.3, 0.65", "chosen for the eye: rays that trail", InsectVariant.Expressive),
-                new InsectSource("MAX_a feather", "16°", "chosen: at the full beat the broad root leaves the skin with 20°", InsectVariant.Flight),
-                new InsectSource("body", "ellipsoids of trunk and tail, 65 and 35 % of its mass", "chosen: proportions of the drawn body", InsectVariant.Flight),
+                new InsectSource(
+                    "MAX_a feather", "16°", "chosen: at the full beat the broad root leaves the skin with 20°", InsectVariant.Flight),
+                new InsectSource("body", "ellipsoids of trunk and tail, 65 and 35 % of its mass", "chosen: proportions of the drawn body",
+                    InsectVariant.Flight),
                 new InsectSource("colours", "pink skin, darker rays and blotches", "drawn by us"),
             };
         }

@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A swallowtail's body, 27 mm long: yellow, with a broad dark stripe along the back and a thin one along the side, short antennae and six legs. Proportions
-    /// chosen by us.
+    /// A swallowtail's body, 27 mm long: yellow, with a broad dark stripe along the back and a thin one along the side, short antennae and
+    /// six legs. Proportions chosen by us.
     /// </summary>
     internal static class SwallowtailBody
     {
@@ -46,13 +46,13 @@ namespace Alate.Catalogue
         {
             new[]
             {
-                new Vector3(0.8f, -1.6f, 3.2f), new Vector3(1.9f, -3.2f, 5.4f), new Vector3(1.9f, -5f, 3.4f), new Vector3(1.7f, -5.6f, 1.4f),
-                new Vector3(1.6f, -6f, 0.4f),
+                new Vector3(0.8f, -1.6f, 3.2f), new Vector3(1.9f, -3.2f, 5.4f), new Vector3(1.9f, -5f, 3.4f),
+                new Vector3(1.7f, -5.6f, 1.4f), new Vector3(1.6f, -6f, 0.4f),
             },
             new[]
             {
-                new Vector3(0.9f, -2.1f, 1.2f), new Vector3(2.6f, -4.3f, 2.8f), new Vector3(2.5f, -5.9f, -1.4f), new Vector3(2.2f, -6.1f, -4f),
-                new Vector3(2.1f, -6.5f, -5.2f),
+                new Vector3(0.9f, -2.1f, 1.2f), new Vector3(2.6f, -4.3f, 2.8f), new Vector3(2.5f, -5.9f, -1.4f),
+                new Vector3(2.2f, -6.1f, -4f), new Vector3(2.1f, -6.5f, -5.2f),
             },
             new[]
             {

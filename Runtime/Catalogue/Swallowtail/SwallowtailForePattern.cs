@@ -4,11 +4,13 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A swallowtail's fore wing, drawn for this package: yellow between black veins, a dusky base, bars across the cell and a black border with yellow spots.
+    /// A swallowtail's fore wing, drawn for this package: yellow between black veins, a dusky base, bars across the cell and a black border
+    /// with yellow spots.
     /// </summary>
     internal sealed class SwallowtailForePattern : WingPattern
     {
-        private const double k_VeinHalfWidth = 0.0045, k_LeastFeature = 0.35, k_BorderWidth = 0.155, k_Scallop = 0.014, k_SpotSpacing = 0.082;
+        private const double k_VeinHalfWidth = 0.0045, k_LeastFeature = 0.35, k_BorderWidth = 0.155, k_Scallop = 0.014,
+            k_SpotSpacing = 0.082;
         private const double k_CostaWidth = 0.014, k_Beyond = 0.3, k_LastSpot = 0.57;
 
         private static readonly double[][] s_Bars =
@@ -29,7 +31,8 @@ namespace Alate.Catalogue
             m_Border.Add(Ink.Extended(Ink.Margin(outline, 0.465, 0.68), k_Beyond), -k_Beyond);
             m_Costa.Add(Ink.Margin(outline, 0, 0.46));
             m_Costa.Add(Ink.Margin(outline, 0.70, 1));
-            m_Veins = new VeinFan(outline, 0.45).Add(0.43, 0.475, 0.515, 0.555, 0.595, 0.635, 0.675, 0.77).Cross(1, 0.62).Cross(2, 0.6).Cross(3, 0.57).Cross(4, 0.52);
+            m_Veins = new VeinFan(outline, 0.45).Add(0.43, 0.475, 0.515, 0.555, 0.595, 0.635, 0.675, 0.77).Cross(1, 0.62).Cross(2, 0.6)
+                .Cross(3, 0.57).Cross(4, 0.52);
             foreach (double[] bar in s_Bars)
                 m_Bars.Add(bar);
         }

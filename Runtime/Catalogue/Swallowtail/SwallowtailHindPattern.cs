@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A swallowtail's hind wing, drawn for this package: yellow between black veins, a black border dusted with blue, yellow crescents at the margin, a black
-    /// tail, and a red eye near the body.
+    /// A swallowtail's hind wing, drawn for this package: yellow between black veins, a black border dusted with blue, yellow crescents at
+    /// the margin, a black tail, and a red eye near the body.
     /// </summary>
     internal sealed class SwallowtailHindPattern : WingPattern
     {
@@ -17,7 +17,8 @@ namespace Alate.Catalogue
         /// <summary>Places of the blue spots.</summary>
         private static readonly double[] s_Belt =
         {
-            0.815, -0.31, 0.805, -0.40, 0.775, -0.49, 0.73, -0.575, 0.675, -0.65, 0.61, -0.715, 0.54, -0.76, 0.47, -0.785, 0.40, -0.79, 0.33, -0.78, 0.22, -0.75,
+            0.815, -0.31, 0.805, -0.40, 0.775, -0.49, 0.73, -0.575, 0.675, -0.65, 0.61,
+            -0.715, 0.54, -0.76, 0.47, -0.785, 0.40, -0.79, 0.33, -0.78, 0.22, -0.75,
         };
 
         private readonly VeinFan m_Veins;
@@ -53,10 +54,13 @@ namespace Alate.Catalogue
             double inner = k_BeltWidth + k_Scallop * Math.Cos(2 * Math.PI * onBelt / k_SpotSpacing);
             dark = Math.Max(dark, Math.Max(Ink.Within(belt, inner, softness), Ink.Within(Math.Min(edge, foot), k_BorderWidth, softness)));
             colour = Color.Lerp(colour, SwallowtailColours.Black, dark);
-            float blue = Ink.Row(onBelt, belt, k_SpotSpacing, 0, 0.047, 0.036, softness + 0.02) * Ink.Between(onBelt, 0, k_BeltLength, softness);
+            float blue =
+                Ink.Row(onBelt, belt, k_SpotSpacing, 0, 0.047, 0.036, softness + 0.02) * Ink.Between(onBelt, 0, k_BeltLength, softness);
             colour = Color.Lerp(colour, SwallowtailColours.Blue, 0.85f * blue);
-            float outer = Ink.Row(onEdge, edge, k_CrescentSpacing, 0.066, 0.042, 0.025, softness) * Ink.Between(onEdge, k_CrescentSpacing, 6 * k_CrescentSpacing, softness);
-            float lower = Ink.Row(onFoot, foot, k_CrescentSpacing, 0.062, 0.045, 0.022, softness) * Ink.Between(onFoot, k_CrescentSpacing, 2 * k_CrescentSpacing, softness);
+            float outer = Ink.Row(onEdge, edge, k_CrescentSpacing, 0.066, 0.042, 0.025, softness) * Ink.Between(
+                onEdge, k_CrescentSpacing, 6 * k_CrescentSpacing, softness);
+            float lower = Ink.Row(onFoot, foot, k_CrescentSpacing, 0.062, 0.045, 0.022, softness) * Ink.Between(
+                onFoot, k_CrescentSpacing, 2 * k_CrescentSpacing, softness);
             colour = Color.Lerp(colour, SwallowtailColours.Yellow, Math.Max(outer, lower));
             colour = Eye(colour, span, forward, softness);
             float rim = Math.Max(m_Rim.Line(span, forward, k_RimWidth, softness), Ink.Within(forward, k_TailRoot, softness));

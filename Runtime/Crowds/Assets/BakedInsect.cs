@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Alate.Crowds
 {
-    /// <summary>A baked insect as crowds draw it: a texture with its loops, meshes of two or three sizes, and materials. Made from an <see cref="InsectBake"/>.</summary>
+    /// <summary>
+    /// A baked insect as crowds draw it: a texture with its loops, meshes of two or three sizes, and materials. Made from an
+    /// <see cref="InsectBake"/>.
+    /// </summary>
     public sealed class BakedInsect : ScriptableObject
     {
         [SerializeField] private Texture2D m_Texture;
@@ -39,7 +42,8 @@ namespace Alate.Crowds
         public long TextureBytes => m_Texture == null ? 0 : 8L * m_Texture.width * m_Texture.height;
 
         /// <summary>The loop of a name; −1 where there is none.</summary>
-        public int IndexOf(string loop) => Array.FindIndex(m_Loops, known => string.Equals(known.name, loop, StringComparison.OrdinalIgnoreCase));
+        public int IndexOf(string loop) =>
+            Array.FindIndex(m_Loops, known => string.Equals(known.name, loop, StringComparison.OrdinalIgnoreCase));
 
         /// <summary>The loop of a number from 0; the last one where there is no such loop.</summary>
         internal CrowdLoop LoopAt(int loop) => m_Loops[loop >= 0 && loop < m_Loops.Length ? loop : m_Loops.Length - 1];
@@ -49,8 +53,10 @@ namespace Alate.Crowds
         /// <param name="triangles">Triangles of each mesh, descending; null takes <see cref="DefaultTriangles"/>.</param>
         /// <param name="maxTextureSize">Longest side of the texture, pixels.</param>
         /// <exception cref="ArgumentNullException">There is no bake.</exception>
-        /// <exception cref="BakeException">The texture would be too large, or a material's shader cannot show baked wings; one line.</exception>
-        public static BakedInsect Create(InsectBake bake, IReadOnlyList<int> triangles = null, int maxTextureSize = BakeLayout.DefaultMaxSize)
+        /// <exception cref="BakeException">The texture would be too large, or a material's shader cannot show baked wings; one
+        /// line.</exception>
+        public static BakedInsect Create(
+            InsectBake bake, IReadOnlyList<int> triangles = null, int maxTextureSize = BakeLayout.DefaultMaxSize)
         {
             if (bake == null)
                 throw new ArgumentNullException(nameof(bake));

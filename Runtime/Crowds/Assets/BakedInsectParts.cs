@@ -12,7 +12,10 @@ namespace Alate.Crowds
         /// <summary>Keyword and texture of shaders that show baked wings.</summary>
         public const string Keyword = "_BAKED", TextureName = "_BakeMap";
 
-        /// <summary>Height on the screen of an insect of one triangle whose edges span eight pixels of a thousand; it grows with the root of their number.</summary>
+        /// <summary>
+        /// Height on the screen of an insect of one triangle whose edges span eight pixels of a thousand; it grows with the root of their
+        /// number.
+        /// </summary>
         private const float k_HeightOfOneTriangle = 0.01f;
 
         private readonly InsectBake m_Bake;
@@ -85,7 +88,8 @@ namespace Alate.Crowds
                 {
                     string shader = part.Material == null ? "no material" : $"the shader '{part.Material.shader.name}'";
                     materials.ForEach(ObjectEnd.Destroy);
-                    throw new BakeException($"'{part.Name}' of '{m_Bake.Name}' has {shader}, which cannot show baked wings: use Alate/Wing, in the built-in pipeline or URP.");
+                    throw new BakeException($"'{part.Name}' of '{m_Bake.Name}' has "
+                        + $"{shader}, which cannot show baked wings: use Alate/Wing, in the built-in pipeline or URP.");
                 }
 
                 var material = new Material(part.Material) { name = part.Material.name + " Baked", enableInstancing = true };

@@ -28,7 +28,9 @@ namespace Alate.Crowds
         /// <summary>Difference of the amplitudes of both sides over their sum; positive beats the left side harder.</summary>
         public float roll;
 
-        /// <summary>Rotation of the body out of its heading: its pitch, and its bank in a turn. A pose that looks ahead is heading times attitude.</summary>
+        /// <summary>
+        /// Rotation of the body out of its heading: its pitch, and its bank in a turn. A pose that looks ahead is heading times attitude.
+        /// </summary>
         public Quaternion attitude;
 
         /// <summary>Angular velocity of the body in its own axes, radians a second.</summary>

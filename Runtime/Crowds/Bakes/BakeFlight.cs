@@ -7,10 +7,16 @@ using UnityEngine;
 
 namespace Alate.Crowds
 {
-    /// <summary>The wings of one insect in steady flight, from which a loop is recorded. Frames are flown twice as finely as they are kept: every other one tells the error between them.</summary>
+    /// <summary>
+    /// The wings of one insect in steady flight, from which a loop is recorded. Frames are flown twice as finely as they are kept: every
+    /// other one tells the error between them.
+    /// </summary>
     internal sealed class BakeFlight : IDisposable
     {
-        /// <summary>Shares of the wing length: a beat that differs less from the one before has settled; a loop that closes worse is none; less motion is none.</summary>
+        /// <summary>
+        /// Shares of the wing length: a beat that differs less from the one before has settled; a loop that closes worse is none; less
+        /// motion is none.
+        /// </summary>
         private const float k_Settled = 2e-4f, k_Closed = 0.02f, k_Still = 1e-3f;
 
         private const int k_LeastBeats = 6, k_MostBeats = 60, k_Fineness = 2;
@@ -27,7 +33,8 @@ namespace Alate.Crowds
 
         /// <exception cref="BakeException">Parameters out of range, or wings that beat at different rates.</exception>
         public BakeFlight(
-            InsectWings insect, IReadOnlyList<DrawnWing> drawn, IReadOnlyList<BakedWing> wings, BakedSurface surface, BakeMotion motion, SteadyFlight steady,
+            InsectWings insect, IReadOnlyList<DrawnWing> drawn, IReadOnlyList<BakedWing> wings, BakedSurface surface, BakeMotion motion,
+            SteadyFlight steady,
             float metresPerUnit)
         {
             m_Drawn = drawn;
@@ -71,7 +78,8 @@ namespace Alate.Crowds
             if (!(closure < k_Closed))
             {
                 throw new BakeException(
-                    $"Clip '{m_Motion.Name}' does not loop: after {k_MostBeats} beats the wings are {100f * closure:0.#} % of their length from where they were one beat before; at most {100f * k_Closed:0} % are closed.");
+                    $"Clip '{m_Motion.Name}' does not loop: after {k_MostBeats} beats the wings are {100f * closure:0.#} % of their length "
+                    + $"from where they were one beat before; at most {100f * k_Closed:0} % are closed.");
             }
 
             Close(flown);
@@ -125,7 +133,8 @@ namespace Alate.Crowds
                 if (math.abs(frequency / Frequency - 1f) > 1e-4f)
                 {
                     throw new BakeException(
-                        $"Clip '{m_Motion.Name}' does not loop: '{m_Wings[wing].Name}' beats at {frequency:0.##} Hz, '{m_Wings[0].Name}' at {Frequency:0.##} Hz; all wings must beat at one rate.");
+                        $"Clip '{m_Motion.Name}' does not loop: '{m_Wings[wing].Name}' beats at "
+                        + $"{frequency:0.##} Hz, '{m_Wings[0].Name}' at {Frequency:0.##} Hz; all wings must beat at one rate.");
                 }
             }
         }
@@ -262,10 +271,12 @@ namespace Alate.Crowds
                         {
                             int joint = wing.VertexJoints[k][c];
                             BakedJoint pose = flown[step].Joints[wing.FirstJoint + joint];
-                            skinned += wing.VertexWeights[k][c] * (pose.position + math.rotate(pose.rotation, rest - wing.RestJoints[joint]));
+                            skinned +=
+                                wing.VertexWeights[k][c] * (pose.position + math.rotate(pose.rotation, rest - wing.RestJoints[joint]));
                         }
 
-                        error.linearSkin = math.max(error.linearSkin, math.distance(skinned, flown[step].Positions[wing.Vertices[k]]) / wing.Length);
+                        error.linearSkin = math.max(
+                            error.linearSkin, math.distance(skinned, flown[step].Positions[wing.Vertices[k]]) / wing.Length);
                     }
                 }
             }

@@ -5,7 +5,10 @@ using Unity.Mathematics;
 
 namespace Alate.Crowds
 {
-    /// <summary>A steady motion of an insect that is baked as a loop: how fast the body goes, how it lies, and how the beat differs from the preset's.</summary>
+    /// <summary>
+    /// A steady motion of an insect that is baked as a loop: how fast the body goes, how it lies, and how the beat differs from the
+    /// preset's.
+    /// </summary>
     public sealed class BakeMotion
     {
         private static readonly BakeMotion[] s_All =
@@ -39,8 +42,9 @@ namespace Alate.Crowds
         public string Name { get; }
 
         /// <summary>
-        /// True where an insect with an <see cref="Alate.Flight.InsectFlight"/> flies it freely by its trims: its speeds are then shares of the table's top speed, its attitude and beat
-        /// are those that carry the insect. Otherwise, and without that component, the body is held and the air meets it.
+        /// True where an insect with an <see cref="Alate.Flight.InsectFlight"/> flies it freely by its trims: its speeds are then shares of
+        /// the table's top speed, its attitude and beat are those that carry the insect. Otherwise, and without that component, the body is
+        /// held and the air meets it.
         /// </summary>
         public bool IsFlown { get; set; }
 
@@ -56,7 +60,10 @@ namespace Alate.Crowds
         /// <summary>Pitch of the body, degrees, nose up positive, −90 to 90; 0.</summary>
         public float PitchDegrees { get; set; }
 
-        /// <summary>Difference of the amplitudes of both sides over their sum, −1 to 1, 0; positive beats the left side harder, which rolls to the right.</summary>
+        /// <summary>
+        /// Difference of the amplitudes of both sides over their sum, −1 to 1, 0; positive beats the left side harder, which rolls to the
+        /// right.
+        /// </summary>
         public float Roll { get; set; }
 
         /// <summary>Differences of the beat from the preset's, in place of the insect's own steering.</summary>
@@ -109,7 +116,8 @@ namespace Alate.Crowds
             parameters.amplitudeScale *= side == WingSide.Left ? 1f + Roll : 1f - Roll;
         }
 
-        private static InsectSteering Beat(float amplitude, float meanFlap) => new InsectSteering { frequencyScale = 1f, amplitudeScale = amplitude, meanFlap = meanFlap };
+        private static InsectSteering Beat(float amplitude, float meanFlap) =>
+            new InsectSteering { frequencyScale = 1f, amplitudeScale = amplitude, meanFlap = meanFlap };
 
         private static float3 ToBody(float3 world, float pitch)
         {

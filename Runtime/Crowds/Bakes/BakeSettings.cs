@@ -6,7 +6,9 @@ namespace Alate.Crowds
         /// <summary>Bounds of the number of frames.</summary>
         public const int MinFrames = 4, MaxFrames = 240;
 
-        /// <summary>Frames of a beat that keep the error between frames below 0.5 % of the wing length for all insects of the catalogue.</summary>
+        /// <summary>
+        /// Frames of a beat that keep the error between frames below 0.5 % of the wing length for all insects of the catalogue.
+        /// </summary>
         public const int DefaultFrames = 48;
 
         /// <param name="frames">Frames of each loop, 4 to 240.</param>

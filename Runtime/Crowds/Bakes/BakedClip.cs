@@ -24,7 +24,10 @@ namespace Alate.Crowds
         /// <summary>Rotation of the body out of its heading: its pitch, and its bank in a turn.</summary>
         public quaternion Attitude { get; internal set; }
 
-        /// <summary>Beat of the right and of the left wings where the clip was flown by trims; otherwise null: the motion's steering says how the beat differs from the preset's.</summary>
+        /// <summary>
+        /// Beat of the right and of the left wings where the clip was flown by trims; otherwise null: the motion's steering says how the
+        /// beat differs from the preset's.
+        /// </summary>
         public WingDrive? RightBeat { get; internal set; }
 
         /// <inheritdoc cref="RightBeat"/>

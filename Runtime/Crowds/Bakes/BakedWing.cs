@@ -2,7 +2,9 @@ using Unity.Mathematics;
 
 namespace Alate.Crowds
 {
-    /// <summary>One wing of a baked insect: which vertices it moves, and the joints that a skin of linear blends needs, in the insect's own space.</summary>
+    /// <summary>
+    /// One wing of a baked insect: which vertices it moves, and the joints that a skin of linear blends needs, in the insect's own space.
+    /// </summary>
     public sealed class BakedWing
     {
         /// <summary>Name of the object that draws the wing.</summary>

@@ -21,7 +21,9 @@ namespace Alate.Crowds
             PresetSize size = new PresetValues(insect.Preset).size;
             try
             {
-                var described = wings.Select((wing, k) => SceneModel.Describe(wing.Rig, wing.Placed, quaternion.identity, float3.zero, values[k], units)).ToList();
+                var described = wings
+                    .Select((wing, k) => SceneModel.Describe(wing.Rig, wing.Placed, quaternion.identity, float3.zero, values[k], units))
+                    .ToList();
                 m_Model = new FlightModel(described, flight.Parts, size.insectMass, size.fluidDensity, size.gravityShare);
             }
             catch (ArgumentException problem)
@@ -46,7 +48,8 @@ namespace Alate.Crowds
             if (m_Table == null)
             {
                 throw new BakeException(
-                    $"Clip '{motion.Name}' is flown by trims, and '{m_Insect.name}' has none for its numbers; without trims it has: {string.Join(", ", BakeMotion.All.Where(known => !known.IsFlown).Select(known => known.Name))}.");
+                    $"Clip '{motion.Name}' is flown by trims, and '{m_Insect.name}' has none for its numbers; without trims it has: "
+                    + $"{string.Join(", ", BakeMotion.All.Where(known => !known.IsFlown).Select(known => known.Name))}.");
             }
 
             return SteadyFlight.Fly(m_Model, m_Table, motion);

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// A baked insect: its surface, its wings, and loops that say where each vertex is at each frame. <see cref="InsectBaker"/> makes one; writers, crowds and
-    /// textures are made from it.
+    /// A baked insect: its surface, its wings, and loops that say where each vertex is at each frame. <see cref="InsectBaker"/> makes one;
+    /// writers, crowds and textures are made from it.
     /// </summary>
     public sealed class InsectBake
     {

@@ -4,7 +4,9 @@ using Unity.Mathematics;
 
 namespace Alate.Crowds
 {
-    /// <summary>Bakes insects: flies their real wings in a world of their own until each beat is like the one before, then records one.</summary>
+    /// <summary>
+    /// Bakes insects: flies their real wings in a world of their own until each beat is like the one before, then records one.
+    /// </summary>
     public static class InsectBaker
     {
         /// <summary>Most vertices of an insect: indices of crowds have 16 bits.</summary>
@@ -16,8 +18,8 @@ namespace Alate.Crowds
         /// <param name="settings">How finely.</param>
         /// <exception cref="ArgumentNullException">There is no insect, or there are no motions.</exception>
         /// <exception cref="BakeException">
-        /// The insect has a problem or more than <see cref="MaxVertices"/> vertices, two clips have one name, a motion is out of range, a clip does not loop, or trims for a motion that is flown are missing; the
-        /// message is one line.
+        /// The insect has a problem or more than <see cref="MaxVertices"/> vertices, two clips have one name, a motion is out of range, a
+        /// clip does not loop, or trims for a motion that is flown are missing; the message is one line.
         /// </exception>
         public static InsectBake Bake(InsectWings insect, IReadOnlyList<BakeMotion> motions, in BakeSettings settings)
         {
@@ -30,7 +32,10 @@ namespace Alate.Crowds
             using var drawn = new DrawnInsect(insect);
             BakedSurface surface = drawn.Surface();
             if (surface.VertexCount > MaxVertices)
-                throw new BakeException($"'{insect.name}' has {surface.VertexCount} vertices; at most {MaxVertices} can be baked: use smaller meshes.");
+            {
+                throw new BakeException(
+                    $"'{insect.name}' has {surface.VertexCount} vertices; at most {MaxVertices} can be baked: use smaller meshes.");
+            }
             var wings = new List<BakedWing>();
             int joints = 0;
             foreach (DrawnWing wing in drawn.Wings)

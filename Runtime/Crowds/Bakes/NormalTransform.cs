@@ -10,7 +10,8 @@ namespace Alate.Crowds
 
         public NormalTransform(in Matrix4x4 matrix)
         {
-            float3 x = matrix.MultiplyVector(Vector3.right), y = matrix.MultiplyVector(Vector3.up), z = matrix.MultiplyVector(Vector3.forward);
+            float3 x = matrix.MultiplyVector(Vector3.right), y = matrix.MultiplyVector(Vector3.up),
+                z = matrix.MultiplyVector(Vector3.forward);
 
             // The adjugate is the inverse times the determinant, of which only the sign matters.
             float side = math.dot(x, math.cross(y, z)) < 0f ? -1f : 1f;

@@ -4,10 +4,16 @@ using Unity.Mathematics;
 
 namespace Alate.Crowds
 {
-    /// <summary>A steady flight of an insect by its own wings: mean attitude, velocity and beat of a free flight that has settled, as a bake holds them.</summary>
+    /// <summary>
+    /// A steady flight of an insect by its own wings: mean attitude, velocity and beat of a free flight that has settled, as a bake holds
+    /// them.
+    /// </summary>
     internal sealed class SteadyFlight
     {
-        /// <summary>Seconds and beats until a flight has settled, beats that are averaged, and samples of each; no divisor of the substeps, so that all phases count.</summary>
+        /// <summary>
+        /// Seconds and beats until a flight has settled, beats that are averaged, and samples of each; no divisor of the substeps, so that
+        /// all phases count.
+        /// </summary>
         private const float k_SettleSeconds = 3f, k_SettleBeats = 24f, k_Samples = 20.8f;
 
         private const int k_Averaged = 16;
@@ -49,7 +55,10 @@ namespace Alate.Crowds
                 if (first < 0 && flight.Time > settled)
                     first = flight.Beats + 1;
                 if (flight.State == FlightState.Tumbling || !(math.length(flight.VelocityError) < k_Lost))
-                    throw new BakeException($"Clip '{motion.Name}' cannot be flown: the insect is lost after {flight.Time:0.0} s at {speed:0.##} m/s ahead and {climb:0.##} m/s up.");
+                {
+                    throw new BakeException($"Clip '{motion.Name}' cannot be flown: the insect is lost after "
+                        + $"{flight.Time:0.0} s at {speed:0.##} m/s ahead and {climb:0.##} m/s up.");
+                }
                 if (first < 0 || flight.Beats < first)
                     continue;
                 samples++;

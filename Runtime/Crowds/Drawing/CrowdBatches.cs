@@ -5,13 +5,16 @@ using UnityEngine.Rendering;
 
 namespace Alate.Crowds
 {
-    /// <summary>Draws the insects in sight, some hundreds a call: matrices straight from native memory, rows and tints by a property block.</summary>
+    /// <summary>
+    /// Draws the insects in sight, some hundreds a call: matrices straight from native memory, rows and tints by a property block.
+    /// </summary>
     internal sealed class CrowdBatches
     {
         /// <summary>Insects of one call: two matrices of each fill the 64 kB that every device binds.</summary>
         public const int BatchSize = 500;
 
-        private static readonly int s_Rows = Shader.PropertyToID("_BakeRows"), s_NextRows = Shader.PropertyToID("_BakeNextRows"), s_Tint = Shader.PropertyToID("_BakeTint");
+        private static readonly int s_Rows = Shader.PropertyToID("_BakeRows"), s_NextRows = Shader.PropertyToID("_BakeNextRows"),
+            s_Tint = Shader.PropertyToID("_BakeTint");
 
         private readonly Vector4[] m_Rows = new Vector4[BatchSize], m_NextRows = new Vector4[BatchSize], m_Tints = new Vector4[BatchSize];
         private readonly MaterialPropertyBlock m_Properties = new MaterialPropertyBlock();
@@ -32,7 +35,8 @@ namespace Alate.Crowds
         {
             Calls = 0;
             Triangles = 0;
-            NativeArray<Vector4> rows = buffers.rows.Reinterpret<Vector4>(), nextRows = buffers.nextRows.Reinterpret<Vector4>(), tints = buffers.tints.Reinterpret<Vector4>();
+            NativeArray<Vector4> rows = buffers.rows.Reinterpret<Vector4>(), nextRows = buffers.nextRows.Reinterpret<Vector4>(),
+                tints = buffers.tints.Reinterpret<Vector4>();
             NativeArray<Matrix4x4> matrices = buffers.matrices.Reinterpret<Matrix4x4>();
             int start = 0;
             for (int size = 0; size < insect.Sizes.Count; size++)

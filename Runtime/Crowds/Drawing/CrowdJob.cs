@@ -6,7 +6,10 @@ using Unity.Mathematics;
 
 namespace Alate.Crowds
 {
-    /// <summary>Advances the phases of a crowd, leaves out what no camera sees, chooses meshes, and writes what the shader reads, one mesh's insects behind the other's.</summary>
+    /// <summary>
+    /// Advances the phases of a crowd, leaves out what no camera sees, chooses meshes, and writes what the shader reads, one mesh's insects
+    /// behind the other's.
+    /// </summary>
     [BurstCompile]
     internal struct CrowdJob : IJob
     {
@@ -171,7 +174,8 @@ namespace Alate.Crowds
         private void Write(in CrowdPose pose, int at)
         {
             float3x3 turn = new float3x3(pose.rotation) * pose.scale;
-            matrices[at] = new float4x4(new float4(turn.c0, 0f), new float4(turn.c1, 0f), new float4(turn.c2, 0f), new float4(pose.position, 1f));
+            matrices[at] = new float4x4(
+                new float4(turn.c0, 0f), new float4(turn.c1, 0f), new float4(turn.c2, 0f), new float4(pose.position, 1f));
             rows[at] = new float4(LoopOf(pose.loop).At(pose.phase), math.isnan(pose.blend) ? 0f : math.saturate(pose.blend));
             nextRows[at] = new float4(LoopOf(pose.nextLoop).At(pose.phase), 0f);
             tints[at] = new float4(pose.tint & 0xFF, (pose.tint >> 8) & 0xFF, (pose.tint >> 16) & 0xFF, 255f) * (1f / 255f);

@@ -29,7 +29,9 @@ namespace Alate.Crowds
         /// <summary>Share of the next loop, 0 to 1. Both play at one phase, so that their wings are at like points of the beat.</summary>
         public float blend;
 
-        /// <summary>Colour by which the insect's own is multiplied: red, green, blue from the lowest byte, 8 bits each; 0xFFFFFF is white.</summary>
+        /// <summary>
+        /// Colour by which the insect's own is multiplied: red, green, blue from the lowest byte, 8 bits each; 0xFFFFFF is white.
+        /// </summary>
         public uint tint;
 
         /// <summary>An insect of its own colour and size in the first loop.</summary>

@@ -86,7 +86,10 @@ namespace Alate.Crowds
             Wings.Steering = loop.isFlown ? InsectSteering.Default : loop.steering;
             Wings.Steering.frequencyScale *= pose.rate;
             for (int k = 0; k < m_Amplitudes.Length; k++)
-                Wings.Wings[k].AmplitudeScale = m_Amplitudes[k] * (loop.isFlown ? 1f : Wings.Wings[k].Side == WingSide.Left ? 1f + loop.roll : 1f - loop.roll);
+            {
+                Wings.Wings[k].AmplitudeScale =
+                    m_Amplitudes[k] * (loop.isFlown ? 1f : Wings.Wings[k].Side == WingSide.Left ? 1f + loop.roll : 1f - loop.roll);
+            }
             float frequency = Wings.Frequency;
             if (!(frequency > 0f))
                 return;

@@ -6,8 +6,8 @@ using Unity.Mathematics;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Live insects in the places of the nearest of a crowd. A live one beats unseen until its wings have settled, and the baked one keeps to its phase; then one is hidden
-    /// and the other shown.
+    /// Live insects in the places of the nearest of a crowd. A live one beats unseen until its wings have settled, and the baked one keeps
+    /// to its phase; then one is hidden and the other shown.
     /// </summary>
     internal sealed class CrowdTwins : IDisposable
     {
@@ -17,7 +17,10 @@ namespace Alate.Crowds
         /// <summary>Beats after which a wing that started unbent beats like any other.</summary>
         private const float k_BeatsToSettle = 8f;
 
-        /// <summary>An insect stays live while it is among so many times as many of the nearest: those that fly by would else leave before they are seen.</summary>
+        /// <summary>
+        /// An insect stays live while it is among so many times as many of the nearest: those that fly by would else leave before they are
+        /// seen.
+        /// </summary>
         private const int k_KeptRanks = 16;
 
         private readonly List<CrowdTwin> m_Twins = new List<CrowdTwin>();

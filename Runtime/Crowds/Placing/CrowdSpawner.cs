@@ -7,8 +7,8 @@ using UnityEngine;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Fills a crowd and lets each insect circle in a box around this object, with speed, size and phase of its own. The box lies along the object's axes; the number of insects is
-    /// the crowd's.
+    /// Fills a crowd and lets each insect circle in a box around this object, with speed, size and phase of its own. The box lies along the
+    /// object's axes; the number of insects is the crowd's.
     /// </summary>
     [AddComponentMenu("Alate/Crowd Spawner")]
     [RequireComponent(typeof(InsectCrowd))]
@@ -53,8 +53,8 @@ namespace Alate.Crowds
         private float m_Time;
 
         /// <summary>
-        /// Size of the box, world units from side to side; negative sizes count as positive ones, a size that is no number as the default's, and one
-        /// beyond 10⁷ as that.
+        /// Size of the box, world units from side to side; negative sizes count as positive ones, a size that is no number as the
+        /// default's, and one beyond 10⁷ as that.
         /// </summary>
         public Vector3 Area
         {
@@ -62,7 +62,9 @@ namespace Alate.Crowds
             set => m_Area = value;
         }
 
-        /// <summary>Slowest and fastest insect over the speed of its loop, 0 to 4 (clamped); 0.8 and 1.2. The larger one is the fastest.</summary>
+        /// <summary>
+        /// Slowest and fastest insect over the speed of its loop, 0 to 4 (clamped); 0.8 and 1.2. The larger one is the fastest.
+        /// </summary>
         public Vector2 Speeds
         {
             get => new Vector2(Mathf.Min(m_SlowestSpeed, m_FastestSpeed), Mathf.Max(m_SlowestSpeed, m_FastestSpeed));
@@ -100,7 +102,8 @@ namespace Alate.Crowds
             get
             {
                 BakedInsect insect = Crowd.Insect;
-                return Crowd.Problem ?? (string.IsNullOrEmpty(m_Loop) || insect.IndexOf(m_Loop) >= 0 ? null : $"'{insect.name}' has no loop '{m_Loop}'.");
+                return Crowd.Problem
+                    ?? (string.IsNullOrEmpty(m_Loop) || insect.IndexOf(m_Loop) >= 0 ? null : $"'{insect.name}' has no loop '{m_Loop}'.");
             }
         }
 

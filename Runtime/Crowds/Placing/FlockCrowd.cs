@@ -7,8 +7,8 @@ using UnityEngine;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Draws the insects of a flock that are far from the camera baked, by the crowd beside it: their bodies fly on, but their meshes are neither deformed nor drawn. Each shows
-    /// the loops nearest to its velocity, in the phase of its own wings.
+    /// Draws the insects of a flock that are far from the camera baked, by the crowd beside it: their bodies fly on, but their meshes are
+    /// neither deformed nor drawn. Each shows the loops nearest to its velocity, in the phase of its own wings.
     /// </summary>
     [AddComponentMenu("Alate/Flock Crowd")]
     [RequireComponent(typeof(InsectCrowd))]

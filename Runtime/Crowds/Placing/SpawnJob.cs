@@ -7,7 +7,9 @@ using Unity.Mathematics;
 
 namespace Alate.Crowds
 {
-    /// <summary>Places insects on circles of their own within a box; index = insect. Where each is depends on seed, insect and time alone.</summary>
+    /// <summary>
+    /// Places insects on circles of their own within a box; index = insect. Where each is depends on seed, insect and time alone.
+    /// </summary>
     [BurstCompile]
     internal struct SpawnJob : IJobFor
     {

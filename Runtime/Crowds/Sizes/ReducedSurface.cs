@@ -7,7 +7,10 @@ namespace Alate.Crowds
     /// <summary>A smaller mesh of a baked insect, of some of its vertices, and how far it is from the whole one over all frames.</summary>
     internal sealed class ReducedSurface
     {
-        /// <summary>Extent of pieces that are dropped from a mesh of one triangle, wing lengths; it falls with the root of their number, as edges do: hairs and feet.</summary>
+        /// <summary>
+        /// Extent of pieces that are dropped from a mesh of one triangle, wing lengths; it falls with the root of their number, as edges
+        /// do: hairs and feet.
+        /// </summary>
         private const float k_Piece = 2.5f;
 
         /// <summary>Every so many frames are measured.</summary>
@@ -26,7 +29,9 @@ namespace Alate.Crowds
         /// <summary>Vertices in use, ascending.</summary>
         public int[] Vertices { get; }
 
-        /// <summary>Distance of the vertices of the wings from the smaller mesh over the frames, root of the mean square, wing lengths.</summary>
+        /// <summary>
+        /// Distance of the vertices of the wings from the smaller mesh over the frames, root of the mean square, wing lengths.
+        /// </summary>
         public float Error { get; }
 
         /// <summary>Number of triangles.</summary>

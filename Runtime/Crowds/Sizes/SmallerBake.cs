@@ -12,7 +12,8 @@ namespace Alate.Crowds
         /// <summary>Reduces the mesh of a bake.</summary>
         /// <param name="bake">The insect; it is not changed.</param>
         /// <param name="triangles">Most triangles, 50 or more.</param>
-        /// <param name="error">Distance of the whole wings from the smaller mesh over all clips, root of the mean square, wing lengths.</param>
+        /// <param name="error">Distance of the whole wings from the smaller mesh over all clips, root of the mean square, wing
+        /// lengths.</param>
         /// <exception cref="ArgumentNullException">There is no bake.</exception>
         /// <exception cref="ArgumentOutOfRangeException">Too few triangles.</exception>
         public static InsectBake Of(InsectBake bake, int triangles, out float error)
@@ -20,7 +21,10 @@ namespace Alate.Crowds
             if (bake == null)
                 throw new ArgumentNullException(nameof(bake));
             if (triangles < MinTriangles)
-                throw new ArgumentOutOfRangeException(nameof(triangles), triangles, $"A smaller mesh has {MinTriangles} triangles or more.");
+            {
+                throw new ArgumentOutOfRangeException(
+                    nameof(triangles), triangles, $"A smaller mesh has {MinTriangles} triangles or more.");
+            }
             ReducedSurface reduced = ReducedSurface.Of(bake, new[] { triangles })[0];
             error = reduced.Error;
             var placeOf = new Dictionary<int, int>();
@@ -45,7 +49,10 @@ namespace Alate.Crowds
             {
                 BakedPart known = whole.Parts[part];
                 if (reduced.Parts[part].Length > 0)
-                    parts.Add(new BakedPart(known.Name, known.Material, known.HasColours, Array.ConvertAll(reduced.Parts[part], vertex => placeOf[vertex])));
+                {
+                    parts.Add(new BakedPart(
+                        known.Name, known.Material, known.HasColours, Array.ConvertAll(reduced.Parts[part], vertex => placeOf[vertex])));
+                }
             }
 
             return new BakedSurface

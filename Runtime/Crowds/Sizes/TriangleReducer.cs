@@ -6,12 +6,15 @@ using Unity.Mathematics;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Takes vertices out of a surface one by one, the least missed first: a vertex moves onto a neighbour, so that those that remain are vertices of the surface and
-    /// keep their places in its textures. Margins stay where they are; parts too small to matter go as a whole.
+    /// Takes vertices out of a surface one by one, the least missed first: a vertex moves onto a neighbour, so that those that remain are
+    /// vertices of the surface and keep their places in its textures. Margins stay where they are; parts too small to matter go as a whole.
     /// </summary>
     internal sealed class TriangleReducer
     {
-        /// <summary>Weight of margins against areas; weight of the way that a vertex moves, which spreads those that remain evenly over flat parts; least cosine between old and new triangles.</summary>
+        /// <summary>
+        /// Weight of margins against areas; weight of the way that a vertex moves, which spreads those that remain evenly over flat parts;
+        /// least cosine between old and new triangles.
+        /// </summary>
         private const double k_Margin = 10.0, k_Way = 0.02, k_Flip = 0.2;
 
         private readonly float3[] m_Places;
@@ -67,7 +70,10 @@ namespace Alate.Crowds
             }
         }
 
-        /// <summary>Drops pieces that hang together and whose extent is below a length, the smallest first, while more than so many triangles remain.</summary>
+        /// <summary>
+        /// Drops pieces that hang together and whose extent is below a length, the smallest first, while more than so many triangles
+        /// remain.
+        /// </summary>
         public void DropPieces(float extent, int triangles)
         {
             var pieces = new List<(float Extent, List<int> Triangles)>();

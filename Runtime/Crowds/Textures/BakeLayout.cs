@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Layout of a texture of a baked insect: a column a vertex, its frames below one another; when the columns run out, the next block of rows begins. Normals
-    /// lie in the lower half, in a place like that of the position, or in a texture of their own.
+    /// Layout of a texture of a baked insect: a column a vertex, its frames below one another; when the columns run out, the next block of
+    /// rows begins. Normals lie in the lower half, in a place like that of the position, or in a texture of their own.
     /// </summary>
     public readonly struct BakeLayout
     {
@@ -54,7 +54,8 @@ namespace Alate.Crowds
             if (layout.Height <= maxSize)
                 return layout;
             throw new BakeException(
-                $"{vertexCount} vertices at {frameCount} frames need a texture of {layout.Width} x {layout.Height} pixels; at most {maxSize} x {maxSize} are allowed: bake fewer frames or clips at once, or allow a larger texture.");
+                $"{vertexCount} vertices at {frameCount} frames need a texture of {layout.Width} x {layout.Height} pixels; at most "
+                + $"{maxSize} x {maxSize} are allowed: bake fewer frames or clips at once, or allow a larger texture.");
         }
 
         /// <summary>Column and row, from the upper left, of a vertex's position at a frame.</summary>
@@ -63,7 +64,9 @@ namespace Alate.Crowds
         /// <summary>Rows from a position to its normal.</summary>
         public int NormalRows => Height / 2;
 
-        /// <summary>Coordinates of a vertex's first frame, from the lower left: the middle of its pixel. Frame k lies k rows further down.</summary>
+        /// <summary>
+        /// Coordinates of a vertex's first frame, from the lower left: the middle of its pixel. Frame k lies k rows further down.
+        /// </summary>
         public float2 CoordinatesOf(int vertex)
         {
             int2 pixel = PixelOf(vertex, 0);

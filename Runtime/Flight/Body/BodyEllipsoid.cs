@@ -20,11 +20,12 @@ namespace Alate.Flight
         public float share;
 
         /// <summary>Ellipsoid in millimetres.</summary>
-        public static BodyEllipsoid Millimetres(double x, double y, double z, double a, double b, double c, double share) => new BodyEllipsoid
-        {
-            centre = new Vector3((float)(1e-3 * x), (float)(1e-3 * y), (float)(1e-3 * z)),
-            halfAxes = new Vector3((float)(1e-3 * a), (float)(1e-3 * b), (float)(1e-3 * c)),
-            share = (float)share,
-        };
+        public static BodyEllipsoid Millimetres(
+            double x, double y, double z, double a, double b, double c, double share) => new BodyEllipsoid
+            {
+                centre = new Vector3((float)(1e-3 * x), (float)(1e-3 * y), (float)(1e-3 * z)),
+                halfAxes = new Vector3((float)(1e-3 * a), (float)(1e-3 * b), (float)(1e-3 * c)),
+                share = (float)share,
+            };
     }
 }

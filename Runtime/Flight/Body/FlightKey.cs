@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>Number that changes with the numbers that a trim table depends on: all but where the hinges lie on the mesh, which differs by rounding.</summary>
+    /// <summary>
+    /// Number that changes with the numbers that a trim table depends on: all but where the hinges lie on the mesh, which differs by
+    /// rounding.
+    /// </summary>
     internal struct FlightKey
     {
         private uint m_Hash;
@@ -53,7 +56,8 @@ namespace Alate.Flight
                 Add(wing.Rig.VeinFactors[bone]);
             Add((uint)parameters.substepsPerBeat);
             ModelOptions o = parameters.options;
-            Add((uint)o.coefficients * 1024 + (uint)o.tangent * 256 + (o.clampLift ? 128u : 0u) + (o.addedMass ? 4096u : 0u) + (uint)o.cycleChange * 64
+            Add((uint)o.coefficients * 1024 + (uint)o.tangent * 256 + (o.clampLift ? 128u : 0u) + (o.addedMass ? 4096u : 0u)
+                + (uint)o.cycleChange * 64
                 + (uint)o.torqueArm * 16 + (uint)o.springUnits * 8 + (uint)o.coupling * 4 + (uint)o.timeScheme);
             Add(parameters.kinematics);
             Add(wing.Length);

@@ -22,8 +22,10 @@ namespace Alate.Flight
         /// <param name="mass">Of the whole insect, kilograms.</param>
         /// <param name="fluidDensity">kg/m³.</param>
         /// <param name="gravityShare">Share of its weight that the insect has to carry, 0 to 1: 0 for a fish that floats.</param>
-        /// <exception cref="ArgumentException">No wings, no parts, a mass below that of the wings; names what and what is allowed.</exception>
-        public FlightModel(IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass, float fluidDensity, float gravityShare = 1f)
+        /// <exception cref="ArgumentException">No wings, no parts, a mass below that of the wings; names what and what is
+        /// allowed.</exception>
+        public FlightModel(
+            IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass, float fluidDensity, float gravityShare = 1f)
         {
             Check(wings, parts, mass);
             foreach (FlightWing wing in wings)
@@ -89,11 +91,13 @@ namespace Alate.Flight
         }
 
         /// <summary>
-        /// Largest change of velocity that a reference may ask for, m/s²: 2.5 of what flies; of what floats a share of that with which it slows down from its top speed by
-        /// its own drag, for its fins push no harder.
+        /// Largest change of velocity that a reference may ask for, m/s²: 2.5 of what flies; of what floats a share of that with which it
+        /// slows down from its top speed by its own drag, for its fins push no harder.
         /// </summary>
         internal float AccelerationAt(float topSpeed) =>
-            Floats ? math.min(FlightLimits.FlyersAcceleration, k_SwimShare * Drag.z * topSpeed * topSpeed / Mass) : FlightLimits.FlyersAcceleration;
+            Floats
+            ? math.min(FlightLimits.FlyersAcceleration, k_SwimShare * Drag.z * topSpeed * topSpeed / Mass)
+            : FlightLimits.FlyersAcceleration;
 
         /// <summary>Releases the rigs.</summary>
         public void Dispose()
@@ -185,7 +189,10 @@ namespace Alate.Flight
         private static void Check(IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass)
         {
             if (wings == null || wings.Count == 0)
-                throw new ArgumentException("An insect without wings cannot fly: give it at least one right and one left wing.", nameof(wings));
+            {
+                throw new ArgumentException(
+                    "An insect without wings cannot fly: give it at least one right and one left wing.", nameof(wings));
+            }
             if (parts == null || parts.Count == 0)
                 throw new ArgumentException("A body needs at least one part with mass.", nameof(parts));
             float carried = 0f, shares = 0f;
@@ -195,13 +202,19 @@ namespace Alate.Flight
             {
                 shares += part.share;
                 if (!(part.share >= 0f) || !math.all((float3)part.halfAxes > 0f) || !math.all(math.isfinite((float3)part.centre)))
-                    throw new ArgumentException("A part of the body needs a finite centre, half axes above 0 and a share of at least 0.", nameof(parts));
+                {
+                    throw new ArgumentException(
+                        "A part of the body needs a finite centre, half axes above 0 and a share of at least 0.", nameof(parts));
+                }
             }
 
             if (!(shares > 0f))
                 throw new ArgumentException("The parts of the body have no mass: their shares must sum to more than 0.", nameof(parts));
             if (!(mass > carried) || float.IsInfinity(mass))
-                throw new ArgumentException($"The insect's mass is {mass} kg; it must be finite and above that of its wings, {carried} kg.", nameof(mass));
+            {
+                throw new ArgumentException(
+                    $"The insect's mass is {mass} kg; it must be finite and above that of its wings, {carried} kg.", nameof(mass));
+            }
         }
     }
 }

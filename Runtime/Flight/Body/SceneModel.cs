@@ -15,7 +15,8 @@ namespace Alate.Flight
         /// <param name="position">Of the insect.</param>
         /// <param name="values">Of the wing's preset.</param>
         /// <param name="units">World units of a metre of the insect.</param>
-        public static FlightWing Describe(WingRig rig, in PlacedWing placed, quaternion rotation, float3 position, PresetValues values, float units)
+        public static FlightWing Describe(
+            WingRig rig, in PlacedWing placed, quaternion rotation, float3 position, PresetValues values, float units)
         {
             quaternion back = math.conjugate(rotation);
             var axes = new float3x3(math.rotate(back, placed.span), math.rotate(back, placed.up), math.rotate(back, placed.forward));
@@ -33,10 +34,12 @@ namespace Alate.Flight
         }
 
         /// <summary>World units of a metre of an insect, by the size at which its first wing is drawn.</summary>
-        public static float UnitsPerMetre(in PlacedWing first, PresetValues values) => first.isValid ? first.length / values.size.wingLength : 1f;
+        public static float UnitsPerMetre(in PlacedWing first, PresetValues values) =>
+            first.isValid ? first.length / values.size.wingLength : 1f;
 
         /// <summary>Makes a model of the authored meshes; the insect need not play.</summary>
-        /// <exception cref="InvalidOperationException">The wings have a problem, or the body is not possible; the message is one line.</exception>
+        /// <exception cref="InvalidOperationException">The wings have a problem, or the body is not possible; the message is one
+        /// line.</exception>
         public static FlightModel Create(InsectWings insect, IReadOnlyList<BodyEllipsoid> parts)
         {
             InsectProblem problem = insect.FindProblem();
@@ -75,7 +78,8 @@ namespace Alate.Flight
 
         private static WingRig Rig(InsectWings insect, Wing wing, MeshFilter filter, int index)
         {
-            var parts = new RiggedParts(InsectCheck.MeshOf(wing, filter), new AutomaticSkeleton(insect.transform, filter.transform), insect.Patches);
+            var parts = new RiggedParts(
+                InsectCheck.MeshOf(wing, filter), new AutomaticSkeleton(insect.transform, filter.transform), insect.Patches);
             RiggedPart[] rigged = parts.Build(new[] { wing }, new List<int> { index }, out InsectProblem problem);
             return rigged != null ? rigged[0].Rig : throw new InvalidOperationException(problem.Of(insect.name).Message);
         }

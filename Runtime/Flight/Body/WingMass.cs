@@ -11,7 +11,9 @@ namespace Alate.Flight
         /// <summary>[rig and parameters] Measurements kept from before: all wings of a swarm, right and left, are alike.</summary>
         private static readonly Dictionary<uint, MassSum> s_Measured = new Dictionary<uint, MassSum>();
 
-        /// <summary>Sums the masses of the joints at their mean places, the wing's mass 1, in wing lengths in the wing's frame. Do not change it.</summary>
+        /// <summary>
+        /// Sums the masses of the joints at their mean places, the wing's mass 1, in wing lengths in the wing's frame. Do not change it.
+        /// </summary>
         public static MassSum Of(FlightWing wing)
         {
             uint key = KeyOf(wing);
@@ -48,7 +50,10 @@ namespace Alate.Flight
                 world.Step(h);
                 WingReading reading = world.Read(handle);
                 for (int joint = 0; joint < rig.JointCount; joint++)
-                    sum.Add(rig.JointMasses[joint] / (double)samples, reading.JointPosition(joint / rig.JointsPerChain, joint % rig.JointsPerChain), default);
+                {
+                    sum.Add(rig.JointMasses[joint] / (double)samples,
+                        reading.JointPosition(joint / rig.JointsPerChain, joint % rig.JointsPerChain), default);
+                }
             }
 
             return sum;

@@ -2,8 +2,13 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>Situation of an insect whose pilot is asked for a command: the body in the world, the air, the time and the insect's limits.</summary>
-    /// <remarks>Lengths are metres of the real insect along the world's axes, times its scale in the scene: <see cref="unitsPerMetre"/> turns metres into world units.</remarks>
+    /// <summary>
+    /// Situation of an insect whose pilot is asked for a command: the body in the world, the air, the time and the insect's limits.
+    /// </summary>
+    /// <remarks>
+    /// Lengths are metres of the real insect along the world's axes, times its scale in the scene: <see cref="unitsPerMetre"/> turns metres
+    /// into world units.
+    /// </remarks>
     public struct FlightSituation
     {
         /// <summary>Centre of mass, world units.</summary>

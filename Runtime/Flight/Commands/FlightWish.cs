@@ -6,10 +6,16 @@ namespace Alate.Flight
         /// <summary>Flies on; a perched insect takes off.</summary>
         Fly,
 
-        /// <summary>Comes down on <see cref="FlightCommand.spot"/>: the state becomes <see cref="FlightState.Landing"/>, the pilot still says the velocity.</summary>
+        /// <summary>
+        /// Comes down on <see cref="FlightCommand.spot"/>: the state becomes <see cref="FlightState.Landing"/>, the pilot still says the
+        /// velocity.
+        /// </summary>
         Land,
 
-        /// <summary>Sits on <see cref="FlightCommand.spot"/> from now on: the body glides there, not flown by its wings, and then the state becomes <see cref="FlightState.Perched"/>.</summary>
+        /// <summary>
+        /// Sits on <see cref="FlightCommand.spot"/> from now on: the body glides there, not flown by its wings, and then the state becomes
+        /// <see cref="FlightState.Perched"/>.
+        /// </summary>
         Perch,
     }
 }

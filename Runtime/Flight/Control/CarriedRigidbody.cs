@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Rigidbody of an insect that its wings carry. Once a fixed step a dynamic one is given the velocity that takes it where the wings got to; what contacts and forces of others have
-    /// changed by the next step comes back. A kinematic one is moved.
+    /// Rigidbody of an insect that its wings carry. Once a fixed step a dynamic one is given the velocity that takes it where the wings got
+    /// to; what contacts and forces of others have changed by the next step comes back. A kinematic one is moved.
     /// </summary>
     internal sealed class CarriedRigidbody
     {

@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Reference of the feedback, made from a pilot's command: bounded acceleration, a filter, turns on an arc, a heading that crabs into the wind, speeds and climbs of the
-    /// table. Once a fixed step.
+    /// Reference of the feedback, made from a pilot's command: bounded acceleration, a filter, turns on an arc, a heading that crabs into
+    /// the wind, speeds and climbs of the table. Once a fixed step.
     /// </summary>
     public struct FlightReference
     {
@@ -13,30 +13,38 @@ namespace Alate.Flight
         private const float k_Filter = 0.1f, k_WindFilter = 0.07f;
 
         /// <summary>
-        /// Share of the largest change of velocity that an insect follows at rest, and share of the top speed from which it follows all: trims change most where it is slow, and
-        /// one that changes its speed faster than its beat can follow rocks.
+        /// Share of the largest change of velocity that an insect follows at rest, and share of the top speed from which it follows all:
+        /// trims change most where it is slow, and one that changes its speed faster than its beat can follow rocks.
         /// </summary>
         private const float k_SlowShare = 0.35f, k_Nimble = 0.45f;
 
-        /// <summary>Speed above which the insect looks along its way and turns on an arc: m/s, and at most a share of the top speed.</summary>
+        /// <summary>
+        /// Speed above which the insect looks along its way and turns on an arc: m/s, and at most a share of the top speed.
+        /// </summary>
         private const float k_Cruising = 0.3f, k_CruisingShare = 0.25f;
 
         /// <summary>Fastest turn of a slow insect's heading, rad/s, and rate at which it is approached, 1/s.</summary>
         private const float k_MostTurning = 3f, k_Turning = 4f;
 
         /// <summary>
-        /// Share of the largest change of velocity by which the wanted climb of a cruising insect changes, 0.7 m/s² of what flies: with it pitch, beat and bob change more than a
-        /// monarch can follow in a turn.
+        /// Share of the largest change of velocity by which the wanted climb of a cruising insect changes, 0.7 m/s² of what flies: with it
+        /// pitch, beat and bob change more than a monarch can follow in a turn.
         /// </summary>
         private const float k_ClimbShare = 0.28f;
 
-        /// <summary>Velocity error from which the reference of a cruising insect comes towards it, m/s, and its rate, 1/s: a monarch that has lost its speed does not get it back at once.</summary>
+        /// <summary>
+        /// Velocity error from which the reference of a cruising insect comes towards it, m/s, and its rate, 1/s: a monarch that has lost
+        /// its speed does not get it back at once.
+        /// </summary>
         private const float k_Lost = 0.15f, k_Yield = 6f;
 
         /// <summary>Fastest turn into a gust, rad/s, and seconds in which the heading of a fast insect gets to its course.</summary>
         private const float k_MostCrabbing = 10f, k_Course = 0.03f;
 
-        /// <summary>Heading from which on a hovering insect sets off, radians off its way, and share of the cruising speed that it creeps with before.</summary>
+        /// <summary>
+        /// Heading from which on a hovering insect sets off, radians off its way, and share of the cruising speed that it creeps with
+        /// before.
+        /// </summary>
         private const float k_Aligned = 0.6f, k_Slow = 0.5f;
 
         /// <summary>Share of the table's top speed that the air speed may reach.</summary>
@@ -98,7 +106,8 @@ namespace Alate.Flight
         /// <param name="wanted">Velocity over ground, m/s.</param>
         /// <param name="heading">Wanted heading, radians; not a number follows the way.</param>
         /// <param name="wind">Velocity of the air, m/s.</param>
-        /// <param name="error">Velocity of the insect relative to the reference at its last beat, less the bob, m/s along the heading's axes.</param>
+        /// <param name="error">Velocity of the insect relative to the reference at its last beat, less the bob, m/s along the heading's
+        /// axes.</param>
         /// <param name="table">Bounds of speed and climb.</param>
         /// <param name="dt">Seconds.</param>
         /// <returns>What the bodies' feedback follows within the step.</returns>

@@ -5,7 +5,10 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>One insect that flies by its own wings in a world of its own, step by step: for tools, tests and measurements. Metres, seconds, kilograms.</summary>
+    /// <summary>
+    /// One insect that flies by its own wings in a world of its own, step by step: for tools, tests and measurements. Metres, seconds,
+    /// kilograms.
+    /// </summary>
     public sealed class FreeFlight : IDisposable
     {
         /// <summary>Beats until wings at rest are settled on the trim's beat.</summary>
@@ -40,7 +43,8 @@ namespace Alate.Flight
             Elementary.SinCos(start.heading, out float sin, out float cos);
             FlightCondition condition = start.condition;
             var velocity = new float3(sin * condition.Speed, condition.Climb, cos * condition.Speed);
-            body.reference = new BodyReference { velocity = velocity, heading = start.heading, airSpeed = condition.Speed, climb = condition.Climb };
+            body.reference =
+                new BodyReference { velocity = velocity, heading = start.heading, airSpeed = condition.Speed, climb = condition.Climb };
             m_Reference = new FlightReference(velocity, start.heading, default);
             Gravity = body.gravity;
             m_Body = model.AddTo(m_World, body, m_Wings);
@@ -74,7 +78,9 @@ namespace Alate.Flight
         /// <summary>Angular velocity about the world's axes, rad/s.</summary>
         public float3 AngularVelocity => math.rotate(Body.rotation, Body.spin);
 
-        /// <summary>Force of air and aid on the insect, mean over the last step, N along the world's axes: rate of its momentum less its weight.</summary>
+        /// <summary>
+        /// Force of air and aid on the insect, mean over the last step, N along the world's axes: rate of its momentum less its weight.
+        /// </summary>
         public float3 Force => Body.force;
 
         /// <summary>Moment of the wings' air about the centre of mass, mean over the last step, N m in body axes.</summary>

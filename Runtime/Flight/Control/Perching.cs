@@ -4,9 +4,9 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Body of an insect that a perch holds. Once its beat is raised, the body glides down from where a whole downstroke just clears the surface, turning onto the surface and to the
-    /// wanted heading, and sits; before a start the raised wings beat while the legs hold on, then the legs push the body up to where the wings can beat wholly. The default value
-    /// holds no insect.
+    /// Body of an insect that a perch holds. Once its beat is raised, the body glides down from where a whole downstroke just clears the
+    /// surface, turning onto the surface and to the wanted heading, and sits; before a start the raised wings beat while the legs hold on,
+    /// then the legs push the body up to where the wings can beat wholly. The default value holds no insect.
     /// </summary>
     internal struct Perching
     {
@@ -16,7 +16,9 @@ namespace Alate.Flight
         /// <summary>Fastest part of a smooth step over its mean.</summary>
         private const float k_MostSlope = 1.5f;
 
-        /// <summary>Share of the way down in which the body turns onto the surface: the tails of a butterfly that is pitched up hang low.</summary>
+        /// <summary>
+        /// Share of the way down in which the body turns onto the surface: the tails of a butterfly that is pitched up hang low.
+        /// </summary>
         private const float k_TurnShare = 0.7f;
 
         /// <summary>Beats until the wings beat raised, and longest time in which a body that is held too low rises, seconds.</summary>
@@ -25,13 +27,19 @@ namespace Alate.Flight
         /// <summary>Beats before the legs push off, and longest time in which the insect turns on its feet before it, seconds.</summary>
         private const float k_StartBeats = 3f, k_MostStanding = 1f;
 
-        /// <summary>Speed at the start and the end of the push, m/s, and its shortest time, seconds. Chosen within the jumps of moths.</summary>
+        /// <summary>
+        /// Speed at the start and the end of the push, m/s, and its shortest time, seconds. Chosen within the jumps of moths.
+        /// </summary>
         private const float k_Push = 0.6f, k_Jump = 0.2f, k_PushTime = 0.12f;
 
-        /// <summary>Height of the push over that in which a downstroke clears the surface: most insects sink a little before they climb.</summary>
+        /// <summary>
+        /// Height of the push over that in which a downstroke clears the surface: most insects sink a little before they climb.
+        /// </summary>
         private const float k_PushShare = 1.45f;
 
-        /// <summary>Share of a beat from which on the wings are raised enough to fly, and beats after the push within which they must be.</summary>
+        /// <summary>
+        /// Share of a beat from which on the wings are raised enough to fly, and beats after the push within which they must be.
+        /// </summary>
         private const float k_Raised = 0.7f, k_MostBeats = 4f;
 
         private Stage m_Stage;
@@ -127,7 +135,8 @@ namespace Alate.Flight
         /// <summary>Leaves the spot, or the way down to it.</summary>
         /// <param name="body">The body.</param>
         /// <param name="wings">Its wings.</param>
-        /// <param name="heading">Where the insect is to fly, radians; while its wings get going it turns there on its feet. Not a number leaves it as it sits.</param>
+        /// <param name="heading">Where the insect is to fly, radians; while its wings get going it turns there on its feet. Not a number
+        /// leaves it as it sits.</param>
         /// <param name="dt">Seconds.</param>
         public void Start(ref FlyingBody body, in HeldWings wings, float heading, float dt)
         {
@@ -157,7 +166,8 @@ namespace Alate.Flight
 
             wings.PlaceOnBob();
             float pushed = math.min(m_Time, m_WayTime), beyond = m_Time - pushed;
-            m_Feet = m_FromFeet + (m_FromSpeed * pushed + 0.5f * (k_Jump - m_FromSpeed) * pushed * pushed / m_WayTime + k_Jump * beyond) * Units * m_Up;
+            m_Feet = m_FromFeet
+                + (m_FromSpeed * pushed + 0.5f * (k_Jump - m_FromSpeed) * pushed * pushed / m_WayTime + k_Jump * beyond) * Units * m_Up;
             if (m_WholeAfter < 0 && (m_WayTime - m_Time) * wings.Frequency < 0.5f)
             {
                 m_WholeAfter = wings.Beats;
@@ -180,11 +190,13 @@ namespace Alate.Flight
             // The beat under way is still whole: until the wings are raised the body does not sink, and one that is too low rises.
             m_Top = math.max(FromHeight, least);
             float rise = m_Top - FromHeight;
-            m_RaiseTime = math.min(math.max(least > 0f ? k_RaiseBeats / frequency : 0f, k_MostSlope * rise / (k_Gliding * Units)), k_MostRaise);
+            m_RaiseTime = math.min(
+                math.max(least > 0f ? k_RaiseBeats / frequency : 0f, k_MostSlope * rise / (k_Gliding * Units)), k_MostRaise);
             velocity -= math.min(math.dot(velocity, m_Normal), 0f) * m_Normal;
             float way = math.distance(m_Feet + rise * m_Normal, m_Spot);
             float speed = math.max(k_Gliding * Units, math.length(velocity));
-            m_WayTime = m_RaiseTime + math.clamp(k_MostSlope * way / speed, k_SettleTime, k_MostTime) + Angle(m_FromRotation, m_Seat) / k_Turning;
+            m_WayTime = m_RaiseTime + math.clamp(k_MostSlope * way / speed, k_SettleTime, k_MostTime)
+                + Angle(m_FromRotation, m_Seat) / k_Turning;
 
             // What the insect brings along carries it no farther than the way is long.
             m_FromVelocity = velocity * math.min(1f, k_MostSlope * way / math.max(math.length(velocity) * m_WayTime, 1e-6f * Units));
@@ -231,7 +243,8 @@ namespace Alate.Flight
         private void Push(ref FlyingBody body, float time, float leastTime)
         {
             body.reference = new BodyReference { heading = Headings.Of(m_Seat) };
-            float way = math.max(k_PushShare * m_Clearance * Units - math.dot(m_Feet - m_Spot, m_Normal), 0f) / math.max(math.dot(m_Up, m_Normal), 0.1f) / Units;
+            float way = math.max(k_PushShare * m_Clearance * Units - math.dot(m_Feet - m_Spot, m_Normal), 0f)
+                / math.max(math.dot(m_Up, m_Normal), 0.1f) / Units;
             m_Stage = Stage.Pushing;
             m_FromRotation = m_Seat;
             m_FromFeet = m_Feet;
@@ -246,7 +259,8 @@ namespace Alate.Flight
         {
             Elementary.SinCos(heading, out float sin, out float cos);
             var ahead = new float3(sin, 0f, cos);
-            ahead = math.normalizesafe(ahead - m_Normal * math.dot(ahead, m_Normal), math.normalizesafe(math.cross(new float3(1f, 0f, 0f), m_Normal), new float3(0f, 0f, 1f)));
+            ahead = math.normalizesafe(ahead - m_Normal * math.dot(ahead, m_Normal),
+                math.normalizesafe(math.cross(new float3(1f, 0f, 0f), m_Normal), new float3(0f, 0f, 1f)));
             return quaternion.LookRotation(ahead, m_Normal);
         }
 

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Pilot that is a component. The Insect Flight takes the first one on its own object; a pilot that lets another fly now and then, or asks it for the way, takes the
-    /// next one below itself.
+    /// Pilot that is a component. The Insect Flight takes the first one on its own object; a pilot that lets another fly now and then, or
+    /// asks it for the way, takes the next one below itself.
     /// </summary>
     public abstract class FlightPilot : MonoBehaviour, IFlightPilot
     {
@@ -30,7 +30,8 @@ namespace Alate.Flight
         /// <param name="situation">The insect now.</param>
         /// <param name="obstacles">What is avoided.</param>
         /// <param name="goal">Metres to the goal; what is behind it is not in the way.</param>
-        protected float3 Avoid(float3 velocity, in FlightSituation situation, in ObstacleSettings obstacles, float goal = float.PositiveInfinity)
+        protected float3 Avoid(
+            float3 velocity, in FlightSituation situation, in ObstacleSettings obstacles, float goal = float.PositiveInfinity)
         {
             ObstacleRays.Update();
             return m_Sense.Avoid(velocity, situation, obstacles, goal);

@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Keeps commands within what insects fly: ahead. A fast insect that is to fly back brakes first; a slow one turns its nose, then flies; sideways, backwards and down it
-    /// flies slowly. Measured on the monarch, which tumbles from 0.2 m/s backwards, 0.3 m/s sideways and 0.3 m/s straight down.
+    /// Keeps commands within what insects fly: ahead. A fast insect that is to fly back brakes first; a slow one turns its nose, then
+    /// flies; sideways, backwards and down it flies slowly. Measured on the monarch, which tumbles from 0.2 m/s backwards, 0.3 m/s sideways
+    /// and 0.3 m/s straight down.
     /// </summary>
     internal static class NoseFirst
     {
@@ -15,7 +16,9 @@ namespace Alate.Flight
         /// <summary>Fastest flight backwards, and down where it is slow, m/s.</summary>
         private const float k_Back = 0.06f, k_Sink = 0.15f;
 
-        /// <summary>Fastest climb of a slow insect, and fastest flight while the nose turns, m/s: hovering leaves no power for more.</summary>
+        /// <summary>
+        /// Fastest climb of a slow insect, and fastest flight while the nose turns, m/s: hovering leaves no power for more.
+        /// </summary>
         private const float k_SlowClimb = 0.03f, k_TurningSpeed = 0.05f;
 
         /// <summary>Growth of climb and sink with the speed beyond slow flight.</summary>
@@ -27,7 +30,9 @@ namespace Alate.Flight
         /// <summary>Speed wanted aside from which the nose is turned, m/s, and the angle of it, radians.</summary>
         private const float k_Turning = 0.2f, k_TurningAngle = 0.5f;
 
-        /// <summary>Angle by which the wanted heading of a slow insect is ahead of its heading, radians: it turns at little more than 1 rad/s.</summary>
+        /// <summary>
+        /// Angle by which the wanted heading of a slow insect is ahead of its heading, radians: it turns at little more than 1 rad/s.
+        /// </summary>
         private const float k_Ahead = 0.3f;
 
         /// <summary>Largest angle between the way and the wanted way, radians: an arc; and that from which the insect brakes.</summary>

@@ -5,7 +5,10 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Flight
 {
-    /// <summary>Finds who steers an insect: the pilot that a script has set, else the first Flight Pilot of the object. Those that are off are not asked, nor is one that has thrown.</summary>
+    /// <summary>
+    /// Finds who steers an insect: the pilot that a script has set, else the first Flight Pilot of the object. Those that are off are not
+    /// asked, nor is one that has thrown.
+    /// </summary>
     internal sealed class PilotSeat
     {
         /// <summary>Seconds after which the object is searched for a pilot that came or was switched on.</summary>
@@ -63,7 +66,9 @@ namespace Alate.Flight
             catch (Exception exception)
             {
                 m_Faulted = pilot;
-                Debug.LogException(new InvalidOperationException($"The pilot {pilot.GetType().Name} of '{m_Insect.name}' threw an exception, and is asked no more until it is switched off and on, or another pilot is set. The insect hovers.", exception), m_Insect);
+                Debug.LogException(new InvalidOperationException($"The pilot {pilot.GetType().Name} of "
+                    + $"'{m_Insect.name}' threw an exception, and is asked no more until it is switched off and on, or another pilot is "
+                    + "set. The insect hovers.", exception), m_Insect);
                 return FlightCommand.Fly(default);
             }
         }

@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Flies halfway between the points of a table. Trims of two kinds may close side by side, and what is mixed of their gains holds neither: the one farther from level
-    /// flight is taken out then, and what lies beyond it.
+    /// Flies halfway between the points of a table. Trims of two kinds may close side by side, and what is mixed of their gains holds
+    /// neither: the one farther from level flight is taken out then, and what lies beyond it.
     /// </summary>
     internal static class TableFlight
     {
@@ -32,7 +32,8 @@ namespace Alate.Flight
                         holds = holds && Holds(model, table, between);
                         if (holds)
                             continue;
-                        log?.Invoke($"{between}: the trims around it do not mix; {new FlightCondition(table.Speeds[s], table.ClimbRates[c])} is left out.");
+                        log?.Invoke($"{between}: the trims around it do not mix; "
+                            + $"{new FlightCondition(table.Speeds[s], table.ClimbRates[c])} is left out.");
                         table.Open(s, c);
                     }
                 }

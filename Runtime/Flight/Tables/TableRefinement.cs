@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Adds speeds and climbs to a table where the trims of two neighbours are so far apart that the insect does not fly well by what is mixed of them. Of the trims that close there, the
-    /// nearest to the middle of the two is taken, so that trims change as little as they can from point to point.
+    /// Adds speeds and climbs to a table where the trims of two neighbours are so far apart that the insect does not fly well by what is
+    /// mixed of them. Of the trims that close there, the nearest to the middle of the two is taken, so that trims change as little as they
+    /// can from point to point.
     /// </summary>
     internal sealed class TableRefinement
     {
@@ -68,7 +69,8 @@ namespace Alate.Flight
                     if (!table.IsClosed(s, c))
                         break;
                     table.Fill();
-                    bool mixes = FliesWell(table, new FlightCondition(table.Speeds[s], 0.5f * (table.ClimbRates[c] + table.ClimbRates[c - way])))
+                    bool mixes = FliesWell(
+                        table, new FlightCondition(table.Speeds[s], 0.5f * (table.ClimbRates[c] + table.ClimbRates[c - way])))
                         && FliesWell(table, new FlightCondition(0.5f * (table.Speeds[s] + table.Speeds[beside]), table.ClimbRates[c]));
                     if (!mixes)
                         table.Open(s, c);
@@ -84,7 +86,10 @@ namespace Alate.Flight
                 return false;
             bool mixes = true;
             for (int c = 0; c < table.ClimbRates.Length && mixes; c++)
-                mixes = !table.IsClosed(s, c) || !table.IsClosed(s + 1, c) || FliesWell(table, new FlightCondition(middle, table.ClimbRates[c]));
+            {
+                mixes = !table.IsClosed(s, c) || !table.IsClosed(s + 1, c)
+                    || FliesWell(table, new FlightCondition(middle, table.ClimbRates[c]));
+            }
             if (mixes)
                 return false;
             TrimTable refined = table.WithSpeed(middle);
@@ -99,7 +104,10 @@ namespace Alate.Flight
                 return;
             bool mixes = true;
             for (int s = 0; s < table.Speeds.Length && mixes; s++)
-                mixes = !table.IsClosed(s, c) || !table.IsClosed(s, c + 1) || FliesWell(table, new FlightCondition(table.Speeds[s], middle));
+            {
+                mixes = !table.IsClosed(s, c) || !table.IsClosed(s, c + 1)
+                    || FliesWell(table, new FlightCondition(table.Speeds[s], middle));
+            }
             if (mixes)
                 return;
             TrimTable refined = table.WithClimb(middle);
@@ -122,7 +130,8 @@ namespace Alate.Flight
             return isBetter;
         }
 
-        // From the level trim outwards: each the nearest to the middle of the slower and the faster one, or, where one does not close, of the other and the one nearer to level.
+        // From the level trim outwards: each the nearest to the middle of the slower and the faster one, or, where one does not close, of
+        // the other and the one nearer to level.
         private void AddRow(TrimTable table, int s)
         {
             int level = table.LevelClimb;
@@ -151,7 +160,8 @@ namespace Alate.Flight
                 m_Log?.Invoke(m_Solver.Missing(condition, residual));
         }
 
-        private TrimState State(TrimTable table, int s, int c) => table.IsClosed(s, c) ? TrimState.Read(table.Point(s, c), m_Model.Frequency) : null;
+        private TrimState State(TrimTable table, int s, int c) =>
+            table.IsClosed(s, c) ? TrimState.Read(table.Point(s, c), m_Model.Frequency) : null;
 
         private static TrimState Middle(TrimState a, TrimState b)
         {
@@ -170,8 +180,11 @@ namespace Alate.Flight
             while (flight.Time < k_Seconds)
             {
                 flight.Step(command, k_Step);
-                if (!(math.length(flight.VelocityError) < k_MostError) || flight.Time > k_Counted * k_Seconds && !(flight.Tilt < k_MostTilt))
+                if (!(math.length(flight.VelocityError) < k_MostError)
+                    || flight.Time > k_Counted * k_Seconds && !(flight.Tilt < k_MostTilt))
+                {
                     return false;
+                }
             }
 
             return true;

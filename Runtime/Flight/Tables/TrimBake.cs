@@ -3,11 +3,14 @@ using System.Collections.Generic;
 
 namespace Alate.Flight
 {
-    /// <summary>Makes the trim table of an insect: trims, their bobs, the gains, and a second round from where the insect really flies by them.</summary>
+    /// <summary>
+    /// Makes the trim table of an insect: trims, their bobs, the gains, and a second round from where the insect really flies by them.
+    /// </summary>
     public sealed class TrimBake
     {
         /// <summary>Speeds and climbs of a table, m/s.</summary>
-        public static readonly IReadOnlyList<float> DefaultSpeeds = new[] { 0f, 0.15f, 0.3f, 0.65f, 1f, 1.3f }, DefaultClimbs = new[] { -0.3f, -0.15f, 0f, 0.3f };
+        public static readonly IReadOnlyList<float> DefaultSpeeds = new[] { 0f, 0.15f, 0.3f, 0.65f, 1f, 1.3f },
+            DefaultClimbs = new[] { -0.3f, -0.15f, 0f, 0.3f };
 
         /// <summary>Rounds in which points that did not close are tried from neighbours that did.</summary>
         private const int k_Rounds = 3;
@@ -51,7 +54,9 @@ namespace Alate.Flight
 
         /// <summary>Adds speeds where the trims of two do not mix well.</summary>
         internal TrimTable Refine(TrimTable table, TrimSolver solver, FlightTunnel tunnel) =>
-            new TableRefinement(m_Model, solver, (to, s, c, trim) => Add(to, s, c, new FlightCondition(to.Speeds[s], to.ClimbRates[c]), trim, tunnel), Log).Refine(table);
+            new TableRefinement(
+                m_Model, solver, (to, s, c, trim) => Add(to, s, c, new FlightCondition(to.Speeds[s], to.ClimbRates[c]), trim, tunnel), Log)
+                .Refine(table);
 
         /// <summary>Trims over speeds and climbs, each also tried from its neighbours'; null where none closes.</summary>
         internal TrimState[,] Trims(TrimSolver solver, TrimTable table)
@@ -67,8 +72,12 @@ namespace Alate.Flight
                 {
                     foreach (int c in FromLevel(table.ClimbRates))
                     {
-                        if ((trims[s, c] == null || round == 1 && solver.Cost(trims[s, c], new FlightCondition(table.Speeds[s], table.ClimbRates[c])) > k_Fair) && Close(solver, table, trims, problems, s, c, round))
+                        if ((trims[s, c] == null
+                            || round == 1 && solver.Cost(trims[s, c], new FlightCondition(table.Speeds[s], table.ClimbRates[c])) > k_Fair)
+                            && Close(solver, table, trims, problems, s, c, round))
+                        {
                             again = true;
+                        }
                     }
                 }
             }

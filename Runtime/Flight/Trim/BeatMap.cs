@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Map of one beat of free flight from small departures from a trim, and commands of this beat and of the last one, to the departures of the next beat: x' = A x + B u + B1 u₋₁,
-    /// by finite differences at equal phase in just the coordinates that the feedback measures. Longitudinal and lateral motion apart.
+    /// Map of one beat of free flight from small departures from a trim, and commands of this beat and of the last one, to the departures
+    /// of the next beat: x' = A x + B u + B1 u₋₁, by finite differences at equal phase in just the coordinates that the feedback measures.
+    /// Longitudinal and lateral motion apart.
     /// </summary>
     internal sealed class BeatMap
     {

@@ -2,12 +2,18 @@ using System;
 
 namespace Alate.Flight
 {
-    /// <summary>Gains of the feedback at the beat by a linear regulator on the beat's map, with integrals of the velocity and the last command as states.</summary>
+    /// <summary>
+    /// Gains of the feedback at the beat by a linear regulator on the beat's map, with integrals of the velocity and the last command as
+    /// states.
+    /// </summary>
     internal static class FlightGains
     {
         private const double k_Degree = Math.PI / 180;
 
-        /// <summary>Departures that weigh as much as a unit of command: velocity m/s, turn, heading, rate rad/s, integral m. One set for all insects.</summary>
+        /// <summary>
+        /// Departures that weigh as much as a unit of command: velocity m/s, turn, heading, rate rad/s, integral m. One set for all
+        /// insects.
+        /// </summary>
         private const double k_Velocity = 0.35, k_Turn = 15 * k_Degree, k_Heading = 6 * k_Degree, k_Rate = 6, k_Integral = 0.21;
 
         /// <summary>Weight of the last command: none, but that of a well-posed problem.</summary>
@@ -27,7 +33,8 @@ namespace Alate.Flight
         }
 
         /// <summary>System of departures, integrals of the first of them, and last commands.</summary>
-        public static void Augment(double[,] a, double[,] b, double[,] b1, int integrals, double period, out double[,] whole, out double[,] input)
+        public static void Augment(
+            double[,] a, double[,] b, double[,] b1, int integrals, double period, out double[,] whole, out double[,] input)
         {
             int n = a.GetLength(0), m = b.GetLength(1), size = n + integrals + m;
             whole = new double[size, size];

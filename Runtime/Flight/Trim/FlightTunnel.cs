@@ -4,7 +4,9 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>A wind tunnel for several insects of one kind at once: each is held in its own steady motion, bob and all, or let free from there.</summary>
+    /// <summary>
+    /// A wind tunnel for several insects of one kind at once: each is held in its own steady motion, bob and all, or let free from there.
+    /// </summary>
     internal sealed class FlightTunnel : IDisposable
     {
         private readonly FlightModel m_Model;

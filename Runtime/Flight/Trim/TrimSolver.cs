@@ -5,8 +5,8 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Finds the beat and attitude that carry an insect steadily: of all that balance lift, thrust and pitching moment the nearest to preferred ones, within bounds;
-    /// with the bob of the body that the forces of the beat make.
+    /// Finds the beat and attitude that carry an insect steadily: of all that balance lift, thrust and pitching moment the nearest to
+    /// preferred ones, within bounds; with the bob of the body that the forces of the beat make.
     /// </summary>
     internal sealed class TrimSolver : IDisposable
     {
@@ -97,7 +97,8 @@ namespace Alate.Flight
         }
 
         /// <summary>Largest part of a residual.</summary>
-        public static double Norm(double[] r) => r == null ? double.PositiveInfinity : Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
+        public static double Norm(double[] r) =>
+            r == null ? double.PositiveInfinity : Math.Max(Math.Abs(r[0]), Math.Max(Math.Abs(r[1]), Math.Abs(r[2])));
 
         /// <summary>Names what is missing at a condition that does not close.</summary>
         public string Missing(in FlightCondition condition, double[] r)
@@ -105,8 +106,12 @@ namespace Alate.Flight
             if (r == null)
                 return $"{condition}: the trim does not settle.";
             return m_Model.Floats
-                ? FormattableString.Invariant($"{condition}: does not close; what is left is lift {r[0]:0.00}, thrust {r[1]:0.00} of the drag, pitching moment {r[2]:0.000} of the drag times the fin's length.")
-                : FormattableString.Invariant($"{condition}: does not close; lift is {1 + r[0]:0.00} of the weight, thrust {r[1]:0.00}, pitching moment {r[2]:0.000} of weight times wing length.");
+                ? FormattableString.Invariant($"{condition}: does not close; what is left is lift ")
+                    + FormattableString.Invariant(
+                        $"{r[0]:0.00}, thrust {r[1]:0.00} of the drag, pitching moment {r[2]:0.000} of the drag times the fin's length.")
+                : FormattableString.Invariant($"{condition}: does not close; lift is ")
+                    + FormattableString.Invariant(
+                        $"{1 + r[0]:0.00} of the weight, thrust {r[1]:0.00}, pitching moment {r[2]:0.000} of weight times wing length.");
         }
 
         /// <summary>First guess of a solution: level in a fluid that carries the body, else nose up.</summary>
@@ -206,7 +211,8 @@ namespace Alate.Flight
             return loads;
         }
 
-        // Motion of the body under the harmonics of the beat's forces, by their mean damping: (ikω M + K) x' = F + K x. Returns the largest change over a typical size.
+        // Motion of the body under the harmonics of the beat's forces, by their mean damping: (ikω M + K) x' = F + K x. Returns the largest
+        // change over a typical size.
         private double Bob(TrimState state, BeatLoads loads)
         {
             double omega = 2 * Math.PI * m_Model.Frequency * state.z[1], change = 0;
@@ -276,7 +282,8 @@ namespace Alate.Flight
                 if (worst < 0)
                     break;
                 held[worst] = true;
-                move[worst] = math.clamp((float)(now.z[worst] + move[worst]), (float)TrimState.Least(worst), (float)TrimState.Most(worst)) - now.z[worst];
+                move[worst] = math.clamp((float)(now.z[worst] + move[worst]), (float)TrimState.Least(worst), (float)TrimState.Most(worst))
+                    - now.z[worst];
             }
 
             for (int k = 0; k < move.Length; k++)

@@ -4,7 +4,9 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>Attitude and beat that may carry an insect: pitch, frequency, amplitude, tilt and mean sweep, and the bob of the body in the beat.</summary>
+    /// <summary>
+    /// Attitude and beat that may carry an insect: pitch, frequency, amplitude, tilt and mean sweep, and the bob of the body in the beat.
+    /// </summary>
     public sealed class TrimState
     {
         internal const int Unknowns = 5;

@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>Trims, bobs and gains of an insect over speeds and climbs: what its flight goes by. Points that do not close hold their nearest neighbour's numbers.</summary>
+    /// <summary>
+    /// Trims, bobs and gains of an insect over speeds and climbs: what its flight goes by. Points that do not close hold their nearest
+    /// neighbour's numbers.
+    /// </summary>
     public sealed class TrimTable : IDisposable
     {
         private readonly float[][] m_Points;
@@ -106,7 +109,9 @@ namespace Alate.Flight
             m_Closed[At(speed, climb)] = true;
         }
 
-        /// <summary>Gives the points that do not close their nearest neighbour's numbers; what flies by the table next flies by them.</summary>
+        /// <summary>
+        /// Gives the points that do not close their nearest neighbour's numbers; what flies by the table next flies by them.
+        /// </summary>
         /// <returns>Whether any point closes.</returns>
         internal bool Fill()
         {

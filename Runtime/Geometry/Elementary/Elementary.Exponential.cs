@@ -53,7 +53,9 @@ namespace Alate.Geometry
             return n * k_Ln2 - ((half - (s * (half + r) + n * k_Ln2Rest)) - f);
         }
 
-        /// <summary>A number to a power, of x above 0 within 1 + 2 |y ln x| units in the last place; of a negative number to whole powers only.</summary>
+        /// <summary>
+        /// A number to a power, of x above 0 within 1 + 2 |y ln x| units in the last place; of a negative number to whole powers only.
+        /// </summary>
         public static double Pow(double x, double y)
         {
             if (y == 0.0 || x == 1.0)

@@ -10,7 +10,9 @@ namespace Alate.Geometry
     /// </summary>
     internal static partial class Elementary
     {
-        /// <summary>Angle up to which multiples of a quarter turn are subtracted without rounding, radians; larger ones lose whole turns first.</summary>
+        /// <summary>
+        /// Angle up to which multiples of a quarter turn are subtracted without rounding, radians; larger ones lose whole turns first.
+        /// </summary>
         private const double k_LargestExact = 1e6;
 
         private const double k_TwoOverPi = 0.6366197723675814, k_TwoPi = 6.283185307179586;
@@ -25,7 +27,9 @@ namespace Alate.Geometry
 
         private const double k_TangentOfSixteenthTurn = 0.41421356237309503;
 
-        /// <summary>Size above which the arguments of <see cref="Atan2(double, double)"/> are scaled, so that their sum is finite.</summary>
+        /// <summary>
+        /// Size above which the arguments of <see cref="Atan2(double, double)"/> are scaled, so that their sum is finite.
+        /// </summary>
         private const double k_Huge = 1e300, k_ToModest = 1e-20;
 
         /// <summary>

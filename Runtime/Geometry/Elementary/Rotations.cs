@@ -31,7 +31,8 @@ namespace Alate.Geometry
             if (cosine >= k_Near)
                 return math.nlerp(from, new quaternion(end), share);
             float angle = Elementary.Acos(cosine), scale = math.rsqrt(1f - cosine * cosine);
-            return new quaternion(from.value * (Elementary.Sin(angle * (1f - share)) * scale) + end * (Elementary.Sin(angle * share) * scale));
+            return new quaternion(
+                from.value * (Elementary.Sin(angle * (1f - share)) * scale) + end * (Elementary.Sin(angle * share) * scale));
         }
     }
 }

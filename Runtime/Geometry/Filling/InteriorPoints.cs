@@ -3,15 +3,17 @@ using System.Collections.Generic;
 
 namespace Alate.Geometry
 {
-    /// <summary>Places vertices inside an outline: on a lattice of equilateral triangles, an exact number of them, clear of the rim.</summary>
+    /// <summary>
+    /// Places vertices inside an outline: on a lattice of equilateral triangles, an exact number of them, clear of the rim.
+    /// </summary>
     internal static class InteriorPoints
     {
         /// <summary>Least distance from the rim, in steps of the lattice.</summary>
         private const double k_Clearance = 0.55;
 
         /// <summary>
-        /// Least distance from a corner, in steps: a nearer point would be the only one joined to it, by a short side. At the base of a wing that side stretches
-        /// more than all others: 6.4 % in place of 5.8 for the firefly's.
+        /// Least distance from a corner, in steps: a nearer point would be the only one joined to it, by a short side. At the base of a
+        /// wing that side stretches more than all others: 6.4 % in place of 5.8 for the firefly's.
         /// </summary>
         private const double k_CornerClearance = 1.1;
 
@@ -55,7 +57,8 @@ namespace Alate.Geometry
             return found.ConvertAll(place => place.Point).GetRange(0, Math.Min(count, found.Count));
         }
 
-        private static List<(double Clearance, PlanPoint Point)> Lattice(List<PlanPoint> rim, List<PlanPoint> corners, double step, int limit)
+        private static List<(double Clearance, PlanPoint Point)> Lattice(
+            List<PlanPoint> rim, List<PlanPoint> corners, double step, int limit)
         {
             var places = new List<(double Clearance, PlanPoint Point)>();
             var grid = new PolygonGrid(rim, step);
@@ -65,10 +68,14 @@ namespace Alate.Geometry
             {
                 for (int column = 0; bounds.left + column * step < bounds.right; column++)
                 {
-                    var point = new PlanPoint(bounds.left + (column + k_ShiftX + 0.5 * (row % 2)) * step, bounds.low + (row + k_ShiftZ) * rise);
+                    var point = new PlanPoint(
+                        bounds.left + (column + k_ShiftX + 0.5 * (row % 2)) * step, bounds.low + (row + k_ShiftZ) * rise);
                     double clearance = grid.Clearance(point, 2.0 * step);
-                    if (clearance < k_Clearance * step || corners.Exists(corner => (corner - point).LengthSquared < fromCorner * fromCorner))
+                    if (clearance < k_Clearance * step
+                        || corners.Exists(corner => (corner - point).LengthSquared < fromCorner * fromCorner))
+                    {
                         continue;
+                    }
                     places.Add((clearance, point));
                     if (places.Count > limit)
                         return places;

@@ -13,7 +13,9 @@ namespace Alate.Geometry
         private const double k_Coarser = 1.12;
         private const int k_Tries = 24;
 
-        /// <summary>Cosine of the turn from which on a point of the rim counts as a bend, where the corners between smooth stretches are given.</summary>
+        /// <summary>
+        /// Cosine of the turn from which on a point of the rim counts as a bend, where the corners between smooth stretches are given.
+        /// </summary>
         private const double k_BendCosine = 0.9;
 
         /// <summary>Random shift of the vertices, in spacings, so that no three lie exactly in a line.</summary>
@@ -25,7 +27,8 @@ namespace Alate.Geometry
         /// <param name="outline">Counterclockwise; simple.</param>
         /// <param name="triangleCount">Exact.</param>
         /// <param name="rimCount">How many points are the rim.</param>
-        /// <param name="corners">Indices of points of the outline that are to be vertices, rising; null to find those at which it bends.</param>
+        /// <param name="corners">Indices of points of the outline that are to be vertices, rising; null to find those at which it
+        /// bends.</param>
         /// <exception cref="ArgumentException">So few triangles cannot fill the outline.</exception>
         public static TriangleLinks Mesh(PlanPoint[] outline, int triangleCount, out int rimCount, IReadOnlyList<int> corners = null)
         {
@@ -67,7 +70,9 @@ namespace Alate.Geometry
         private static PlanPoint[] Jittered(List<PlanPoint> points, double shift)
         {
             var random = new Random(1);
-            return points.ConvertAll(p => new PlanPoint(p.x + shift * (random.NextDouble() - 0.5), p.z + shift * (random.NextDouble() - 0.5))).ToArray();
+            return points
+                .ConvertAll(p => new PlanPoint(p.x + shift * (random.NextDouble() - 0.5), p.z + shift * (random.NextDouble() - 0.5)))
+                .ToArray();
         }
     }
 }

@@ -15,7 +15,8 @@ namespace Alate.Geometry
             for (int k = 0; k < points.Length; k++)
             {
                 order[k] = k;
-                double row = Math.Floor((points[k].z - bounds.low) / bounds.Extent * rows), along = (points[k].x - bounds.left) / bounds.Extent;
+                double row = Math.Floor((points[k].z - bounds.low) / bounds.Extent * rows),
+                    along = (points[k].x - bounds.left) / bounds.Extent;
                 keys[k] = row + 0.999 * (row % 2 == 0 ? along : 1.0 - along);
             }
 

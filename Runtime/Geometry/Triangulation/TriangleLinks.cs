@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Alate.Geometry
 {
     /// <summary>
-    /// Triangles in a plane, counterclockwise, and how they join. Side s of triangle t is the number 3 t + s; it begins at <see cref="corners"/>[3 t + s] and
-    /// its other face is <see cref="twins"/>[3 t + s], or −1 on the rim.
+    /// Triangles in a plane, counterclockwise, and how they join. Side s of triangle t is the number 3 t + s; it begins at
+    /// <see cref="corners"/>[3 t + s] and its other face is <see cref="twins"/>[3 t + s], or −1 on the rim.
     /// </summary>
     internal sealed class TriangleLinks
     {

@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Alate
 {
-    /// <summary>The assets of one kind that are in use, each read once however many use it. Those that nobody asks for any more are let go, so that they can be unloaded.</summary>
+    /// <summary>
+    /// The assets of one kind that are in use, each read once however many use it. Those that nobody asks for any more are let go, so that
+    /// they can be unloaded.
+    /// </summary>
     internal sealed class AssetWatch<TAsset, TValue> where TAsset : UnityEngine.Object where TValue : WatchedValue
     {
         private readonly Dictionary<TAsset, TValue> m_Values = new Dictionary<TAsset, TValue>();
@@ -59,7 +62,10 @@ namespace Alate
     /// <summary>Values that are read from an asset, kept while it has users.</summary>
     internal abstract class WatchedValue
     {
-        /// <summary>Frames without a look after which a value is let go: in slow motion steps are many frames apart, and insects may be disabled for a moment.</summary>
+        /// <summary>
+        /// Frames without a look after which a value is let go: in slow motion steps are many frames apart, and insects may be disabled for
+        /// a moment.
+        /// </summary>
         private const int k_Patience = 600;
 
         private int m_FramesUnused;

@@ -37,7 +37,8 @@ namespace Alate
             Step(WingUpdateMode.Update, FrameStep, m_Frame.Advance(dt));
             Step(WingUpdateMode.UnscaledTime, FrameStep, m_Unscaled.Advance(unscaledDt));
             float length = Time.fixedDeltaTime;
-            Show(WingUpdateMode.FixedUpdate, length > 0f ? (float)math.saturate((Time.timeAsDouble - Time.fixedTimeAsDouble) / length) : 1f);
+            Show(
+                WingUpdateMode.FixedUpdate, length > 0f ? (float)math.saturate((Time.timeAsDouble - Time.fixedTimeAsDouble) / length) : 1f);
             Show(WingUpdateMode.Update, m_Frame.Alpha);
             Show(WingUpdateMode.UnscaledTime, m_Unscaled.Alpha);
         }

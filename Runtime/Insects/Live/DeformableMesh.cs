@@ -8,8 +8,8 @@ namespace Alate
 {
     /// <summary>
     /// Copies a mesh so that each wing's vertices can be written in one piece: vertices in a given order; stream 0 position and normal,
-    /// stream 1 tangents where there are any, the next one colours and texture coordinates. Normals and tangents are signed bytes where the device reads them. Bone weights and
-    /// blend shapes are left out.
+    /// stream 1 tangents where there are any, the next one colours and texture coordinates. Normals and tangents are signed bytes where the
+    /// device reads them. Bone weights and blend shapes are left out.
     /// </summary>
     internal static class DeformableMesh
     {
@@ -47,9 +47,15 @@ namespace Alate
             else
                 mesh.SetVertexBufferData(Vertices(order, positions, normals), 0, 0, order.Length, VertexStream, UploadFlags);
             if (tangents.Length > 0 && packed)
-                mesh.SetVertexBufferData(Array.ConvertAll(order, v => Packed(tangents[v], tangents[v].w)), 0, 0, order.Length, TangentStream, UploadFlags);
+            {
+                mesh.SetVertexBufferData(
+                    Array.ConvertAll(order, v => Packed(tangents[v], tangents[v].w)), 0, 0, order.Length, TangentStream, UploadFlags);
+            }
             else if (tangents.Length > 0)
+            {
                 mesh.SetVertexBufferData(Array.ConvertAll(order, v => tangents[v]), 0, 0, order.Length, TangentStream, UploadFlags);
+            }
+
             if (others.Words > 0)
                 mesh.SetVertexBufferData(others.Pick(order), 0, 0, order.Length * others.Words, others.Stream, UploadFlags);
             CopyTriangles(source, order, mesh);
@@ -92,7 +98,8 @@ namespace Alate
 
         private static PackedVertex[] PackedVertices(int[] order, Vector3[] positions, Vector3[] normals)
         {
-            return Array.ConvertAll(order, v => new PackedVertex { position = positions[v], normal = normals.Length > 0 ? Packed(normals[v], 0f) : 0 });
+            return Array.ConvertAll(
+                order, v => new PackedVertex { position = positions[v], normal = normals.Length > 0 ? Packed(normals[v], 0f) : 0 });
         }
 
         private static int Packed(Vector3 direction, float w) => SignedBytes.Pack(new SoaFloat3(direction.normalized), w).x;

@@ -55,7 +55,8 @@ namespace Alate
             int renderer = wing.Renderer == null ? 0 : wing.Renderer.GetHashCode() * 2 + (wing.Renderer.isPartOfStaticBatch ? 1 : 0);
             int shown = filter == null || filter.sharedMesh == null ? 0 : filter.sharedMesh.GetHashCode();
             int authored = mesh == null ? 0 : mesh.GetHashCode() * 2 + (mesh.isReadable ? 1 : 0);
-            return HashCode.Combine(renderer, shown, authored, wing.Part, wing.Submesh, wing.Side, wing.Point, m_Skeletons.Of(wing.Skeleton).Hash);
+            return HashCode.Combine(
+                renderer, shown, authored, wing.Part, wing.Submesh, wing.Side, wing.Point, m_Skeletons.Of(wing.Skeleton).Hash);
         }
     }
 }

@@ -12,7 +12,8 @@ namespace Alate
         private readonly InsectRegistry m_Registry;
         private readonly BeatCalls m_Calls = new BeatCalls();
         private readonly List<InsectWings> m_Flying = new List<InsectWings>();
-        private readonly AssetWatch<WingPreset, PresetValues> m_Presets = new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset));
+        private readonly AssetWatch<WingPreset, PresetValues> m_Presets = new AssetWatch<WingPreset, PresetValues>(
+            asset => new PresetValues(asset));
         private readonly WindZones m_WindZones = new WindZones();
         private readonly Viewers m_Viewers = new Viewers();
         private readonly Clocks m_Clocks = new Clocks();
@@ -217,7 +218,10 @@ namespace Alate
             foreach (InsectWings insect in m_Flying)
             {
                 if (insect.Live is { } live && insect.Flyer is { } flyer)
-                    flyer.Prepare(live, World, live.flight.wind, gravity, m_Clocks.times[live.Clock].length, m_Clocks.times[live.Clock].count);
+                {
+                    flyer.Prepare(
+                        live, World, live.flight.wind, gravity, m_Clocks.times[live.Clock].length, m_Clocks.times[live.Clock].count);
+                }
             }
         }
 

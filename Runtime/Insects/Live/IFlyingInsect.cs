@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Flight that carries an insect by its own wings, as the frame loop sees it: told before each step and each picture, with no jobs under way.</summary>
+    /// <summary>
+    /// Flight that carries an insect by its own wings, as the frame loop sees it: told before each step and each picture, with no jobs
+    /// under way.
+    /// </summary>
     internal interface IFlyingInsect
     {
         /// <summary>Prepares the steps that the insect's clock takes at once.</summary>

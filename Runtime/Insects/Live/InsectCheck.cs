@@ -94,7 +94,8 @@ namespace Alate
             return skinned == null
                 ? new InsectProblem(InsectState.NoWings, -1, "the list of wings is empty. Add them, or use Find Wings in the inspector.")
                 : new InsectProblem(InsectState.SkinnedWings, -1,
-                    $"the list of wings is empty, and '{skinned.name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain renderer in the inspector, then find the wings.");
+                    $"the list of wings is empty, and '{skinned.name}' is a SkinnedMeshRenderer, which bones move. Convert it to a plain "
+                    + "renderer in the inspector, then find the wings.");
         }
 
         private static InsectProblem Skeleton(Wing wing, int index)

@@ -15,7 +15,8 @@ namespace Alate
 
         private readonly List<InsectWings> m_Arriving = new List<InsectWings>();
         private readonly List<LiveMesh> m_Leaving = new List<LiveMesh>();
-        private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons = new AssetWatch<WingSkeleton, SkeletonValue>(asset => new SkeletonValue(asset));
+        private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons = new AssetWatch<WingSkeleton, SkeletonValue>(
+            asset => new SkeletonValue(asset));
         private readonly FaultedInsects m_Broken;
         private readonly TemplateCache m_Templates = new TemplateCache();
         private readonly InsectBuilder m_Builder;

@@ -39,7 +39,8 @@ namespace Alate
         /// authored mesh with this number of patches.
         /// </summary>
         public bool IsCurrent(int patches) =>
-            patches == m_Patches && !template.IsOutdated && filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Copy);
+            patches == m_Patches && !template.IsOutdated && filter != null && renderer != null
+            && ReferenceEquals(filter.sharedMesh, m_Copy);
 
         /// <summary>Uploads the deformed vertices of all wings to the mesh.</summary>
         public void Upload(WingWorld world)

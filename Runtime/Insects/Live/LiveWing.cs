@@ -92,7 +92,8 @@ namespace Alate
         /// <returns>Whether anything changed since the last call.</returns>
         public bool ApplyParameters(AssetWatch<WingPreset, PresetValues> presets, in InsectTuning tuning, out WingParameters parameters)
         {
-            if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnPreset, m_Wing.Preset) || !ReferenceEquals(m_Tuning.preset, tuning.preset))
+            if (values == null || values.IsForgotten || !ReferenceEquals(m_OwnPreset, m_Wing.Preset)
+                || !ReferenceEquals(m_Tuning.preset, tuning.preset))
             {
                 m_OwnPreset = m_Wing.Preset;
                 values = presets.Of(m_OwnPreset == null ? tuning.preset : m_OwnPreset);

@@ -21,7 +21,8 @@ namespace Alate
         public static void Remove(Mesh living) => s_Living.Remove(living);
 
         /// <summary>Authored mesh: the source of a living mesh, or the mesh itself.</summary>
-        public static Mesh SourceOf(Mesh mesh) => mesh is null || !s_Living.TryGetValue(mesh, out (Mesh source, MeshFilter filter) entry) ? mesh : entry.source;
+        public static Mesh SourceOf(Mesh mesh) =>
+            mesh is null || !s_Living.TryGetValue(mesh, out (Mesh source, MeshFilter filter) entry) ? mesh : entry.source;
 
         /// <summary>
         /// Returns true where an insect has given this very filter the mesh that it shows; false for the filters of its clones.
@@ -29,7 +30,8 @@ namespace Alate
         public static bool LivesOn(MeshFilter filter)
         {
             Mesh shown = filter.sharedMesh;
-            return !(shown is null) && s_Living.TryGetValue(shown, out (Mesh source, MeshFilter filter) entry) && ReferenceEquals(entry.filter, filter);
+            return !(shown is null) && s_Living.TryGetValue(shown, out (Mesh source, MeshFilter filter) entry)
+                && ReferenceEquals(entry.filter, filter);
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]

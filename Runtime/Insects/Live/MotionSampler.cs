@@ -52,7 +52,8 @@ namespace Alate
             if (!IsNear(velocity, Velocity, jump / dt) || !IsNear(rate, AngularVelocity, turn * Mathf.Deg2Rad / dt))
             {
                 // Two jumps in a row that are alike are no jumps but a motion that began of a sudden.
-                bool isMotion = m_Jumped && IsNear(velocity, m_JumpVelocity, jump / dt) && IsNear(rate, m_JumpRate, turn * Mathf.Deg2Rad / dt);
+                bool isMotion = m_Jumped && IsNear(velocity, m_JumpVelocity, jump / dt)
+                    && IsNear(rate, m_JumpRate, turn * Mathf.Deg2Rad / dt);
                 m_JumpVelocity = velocity;
                 m_JumpRate = rate;
                 m_Jumped = true;

@@ -36,7 +36,8 @@ namespace Alate
                     if (shapes[w].Overlaps(shapes[other]))
                     {
                         problem = new InsectProblem(InsectState.WingsOverlap, indices[w],
-                            $"it shares vertices of mesh '{Mesh.name}' with wing {indices[other]}. Give each a part of its own: a submesh, or a connected part.");
+                            $"it shares vertices of mesh '{Mesh.name}' with wing "
+                            + $"{indices[other]}. Give each a part of its own: a submesh, or a connected part.");
                     }
                 }
 
@@ -78,7 +79,8 @@ namespace Alate
             {
                 return automatic
                     ? new InsectProblem(InsectState.NoSkeleton, index,
-                        $"it has no skeleton, and none could be laid out on mesh '{Mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
+                        "it has no skeleton, and none could be laid out on mesh "
+                        + $"'{Mesh.name}': {OneLine(exception)} Make a Wing Skeleton and assign it.")
                     : new InsectProblem(InsectState.SkeletonDoesNotFit, index,
                         $"{OneLine(exception)} Assign the skeleton that was made for mesh '{Mesh.name}'.");
             }

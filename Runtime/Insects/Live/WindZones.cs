@@ -7,8 +7,9 @@ namespace Alate
 {
     /// <summary>The wind of Unity's wind zones at a place and time, in world units per second.</summary>
     /// <remarks>
-    /// Unity says what a zone's numbers are for, not how trees use them. Here: main wind times one plus the pulse (a sine of its magnitude and frequency) plus turbulence
-    /// (smooth noise up to a third of the main wind at turbulence 1), along the zone's forward axis, or outwards and fading towards the radius.
+    /// Unity says what a zone's numbers are for, not how trees use them. Here: main wind times one plus the pulse (a sine of its magnitude
+    /// and frequency) plus turbulence (smooth noise up to a third of the main wind at turbulence 1), along the zone's forward axis, or
+    /// outwards and fading towards the radius.
     /// </remarks>
     internal sealed class WindZones
     {
@@ -63,7 +64,8 @@ namespace Alate
             {
                 known.isTold = true;
                 string what = $"main wind {read.x}, pulse {read.y} at {read.z} Hz, turbulence {read.w}, radius {zone.radius}";
-                Debug.LogWarning($"'{zone.name}': a wind zone of {what} is refused, the last good one counts: all must be at most {k_Most}.", zone);
+                Debug.LogWarning(
+                    $"'{zone.name}': a wind zone of {what} is refused, the last good one counts: all must be at most {k_Most}.", zone);
             }
 
             numbers = known.numbers;

@@ -32,7 +32,9 @@ namespace Alate
             return wings.ConvertAll(candidate => candidate.ToWing());
         }
 
-        /// <summary>The skinned renderers that draw wings, alone or with the body; <see cref="SkinnedWingConversion"/> makes plain ones of them.</summary>
+        /// <summary>
+        /// The skinned renderers that draw wings, alone or with the body; <see cref="SkinnedWingConversion"/> makes plain ones of them.
+        /// </summary>
         /// <remarks>Bones that are called wing count too. Hidden renderers do not.</remarks>
         /// <param name="root">The insect: X right, Y up, Z ahead.</param>
         /// <exception cref="ArgumentNullException">There is no object.</exception>

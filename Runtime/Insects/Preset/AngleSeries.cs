@@ -14,7 +14,10 @@ namespace Alate
         [Tooltip("Degrees of the mean over the beat, -180 to 180.")]
         public float mean;
 
-        /// <summary>Amplitude (x) and phase (y) of the first, second, … harmonic, degrees, at most <see cref="WingKinematics.Harmonics"/> of them; null for a constant.</summary>
+        /// <summary>
+        /// Amplitude (x) and phase (y) of the first, second, … harmonic, degrees, at most <see cref="WingKinematics.Harmonics"/> of them;
+        /// null for a constant.
+        /// </summary>
         [Tooltip("Amplitude and phase of each harmonic, degrees: X cos(k t/T + Y). At most eight.")]
         public Vector2[] harmonics;
 
@@ -54,7 +57,8 @@ namespace Alate
                     sin += share * degrees[n] * Elementary.Sin(angle);
                 }
 
-                harmonics[k - 1] = new Vector2((float)Math.Sqrt(cos * cos + sin * sin), (float)(Elementary.Atan2(-sin, cos) * 180.0 / Math.PI));
+                harmonics[k - 1] = new Vector2(
+                    (float)Math.Sqrt(cos * cos + sin * sin), (float)(Elementary.Atan2(-sin, cos) * 180.0 / Math.PI));
             }
 
             return new AngleSeries((float)(sum / count), harmonics);

@@ -12,7 +12,8 @@ namespace Alate
     {
         /// <summary>Largest frequency MAX_f of the beat, hertz, 0.1 to 1000.</summary>
         [Range(WingBounds.MaxFrequency.Min, WingBounds.MaxFrequency.Max), Unit("Hz")]
-        [Tooltip("Hertz at full speed; 11 in the paper. Small insects reach hundreds. Higher beats load the wing more, and stiffen it in step.")]
+        [Tooltip(
+            "Hertz at full speed; 11 in the paper. Small insects reach hundreds. Higher beats load the wing more, and stiffen it in step.")]
         public float maxFrequency;
 
         /// <summary>Speed u_max of the body at full drive, metres per second, 0.01 to 100.</summary>
@@ -22,12 +23,14 @@ namespace Alate
 
         /// <summary>Least drive of the frequency, 0 to 1.</summary>
         [Range(WingBounds.FrequencyFloor.Min, WingBounds.FrequencyFloor.Max), Unit("")]
-        [Tooltip("Share of the frequency kept at rest; 0.8. 0 lets a resting insect stop, as the paper has it; 1 beats at full frequency always.")]
+        [Tooltip("Share of the frequency kept at rest; 0.8. 0 lets a resting insect stop, as the paper has it; 1 beats at full "
+            + "frequency always.")]
         public float frequencyFloor;
 
         /// <summary>Least drive of the amplitude, 0 to 1.</summary>
         [Range(WingBounds.AmplitudeFloor.Min, WingBounds.AmplitudeFloor.Max), Unit("")]
-        [Tooltip("Share of the amplitude kept at rest; 0.5. 0 lets a resting insect hold still, as the paper has it; 1 beats at full amplitude always.")]
+        [Tooltip("Share of the amplitude kept at rest; 0.5. 0 lets a resting insect hold still, as the paper has it; 1 beats at full "
+            + "amplitude always.")]
         public float amplitudeFloor;
 
         /// <summary>Range MAX_a of flapping (Table 1), degrees from lowest to highest, 0 to 180.</summary>
@@ -37,7 +40,8 @@ namespace Alate
 
         /// <summary>Range MAX_a of feathering (Table 1), degrees from end to end, 0 to 180.</summary>
         [Range(WingBounds.FeatherRange.Min, WingBounds.FeatherRange.Max), Unit("°")]
-        [Tooltip("Degrees of feathering (turning about the leading edge) from end to end at full drive; a monarch's is 24. 0 never turns the wing into the flow.")]
+        [Tooltip("Degrees of feathering (turning about the leading edge) from end to end at full drive; a monarch's is 24. 0 never turns "
+            + "the wing into the flow.")]
         public float featherRange;
 
         /// <summary>Range MAX_a of sweeping (Table 1), degrees from end to end, 0 to 180.</summary>
@@ -52,7 +56,8 @@ namespace Alate
 
         /// <summary>Phase of feathering, degrees, −180 to 180.</summary>
         [Range(WingBounds.FeatherPhase.Min, WingBounds.FeatherPhase.Max), Unit("°")]
-        [Tooltip("Degrees by which feathering is ahead of the beat; -90 turns the nose down on the downstroke and up on the upstroke. 0 is the paper's, +90 the wrong way round.")]
+        [Tooltip("Degrees by which feathering is ahead of the beat; -90 turns the nose down on the downstroke and up on the upstroke. 0 is "
+            + "the paper's, +90 the wrong way round.")]
         public float featherPhase;
 
         /// <summary>Phase of sweeping, degrees, −180 to 180.</summary>

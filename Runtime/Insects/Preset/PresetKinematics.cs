@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Motion of a wing that is prescribed, as measured kinematics are published, in place of Beat's ranges and frequency.</summary>
+    /// <summary>
+    /// Motion of a wing that is prescribed, as measured kinematics are published, in place of Beat's ranges and frequency.
+    /// </summary>
     [Serializable]
     public struct PresetKinematics
     {
@@ -55,7 +57,11 @@ namespace Alate
         {
             PresetKinematics clamped = this;
             if (prescribed)
-                clamped.frequency = frequency >= WingBounds.MaxFrequency.Min ? Mathf.Min(frequency, WingBounds.MaxFrequency.Max) : WingBounds.MaxFrequency.Min;
+            {
+                clamped.frequency = frequency >= WingBounds.MaxFrequency.Min
+                    ? Mathf.Min(frequency, WingBounds.MaxFrequency.Max)
+                    : WingBounds.MaxFrequency.Min;
+            }
             clamped.flap = flap.Clamped();
             clamped.sweep = sweep.Clamped();
             clamped.feather = feather.Clamped();

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Posture of an insect that sits: the place of its feet, and the angles of the folded wing. Angles of the drive, with no beat.</summary>
+    /// <summary>
+    /// Posture of an insect that sits: the place of its feet, and the angles of the folded wing. Angles of the drive, with no beat.
+    /// </summary>
     [Serializable]
     public struct PresetRest : IEquatable<PresetRest>
     {

@@ -12,7 +12,8 @@ namespace Alate
     {
         /// <summary>Elasticity k_e of Table 2, without unit, 0.001 to 10⁶.</summary>
         [Unit("", WingBounds.Elasticity.Min, WingBounds.Elasticity.Max)]
-        [Tooltip("Elasticity as in the paper's Table 2, 0.001 to 1000000; 1 for a monarch, 0.5 for a soft fishfly. A quarter makes a rag, four a stiff sheet.")]
+        [Tooltip("Elasticity as in the paper's Table 2, 0.001 to 1000000; 1 for a monarch, 0.5 for a soft fishfly. A quarter makes a rag, "
+            + "four a stiff sheet.")]
         public float elasticity;
 
         /// <summary>Bending frequency N_0 of the leading chain over f_ref, 0.01 to 100.</summary>
@@ -27,7 +28,8 @@ namespace Alate
 
         /// <summary>Fall of the stiffness along a chain, chain lengths, 0.05 to 100.</summary>
         [Range(WingBounds.Decay.Min, WingBounds.Decay.Max), Unit("chain lengths")]
-        [Tooltip("Span over which the stiffness falls to a third (1/e), in wing lengths; 1. Small values soften the tip, large ones make all equal.")]
+        [Tooltip("Span over which the stiffness falls to a third (1/e), in wing lengths; 1. Small values soften the tip, large ones "
+            + "make all equal.")]
         public float decay;
 
         /// <summary>Damping ζ of a bending joint over its critical damping, 0 to 10.</summary>
@@ -37,7 +39,8 @@ namespace Alate
 
         /// <summary>Stiffness against bending up over bending down, 0.1 to 10.</summary>
         [Range(WingBounds.DorsalAsymmetry.Min, WingBounds.DorsalAsymmetry.Max), Unit("")]
-        [Tooltip("How much stiffer the wing is against bending upwards than downwards; 1.4. Above 1 it yields on the upstroke, below 1 on the downstroke.")]
+        [Tooltip("How much stiffer the wing is against bending upwards than downwards; 1.4. Above 1 it yields on the upstroke, below 1 on "
+            + "the downstroke.")]
         public float dorsalAsymmetry;
 
         /// <summary>Stiffness in the wing's plane over that out of it, 0 to 1000.</summary>
@@ -70,9 +73,13 @@ namespace Alate
         [Tooltip("Damping of the springs; 0.3. 0 shivers; above 1 is sluggish.")]
         public float springDamping;
 
-        /// <summary>Wind beyond which the wing hardly bends more, over v_ref = 2π f_ref · half the flap · L, 0.1 to 1000; see <see cref="WingParameters.strongestWind"/>.</summary>
+        /// <summary>
+        /// Wind beyond which the wing hardly bends more, over v_ref = 2π f_ref · half the flap · L, 0.1 to 1000; see
+        /// <see cref="WingParameters.strongestWind"/>.
+        /// </summary>
         [Range(WingBounds.StrongestWind.Min, WingBounds.StrongestWind.Max), Unit("")]
-        [Tooltip("Wind beyond which the wing hardly bends more, over the speed of a wing tip at top speed; 0.65, 3.2 m/s for a monarch. 1000 takes every wind as it is.")]
+        [Tooltip("Wind beyond which the wing hardly bends more, over the speed of a wing tip at top speed; 0.65, 3.2 m/s for a monarch. "
+            + "1000 takes every wind as it is.")]
         public float strongestWind;
 
         /// <summary>A monarch's.</summary>
@@ -93,7 +100,9 @@ namespace Alate
             strongestWind = WingBounds.StrongestWind.Default,
         };
 
-        /// <summary>Stiffness with the numbers without a slider moved into their ranges, and the strongest wind that version 0.1 did not save.</summary>
+        /// <summary>
+        /// Stiffness with the numbers without a slider moved into their ranges, and the strongest wind that version 0.1 did not save.
+        /// </summary>
         internal readonly PresetStiffness Clamped()
         {
             PresetStiffness clamped = this;

@@ -11,7 +11,9 @@ namespace Alate
     {
         /// <summary>Largest delay λ of the trailing edge, half beats, 0 to 2; see <see cref="WingParameters.chordDelay"/>.</summary>
         [Range(WingBounds.ChordDelay.Min, WingBounds.ChordDelay.Max), Unit("half beats")]
-        [Tooltip("Half beats by which the trailing edge follows the leading edge, less where neighbouring chains are too close to bear it; 0.15. 0 is a wing without a wave; 1 with Coupling One Way is the paper's print, where the trailing edge goes up while the leading edge goes down.")]
+        [Tooltip("Half beats by which the trailing edge follows the leading edge, less where neighbouring chains are too close to bear it; "
+            + "0.15. 0 is a wing without a wave; 1 with Coupling One Way is the paper's print, where the trailing edge goes up while the "
+            + "leading edge goes down.")]
         public float chordDelay;
 
         /// <summary>Delay μ from root to tip, half beats, 0 to 2.</summary>
@@ -21,7 +23,8 @@ namespace Alate
 
         /// <summary>Share w_0 of the driven angle that the root turns, 0 to 1.</summary>
         [Range(WingBounds.RootShare.Min, WingBounds.RootShare.Max), Unit("")]
-        [Tooltip("Share of the stroke that turns at the hinge; 0.8. 1 drives a flat wing from its root; 0 rolls the whole stroke out along the span.")]
+        [Tooltip("Share of the stroke that turns at the hinge; 0.8. 1 drives a flat wing from its root; 0 rolls the whole stroke out "
+            + "along the span.")]
         public float rootShare;
 
         /// <summary>Factor κ_in of the beat's own inertia, 0 to 10.</summary>

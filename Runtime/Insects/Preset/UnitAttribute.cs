@@ -2,7 +2,9 @@ using System;
 
 namespace Alate
 {
-    /// <summary>Unit of a preset's number, and its bounds where it has no slider. The command line shows them; a test compares the manual's table.</summary>
+    /// <summary>
+    /// Unit of a preset's number, and its bounds where it has no slider. The command line shows them; a test compares the manual's table.
+    /// </summary>
     [AttributeUsage(AttributeTargets.Field)]
     internal sealed class UnitAttribute : Attribute
     {

@@ -13,7 +13,10 @@ namespace Alate
     [MovedFrom(true, null, null, "WingSpecies")]
     public sealed class WingPreset : ScriptableObject
     {
-        /// <summary>Least speed of the wing tip that the reference frequency counts with, as a share of u_max: a wing that hardly flaps stays finite in stiffness.</summary>
+        /// <summary>
+        /// Least speed of the wing tip that the reference frequency counts with, as a share of u_max: a wing that hardly flaps stays finite
+        /// in stiffness.
+        /// </summary>
         private const float k_LeastTipSpeed = 0.1f;
 
         [SerializeField]
@@ -69,7 +72,10 @@ namespace Alate
         /// <summary>Wing length L: metres from hinge to tip of the real wing.</summary>
         public float WingLength => m_Size.wingLength;
 
-        /// <summary>f_ref = MAX_f √(1 + (u_max / v_tip)²) with v_tip = 2π MAX_f (MAX_a,flap / 2) L: the beat, corrected for the speed of flight, hertz.</summary>
+        /// <summary>
+        /// f_ref = MAX_f √(1 + (u_max / v_tip)²) with v_tip = 2π MAX_f (MAX_a,flap / 2) L: the beat, corrected for the speed of flight,
+        /// hertz.
+        /// </summary>
         public float ReferenceFrequency
         {
             get
@@ -100,8 +106,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Sets everything in which the two readings of the paper differ: phases, delays, floors, the factor of inertia and the options. What belongs to the insect
-        /// (sizes, ranges, frequency, stiffness) stays.
+        /// Sets everything in which the two readings of the paper differ: phases, delays, floors, the factor of inertia and the options.
+        /// What belongs to the insect (sizes, ranges, frequency, stiffness) stays.
         /// </summary>
         /// <param name="reading">The reading to follow.</param>
         /// <param name="chordDelay">λ for <see cref="ModelReading.Physical"/>; the printed reading has 1.</param>

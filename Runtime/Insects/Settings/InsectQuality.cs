@@ -12,7 +12,8 @@ namespace Alate
         public const int MaxPatches = 4096;
 
         /// <summary>Substeps of a beat, 12 to 480; 0 takes the preset's.</summary>
-        [Tooltip("Substeps of one beat, 12 to 480; 0 takes the preset's (16, expressive ones 24 to 36). More is more accurate and costs in proportion.")]
+        [Tooltip("Substeps of one beat, 12 to 480; 0 takes the preset's (16, expressive ones 24 to 36). More is more accurate and "
+            + "costs in proportion.")]
         public int substepsPerBeat;
 
         /// <summary>Surface patches that meet the air, 24 to 4096.</summary>
@@ -28,11 +29,13 @@ namespace Alate
         public ScreenHeights screenHeights;
 
         /// <summary>Computation out of sight.</summary>
-        [Tooltip("What is computed while no camera sees the wings. Cull Completely: nothing; the beat is made up for on return. Cull Skinning: forces and joints. Always Simulate: everything.")]
+        [Tooltip("What is computed while no camera sees the wings. Cull Completely: nothing; the beat is made up for on return. Cull "
+            + "Skinning: forces and joints. Always Simulate: everything.")]
         public WingCulling culling;
 
         /// <summary>True where forces are computed however small or hidden the insect is.</summary>
-        [Tooltip("Computes the air's forces however small the insect is and though no camera sees it: for a body that the wings carry. Costs as much as coarse patches.")]
+        [Tooltip("Computes the air's forces however small the insect is and though no camera sees it: for a body that the wings carry. "
+            + "Costs as much as coarse patches.")]
         public bool keepForces;
 
         /// <summary>Default settings: the preset's substeps, 64 patches, detail by screen size, nothing computed out of sight.</summary>
@@ -40,7 +43,8 @@ namespace Alate
         {
             patches = WingRigSettings.Default.patchCount,
             levelOfDetail = true,
-            screenHeights = new ScreenHeights { fewerSubstepsBelow = 0.2f, coarsePatchesBelow = 0.1f, wavesOnlyBelow = 0.03f, restBelow = 0.005f },
+            screenHeights =
+                new ScreenHeights { fewerSubstepsBelow = 0.2f, coarsePatchesBelow = 0.1f, wavesOnlyBelow = 0.03f, restBelow = 0.005f },
         };
 
         internal InsectQuality Clamped()

@@ -20,7 +20,8 @@ namespace Alate
 
         /// <summary>Factor on all amplitudes, 0 to 2; default 1. 0 holds the wings still: a glide. Followed over the next beats.</summary>
         [Range(0f, Wing.MostAmplitude)]
-        [Tooltip("Factor on the amplitudes of all wings, 0 to 2; 1 is the preset's. 0 holds them still in the middle of their stroke: a glide.")]
+        [Tooltip(
+            "Factor on the amplitudes of all wings, 0 to 2; 1 is the preset's. 0 holds them still in the middle of their stroke: a glide.")]
         public float amplitudeScale;
 
         /// <summary>Raise of the middle of the stroke, degrees, −60 to 60; default 0.</summary>
@@ -30,10 +31,14 @@ namespace Alate
 
         /// <summary>Tilt of the stroke plane, degrees, nose up positive, −60 to 60; default 0.</summary>
         [Range(-k_MostTilt, k_MostTilt)]
-        [Tooltip("Degrees by which the plane of the stroke is tilted, nose up positive, -60 to 60; 0 is the preset's. Tilts the force forwards and back.")]
+        [Tooltip("Degrees by which the plane of the stroke is tilted, nose up positive, -60 to 60; 0 is the preset's. Tilts the force "
+            + "forwards and back.")]
         public float tilt;
 
-        /// <summary>Share to which the wings are folded, 0 to 1, default 0. 1 holds them still as the preset's rest has them. Followed over the next beats.</summary>
+        /// <summary>
+        /// Share to which the wings are folded, 0 to 1, default 0. 1 holds them still as the preset's rest has them. Followed over the next
+        /// beats.
+        /// </summary>
         [Range(0f, 1f)]
         [Tooltip("How far the wings are folded, 0 to 1; 0 beats. Above 0 they are held still, at 1 as the preset's rest has them.")]
         public float fold;
@@ -43,7 +48,8 @@ namespace Alate
 
         /// <inheritdoc/>
         public bool Equals(InsectSteering other) =>
-            frequencyScale == other.frequencyScale && amplitudeScale == other.amplitudeScale && meanFlap == other.meanFlap && tilt == other.tilt && fold == other.fold;
+            frequencyScale == other.frequencyScale && amplitudeScale == other.amplitudeScale && meanFlap == other.meanFlap
+            && tilt == other.tilt && fold == other.fold;
 
         /// <inheritdoc/>
         public override bool Equals(object other) => other is InsectSteering steering && Equals(steering);

@@ -15,22 +15,26 @@ namespace Alate
 
         /// <summary>Height below which the detail is <see cref="WingDetail.FewerSubsteps"/>, share of the screen; default 0.2.</summary>
         [Range(0f, 1f)]
-        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps, but not fewer than 12 a beat. 0 never is. Multiplied by the quality settings' LOD bias.")]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps, but not fewer than 12 a "
+            + "beat. 0 never is. Multiplied by the quality settings' LOD bias.")]
         public float fewerSubstepsBelow;
 
         /// <summary>Height below which the detail is <see cref="WingDetail.CoarsePatches"/>, share of the screen; default 0.1.</summary>
         [Range(0f, 1f)]
-        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with fewer substeps and coarse patches. 0 never is. Multiplied by the quality settings' LOD bias.")]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with fewer substeps and coarse patches. 0 never "
+            + "is. Multiplied by the quality settings' LOD bias.")]
         public float coarsePatchesBelow;
 
         /// <summary>Height below which the detail is <see cref="WingDetail.WavesOnly"/>, share of the screen; default 0.03.</summary>
         [Range(0f, 1f)]
-        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with the driven waves alone. 0 never is. Multiplied by the quality settings' LOD bias.")]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with the driven waves alone. 0 never is. "
+            + "Multiplied by the quality settings' LOD bias.")]
         public float wavesOnlyBelow;
 
         /// <summary>Height below which the detail is <see cref="WingDetail.Frozen"/>, share of the screen; default 0.005.</summary>
         [Range(0f, 1f)]
-        [Tooltip("Share of the screen's height, 0 to 1, below which the wings come to rest. 0 never do. Multiplied by the quality settings' LOD bias.")]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the wings come to rest. 0 never do. Multiplied by the quality "
+            + "settings' LOD bias.")]
         public float restBelow;
 
         /// <summary>The threshold of a level.</summary>

@@ -21,7 +21,8 @@ namespace Alate
         private MeshRenderer m_Renderer;
 
         [SerializeField]
-        [Tooltip("Which part of the mesh is the wing. Whole Mesh: all of it. Submesh: the triangles of one material. Connected Part: what hangs together with the triangle nearest to the point.")]
+        [Tooltip("Which part of the mesh is the wing. Whole Mesh: all of it. Submesh: the triangles of one material. Connected Part: what "
+            + "hangs together with the triangle nearest to the point.")]
         private WingPart m_Part;
 
         [SerializeField]
@@ -51,12 +52,14 @@ namespace Alate
 
         [SerializeField]
         [Range(0f, MostAmplitude)]
-        [Tooltip("Factor on the amplitudes, 0 to 2; 1 is the preset's. 0 holds the wing still in the middle of its stroke; beat one side harder to roll.")]
+        [Tooltip("Factor on the amplitudes, 0 to 2; 1 is the preset's. 0 holds the wing still in the middle of its stroke; beat one side "
+            + "harder to roll.")]
         private float m_AmplitudeScale = 1f;
 
         [SerializeField]
         [Range(-k_MostLead, k_MostLead)]
-        [Tooltip("Degrees of the beat by which this wing is ahead of the insect, -180 to 180; 0 beats with it. Added to the preset's own lead.")]
+        [Tooltip(
+            "Degrees of the beat by which this wing is ahead of the insect, -180 to 180; 0 beats with it. Added to the preset's own lead.")]
         private float m_PhaseLead;
 
         // False in the first entry that the inspector adds to an empty list: that is all zeros, whatever is written above.

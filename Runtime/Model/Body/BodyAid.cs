@@ -3,15 +3,18 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Help from outside for an insect that a gust has thrown about: towards the wanted velocity and attitude, only beyond 30° and 0.4 m/s, bounded by the weight, and
-    /// reported.
+    /// Help from outside for an insect that a gust has thrown about: towards the wanted velocity and attitude, only beyond 30° and 0.4 m/s,
+    /// bounded by the weight, and reported.
     /// </summary>
     internal static unsafe class BodyAid
     {
         /// <summary>Errors below which there is no aid, radians and m/s.</summary>
         private const float k_Turn = math.PI / 6f, k_Velocity = 0.4f;
 
-        /// <summary>Rate of the force over the mass, s⁻¹; rate at which the moment turns the body back, critically damped, over F0: what upsets a body grows with its beat.</summary>
+        /// <summary>
+        /// Rate of the force over the mass, s⁻¹; rate at which the moment turns the body back, critically damped, over F0: what upsets a
+        /// body grows with its beat.
+        /// </summary>
         private const float k_Rate = 4f, k_Beat = 4f;
 
         /// <summary>Bounds over the weight in the scene's gravity (and a wing's length).</summary>
@@ -29,7 +32,8 @@ namespace Alate
             var bob = BodyBob.At(point, phase);
             quaternion wanted = BodyFeedback.Errors(ref seen, point, bob);
             float weight = body.mass * math.length(body.gravity);
-            float3 dv = Beyond(seen.velocityError, k_Velocity), e = Beyond(BodyFeedback.TurnApart(body, point, bob, out quaternion heading), k_Turn);
+            float3 dv = Beyond(seen.velocityError, k_Velocity),
+                e = Beyond(BodyFeedback.TurnApart(body, point, bob, out quaternion heading), k_Turn);
             body.aidForce = body.aid * Bounded(math.rotate(wanted, dv) * (-k_Rate * body.mass), k_MostForce * weight);
             if (math.any(e != 0f))
             {

@@ -48,6 +48,7 @@ namespace Alate
             damping.ww += math.mul(math.mul(wing.axes, Block(air->ww, wing.lane, turn)), back);
         }
 
-        private static float3x3 Block(in SoaFloat3x3 all, int lane, float unit) => new float3x3(all.c0[lane] * unit, all.c1[lane] * unit, all.c2[lane] * unit);
+        private static float3x3 Block(in SoaFloat3x3 all, int lane, float unit) =>
+            new float3x3(all.c0[lane] * unit, all.c1[lane] * unit, all.c2[lane] * unit);
     }
 }

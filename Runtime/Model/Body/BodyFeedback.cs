@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Feedback once a beat, sampled just before the wings latch the next one: errors of velocity, attitude and rates against the reference, less the periodic bob of this
-    /// phase, times gains of the trim table's point, make the commands of the next beat. Acts through the wings alone.
+    /// Feedback once a beat, sampled just before the wings latch the next one: errors of velocity, attitude and rates against the
+    /// reference, less the periodic bob of this phase, times gains of the trim table's point, make the commands of the next beat. Acts
+    /// through the wings alone.
     /// </summary>
     internal static unsafe class BodyFeedback
     {
@@ -65,7 +66,9 @@ namespace Alate
                 return new WingDrive
                 {
                     frequency = math.clamp(point[TrimPoint.Drive] + last[0] * FlightCommands.Unit(0, body.frequency), 0.1f, 1000f),
-                    amplitude = math.clamp(point[TrimPoint.Drive + 1] + last[1] * FlightCommands.Unit(1, 0f) + side * last[4] * FlightCommands.Unit(4, 0f), 0f, 2f),
+                    amplitude = math.clamp(
+                        point[TrimPoint.Drive + 1] + last[1] * FlightCommands.Unit(1, 0f) + side * last[4] * FlightCommands.Unit(4, 0f), 0f,
+                        2f),
                     tilt = point[TrimPoint.Drive + 2] + last[2] * FlightCommands.Unit(2, 0f),
                     meanSweep = point[TrimPoint.Drive + 3] + last[3] * FlightCommands.Unit(3, 0f),
                     meanFeather = side * last[5] * FlightCommands.Unit(5, 0f),
@@ -87,8 +90,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Turn out of the trimmed attitude along the axes of the body's own heading, taken apart into the error of the heading (y), at most 0.8 rad, and tilt: a body that
-        /// looks the wrong way is upright.
+        /// Turn out of the trimmed attitude along the axes of the body's own heading, taken apart into the error of the heading (y), at
+        /// most 0.8 rad, and tilt: a body that looks the wrong way is upright.
         /// </summary>
         public static float3 TurnApart(in FlyingBody body, float* point, in BodyBob bob, out quaternion heading)
         {

@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>One substep of a body: where it is in the middle, which its wings meet, then its motion by the implicit midpoint rule with the air's damping.</summary>
+    /// <summary>
+    /// One substep of a body: where it is in the middle, which its wings meet, then its motion by the implicit midpoint rule with the air's
+    /// damping.
+    /// </summary>
     internal static class BodyMotion
     {
         /// <summary>Carries the body to the middle of the substep as it moved in the last one.</summary>
@@ -27,7 +30,13 @@ namespace Alate
             float3 moment = air.moment - math.cross(spin, math.mul(body.inertia, spin)) + body.aidMoment;
 
             // Midpoint: the forces were taken where the body was predicted to be; K carries them to where it gets.
-            var system = new Symmetric6 { uu = air.damping.uu * (0.5f * h), uw = air.damping.uw * (0.5f * h), ww = air.damping.ww * (0.5f * h) + body.inertia };
+            var system = new Symmetric6
+            {
+                uu = air.damping.uu * (0.5f * h),
+                uw = air.damping.uw
+                * (0.5f * h),
+                ww = air.damping.ww * (0.5f * h) + body.inertia
+            };
             float3 own = body.mass + h * speed * body.drag;
             system.uu.c0.x += own.x;
             system.uu.c1.y += own.y;

@@ -2,7 +2,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>The six commands of a beat, in the order of the gains: what a unit of each is, and how far each may leave the trim.</summary>
+    /// <summary>
+    /// The six commands of a beat, in the order of the gains: what a unit of each is, and how far each may leave the trim.
+    /// </summary>
     internal static class FlightCommands
     {
         public const int Count = TrimPoint.LongCommands + TrimPoint.SideCommands;
@@ -19,9 +21,14 @@ namespace Alate
         /// <param name="command">Index.</param>
         /// <param name="frequency">F0, hertz.</param>
         public static float Unit(int command, float frequency) =>
-            command == 0 ? k_Frequency * frequency : command == 1 ? k_Amplitude : command == 2 ? k_Tilt : command == 3 ? k_Sweep : command == 4 ? k_Side : k_Feather;
+            command == 0 ? k_Frequency * frequency
+            : command == 1 ? k_Amplitude : command == 2 ? k_Tilt : command == 3 ? k_Sweep : command == 4 ? k_Side : k_Feather;
 
-        /// <summary>Largest departure from the trim, in units: 15 % of the frequency, 0.2 of the amplitude, 20° of tilt and sweep, 0.2 and 15° between the sides.</summary>
-        public static float Limit(int command) => command == 0 ? 0.15f / k_Frequency : command == 1 || command == 4 ? 2f : command < 4 ? 2.5f : 2.5f;
+        /// <summary>
+        /// Largest departure from the trim, in units: 15 % of the frequency, 0.2 of the amplitude, 20° of tilt and sweep, 0.2 and 15°
+        /// between the sides.
+        /// </summary>
+        public static float Limit(int command) =>
+            command == 0 ? 0.15f / k_Frequency : command == 1 || command == 4 ? 2f : command < 4 ? 2.5f : 2.5f;
     }
 }

@@ -2,10 +2,12 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>A body that its wings carry: what it is, how it moves, what it follows. SI units; world axes unless said otherwise.</summary>
+    /// <summary>
+    /// A body that its wings carry: what it is, how it moves, what it follows. SI units; world axes unless said otherwise.
+    /// </summary>
     /// <remarks>
-    /// 512 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of it. Bodies are few beside
-    /// wings, and each turns differently: they are not laid out in lanes.
+    /// 512 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of
+    /// it. Bodies are few beside wings, and each turns differently: they are not laid out in lanes.
     /// </remarks>
     internal unsafe struct FlyingBody
     {
@@ -70,7 +72,9 @@ namespace Alate
         /// <summary>1 where the feedback makes commands; otherwise the trim holds.</summary>
         public int steered;
 
-        /// <summary>Above 0 while the body follows its reference, because its wings are not computed, or still settle: beats left and 1.</summary>
+        /// <summary>
+        /// Above 0 while the body follows its reference, because its wings are not computed, or still settle: beats left and 1.
+        /// </summary>
         public int follows;
 
         /// <summary>Seconds since the last sample.</summary>
@@ -88,14 +92,19 @@ namespace Alate
         /// <summary>Commands that were clipped at the last sample.</summary>
         public int clipped;
 
-        /// <summary>Mean force of the wings, N, moment in body axes, N m, aid's force and moment and power, W, over the last step.</summary>
+        /// <summary>
+        /// Mean force of the wings, N, moment in body axes, N m, aid's force and moment and power, W, over the last step.
+        /// </summary>
         public float3 force, moment, aidForce, aidMoment;
         public float aidPower;
 
         /// <summary>Mean power that the wings give to the air over the last step, W.</summary>
         public float power;
 
-        /// <summary>Mean damping of a held body's velocities up and ahead and of turning about X over the last step; columns are what they are damped by.</summary>
+        /// <summary>
+        /// Mean damping of a held body's velocities up and ahead and of turning about X over the last step; columns are what they are
+        /// damped by.
+        /// </summary>
         public float3x3 damping;
 
         /// <summary>Values of the substep: middle of it.</summary>

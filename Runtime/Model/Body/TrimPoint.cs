@@ -1,8 +1,9 @@
 namespace Alate
 {
     /// <summary>
-    /// Layout of one point of a trim table, floats: attitude and beat that carry the insect at one speed and climb, the bob of its body in that beat, and the gains of the
-    /// feedback. Longitudinal and lateral motion are apart, as they are for a body with a plane of symmetry.
+    /// Layout of one point of a trim table, floats: attitude and beat that carry the insect at one speed and climb, the bob of its body in
+    /// that beat, and the gains of the feedback. Longitudinal and lateral motion are apart, as they are for a body with a plane of
+    /// symmetry.
     /// </summary>
     internal static class TrimPoint
     {
@@ -21,7 +22,9 @@ namespace Alate
         /// <summary>Lateral commands: difference of amplitude and of feather, right less left.</summary>
         public const int SideCommands = 2;
 
-        /// <summary>Lateral states: velocity to the right, turns about Y and Z, rates about Y and Z, integral to the right, the last commands.</summary>
+        /// <summary>
+        /// Lateral states: velocity to the right, turns about Y and Z, rates about Y and Z, integral to the right, the last commands.
+        /// </summary>
         public const int SideStates = 8;
 
         /// <summary>Offsets: pitch (radians, nose up); frequency (Hz), amplitude (factor), tilt and mean sweep (radians).</summary>

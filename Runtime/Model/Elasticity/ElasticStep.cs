@@ -63,8 +63,11 @@ namespace Alate
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 SoaFloat3 offset = pack.offsets[joint];
-                SoaFloat3 start = euler ? offset + pack.offsetRates[joint] * step.dt : offset + (offset - pack.earlierOffsets[joint]) * step.ratio;
-                SoaFloat3 past = step.Past(offset, pack.earlierOffsets[joint]) + step.Past(pack.offsetRates[joint], pack.earlierOffsetRates[joint]) * reach;
+                SoaFloat3 start = euler
+                    ? offset + pack.offsetRates[joint] * step.dt
+                    : offset + (offset - pack.earlierOffsets[joint]) * step.ratio;
+                SoaFloat3 past = step.Past(offset, pack.earlierOffsets[joint])
+                    + step.Past(pack.offsetRates[joint], pack.earlierOffsetRates[joint]) * reach;
                 scratch.positions[joint] = scratch.targets[joint] + start;
                 scratch.anchors[joint] = scratch.targets[joint] + past * share;
                 scratch.inertia[joint] = total * pack.rig.jointMasses[joint];

@@ -4,7 +4,8 @@ namespace Alate
 {
     /// <summary>
     /// Newton's method for Eq. 14 on four wings at once: exact Hessian, exact steps, Armijo halving per wing. A wing whose Hessian is not
-    /// positive definite repeats the iteration with its Hessian kept convex, which the second-order step's first iteration begins with; one that has converged stands still while the others go on.
+    /// positive definite repeats the iteration with its Hessian kept convex, which the second-order step's first iteration begins with; one
+    /// that has converged stands still while the others go on.
     /// </summary>
     internal static unsafe class NewtonSolver
     {
@@ -14,7 +15,10 @@ namespace Alate
             /// <summary>Largest number of Newton iterations.</summary>
             public int newton;
 
-            /// <summary>Movement of a joint in an iteration, wing lengths, below which the solver is done. The remaining error is at most some hundred times its square.</summary>
+            /// <summary>
+            /// Movement of a joint in an iteration, wing lengths, below which the solver is done. The remaining error is at most some
+            /// hundred times its square.
+            /// </summary>
             public float tolerance;
 
             /// <summary>Limits of a substep: four iterations, the minimum to 1e-4 L.</summary>
@@ -36,7 +40,8 @@ namespace Alate
             bool4 active = true;
             float4 iterations = default;
 
-            // Far extrapolated, every other start of the second-order step has an indefinite Hessian: kept convex at once it need not be factorised twice.
+            // Far extrapolated, every other start of the second-order step has an indefinite Hessian: kept convex at once it need not be
+            // factorised twice.
             bool4 convex = pack.options.timeScheme == TimeScheme.SecondOrder;
             float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
             for (int k = 0; k < limits.newton; k++)
@@ -69,7 +74,10 @@ namespace Alate
         private static void Finish(in WingPack pack, in StepScratch scratch, bool4 active)
         {
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
-                scratch.positions[joint] = SoaFloat3.Select(scratch.positions[joint], scratch.positions[joint] + scratch.step[joint], active);
+            {
+                scratch.positions[joint] = SoaFloat3.Select(
+                    scratch.positions[joint], scratch.positions[joint] + scratch.step[joint], active);
+            }
         }
 
         // Halves the step of each wing that goes on until its energy falls; leaves the linearisation at the accepted positions.
@@ -82,7 +90,10 @@ namespace Alate
             {
                 bool4 moving = length > 0f;
                 for (int joint = 0; joint < pack.rig.jointCount; joint++)
-                    scratch.candidate[joint] = SoaFloat3.Select(scratch.positions[joint], scratch.positions[joint] + scratch.step[joint] * length, moving);
+                {
+                    scratch.candidate[joint] = SoaFloat3.Select(
+                        scratch.positions[joint], scratch.positions[joint] + scratch.step[joint] * length, moving);
+                }
                 found = SpringEnergy.Linearise(pack, scratch, scratch.candidate, false);
                 bool4 tooHigh = !(found <= value + k_Decrease * length * slope + k_Rounding * math.abs(value)) & moving & goesOn;
                 if (!math.any(tooHigh))

@@ -1,7 +1,8 @@
 namespace Alate
 {
     /// <summary>
-    /// Damping of the body's motion by the air through the wings: K = Σ b g gᵀ over the joints, g = (n, (r + h) × n) with the normal n of the carried frame.
+    /// Damping of the body's motion by the air through the wings: K = Σ b g gᵀ over the joints, g = (n, (r + h) × n) with the normal n of
+    /// the carried frame.
     /// </summary>
     internal static unsafe class AirDamping
     {

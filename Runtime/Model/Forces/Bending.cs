@@ -15,12 +15,15 @@ namespace Alate
         /// </summary>
         private const float k_AirShare = 1.5f;
 
-        /// <summary>Bend at which a joint has become twice as stiff, radians (7°); it rises with the fourth power, so that ordinary bends do not feel it.</summary>
+        /// <summary>
+        /// Bend at which a joint has become twice as stiff, radians (7°); it rises with the fourth power, so that ordinary bends do not
+        /// feel it.
+        /// </summary>
         private const float k_StiffeningAngle = 0.12f;
 
         /// <summary>
-        /// Stiffness of every bone and its damping, from parameters and rig: k_e I (2π f_ref N)² e^(−σ/decay), by veins where they are known, or what was measured, which is linear up to the
-        /// joint's limit.
+        /// Stiffness of every bone and its damping, from parameters and rig: k_e I (2π f_ref N)² e^(−σ/decay), by veins where they are
+        /// known, or what was measured, which is linear up to the joint's limit.
         /// </summary>
         public static void Derive(in WingPack pack)
         {
@@ -31,13 +34,17 @@ namespace Alate
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 float inertia = pack.rig.jointInertias[bone], measured = pack.rig.beamStiffness[bone], torsion = pack.rig.beamTorsion[bone];
-                float4 stiffness = measured > 0f ? p.numbers.stiffnessUnit * measured : FactorStiffness(pack, bone) * pack.rig.veinFactors[bone] * share;
+                float4 stiffness = measured > 0f
+                    ? p.numbers.stiffnessUnit * measured
+                    : FactorStiffness(pack, bone) * pack.rig.veinFactors[bone] * share;
                 float4 damping = 2f * p.numbers.bendDamping * math.sqrt(stiffness * inertia);
                 float4 twist = p.numbers.stiffnessUnit * torsion;
                 pack.bendStiffness[bone] = stiffness;
                 pack.bendDamping[bone] = damping;
                 pack.torsionStiffness[bone] = torsion > 0f ? twist : stiffness * p.numbers.torsionFactor;
-                pack.torsionDamping[bone] = torsion > 0f ? 2f * p.numbers.bendDamping * math.sqrt(twist * inertia) : damping * p.torsionDamping;
+                pack.torsionDamping[bone] = torsion > 0f
+                    ? 2f * p.numbers.bendDamping * math.sqrt(twist * inertia)
+                    : damping * p.torsionDamping;
                 pack.bendStiffening[bone] = stiffens && measured == 0f ? k_Stiffening : 0f;
             }
         }
@@ -46,7 +53,8 @@ namespace Alate
         {
             ref readonly LaneParameters p = ref *pack.parameters;
             int perChain = pack.rig.jointsPerChain - 1, chain = bone / perChain;
-            float4 factor = p.numbers.stiffnessRoot * SoaMath.Pow(p.numbers.stiffnessTip / p.numbers.stiffnessRoot, pack.rig.chainRatio[chain]);
+            float4 factor =
+                p.numbers.stiffnessRoot * SoaMath.Pow(p.numbers.stiffnessTip / p.numbers.stiffnessRoot, pack.rig.chainRatio[chain]);
             float4 atRoot = p.bendScale * factor * factor * pack.rig.jointInertias[chain * perChain];
             return atRoot * SoaMath.Exp(-pack.rig.jointRatio[bone - chain * perChain] / p.numbers.stiffnessDecay);
         }
@@ -132,7 +140,8 @@ namespace Alate
             SoaFloat3 rates = step.Past(pack.bendRates[bone], pack.earlierRates[bone]);
             bool4 up = pack.bendAngles[bone].x > 0f;
             float4 bendDamping = damping * math.select(1f, p.dorsalDamping, up), inPlaneDamping = damping * p.inPlaneDamping;
-            float4 bendStiffness = stiffness * math.select(1f, p.numbers.dorsalAsymmetry, up) * Stiffening(pack.bendStiffening[bone], pack.bendAngles[bone].x);
+            float4 bendStiffness =
+                stiffness * math.select(1f, p.numbers.dorsalAsymmetry, up) * Stiffening(pack.bendStiffening[bone], pack.bendAngles[bone].x);
             float4 twistStiffness = pack.torsionStiffness[bone] * Stiffening(pack.bendStiffening[bone], pack.bendAngles[bone].z);
             pack.earlierAngles[bone] = pack.bendAngles[bone];
             pack.earlierRates[bone] = pack.bendRates[bone];
@@ -181,7 +190,9 @@ namespace Alate
             return sum;
         }
 
-        /// <summary>Last part of <see cref="Step"/>: H along each chain, the driven turn from bone to bone, then the joint's own bend.</summary>
+        /// <summary>
+        /// Last part of <see cref="Step"/>: H along each chain, the driven turn from bone to bone, then the joint's own bend.
+        /// </summary>
         public static void Compose(in WingPack pack, in StepScratch scratch)
         {
             int bonesPerChain = pack.rig.jointsPerChain - 1;

@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>A vector that varies bilinearly over a skeleton cell: f(u, v) = c + u·cu + v·(cv + u·cuv); u across chains, v along.</summary>
+    /// <summary>
+    /// A vector that varies bilinearly over a skeleton cell: f(u, v) = c + u·cu + v·(cv + u·cuv); u across chains, v along.
+    /// </summary>
     internal unsafe struct BilinearField
     {
         private SoaFloat3 m_C, m_U, m_V, m_UV;

@@ -34,7 +34,8 @@ namespace Alate
             var frame = new SoaFloat3x3(driven * deformed);
             scratch.carriedFrames[joint] = frame;
             scratch.carriedSpans[joint] = frame.c0;
-            scratch.carriedTurning[joint] = scratch.angularVelocity[bone] + SoaQuaternion.Rotate(driven, Turning(motion->turning, deformed));
+            scratch.carriedTurning[joint] = scratch.angularVelocity[bone]
+                + SoaQuaternion.Rotate(driven, Turning(motion->turning, deformed));
             scratch.carriedPositions[joint] = pack.pose[joint].position + scratch.drivenPositions[joint] - pack.drivenPositions[joint]
                 + motion->velocity * ahead;
         }

@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Velocity of the carried surface over one cell against a body at rest: of the driven motion at the end of the substep, of the deformation in the last one, and
-    /// of the body's turning. Each joint's frame moves a rest point (x, z), taken at the joint's height, with hinge + x·span + z·chord; the cell blends four of them.
+    /// Velocity of the carried surface over one cell against a body at rest: of the driven motion at the end of the substep, of the
+    /// deformation in the last one, and of the body's turning. Each joint's frame moves a rest point (x, z), taken at the joint's height,
+    /// with hinge + x·span + z·chord; the cell blends four of them.
     /// </summary>
     internal unsafe struct CellMotion
     {
@@ -40,6 +41,7 @@ namespace Alate
         /// <summary>Velocity of the surface at (u, v) of the cell, rest point (x, z).</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaFloat3 At(CellMotion* field, float4 u, float4 v, float4 x, float4 z) =>
-            BilinearField.At(&field->m_Hinge, u, v) + BilinearField.At(&field->m_Span, u, v) * x + BilinearField.At(&field->m_Chord, u, v) * z;
+            BilinearField.At(&field->m_Hinge, u, v) + BilinearField.At(&field->m_Span, u, v) * x
+            + BilinearField.At(&field->m_Chord, u, v) * z;
     }
 }

@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// The carried surface over one cell of the skeleton, as the joints' frames blend it: x(u, v) = Σ w_j(u, v) (r_j + S_j (c(u, v) − p_j)),
-    /// where c is the bilinear rest cell. That is a polynomial of second degree in u and in v; its coefficients follow from nine
+    /// The carried surface over one cell of the skeleton, as the joints' frames blend it: x(u, v) = Σ w_j(u, v) (r_j + S_j (c(u, v) −
+    /// p_j)), where c is the bilinear rest cell. That is a polynomial of second degree in u and in v; its coefficients follow from nine
     /// points, and its tangents give the normals of the patches.
     /// </summary>
     internal unsafe struct CellSheet

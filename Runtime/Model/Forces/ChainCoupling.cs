@@ -11,7 +11,9 @@ namespace Alate
     /// </summary>
     internal static unsafe class ChainCoupling
     {
-        /// <summary>Slope of a strip up to which chains bend freely: at 0.2, gales fold narrow wings; below 0.1 nothing is gained.</summary>
+        /// <summary>
+        /// Slope of a strip up to which chains bend freely: at 0.2, gales fold narrow wings; below 0.1 nothing is gained.
+        /// </summary>
         private const float k_FreeSlope = 0.1f;
 
         /// <summary>Strain of a strip in its plane up to which chains bend freely.</summary>
@@ -41,7 +43,8 @@ namespace Alate
 
         // One axis of all hinges; angles, rates and compliances are components of vectors, three float4 apart.
         private static void Couple(
-            in WingPack pack, in StepScratch scratch, in ImplicitStep step, float4* angles, float4* rates, float4* compliances, float free, float4 factor)
+            in WingPack pack, in StepScratch scratch, in ImplicitStep step, float4* angles, float4* rates, float4* compliances, float free,
+            float4 factor)
         {
             bool4 coupled = Begin(pack, scratch, angles, compliances, free, factor), running = coupled;
             if (!math.any(coupled))
@@ -69,7 +72,8 @@ namespace Alate
             }
         }
 
-        // Angles, no forces, and the strips' compliances; returns the wings of which a strip is beyond its free slope, at once where there are none.
+        // Angles, no forces, and the strips' compliances; returns the wings of which a strip is beyond its free slope, at once where there
+        // are none.
         private static bool4 Begin(in WingPack pack, in StepScratch scratch, float4* angles, float4* compliances, float free, float4 factor)
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
@@ -113,7 +117,8 @@ namespace Alate
             return slope;
         }
 
-        // Of the wings that have not settled yet: brings the force of one strip to where it balances its slope, and turns the hinges by the change. It pulls back, never on.
+        // Of the wings that have not settled yet: brings the force of one strip to where it balances its slope, and turns the hinges by the
+        // change. It pulls back, never on.
         private static float4 Relax(in WingPack pack, in StepScratch scratch, int index, float4* compliances, float free, bool4 running)
         {
             Strip* strip = pack.rig.strips + index;

@@ -79,7 +79,9 @@ namespace Alate
             drag = 1.92f + 1.55f * minusCos;
         }
 
-        /// <summary>Drag of a dragonfly's wing by Azuma and Watanabe 1988: C_D = 0.094 + 1.906 s + s (1 − s)(−0.388 + 0.168 s + 2.14 s²), s = sin²α.</summary>
+        /// <summary>
+        /// Drag of a dragonfly's wing by Azuma and Watanabe 1988: C_D = 0.094 + 1.906 s + s (1 − s)(−0.388 + 0.168 s + 2.14 s²), s = sin²α.
+        /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static float4 DragonflyDrag(float4 normal, float4 tangential)
         {

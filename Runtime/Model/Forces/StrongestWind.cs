@@ -22,7 +22,8 @@ namespace Alate
         /// <summary>Speed of the bounded wind, L/s.</summary>
         public static float4 Speed(in WingPack pack) => math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->boundWind));
 
-        // (1 + x¹⁶)^(−0.75/16), which is 1 below 0.8 to a thousandth; as t^−0.75 (t^−16 + (x/t)¹⁶)^(−0.75/16) with t = max(x, 1), so that no speed overflows.
+        // (1 + x¹⁶)^(−0.75/16), which is 1 below 0.8 to a thousandth; as t^−0.75 (t^−16 + (x/t)¹⁶)^(−0.75/16) with t = max(x, 1), so that
+        // no speed overflows.
         private static float4 FeltShare(in WingPack pack, in SoaFloat3 wind)
         {
             float4 x = math.sqrt(SoaFloat3.LengthSquared(wind)) / pack.parameters->strongestWind;

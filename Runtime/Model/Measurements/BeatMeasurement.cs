@@ -97,8 +97,9 @@ namespace Alate
         }
 
         /// <summary>
-        /// Swing of the camber beyond that of another beat of the same wing, highest minus lowest difference at equal phase, share of the chord. Beyond the beat
-        /// of a wing whose joints do not bend, it is the camber that the loads make; the delayed drive cambers a wing by itself, however stiff it is.
+        /// Swing of the camber beyond that of another beat of the same wing, highest minus lowest difference at equal phase, share of the
+        /// chord. Beyond the beat of a wing whose joints do not bend, it is the camber that the loads make; the delayed drive cambers a
+        /// wing by itself, however stiff it is.
         /// </summary>
         /// <param name="beat">One whole beat in order.</param>
         /// <param name="other">The other one, with as many frames at the same phases.</param>

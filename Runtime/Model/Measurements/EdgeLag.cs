@@ -27,7 +27,9 @@ namespace Alate
             return Wrap(deformed - rigid);
         }
 
-        /// <summary>The coefficient a + ib of a height's part a cos Φ + b sin Φ; its angle is the phase at which the height is greatest.</summary>
+        /// <summary>
+        /// The coefficient a + ib of a height's part a cos Φ + b sin Φ; its angle is the phase at which the height is greatest.
+        /// </summary>
         /// <param name="beat">One whole beat.</param>
         /// <param name="height">The height in a frame.</param>
         public static float2 Fundamental(IReadOnlyList<BeatFrame> beat, Func<BeatFrame, float> height)

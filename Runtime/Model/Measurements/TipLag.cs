@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Lag of the tip: the phase of its height behind that of a tip that only turns with the root, both in the fundamental of the beat.</summary>
+    /// <summary>
+    /// Lag of the tip: the phase of its height behind that of a tip that only turns with the root, both in the fundamental of the beat.
+    /// </summary>
     internal static class TipLag
     {
         /// <summary>The lag, radians, −π to π, positive with the tip later than the root that drives it.</summary>

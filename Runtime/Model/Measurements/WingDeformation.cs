@@ -29,7 +29,9 @@ namespace Alate
             Stretch99 = stretch99;
         }
 
-        /// <summary>Twist of the outer against the inner section, highest minus lowest of the beat, radians; see <see cref="SectionTwist"/>.</summary>
+        /// <summary>
+        /// Twist of the outer against the inner section, highest minus lowest of the beat, radians; see <see cref="SectionTwist"/>.
+        /// </summary>
         public float TwistRange { get; }
 
         /// <summary>Lowest camber of the beat, share of the chord; negative is hollow above. See <see cref="SectionCamber"/>.</summary>
@@ -44,7 +46,9 @@ namespace Alate
         /// <summary>Largest magnitude of that bend, radians.</summary>
         public float TipBendMax { get; }
 
-        /// <summary>Phase by which the trailing edge follows the leading edge, beyond an undeformed wing's, radians; see <see cref="EdgeLag"/>.</summary>
+        /// <summary>
+        /// Phase by which the trailing edge follows the leading edge, beyond an undeformed wing's, radians; see <see cref="EdgeLag"/>.
+        /// </summary>
         public float Lag { get; }
 
         /// <summary>Phase by which the tip follows the root that drives it, radians; see <see cref="Alate.TipLag"/>.</summary>

@@ -93,9 +93,11 @@ namespace Alate
 
             float4 slope = math.max(Slope(air.speed / parameters.numbers.maxSpeed), PitchedShare * beat.pitchedUp);
             bool4 commanded = parameters.drive.commanded > 0f;
-            frequency = math.select(parameters.numbers.maxFrequency * math.max(slope, parameters.numbers.frequencyFloor), parameters.drive.frequency, commanded);
+            frequency = math.select(parameters.numbers.maxFrequency * math.max(slope, parameters.numbers.frequencyFloor),
+                parameters.drive.frequency, commanded);
             frequency = math.select(frequency, parameters.prescribedFrequency, (parameters.prescribedFrequency > 0f) & !commanded);
-            amplitude = parameters.amplitude * math.select(math.max(slope, parameters.numbers.amplitudeFloor), parameters.drive.amplitude, commanded);
+            amplitude = parameters.amplitude * math.select(
+                math.max(slope, parameters.numbers.amplitudeFloor), parameters.drive.amplitude, commanded);
         }
     }
 }

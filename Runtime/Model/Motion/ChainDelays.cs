@@ -10,8 +10,9 @@ namespace Alate
     internal static unsafe class ChainDelays
     {
         /// <summary>
-        /// Slope of a strip while its chains are apart by their delay, at the flap of the preset: steering changes no delay, which would make the wing jump. 0.65 leaves the monarch (0.69) nearly as printed; the lichen moth's first strip
-        /// would have 1.1, the fishfly's last one 0.9.
+        /// Slope of a strip while its chains are apart by their delay, at the flap of the preset: steering changes no delay, which would
+        /// make the wing jump. 0.65 leaves the monarch (0.69) nearly as printed; the lichen moth's first strip would have 1.1, the
+        /// fishfly's last one 0.9.
         /// </summary>
         private const float k_LargestSlope = 0.65f;
 

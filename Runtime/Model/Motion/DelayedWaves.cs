@@ -12,7 +12,9 @@ namespace Alate
         private const float k_TwoPi = 2f * math.PI;
         private const float k_InversePi = 1f / math.PI;
 
-        /// <summary>Fills angle, angleRate and angleCurvature of every bone: cumulative along its chain; derivatives per radian of Φ.</summary>
+        /// <summary>
+        /// Fills angle, angleRate and angleCurvature of every bone: cumulative along its chain; derivatives per radian of Φ.
+        /// </summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch)
         {
             GlidedMeans.Evaluate(pack, scratch);
@@ -24,8 +26,8 @@ namespace Alate
             PrescribedMotion.Evaluate(pack, scratch);
         }
 
-        // Eq. 2 as a phase δ_ij = δ_i + μπσ_j, the chain's delay by ChainDelays, and the Heaviside of Eq. 3: the local phase goes back into earlier cycles, and stands
-        // at the start of the first one until the wave arrives.
+        // Eq. 2 as a phase δ_ij = δ_i + μπσ_j, the chain's delay by ChainDelays, and the Heaviside of Eq. 3: the local phase goes back into
+        // earlier cycles, and stands at the start of the first one until the wave arrives.
         private static void LocalPhases(in WingPack pack, in StepScratch scratch)
         {
             ref readonly LaneParameters parameters = ref *pack.parameters;
@@ -104,7 +106,8 @@ namespace Alate
             scratch.angleCurvature[bone] = (Times(curvature, cos) - Times(rate + rate, sin) - Times(a, cos)) * moving;
         }
 
-        // The angle at a joint is the sum over the joints from the root, the root taking its own share: all of the sweep where the chains do not spread.
+        // The angle at a joint is the sum over the joints from the root, the root taking its own share: all of the sweep where the chains
+        // do not spread.
         private static void Accumulate(in WingPack pack, in StepScratch scratch)
         {
             bool coupled = pack.options.coupling == MembraneCoupling.TwoWay;

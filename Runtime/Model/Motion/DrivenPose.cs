@@ -26,7 +26,8 @@ namespace Alate
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 SoaMath.SinCos(scratch.angle[bone].x * 0.5f, out float4 sin, out float4 cos);
-                scratch.drivenRotations[bone] = new SoaQuaternion(new SoaFloat3(tiltSin * cos, -tiltSin * sin, tiltCos * sin), tiltCos * cos);
+                scratch.drivenRotations[bone] = new SoaQuaternion(
+                    new SoaFloat3(tiltSin * cos, -tiltSin * sin, tiltCos * sin), tiltCos * cos);
             }
         }
 

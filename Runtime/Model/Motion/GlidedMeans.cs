@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Middle of the stroke and tilt: those of the parameters at once, what a flight controller commands glided from the last beat's over the first half of this one,
-    /// with its rates, so that the drive stays smooth.
+    /// Middle of the stroke and tilt: those of the parameters at once, what a flight controller commands glided from the last beat's over
+    /// the first half of this one, with its rates, so that the drive stays smooth.
     /// </summary>
     internal static unsafe class GlidedMeans
     {

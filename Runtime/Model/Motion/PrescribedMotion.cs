@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Angles of wings whose motion is prescribed, in place of those of <see cref="DelayedWaves"/>, with their first and second derivatives.</summary>
+    /// <summary>
+    /// Angles of wings whose motion is prescribed, in place of those of <see cref="DelayedWaves"/>, with their first and second
+    /// derivatives.
+    /// </summary>
     internal static unsafe class PrescribedMotion
     {
         private const int k_Tilt = (int)DrivenAngle.Tilt;
@@ -34,7 +37,9 @@ namespace Alate
             }
         }
 
-        /// <summary>Mean + Σ (c_k cos kp + s_k sin kp) of one series with both derivatives; sines and cosines of kp by the addition theorem.</summary>
+        /// <summary>
+        /// Mean + Σ (c_k cos kp + s_k sin kp) of one series with both derivatives; sines and cosines of kp by the addition theorem.
+        /// </summary>
         public static void Series(in WingPack pack, int angle, float4 phase, out float4 value, out float4 rate, out float4 curvature)
         {
             float4* terms = pack.series + angle * WingKinematics.Stride;

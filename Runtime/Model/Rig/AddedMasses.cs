@@ -4,7 +4,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Masses of the air that the joints carry along across the surface, over ρ: π/4 · c · A of the triangles around them. Over a strip of the wing they add up to the π/4 c² per span of a thin plate.
+    /// Masses of the air that the joints carry along across the surface, over ρ: π/4 · c · A of the triangles around them. Over a strip of
+    /// the wing they add up to the π/4 c² per span of a thin plate.
     /// </summary>
     internal static class AddedMasses
     {
@@ -41,7 +42,8 @@ namespace Alate
                 int3 corner = triangles.corners[t];
                 float3 a = points[corner.x], b = points[corner.y], c = points[corner.z];
                 double whole = 0.5 * math.length(math.cross(b - a, c - a)), side = triangles.areas[t] / whole;
-                int first = Station(math.min(a.x, math.min(b.x, c.x)), from, to), last = Station(math.max(a.x, math.max(b.x, c.x)), from, to);
+                int first = Station(math.min(a.x, math.min(b.x, c.x)), from, to),
+                    last = Station(math.max(a.x, math.max(b.x, c.x)), from, to);
                 for (int k = first; k <= last; k++)
                     chords[k] += side * Section(a, b, c, from + (k + 0.5f) / k_Stations * (to - from));
             }
@@ -49,7 +51,8 @@ namespace Alate
             return chords;
         }
 
-        private static int Station(float x, float from, float to) => math.clamp((int)((x - from) / (to - from) * k_Stations), 0, k_Stations - 1);
+        private static int Station(float x, float from, float to) =>
+            math.clamp((int)((x - from) / (to - from) * k_Stations), 0, k_Stations - 1);
 
         // Length of a triangle's cut across the span.
         private static float Section(float3 a, float3 b, float3 c, float x)

@@ -2,10 +2,13 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Hinges and inertias of the chains of measured stiffness; lengths in wing lengths, stiffness in N·m² per wing length.</summary>
+    /// <summary>
+    /// Hinges and inertias of the chains of measured stiffness; lengths in wing lengths, stiffness in N·m² per wing length.
+    /// </summary>
     /// <remarks>
-    /// Joints are stepped one by one: each with the inertia of what lies beyond it would swing at a frequency of its own, the root of four bones 1.5 times too fast. So the inertia of a hinge here is
-    /// its stiffness over the square of the chain's first bending frequency; the hinges swing together, as the beam does in its first mode.
+    /// Joints are stepped one by one: each with the inertia of what lies beyond it would swing at a frequency of its own, the root of four
+    /// bones 1.5 times too fast. So the inertia of a hinge here is its stiffness over the square of the chain's first bending frequency;
+    /// the hinges swing together, as the beam does in its first mode.
     /// </remarks>
     internal sealed class BeamHinges
     {

@@ -2,7 +2,10 @@ using System;
 
 namespace Alate
 {
-    /// <summary>A chain of measured stiffness as a beam of straight bones between hinges, clamped at its root. Bends out of its plane alone, so that only distances along it count.</summary>
+    /// <summary>
+    /// A chain of measured stiffness as a beam of straight bones between hinges, clamped at its root. Bends out of its plane alone, so that
+    /// only distances along it count.
+    /// </summary>
     internal sealed class ChainBeam
     {
         /// <summary>Intervals of a bone's integral by Simpson's rule.</summary>
@@ -29,8 +32,9 @@ namespace Alate
         public ChainBeam Cut(int parts) => new ChainBeam(Cut(m_Places, parts), Cut(m_Distances, parts));
 
         /// <summary>
-        /// [hinge] Stiffness in bending, EI over length. The joints lie on the curve of the beam under even load, M(s) = s²/2 at the distance s from the tip: a hinge's compliance is ∫ h M/EI
-        /// over its own M, h the hat from the joint before to the joint after. The root's has half a hat, and is about twice as stiff.
+        /// [hinge] Stiffness in bending, EI over length. The joints lie on the curve of the beam under even load, M(s) = s²/2 at the
+        /// distance s from the tip: a hinge's compliance is ∫ h M/EI over its own M, h the hat from the joint before to the joint after.
+        /// The root's has half a hat, and is about twice as stiff.
         /// </summary>
         public double[] Hinges(float[] stiffness)
         {
@@ -53,7 +57,10 @@ namespace Alate
             return twists;
         }
 
-        /// <summary>Square of the time in which the beam swings through a radian of its first mode, 1/ω²; in the units of masses, distances and hinges.</summary>
+        /// <summary>
+        /// Square of the time in which the beam swings through a radian of its first mode, 1/ω²; in the units of masses, distances and
+        /// hinges.
+        /// </summary>
         /// <param name="masses">[joint] At the joints.</param>
         /// <param name="hinges">[hinge] Their stiffness.</param>
         public double SwingTimeSquared(double[] masses, double[] hinges)
@@ -121,14 +128,17 @@ namespace Alate
 
         private double Hat(float[] stiffness, int joint, int neighbour)
         {
-            double place = m_Places[joint], toPlace = m_Places[neighbour] - place, distance = m_Distances[joint], to = m_Distances[neighbour] - distance;
-            return Math.Abs(to) * Simpson(share => (1.0 - share) * Moment(distance + share * to) / ChainValues.At(stiffness, place + share * toPlace));
+            double place = m_Places[joint], toPlace = m_Places[neighbour] - place, distance = m_Distances[joint],
+                to = m_Distances[neighbour] - distance;
+            return Math.Abs(to) * Simpson(
+                share => (1.0 - share) * Moment(distance + share * to) / ChainValues.At(stiffness, place + share * toPlace));
         }
 
         private double HalfTurn(float[] stiffness, int joint, int neighbour)
         {
             double place = m_Places[joint], to = 0.5 * (m_Places[neighbour] - place);
-            return 0.5 * Math.Abs(m_Distances[neighbour] - m_Distances[joint]) * Simpson(share => 1.0 / ChainValues.At(stiffness, place + share * to));
+            return 0.5 * Math.Abs(m_Distances[neighbour] - m_Distances[joint]) * Simpson(
+                share => 1.0 / ChainValues.At(stiffness, place + share * to));
         }
 
         private static double Simpson(Func<double, double> of)

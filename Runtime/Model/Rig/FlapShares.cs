@@ -3,8 +3,9 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Shares of the flap that each joint adds to the root's. On a fan every chain takes them evenly by its own joints (Eq. 3's sum). On a ribbon, whose chains lie side by side
-    /// and end at different distances, this would shear the membrane: there each bone turns as the leading chain does over the same distance from the root.
+    /// Shares of the flap that each joint adds to the root's. On a fan every chain takes them evenly by its own joints (Eq. 3's sum). On a
+    /// ribbon, whose chains lie side by side and end at different distances, this would shear the membrane: there each bone turns as the
+    /// leading chain does over the same distance from the root.
     /// </summary>
     internal static class FlapShares
     {
@@ -19,7 +20,8 @@ namespace Alate
             {
                 int joint = rest.InnerJoint(bone), root = joint - bone % bones;
                 float even = bones > 1 ? (float)(bone % bones) / (bones - 1) : 0f;
-                float from = math.distance(rest.joints[joint], rest.joints[root]), to = math.distance(rest.joints[joint + 1], rest.joints[root]);
+                float from = math.distance(rest.joints[joint], rest.joints[root]),
+                    to = math.distance(rest.joints[joint + 1], rest.joints[root]);
                 sums[bone] = math.lerp(Mean(rest, from, to), even, spread);
             }
 

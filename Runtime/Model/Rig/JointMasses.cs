@@ -34,7 +34,9 @@ namespace Alate
             return masses;
         }
 
-        /// <summary>Sums for each joint its part of the triangles around it: a share for each corner of each triangle, by the corner's weights.</summary>
+        /// <summary>
+        /// Sums for each joint its part of the triangles around it: a share for each corner of each triangle, by the corner's weights.
+        /// </summary>
         public static double[] Sums(RestSkeleton rest, SurfaceTriangles triangles, CellPoint[] weights, double[] shares)
         {
             double[] sums = new double[rest.joints.Length];

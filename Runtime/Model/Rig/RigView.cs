@@ -8,7 +8,8 @@ namespace Alate
     /// joint; cell index = forward chain · (m−1) + inner joint.
     /// </summary>
     /// <remarks>
-    /// 312 bytes a rig, and none a wing but its copy in the pack's header: all wings with the same mesh and skeleton read one copy of the arrays.
+    /// 312 bytes a rig, and none a wing but its copy in the pack's header: all wings with the same mesh and skeleton read one copy of the
+    /// arrays.
     /// </remarks>
     internal unsafe struct RigView
     {
@@ -26,7 +27,10 @@ namespace Alate
         /// <summary>e_LE: unit vector from root to tip of the principal chain, the axis of feathering.</summary>
         public float3 leadingEdge;
 
-        /// <summary>[n] ρ_i of Eq. 2: distance of the chain's root from the first chain's, over that of the last chain's; i/(n−1) when all roots are one.</summary>
+        /// <summary>
+        /// [n] ρ_i of Eq. 2: distance of the chain's root from the first chain's, over that of the last chain's; i/(n−1) when all roots are
+        /// one.
+        /// </summary>
         public float* chainRatio;
 
         /// <summary>[m] σ_j = j/(m−1).</summary>
@@ -44,13 +48,18 @@ namespace Alate
         /// <summary>[bone] b_ij = unit(t × Y): positive bend lifts the tip.</summary>
         public float3* bendAxes;
 
-        /// <summary>[bone] From the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.</summary>
+        /// <summary>
+        /// [bone] From the middle of the bone on the chain before to that on the chain after, one-sided at the first and last chain.
+        /// </summary>
         public float3* crossDirections;
 
         /// <summary>[joint] Mass; the sum is 1, each is above 0.</summary>
         public float* jointMasses;
 
-        /// <summary>[bone] I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|²; on a chain of measured stiffness, that which lets every joint swing at the chain's first bending frequency.</summary>
+        /// <summary>
+        /// [bone] I_ij = Σ_{k&gt;j} m_ik |p_ik−p_ij|²; on a chain of measured stiffness, that which lets every joint swing at the chain's
+        /// first bending frequency.
+        /// </summary>
         public float* jointInertias;
 
         /// <summary>[joint] Mass of the air that a joint carries along across the surface, over the air's density, L³.</summary>
@@ -65,7 +74,9 @@ namespace Alate
         /// <summary>[bone] Measured stiffness of the joint in torsion, N·m² per wing length; 0 where the torsion factor holds.</summary>
         public float* beamTorsion;
 
-        /// <summary>[bone] Factor on the stiffness that the preset's factors make, by the width of the vein there; 1 where no veins are known.</summary>
+        /// <summary>
+        /// [bone] Factor on the stiffness that the preset's factors make, by the width of the vein there; 1 where no veins are known.
+        /// </summary>
         public float* veinFactors;
 
         /// <summary>True where the skeleton knows veins.</summary>
@@ -97,7 +108,8 @@ namespace Alate
         public float* flapShares;
 
         /// <summary>
-        /// [n − 1] Narrowest width between a chain and the next one, over the distance from the root; infinite where no joint has a foot on the other chain.
+        /// [n − 1] Narrowest width between a chain and the next one, over the distance from the root; infinite where no joint has a foot on
+        /// the other chain.
         /// </summary>
         public float* fanWidths;
 

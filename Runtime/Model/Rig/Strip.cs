@@ -19,8 +19,8 @@ namespace Alate
         public int others;
 
         /// <summary>
-        /// Index of the strip's first lever: one for each bone of the joint's chain, then one for each of the other chain. The strip's slope is the sum of levers times
-        /// bends.
+        /// Index of the strip's first lever: one for each bone of the joint's chain, then one for each of the other chain. The strip's
+        /// slope is the sum of levers times bends.
         /// </summary>
         public int lever;
     }

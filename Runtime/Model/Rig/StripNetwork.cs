@@ -14,7 +14,9 @@ namespace Alate
         /// </summary>
         private const float k_Beyond = 0.1f;
 
-        /// <summary>Sum of the fan's widths from which on a wing is a fan: the fishfly's fore wing has 0.4, a ribbon of 12:1 has 0.1.</summary>
+        /// <summary>
+        /// Sum of the fan's widths from which on a wing is a fan: the fishfly's fore wing has 0.4, a ribbon of 12:1 has 0.1.
+        /// </summary>
         private const float k_FanWidth = 0.4f;
 
         private readonly RestSkeleton m_Rest;
@@ -50,11 +52,15 @@ namespace Alate
         public Strip[] Strips { get; }
 
         /// <summary>
-        /// Slope of a strip for a radian of bend: the distance from the bend over the strip's width; negative on the chain of the foot. See <see cref="Strip.lever"/>.
+        /// Slope of a strip for a radian of bend: the distance from the bend over the strip's width; negative on the chain of the foot. See
+        /// <see cref="Strip.lever"/>.
         /// </summary>
         public float[] Levers { get; }
 
-        /// <summary>[n − 1] Narrowest strip between a chain and the next one, its width over the distance from the root; infinite where there is none.</summary>
+        /// <summary>
+        /// [n − 1] Narrowest strip between a chain and the next one, its width over the distance from the root; infinite where there is
+        /// none.
+        /// </summary>
         public float[] FanWidths { get; }
 
         /// <summary>Spread of the chains: 1 for a fan, towards 0 for a ribbon.</summary>

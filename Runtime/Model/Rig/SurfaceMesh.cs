@@ -7,8 +7,8 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// Triangle mesh as plain arrays: what rigs are baked from and skeletons are laid out on, and the output of the generators. Triangles are wound so that
-    /// (x1 − x0) × (x2 − x0) is the outward or upper side.
+    /// Triangle mesh as plain arrays: what rigs are baked from and skeletons are laid out on, and the output of the generators. Triangles
+    /// are wound so that (x1 − x0) × (x2 − x0) is the outward or upper side.
     /// </summary>
     /// <remarks>
     /// A wing is a single sheet, a double-sided one (each triangle twice, with or without vertices of its own) or a thin closed shell. Two
@@ -60,13 +60,17 @@ namespace Alate
             };
         }
 
-        /// <summary>Mirror image in the plane x = 0: a left wing from a right one. The winding turns with it, so that up stays up.</summary>
+        /// <summary>
+        /// Mirror image in the plane x = 0: a left wing from a right one. The winding turns with it, so that up stays up.
+        /// </summary>
         public SurfaceMesh Mirrored() => new SurfaceMesh
         {
             name = name,
             positions = Array.ConvertAll(positions, MirrorX),
             normals = normals == null ? null : Array.ConvertAll(normals, MirrorX),
-            tangents = tangents == null ? null : Array.ConvertAll(tangents, tangent => new Vector4(-tangent.x, tangent.y, tangent.z, -tangent.w)),
+            tangents = tangents == null
+                ? null
+                : Array.ConvertAll(tangents, tangent => new Vector4(-tangent.x, tangent.y, tangent.z, -tangent.w)),
             uvs = (Vector2[])uvs?.Clone(),
             colours = (Color32[])colours?.Clone(),
             triangles = Turned(triangles),

@@ -8,8 +8,8 @@ namespace Alate
         private const float k_LeastLengthSquared = 1e-12f, k_UnitTolerance = 1e-5f;
 
         /// <summary>
-        /// Makes the normals: the mesh's own, made unit; where there are none, or one is zero or not finite, the area-weighted mean of the vertex's
-        /// triangles. Where that vanishes, as between the two sides of a double-sided wing, and at unused vertices: the up axis.
+        /// Makes the normals: the mesh's own, made unit; where there are none, or one is zero or not finite, the area-weighted mean of the
+        /// vertex's triangles. Where that vanishes, as between the two sides of a double-sided wing, and at unused vertices: the up axis.
         /// </summary>
         public static float3[] Make(SurfaceMesh surface, in WingFrame frame)
         {

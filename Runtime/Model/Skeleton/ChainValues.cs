@@ -54,7 +54,10 @@ namespace Alate
             for (int k = 0; k < values.Length; k++)
             {
                 if (!(values[k] >= least && values[k] <= most))
-                    return FormattableString.Invariant($"has a {name} of {values[k]}{unit} (value {k}); it must be between {least} and {most}");
+                {
+                    return FormattableString.Invariant(
+                        $"has a {name} of {values[k]}{unit} (value {k}); it must be between {least} and {most}");
+                }
             }
 
             return null;

@@ -98,8 +98,11 @@ namespace Alate
                 string problem = ChainValues.FindProblem("flexural stiffness", k_Unit, chains[i].flexuralStiffness, k_Least, k_Most)
                     ?? ChainValues.FindProblem("torsional stiffness", k_Unit, chains[i].torsionalStiffness, k_Least, k_Most)
                     ?? ChainValues.FindProblem("vein width", "", chains[i].veinWidths, 0f, ChainValues.MostWidth);
-                if (problem == null && ChainValues.AreGiven(chains[i].torsionalStiffness) && !ChainValues.AreGiven(chains[i].flexuralStiffness))
+                if (problem == null && ChainValues.AreGiven(chains[i].torsionalStiffness)
+                    && !ChainValues.AreGiven(chains[i].flexuralStiffness))
+                {
                     problem = "has a torsional stiffness but no flexural stiffness; give both, or the flexural one alone";
+                }
                 if (problem != null)
                     Add(problems, SkeletonProblemKind.InvalidStiffness, $"Chain {i} {problem}.", i);
             }

@@ -101,7 +101,8 @@ namespace Alate
             Store(vertices + target.w, head.c3, tail.c3);
         }
 
-        // The packed normal goes through the transposition as the bits of a float: its highest byte is zero, so no processor takes it for a number it would change.
+        // The packed normal goes through the transposition as the bits of a float: its highest byte is zero, so no processor takes it for a
+        // number it would change.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void Write(PackedVertex* vertices, int4 target, in SoaFloat3 p, in SoaFloat3 n)
         {

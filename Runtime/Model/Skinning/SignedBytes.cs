@@ -4,7 +4,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Directions as four signed bytes, x in the lowest: what graphics cards read as SNorm8, c / 127. Rounded to the nearest, which turns a unit vector by 0.4° at most.
+    /// Directions as four signed bytes, x in the lowest: what graphics cards read as SNorm8, c / 127. Rounded to the nearest, which turns a
+    /// unit vector by 0.4° at most.
     /// </summary>
     internal static class SignedBytes
     {
@@ -27,7 +28,8 @@ namespace Alate
         public static int4 Pack(in SoaFloat3 v) => (Ones(v.x) & k_Byte) | (Ones(v.y) & k_Byte) << 8 | (Ones(v.z) & k_Byte) << 16;
 
         /// <summary>Vector of four packed components.</summary>
-        public static float4 Unpack(int packed) => math.max(new float4((sbyte)packed, (sbyte)(packed >> 8), (sbyte)(packed >> 16), (sbyte)(packed >> 24)) / k_One, -1f);
+        public static float4 Unpack(int packed) =>
+            math.max(new float4((sbyte)packed, (sbyte)(packed >> 8), (sbyte)(packed >> 16), (sbyte)(packed >> 24)) / k_One, -1f);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static int4 Ones(float4 value) => math.asint(value * k_One + k_Ones);

@@ -36,7 +36,8 @@ namespace Alate
                 JobFields.InRange(target.lane, 0, WingPack.Lanes - 1, "SkinWingsJob.targets.lane");
                 JobFields.InRange(chunk.endQuad, 0, target.rig.quadCount, "SkinWingsJob.chunks.endQuad");
                 JobFields.InRange(chunk.firstQuad, 0, chunk.endQuad, "SkinWingsJob.chunks.firstQuad");
-                JobFields.AtLeast(target.vertices == null && target.packedVertices == null ? 0 : target.rig.vertexCount, target.rig.vertexCount, "SkinWingsJob.targets.vertices");
+                JobFields.AtLeast(target.vertices == null && target.packedVertices == null ? 0 : target.rig.vertexCount,
+                    target.rig.vertexCount, "SkinWingsJob.targets.vertices");
             }
         }
 

@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Elementary functions of four lanes without calls, tables or branches, by what every processor rounds alike; the polynomials are our own fits.</summary>
+    /// <summary>
+    /// Elementary functions of four lanes without calls, tables or branches, by what every processor rounds alike; the polynomials are our
+    /// own fits.
+    /// </summary>
     internal static class SoaMath
     {
         /// <summary>1 where the argument is zero or positive, −1 where it is negative.</summary>

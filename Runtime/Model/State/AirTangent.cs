@@ -13,8 +13,8 @@ namespace Alate
         Chordwise,
 
         /// <summary>
-        /// The base-to-tip direction, as printed. A beating wing moves across its span, so nearly every element then stands near 90° in hover:
-        /// much drag and hardly any lift.
+        /// The base-to-tip direction, as printed. A beating wing moves across its span, so nearly every element then stands near 90° in
+        /// hover: much drag and hardly any lift.
         /// </summary>
         BaseToTip,
     }

@@ -35,7 +35,9 @@ namespace Alate
         /// <summary>Amplitudes three cycles back.</summary>
         public SoaFloat3 amplitude3;
 
-        /// <summary>Amplitudes four cycles back: the largest delays reach three cycles back, where the amplitude glides from the one before.</summary>
+        /// <summary>
+        /// Amplitudes four cycles back: the largest delays reach three cycles back, where the amplitude glides from the one before.
+        /// </summary>
         public SoaFloat3 amplitude4;
 
         /// <summary>Latched means of the commanded drive in this cycle, radians: x tilt, y sweep, z feather.</summary>

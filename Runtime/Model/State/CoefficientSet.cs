@@ -7,8 +7,9 @@ namespace Alate
     public enum CoefficientSet
     {
         /// <summary>
-        /// C_L = 0.225 + 1.58 sin(2.13α − 7.20°), C_D = 1.92 − 1.55 cos(2.04α − 9.82°): the fit Dickinson, Lehmann and Sane (1999) measured on a
-        /// model fly wing, which the paper names as its source. The default, because its lift falls to zero again near 90°, as a plate's does.
+        /// C_L = 0.225 + 1.58 sin(2.13α − 7.20°), C_D = 1.92 − 1.55 cos(2.04α − 9.82°): the fit Dickinson, Lehmann and Sane (1999) measured
+        /// on a model fly wing, which the paper names as its source. The default, because its lift falls to zero again near 90°, as a
+        /// plate's does.
         /// </summary>
         Dickinson1999,
 
@@ -18,12 +19,15 @@ namespace Alate
         /// </summary>
         Paper,
 
-        /// <summary>C_L = 1.8 sin 2α, C_D = 0.05 + 1.9 sin²α: a thin flat plate after its stall; the one to take in water and for fins.</summary>
+        /// <summary>
+        /// C_L = 1.8 sin 2α, C_D = 0.05 + 1.9 sin²α: a thin flat plate after its stall; the one to take in water and for fins.
+        /// </summary>
         FlatPlate,
 
         /// <summary>
-        /// The lift of <see cref="Dickinson1999"/> and the drag that Azuma and Watanabe (1988) measured on a dragonfly's wing, mean of the stream from above and from below:
-        /// C_D = 0.094 + 1.906 s + s (1 − s)(−0.388 + 0.168 s + 2.14 s²), s = sin²α, fitted within 0.014. A quarter of the drag of a fly's wing at small angles: for larger insects.
+        /// The lift of <see cref="Dickinson1999"/> and the drag that Azuma and Watanabe (1988) measured on a dragonfly's wing, mean of the
+        /// stream from above and from below: C_D = 0.094 + 1.906 s + s (1 − s)(−0.388 + 0.168 s + 2.14 s²), s = sin²α, fitted within 0.014.
+        /// A quarter of the drag of a fly's wing at small angles: for larger insects.
         /// </summary>
         Dragonfly,
     }

@@ -2,7 +2,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Gravity where no scene says it: for trims, bakes and flights of tools. A living insect takes that of its scene's physics.</summary>
+    /// <summary>
+    /// Gravity where no scene says it: for trims, bakes and flights of tools. A living insect takes that of its scene's physics.
+    /// </summary>
     internal static class EarthGravity
     {
         /// <summary>Its size, m/s²: that of a new Unity project.</summary>

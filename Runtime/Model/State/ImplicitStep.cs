@@ -4,12 +4,15 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// One implicit substep y′ = now · y − before · y₋₁ + length · f(y′), lane = wing. Backward Euler has now 1, before 0; BDF2 with substeps in the ratio w has
-    /// now (1+w)²/(1+2w), before w²/(1+2w), length dt (1+w)/(1+2w). A wing without a past (w 0) takes one step of backward Euler.
+    /// One implicit substep y′ = now · y − before · y₋₁ + length · f(y′), lane = wing. Backward Euler has now 1, before 0; BDF2 with
+    /// substeps in the ratio w has now (1+w)²/(1+2w), before w²/(1+2w), length dt (1+w)/(1+2w). A wing without a past (w 0) takes one step
+    /// of backward Euler.
     /// </summary>
     internal struct ImplicitStep
     {
-        /// <summary>Zero-stability of BDF2 ends at a ratio of 1 + √2; a longer substep after a short one starts its history again.</summary>
+        /// <summary>
+        /// Zero-stability of BDF2 ends at a ratio of 1 + √2; a longer substep after a short one starts its history again.
+        /// </summary>
         private const float k_LargestRatio = 2.4f;
 
         /// <summary>Length of the substep, seconds.</summary>

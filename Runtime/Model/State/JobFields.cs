@@ -4,7 +4,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Checks of a job's fields before it is scheduled, where Unity's safety checks are on; elsewhere their calls are left out. They allocate nothing that passes.</summary>
+    /// <summary>
+    /// Checks of a job's fields before it is scheduled, where Unity's safety checks are on; elsewhere their calls are left out. They
+    /// allocate nothing that passes.
+    /// </summary>
     internal static class JobFields
     {
         /// <summary>Symbol with which Unity compiles where its safety checks are on.</summary>
@@ -47,7 +50,8 @@ namespace Alate
         }
 
         /// <summary>Checks the steps of all clocks.</summary>
-        /// <exception cref="ArgumentException">A length is not finite or below 0, a count below 0, or the time that is drawn not within the step.</exception>
+        /// <exception cref="ArgumentException">A length is not finite or below 0, a count below 0, or the time that is drawn not within the
+        /// step.</exception>
         [Conditional(Checks)]
         public static void Steps(ClockTimes clocks)
         {
@@ -58,7 +62,10 @@ namespace Alate
                 InRange(clock.count, 0, int.MaxValue, "The number of steps");
                 InRange(clock.substeps, 0, int.MaxValue, "The number of substeps");
                 if (!(clock.alpha >= 0f && clock.alpha <= 1f))
-                    throw new ArgumentException(FormattableString.Invariant($"The time within a step that is drawn is {clock.alpha}; it must be from 0 to 1."));
+                {
+                    throw new ArgumentException(
+                        FormattableString.Invariant($"The time within a step that is drawn is {clock.alpha}; it must be from 0 to 1."));
+                }
             }
         }
     }

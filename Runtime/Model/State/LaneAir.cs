@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Air on four whole wings in one substep, in the wings' frames about the body's centre of mass; lane = wing. For the body that the wings carry.</summary>
+    /// <summary>
+    /// Air on four whole wings in one substep, in the wings' frames about the body's centre of mass; lane = wing. For the body that the
+    /// wings carry.
+    /// </summary>
     internal struct LaneAir
     {
         /// <summary>Force, wing masses · L/s².</summary>
@@ -14,7 +17,10 @@ namespace Alate
         /// <summary>Power that the wing gives to the air, wing masses · L²/s³.</summary>
         public float4 power;
 
-        /// <summary>K, what a unit of velocity and of angular velocity takes away: force against velocity, force against turning, moment against turning.</summary>
+        /// <summary>
+        /// K, what a unit of velocity and of angular velocity takes away: force against velocity, force against turning, moment against
+        /// turning.
+        /// </summary>
         public SoaFloat3x3 uu, uw, ww;
     }
 }

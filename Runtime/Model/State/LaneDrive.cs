@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>The beat that flight controllers command, in place of the one that follows the body's speed (Eq. 6, 7); lane = wing. Latched at the next beat.</summary>
+    /// <summary>
+    /// The beat that flight controllers command, in place of the one that follows the body's speed (Eq. 6, 7); lane = wing. Latched at the
+    /// next beat.
+    /// </summary>
     internal struct LaneDrive
     {
         /// <summary>1 where a wing is commanded, else 0.</summary>

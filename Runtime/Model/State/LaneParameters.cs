@@ -67,7 +67,9 @@ namespace Alate
         /// <summary>k of Eq. 12, in wing masses per second squared.</summary>
         public float4 springStiffness;
 
-        /// <summary>Stiffness of the same springs against turning out of their posed directions, in wing masses per second squared.</summary>
+        /// <summary>
+        /// Stiffness of the same springs against turning out of their posed directions, in wing masses per second squared.
+        /// </summary>
         public float4 foldStiffness;
 
         /// <summary>Ω, the rate at which a joint returns to its pose, rad/s.</summary>

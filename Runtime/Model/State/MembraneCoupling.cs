@@ -4,8 +4,9 @@ namespace Alate
     public enum MembraneCoupling
     {
         /// <summary>
-        /// Neighbouring chains bend together where bending apart would tear the strip between them, joints stiffen on the way to their limit, springs resist folding, and
-        /// delays of the flap are as large as the strips can take, all chains sweep as the leading one, and the wind is bounded: edges hold in any wind. The default.
+        /// Neighbouring chains bend together where bending apart would tear the strip between them, joints stiffen on the way to their
+        /// limit, springs resist folding, and delays of the flap are as large as the strips can take, all chains sweep as the leading one,
+        /// and the wind is bounded: edges hold in any wind. The default.
         /// </summary>
         TwoWay,
 

@@ -13,7 +13,8 @@ namespace Alate
     public struct ModelOptions : IEquatable<ModelOptions>
     {
         /// <summary>Lift and drag coefficients (Fig. 6).</summary>
-        [Tooltip("Lift and drag against the angle of attack. Dickinson 1999 was measured on a model fly wing; Paper is Fig. 6; Flat Plate suits water and fins.")]
+        [Tooltip("Lift and drag against the angle of attack. Dickinson 1999 was measured on a model fly wing; Paper is Fig. 6; Flat Plate "
+            + "suits water and fins.")]
         public CoefficientSet coefficients;
 
         /// <summary>Tangent against which the angle of attack is measured (Eq. 10).</summary>
@@ -44,12 +45,13 @@ namespace Alate
         public MembraneCoupling coupling;
 
         /// <summary>Scheme by which time advances (Eq. 13).</summary>
-        [Tooltip("Second Order: the error falls with the square of the substep. Backward Euler: as printed; needs about twice the substeps.")]
+        [Tooltip(
+            "Second Order: the error falls with the square of the substep. Backward Euler: as printed; needs about twice the substeps.")]
         public TimeScheme timeScheme;
 
         /// <summary>
-        /// True where the air that a thin wing carries along, where it is accelerated across its surface, adds to the force of the air and to the inertia of the joints. False in both readings: the paper has
-        /// no such term.
+        /// True where the air that a thin wing carries along, where it is accelerated across its surface, adds to the force of the air and
+        /// to the inertia of the joints. False in both readings: the paper has no such term.
         /// </summary>
         [Tooltip("Adds the mass of the air that the wing carries along where it is accelerated across its surface. Off by default.")]
         public bool addedMass;
@@ -72,8 +74,10 @@ namespace Alate
 
         /// <summary>Problem of the first option that is none of its kind's, as one sentence; null where there is none.</summary>
         internal readonly string FindProblem() =>
-            Undefined(nameof(coefficients), coefficients) ?? Undefined(nameof(tangent), tangent) ?? Undefined(nameof(cycleChange), cycleChange)
-            ?? Undefined(nameof(torqueArm), torqueArm) ?? Undefined(nameof(springUnits), springUnits) ?? Undefined(nameof(coupling), coupling)
+            Undefined(nameof(coefficients), coefficients) ?? Undefined(nameof(tangent), tangent)
+            ?? Undefined(nameof(cycleChange), cycleChange)
+            ?? Undefined(nameof(torqueArm), torqueArm) ?? Undefined(nameof(springUnits), springUnits)
+            ?? Undefined(nameof(coupling), coupling)
             ?? Undefined(nameof(timeScheme), timeScheme);
 
         /// <summary>These options, those of <see cref="ModelReading.Physical"/> in place of each that is none of its kind's.</summary>
@@ -107,7 +111,8 @@ namespace Alate
 
         /// <inheritdoc/>
         public override int GetHashCode() =>
-            HashCode.Combine(coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, HashCode.Combine(timeScheme, addedMass));
+            HashCode.Combine(
+                coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, HashCode.Combine(timeScheme, addedMass));
 
         // Looked up once: Enum.IsDefined boxes, and presets are compared in every step.
         private static class Known<T> where T : unmanaged, Enum

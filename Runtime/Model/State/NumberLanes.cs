@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Numbers of four wings that the kernels read as they are given; lane = wing. What is computed from them is in <see cref="LaneParameters"/>.</summary>
+    /// <summary>
+    /// Numbers of four wings that the kernels read as they are given; lane = wing. What is computed from them is in
+    /// <see cref="LaneParameters"/>.
+    /// </summary>
     /// <remarks>
     /// 76 bytes a wing: one float4 a number, so that four wings with different parameters run through one kernel.
     /// </remarks>

@@ -6,6 +6,7 @@ namespace Alate
     internal static class NumberRange
     {
         /// <summary>The nearest value between two bounds; the default when the value is not a number.</summary>
-        public static float Clamp(float value, float least, float most, float none) => math.isnan(value) ? none : math.clamp(value, least, most);
+        public static float Clamp(float value, float least, float most, float none) =>
+            math.isnan(value) ? none : math.clamp(value, least, most);
     }
 }

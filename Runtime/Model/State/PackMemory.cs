@@ -5,7 +5,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Owns the block behind one <see cref="WingPack"/>. Every byte of it belongs to a float4, so lanes can be copied blindly.</summary>
+    /// <summary>
+    /// Owns the block behind one <see cref="WingPack"/>. Every byte of it belongs to a float4, so lanes can be copied blindly.
+    /// </summary>
     internal sealed unsafe class PackMemory : IDisposable
     {
         private byte* m_Block;

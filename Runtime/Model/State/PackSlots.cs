@@ -3,13 +3,18 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>Poses of a wing within its last step: slot 0 is the start, then every <see cref="WingPack.slotStride"/> substeps, and the end.</summary>
+    /// <summary>
+    /// Poses of a wing within its last step: slot 0 is the start, then every <see cref="WingPack.slotStride"/> substeps, and the end.
+    /// </summary>
     internal static unsafe class PackSlots
     {
         /// <summary>Floats of a pose in one lane: rotation x y z w, position x y z.</summary>
         private const int k_Floats = 7;
 
-        /// <summary>Finds the slots around a time of a wing's last step, 0 its start, 1 its end, and the share between them; false before the first step.</summary>
+        /// <summary>
+        /// Finds the slots around a time of a wing's last step, 0 its start, 1 its end, and the share between them; false before the first
+        /// step.
+        /// </summary>
         public static bool Span(in WingPack pack, int lane, float alpha, out int slot, out float blend)
         {
             float4 substeps = pack.substeps, strides = pack.slotStride;

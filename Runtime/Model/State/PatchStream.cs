@@ -4,7 +4,8 @@ namespace Alate
 {
     /// <summary>Air stream at one element of four wings.</summary>
     /// <remarks>
-    /// 28 bytes a wing, patch behind patch: the stream is filled, gets its coefficients and is turned into a load in three passes, and each reads most of it.
+    /// 28 bytes a wing, patch behind patch: the stream is filled, gets its coefficients and is turned into a load in three passes, and each
+    /// reads most of it.
     /// </remarks>
     internal struct PatchStream
     {

@@ -6,7 +6,9 @@ namespace Alate
     [MovedFrom(true, null, "Alate")]
     public enum SpringUnits
     {
-        /// <summary>k = k_e κ (2π f_ref)² per wing mass: the springs keep pace with the beat, whatever the insect's size and frequency. The default.</summary>
+        /// <summary>
+        /// k = k_e κ (2π f_ref)² per wing mass: the springs keep pace with the beat, whatever the insect's size and frequency. The default.
+        /// </summary>
         BeatRate,
 
         /// <summary>

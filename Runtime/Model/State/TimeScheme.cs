@@ -4,8 +4,8 @@ namespace Alate
     public enum TimeScheme
     {
         /// <summary>
-        /// Backward differences over two substeps (BDF2), with surface, torque arms and frames carried to the end of the substep: the error falls with the square of
-        /// the substep. The default.
+        /// Backward differences over two substeps (BDF2), with surface, torque arms and frames carried to the end of the substep: the error
+        /// falls with the square of the substep. The default.
         /// </summary>
         SecondOrder,
 

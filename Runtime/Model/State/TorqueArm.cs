@@ -6,7 +6,10 @@ namespace Alate
     [MovedFrom(true, null, "Alate")]
     public enum TorqueArm
     {
-        /// <summary>The loads of all joints farther out on the chain, about the joint itself: what a cantilever's cross-section carries. The default.</summary>
+        /// <summary>
+        /// The loads of all joints farther out on the chain, about the joint itself: what a cantilever's cross-section carries. The
+        /// default.
+        /// </summary>
         DistalJoints,
 
         /// <summary>The joint's own load about the root of its chain, as printed; what hangs farther out does not bend the joint.</summary>

@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>One beat of one wing as a flight controller commands it; takes effect at the next beat and is glided into over the first half of it.</summary>
+    /// <summary>
+    /// One beat of one wing as a flight controller commands it; takes effect at the next beat and is glided into over the first half of it.
+    /// </summary>
     [Serializable]
     public struct WingDrive
     {

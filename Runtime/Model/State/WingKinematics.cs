@@ -5,8 +5,8 @@ using Unity.Mathematics;
 namespace Alate
 {
     /// <summary>
-    /// Prescribed motion of a wing at its root: flap, sweep, feather and tilt as Fourier series of the beat, in place of the waves of Eq. 1 and the frequency of Eq. 6.
-    /// A series is mean + Σ (c_k cos kΦ + s_k sin kΦ), radians. The default value prescribes nothing.
+    /// Prescribed motion of a wing at its root: flap, sweep, feather and tilt as Fourier series of the beat, in place of the waves of Eq. 1
+    /// and the frequency of Eq. 6. A series is mean + Σ (c_k cos kΦ + s_k sin kΦ), radians. The default value prescribes nothing.
     /// </summary>
     public unsafe struct WingKinematics : IEquatable<WingKinematics>
     {
@@ -25,7 +25,9 @@ namespace Alate
         /// <summary>Frequency of the beat, hertz, 0.1 to 1000; 0 prescribes nothing.</summary>
         public float frequency;
 
-        /// <summary>True where the delays of chains and joints (Eq. 2) act on the prescribed angles; false where the whole wing is driven at once.</summary>
+        /// <summary>
+        /// True where the delays of chains and joints (Eq. 2) act on the prescribed angles; false where the whole wing is driven at once.
+        /// </summary>
         public bool waves;
 
         private Terms m_Series;
@@ -71,11 +73,18 @@ namespace Alate
             if (!IsSet)
                 return null;
             if (!(frequency >= WingBounds.MaxFrequency.Min && frequency <= WingBounds.MaxFrequency.Max))
-                return FormattableString.Invariant($"kinematics.frequency is {frequency} hertz; it must be between {WingBounds.MaxFrequency.Min} and {WingBounds.MaxFrequency.Max}.");
+            {
+                return "kinematics.frequency is "
+                    + FormattableString.Invariant(
+                        $"{frequency} hertz; it must be between {WingBounds.MaxFrequency.Min} and {WingBounds.MaxFrequency.Max}.");
+            }
             for (int k = 0; k < Count; k++)
             {
                 if (!(math.abs(At(k)) <= math.PI))
-                    return FormattableString.Invariant($"kinematics.{(DrivenAngle)(k / Stride)} has a term of {At(k)} radians; it must be between -π and π.");
+                {
+                    return FormattableString.Invariant(
+                        $"kinematics.{(DrivenAngle)(k / Stride)} has a term of {At(k)} radians; it must be between -π and π.");
+                }
             }
 
             return null;

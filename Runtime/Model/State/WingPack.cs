@@ -7,9 +7,10 @@ namespace Alate
     /// arrays are indexed by joint or bone, every element holds the four wings.
     /// </summary>
     /// <remarks>
-    /// 672 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies one block,
-    /// of 15,488 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the largest part: rendering takes any time within a step without
-    /// stepping again. Every byte of the block belongs to a lane, so that a wing moves to another pack by copying each fourth float.
+    /// 672 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies
+    /// one block, of 15,488 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the
+    /// largest part: rendering takes any time within a step without stepping again. Every byte of the block belongs to a lane, so that a
+    /// wing moves to another pack by copying each fourth float.
     /// </remarks>
     internal unsafe struct WingPack
     {
@@ -85,7 +86,9 @@ namespace Alate
         /// </summary>
         public SoaFloat3* drivenLags;
 
-        /// <summary>Speed of the driven joint along its normal in the last substep, L/s; only with <see cref="ModelOptions.addedMass"/>.</summary>
+        /// <summary>
+        /// Speed of the driven joint along its normal in the last substep, L/s; only with <see cref="ModelOptions.addedMass"/>.
+        /// </summary>
         public float4* normalSpeeds;
 
         /// <summary>The same one substep earlier, L/s.</summary>
@@ -179,7 +182,10 @@ namespace Alate
         /// <summary>Aerodynamic force, mean over the substeps of the last step, wing mass · L/s².</summary>
         public SoaFloat3 airForce;
 
-        /// <summary>Moment of that force about <see cref="LaneSurroundings.hinge"/>'s origin, mean over the substeps of the last step, wing mass · L²/s².</summary>
+        /// <summary>
+        /// Moment of that force about <see cref="LaneSurroundings.hinge"/>'s origin, mean over the substeps of the last step, wing mass ·
+        /// L²/s².
+        /// </summary>
         public SoaFloat3 airMoment;
 
         /// <summary>Spring energy (Eq. 12) at the end, wing mass · L²/s².</summary>

@@ -25,10 +25,13 @@ namespace Alate
         internal static WingParameterRange Angle(string name, float minimum, float preset, float maximum, Field field)
         {
             const double degree = Math.PI / 180.0;
-            return new WingParameterRange(name, "radians", (float)(minimum * degree), (float)(preset * degree), (float)(maximum * degree), field);
+            return new WingParameterRange(
+                name, "radians", (float)(minimum * degree), (float)(preset * degree), (float)(maximum * degree), field);
         }
 
-        /// <summary>Every number of <see cref="WingParameters"/>, in the order of its fields (the substeps, a count, are kept there).</summary>
+        /// <summary>
+        /// Every number of <see cref="WingParameters"/>, in the order of its fields (the substeps, a count, are kept there).
+        /// </summary>
         public static IReadOnlyList<WingParameterRange> All => WingParameters.s_Ranges;
 
         /// <summary>The name of the field, "amplitude.x" for a component.</summary>

@@ -19,15 +19,20 @@ namespace Alate
         /// <summary>Speed u_max of the slope function s(u) (Fig. 5), metres per second, 0.01 to 100; default 2.</summary>
         public float maxSpeed;
 
-        /// <summary>Least value of s(u) in Eq. 6, 0 to 1; default 0.8. <c>Paper</c>: 0, where an insect at rest beats once in five minutes (s(0) = 3·10⁻⁴).</summary>
+        /// <summary>
+        /// Least value of s(u) in Eq. 6, 0 to 1; default 0.8. <c>Paper</c>: 0, where an insect at rest beats once in five minutes (s(0) =
+        /// 3·10⁻⁴).
+        /// </summary>
         public float frequencyFloor;
 
-        /// <summary>Least value of s(u) in Eq. 7, 0 to 1; default 0.5. <c>Paper</c>: 0, where an insect at rest holds its wings still.</summary>
+        /// <summary>
+        /// Least value of s(u) in Eq. 7, 0 to 1; default 0.5. <c>Paper</c>: 0, where an insect at rest holds its wings still.
+        /// </summary>
         public float amplitudeFloor;
 
         /// <summary>
-        /// Half amplitude at full drive, radians, x flap, y sweep, z feather, each 0 to π/2. Half of Table 1's MAX_a, which is peak to peak: a monarch's measured
-        /// ±60° are Table 1's 120°.
+        /// Half amplitude at full drive, radians, x flap, y sweep, z feather, each 0 to π/2. Half of Table 1's MAX_a, which is peak to
+        /// peak: a monarch's measured ±60° are Table 1's 120°.
         /// </summary>
         public float3 amplitude;
 
@@ -68,8 +73,9 @@ namespace Alate
         public float airDensity;
 
         /// <summary>
-        /// Wind beyond which the wing hardly bends more, over the speed v_ref = 2π f_ref · flap of a wing tip that flies at u_max, 0.1 to 1000; default 0.65, 3.2 m/s for a
-        /// monarch. Beyond it the wind is felt as its fourth root, because soft sheets curl up in a stream (Vogel 1989). 1000 takes every wind as it is.
+        /// Wind beyond which the wing hardly bends more, over the speed v_ref = 2π f_ref · flap of a wing tip that flies at u_max, 0.1 to
+        /// 1000; default 0.65, 3.2 m/s for a monarch. Beyond it the wind is felt as its fourth root, because soft sheets curl up in a
+        /// stream (Vogel 1989). 1000 takes every wind as it is.
         /// </summary>
         public float strongestWind;
 
@@ -96,11 +102,14 @@ namespace Alate
         /// <summary>Damping ζ of a bending joint over its critical damping, 0 to 10; default 0.7.</summary>
         public float bendDamping;
 
-        /// <summary>Stiffness against bending up over that against bending down, 0.1 to 10; default 1.4: wings yield more readily on the upstroke.</summary>
+        /// <summary>
+        /// Stiffness against bending up over that against bending down, 0.1 to 10; default 1.4: wings yield more readily on the upstroke.
+        /// </summary>
         public float dorsalAsymmetry;
 
         /// <summary>
-        /// 1 N·m² of measured stiffness (<see cref="JointChain.flexuralStiffness"/>) in wing masses times cubed wing lengths per squared second, 1/(m_w L³), 0 to 10²⁰; monarch 1.76·10⁸. Chains of unknown stiffness do not read it.
+        /// 1 N·m² of measured stiffness (<see cref="JointChain.flexuralStiffness"/>) in wing masses times cubed wing lengths per squared
+        /// second, 1/(m_w L³), 0 to 10²⁰; monarch 1.76·10⁸. Chains of unknown stiffness do not read it.
         /// </summary>
         public float stiffnessUnit;
 
@@ -125,16 +134,22 @@ namespace Alate
         /// <summary>Substeps of one beat, 12 to 480; default 16. Fast air takes more by itself.</summary>
         public int substepsPerBeat;
 
-        /// <summary>Factor on all three amplitudes, 0 to 2; default 1. For a flight controller that rolls by beating one side harder.</summary>
+        /// <summary>
+        /// Factor on all three amplitudes, 0 to 2; default 1. For a flight controller that rolls by beating one side harder.
+        /// </summary>
         public float amplitudeScale;
 
-        /// <summary>Phase by which this wing is ahead of the beat clock, radians, −2π to 2π; default 0. For hind wings that follow their fore wings.</summary>
+        /// <summary>
+        /// Phase by which this wing is ahead of the beat clock, radians, −2π to 2π; default 0. For hind wings that follow their fore wings.
+        /// </summary>
         public float phaseLead;
 
         /// <summary>Choices that the paper leaves open.</summary>
         public ModelOptions options;
 
-        /// <summary>Motion that is prescribed in place of the waves of Eq. 1; default none. A wing that is given one should be reset.</summary>
+        /// <summary>
+        /// Motion that is prescribed in place of the waves of Eq. 1; default none. A wing that is given one should be reset.
+        /// </summary>
         public WingKinematics kinematics;
 
         /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
@@ -209,44 +224,74 @@ namespace Alate
         /// <summary>Every number, in the order of the fields.</summary>
         internal static readonly WingParameterRange[] s_Ranges =
         {
-            new WingParameterRange("maxFrequency", "hertz", WingBounds.MaxFrequency.Min, WingBounds.MaxFrequency.Default, WingBounds.MaxFrequency.Max, (ref WingParameters p) => ref p.maxFrequency),
-            new WingParameterRange("maxSpeed", "metres per second", WingBounds.MaxSpeed.Min, WingBounds.MaxSpeed.Default, WingBounds.MaxSpeed.Max, (ref WingParameters p) => ref p.maxSpeed),
-            new WingParameterRange("frequencyFloor", "", WingBounds.FrequencyFloor.Min, WingBounds.FrequencyFloor.Default, WingBounds.FrequencyFloor.Max, (ref WingParameters p) => ref p.frequencyFloor),
-            new WingParameterRange("amplitudeFloor", "", WingBounds.AmplitudeFloor.Min, WingBounds.AmplitudeFloor.Default, WingBounds.AmplitudeFloor.Max, (ref WingParameters p) => ref p.amplitudeFloor),
-            WingParameterRange.Angle("amplitude.x", 0.5f * WingBounds.FlapRange.Min, 0.5f * WingBounds.FlapRange.Default, 0.5f * WingBounds.FlapRange.Max, (ref WingParameters p) => ref p.amplitude.x),
-            WingParameterRange.Angle("amplitude.y", 0.5f * WingBounds.SweepRange.Min, 0.5f * WingBounds.SweepRange.Default, 0.5f * WingBounds.SweepRange.Max, (ref WingParameters p) => ref p.amplitude.y),
-            WingParameterRange.Angle("amplitude.z", 0.5f * WingBounds.FeatherRange.Min, 0.5f * WingBounds.FeatherRange.Default, 0.5f * WingBounds.FeatherRange.Max, (ref WingParameters p) => ref p.amplitude.z),
+            new WingParameterRange("maxFrequency", "hertz", WingBounds.MaxFrequency.Min, WingBounds.MaxFrequency.Default,
+                WingBounds.MaxFrequency.Max, (ref WingParameters p) => ref p.maxFrequency),
+            new WingParameterRange("maxSpeed", "metres per second", WingBounds.MaxSpeed.Min, WingBounds.MaxSpeed.Default,
+                WingBounds.MaxSpeed.Max, (ref WingParameters p) => ref p.maxSpeed),
+            new WingParameterRange("frequencyFloor", "", WingBounds.FrequencyFloor.Min, WingBounds.FrequencyFloor.Default,
+                WingBounds.FrequencyFloor.Max, (ref WingParameters p) => ref p.frequencyFloor),
+            new WingParameterRange("amplitudeFloor", "", WingBounds.AmplitudeFloor.Min, WingBounds.AmplitudeFloor.Default,
+                WingBounds.AmplitudeFloor.Max, (ref WingParameters p) => ref p.amplitudeFloor),
+            WingParameterRange.Angle("amplitude.x", 0.5f * WingBounds.FlapRange.Min, 0.5f * WingBounds.FlapRange.Default,
+                0.5f * WingBounds.FlapRange.Max, (ref WingParameters p) => ref p.amplitude.x),
+            WingParameterRange.Angle("amplitude.y", 0.5f * WingBounds.SweepRange.Min, 0.5f * WingBounds.SweepRange.Default,
+                0.5f * WingBounds.SweepRange.Max, (ref WingParameters p) => ref p.amplitude.y),
+            WingParameterRange.Angle("amplitude.z", 0.5f * WingBounds.FeatherRange.Min, 0.5f * WingBounds.FeatherRange.Default,
+                0.5f * WingBounds.FeatherRange.Max, (ref WingParameters p) => ref p.amplitude.z),
             WingParameterRange.Angle("phase.x", -360f, WingBounds.FlapPhase.Default, 360f, (ref WingParameters p) => ref p.phase.x),
             WingParameterRange.Angle("phase.y", -360f, WingBounds.SweepPhase.Default, 360f, (ref WingParameters p) => ref p.phase.y),
             WingParameterRange.Angle("phase.z", -360f, WingBounds.FeatherPhase.Default, 360f, (ref WingParameters p) => ref p.phase.z),
-            WingParameterRange.Angle("meanFlap", WingBounds.MeanFlap.Min, WingBounds.MeanFlap.Default, WingBounds.MeanFlap.Max, (ref WingParameters p) => ref p.meanFlap),
-            WingParameterRange.Angle("tilt", WingBounds.Tilt.Min, WingBounds.Tilt.Default, WingBounds.Tilt.Max, (ref WingParameters p) => ref p.tilt),
-            new WingParameterRange("chordDelay", "half beats", WingBounds.ChordDelay.Min, WingBounds.ChordDelay.Default, WingBounds.ChordDelay.Max, (ref WingParameters p) => ref p.chordDelay),
-            new WingParameterRange("spanDelay", "half beats", WingBounds.SpanDelay.Min, WingBounds.SpanDelay.Default, WingBounds.SpanDelay.Max, (ref WingParameters p) => ref p.spanDelay),
-            new WingParameterRange("rootShare", "", WingBounds.RootShare.Min, WingBounds.RootShare.Default, WingBounds.RootShare.Max, (ref WingParameters p) => ref p.rootShare),
-            new WingParameterRange("inertia", "", WingBounds.Inertia.Min, WingBounds.Inertia.Default, WingBounds.Inertia.Max, (ref WingParameters p) => ref p.inertia),
-            new WingParameterRange("airDensity", "wing masses per cubed wing length", 0f, 11.1f, 1e5f, (ref WingParameters p) => ref p.airDensity),
-            new WingParameterRange("strongestWind", "", WingBounds.StrongestWind.Min, WingBounds.StrongestWind.Default, WingBounds.StrongestWind.Max, (ref WingParameters p) => ref p.strongestWind),
-            new WingParameterRange("elasticity", "", WingBounds.Elasticity.Min, WingBounds.Elasticity.Default, WingBounds.Elasticity.Max, (ref WingParameters p) => ref p.elasticity),
+            WingParameterRange.Angle("meanFlap", WingBounds.MeanFlap.Min, WingBounds.MeanFlap.Default, WingBounds.MeanFlap.Max,
+                (ref WingParameters p) => ref p.meanFlap),
+            WingParameterRange.Angle(
+                "tilt", WingBounds.Tilt.Min, WingBounds.Tilt.Default, WingBounds.Tilt.Max, (ref WingParameters p) => ref p.tilt),
+            new WingParameterRange("chordDelay", "half beats", WingBounds.ChordDelay.Min, WingBounds.ChordDelay.Default,
+                WingBounds.ChordDelay.Max, (ref WingParameters p) => ref p.chordDelay),
+            new WingParameterRange("spanDelay", "half beats", WingBounds.SpanDelay.Min, WingBounds.SpanDelay.Default,
+                WingBounds.SpanDelay.Max, (ref WingParameters p) => ref p.spanDelay),
+            new WingParameterRange("rootShare", "", WingBounds.RootShare.Min, WingBounds.RootShare.Default, WingBounds.RootShare.Max,
+                (ref WingParameters p) => ref p.rootShare),
+            new WingParameterRange("inertia", "", WingBounds.Inertia.Min, WingBounds.Inertia.Default, WingBounds.Inertia.Max,
+                (ref WingParameters p) => ref p.inertia),
+            new WingParameterRange(
+                "airDensity", "wing masses per cubed wing length", 0f, 11.1f, 1e5f, (ref WingParameters p) => ref p.airDensity),
+            new WingParameterRange("strongestWind", "", WingBounds.StrongestWind.Min, WingBounds.StrongestWind.Default,
+                WingBounds.StrongestWind.Max, (ref WingParameters p) => ref p.strongestWind),
+            new WingParameterRange("elasticity", "", WingBounds.Elasticity.Min, WingBounds.Elasticity.Default, WingBounds.Elasticity.Max,
+                (ref WingParameters p) => ref p.elasticity),
             new WingParameterRange("referenceFrequency", "hertz", 0.01f, 12.08f, 1e5f, (ref WingParameters p) => ref p.referenceFrequency),
-            new WingParameterRange("stiffnessRoot", "", WingBounds.LeadingEdge.Min, WingBounds.LeadingEdge.Default, WingBounds.LeadingEdge.Max, (ref WingParameters p) => ref p.stiffnessRoot),
-            new WingParameterRange("stiffnessTip", "", WingBounds.TrailingEdge.Min, WingBounds.TrailingEdge.Default, WingBounds.TrailingEdge.Max, (ref WingParameters p) => ref p.stiffnessTip),
-            new WingParameterRange("stiffnessDecay", "chain lengths", WingBounds.Decay.Min, WingBounds.Decay.Default, WingBounds.Decay.Max, (ref WingParameters p) => ref p.stiffnessDecay),
-            new WingParameterRange("bendDamping", "", WingBounds.Damping.Min, WingBounds.Damping.Default, WingBounds.Damping.Max, (ref WingParameters p) => ref p.bendDamping),
-            new WingParameterRange("dorsalAsymmetry", "", WingBounds.DorsalAsymmetry.Min, WingBounds.DorsalAsymmetry.Default, WingBounds.DorsalAsymmetry.Max, (ref WingParameters p) => ref p.dorsalAsymmetry),
-            new WingParameterRange("stiffnessUnit", "wing masses times cubed wing lengths per squared second", 0f, 1.755e8f, 1e20f, (ref WingParameters p) => ref p.stiffnessUnit),
-            new WingParameterRange("inPlaneFactor", "", WingBounds.InPlaneFactor.Min, WingBounds.InPlaneFactor.Default, WingBounds.InPlaneFactor.Max, (ref WingParameters p) => ref p.inPlaneFactor),
-            new WingParameterRange("torsionFactor", "", WingBounds.TorsionFactor.Min, WingBounds.TorsionFactor.Default, WingBounds.TorsionFactor.Max, (ref WingParameters p) => ref p.torsionFactor),
-            WingParameterRange.Angle("jointLimit", WingBounds.JointLimit.Min, WingBounds.JointLimit.Default, WingBounds.JointLimit.Max, (ref WingParameters p) => ref p.jointLimit),
-            new WingParameterRange("springScale", "", WingBounds.SpringScale.Min, WingBounds.SpringScale.Default, WingBounds.SpringScale.Max, (ref WingParameters p) => ref p.springScale),
-            new WingParameterRange("anchor", "", WingBounds.Anchor.Min, WingBounds.Anchor.Default, WingBounds.Anchor.Max, (ref WingParameters p) => ref p.anchor),
-            new WingParameterRange("springDamping", "", WingBounds.SpringDamping.Min, WingBounds.SpringDamping.Default, WingBounds.SpringDamping.Max, (ref WingParameters p) => ref p.springDamping),
+            new WingParameterRange("stiffnessRoot", "", WingBounds.LeadingEdge.Min, WingBounds.LeadingEdge.Default,
+                WingBounds.LeadingEdge.Max, (ref WingParameters p) => ref p.stiffnessRoot),
+            new WingParameterRange("stiffnessTip", "", WingBounds.TrailingEdge.Min, WingBounds.TrailingEdge.Default,
+                WingBounds.TrailingEdge.Max, (ref WingParameters p) => ref p.stiffnessTip),
+            new WingParameterRange("stiffnessDecay", "chain lengths", WingBounds.Decay.Min, WingBounds.Decay.Default, WingBounds.Decay.Max,
+                (ref WingParameters p) => ref p.stiffnessDecay),
+            new WingParameterRange("bendDamping", "", WingBounds.Damping.Min, WingBounds.Damping.Default, WingBounds.Damping.Max,
+                (ref WingParameters p) => ref p.bendDamping),
+            new WingParameterRange("dorsalAsymmetry", "", WingBounds.DorsalAsymmetry.Min, WingBounds.DorsalAsymmetry.Default,
+                WingBounds.DorsalAsymmetry.Max, (ref WingParameters p) => ref p.dorsalAsymmetry),
+            new WingParameterRange("stiffnessUnit", "wing masses times cubed wing lengths per squared second", 0f, 1.755e8f, 1e20f,
+                (ref WingParameters p) => ref p.stiffnessUnit),
+            new WingParameterRange("inPlaneFactor", "", WingBounds.InPlaneFactor.Min, WingBounds.InPlaneFactor.Default,
+                WingBounds.InPlaneFactor.Max, (ref WingParameters p) => ref p.inPlaneFactor),
+            new WingParameterRange("torsionFactor", "", WingBounds.TorsionFactor.Min, WingBounds.TorsionFactor.Default,
+                WingBounds.TorsionFactor.Max, (ref WingParameters p) => ref p.torsionFactor),
+            WingParameterRange.Angle("jointLimit", WingBounds.JointLimit.Min, WingBounds.JointLimit.Default, WingBounds.JointLimit.Max,
+                (ref WingParameters p) => ref p.jointLimit),
+            new WingParameterRange("springScale", "", WingBounds.SpringScale.Min, WingBounds.SpringScale.Default,
+                WingBounds.SpringScale.Max, (ref WingParameters p) => ref p.springScale),
+            new WingParameterRange("anchor", "", WingBounds.Anchor.Min, WingBounds.Anchor.Default, WingBounds.Anchor.Max,
+                (ref WingParameters p) => ref p.anchor),
+            new WingParameterRange("springDamping", "", WingBounds.SpringDamping.Min, WingBounds.SpringDamping.Default,
+                WingBounds.SpringDamping.Max, (ref WingParameters p) => ref p.springDamping),
             new WingParameterRange("amplitudeScale", "", 0f, 1f, 2f, (ref WingParameters p) => ref p.amplitudeScale),
             WingParameterRange.Angle("phaseLead", -360f, WingBounds.PhaseLead.Default, 360f, (ref WingParameters p) => ref p.phaseLead),
         };
     }
 
-    /// <summary>Bounds of each number that a preset has, and a monarch's value, in the preset's units: degrees, hertz, metres, kilograms.</summary>
+    /// <summary>
+    /// Bounds of each number that a preset has, and a monarch's value, in the preset's units: degrees, hertz, metres, kilograms.
+    /// </summary>
     internal static class WingBounds
     {
         public static class WingLength { public const float Min = 5e-4f, Default = 0.061f, Max = 1f; }

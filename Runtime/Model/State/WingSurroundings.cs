@@ -14,8 +14,8 @@ namespace Alate
         public float3 wind;
 
         /// <summary>
-        /// Angular velocity Ω of the body, radians per second. A point of the wing at x from the hinge meets wind − Ω × (<see cref="hinge"/> + x). +X turns the nose
-        /// down, +Y the nose to the right, +Z lifts a right wing.
+        /// Angular velocity Ω of the body, radians per second. A point of the wing at x from the hinge meets wind − Ω ×
+        /// (<see cref="hinge"/> + x). +X turns the nose down, +Y the nose to the right, +Z lifts a right wing.
         /// </summary>
         public float3 angularVelocity;
 

@@ -7,7 +7,9 @@ using Unity.Mathematics;
 
 namespace Alate
 {
-    /// <summary>The flying bodies of a world in native memory, the wings that carry each, and the groups of packs that they tie together.</summary>
+    /// <summary>
+    /// The flying bodies of a world in native memory, the wings that carry each, and the groups of packs that they tie together.
+    /// </summary>
     internal sealed unsafe class BodyTable : IDisposable
     {
         private readonly List<BodyEntry> m_Entries = new List<BodyEntry>();
@@ -74,7 +76,8 @@ namespace Alate
         }
 
         /// <summary>Returns true where there is such a body.</summary>
-        public bool Contains(BodyHandle body) => !body.IsNone && body.index < m_Entries.Count && m_Entries[body.index]?.version == body.version;
+        public bool Contains(BodyHandle body) =>
+            !body.IsNone && body.index < m_Entries.Count && m_Entries[body.index]?.version == body.version;
 
         /// <summary>A body; valid until the next one is added.</summary>
         public ref FlyingBody this[BodyHandle body] => ref m_Bodies[body.index];
@@ -145,7 +148,8 @@ namespace Alate
             }
         }
 
-        // Groups in the order of their first pack, so that the order of packs is the order of work: counted, then filled, each pack and body once.
+        // Groups in the order of their first pack, so that the order of packs is the order of work: counted, then filled, each pack and
+        // body once.
         private void PlaceGroups(IReadOnlyList<PackMemory> packs, DisjointSets sets)
         {
             GroupCount = 0;

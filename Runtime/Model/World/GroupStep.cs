@@ -9,7 +9,9 @@ namespace Alate
         /// <summary>Substeps before the latch at which the feedback samples: at least a quarter of one stays between.</summary>
         private const float k_SampleAhead = 1.25f;
 
-        /// <summary>Beats that wings settle, with the one that is under way, before they carry a body again that followed its reference.</summary>
+        /// <summary>
+        /// Beats that wings settle, with the one that is under way, before they carry a body again that followed its reference.
+        /// </summary>
         private const int k_SettledBeats = 2;
 
         /// <summary>Rate at which an insect whose wings are not computed follows its reference, 1/s.</summary>
@@ -114,7 +116,8 @@ namespace Alate
             body.power /= count;
         }
 
-        // Before the wings' substep: the reference moves on, the feedback samples where the next beat is about to be latched, and the wings are told what they meet.
+        // Before the wings' substep: the reference moves on, the feedback samples where the next beat is about to be latched, and the wings
+        // are told what they meet.
         private static void Prepare(ref FlyingBody body, in GroupLists lists, float h)
         {
             float* point = stackalloc float[TrimPoint.Floats];
@@ -153,7 +156,10 @@ namespace Alate
                     if (body.steered != 0)
                         BodyFeedback.Sample(ref body, phase, point);
                     for (int k = 0; k < body.wingCount; k++)
-                        lists.Command(lists.wings[body.firstWing + k], BodyFeedback.Drive(body, point, lists.wings[body.firstWing + k].side));
+                    {
+                        lists.Command(
+                            lists.wings[body.firstWing + k], BodyFeedback.Drive(body, point, lists.wings[body.firstWing + k].side));
+                    }
                 }
                 else if (!due)
                 {

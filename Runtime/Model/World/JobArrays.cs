@@ -288,7 +288,8 @@ namespace Alate
                 UnsafeUtility.FreeTracked(m_Scratch, Allocator.Persistent);
             m_ScratchSize = grown;
             m_ScratchStride = stride;
-            m_Scratch = (byte*)UnsafeUtility.MallocTracked(stride * JobsUtility.ThreadIndexCount, JobsUtility.CacheLineSize, Allocator.Persistent, 0);
+            m_Scratch = (byte*)UnsafeUtility.MallocTracked(
+                stride * JobsUtility.ThreadIndexCount, JobsUtility.CacheLineSize, Allocator.Persistent, 0);
             UnsafeUtility.MemClear(m_Scratch, stride * JobsUtility.ThreadIndexCount);
         }
     }

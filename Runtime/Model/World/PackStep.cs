@@ -58,7 +58,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Chooses number and whole length of each wing's substeps by its own beat and air: no wing's motion depends on which others share its pack.
+        /// Chooses number and whole length of each wing's substeps by its own beat and air: no wing's motion depends on which others share
+        /// its pack.
         /// </summary>
         public static void Plan(ref WingPack pack, float dt)
         {
@@ -89,7 +90,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Number of substeps of each wing for its beat and for the fastest air; shortens <paramref name="dt"/> where a step would span more than 16 beats.
+        /// Number of substeps of each wing for its beat and for the fastest air; shortens <paramref name="dt"/> where a step would span
+        /// more than 16 beats.
         /// </summary>
         public static float4 SubstepCounts(in WingPack pack, ref float4 dt)
         {
@@ -100,7 +102,10 @@ namespace Alate
             float4 rate = math.select(
                 frequency, math.max(frequency, k_FlightFrequency * pack.parameters->numbers.maxFrequency), commanded) * perBeat;
             if (pack.detail != WingDetail.WavesOnly)
-                rate = math.max(rate, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->numbers.maxFrequency));
+            {
+                rate = math.max(
+                    rate, math.min(AirSpeed(pack) * (1f / k_AirPerSubstep), k_MostPerBeat * pack.parameters->numbers.maxFrequency));
+            }
             dt = math.min(dt, k_MostBeats / frequency);
             return math.max(math.ceil(dt * rate - k_CountRounding), 1f);
         }

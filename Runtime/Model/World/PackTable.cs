@@ -25,7 +25,8 @@ namespace Alate
             PackMemory pack = group.Count > 0 ? group[group.Count - 1] : null;
             if (pack == null || pack.Count == WingPack.Lanes)
             {
-                pack = new PackMemory(entry.rig.ViewAt(entry.packKey.detail >= WingDetail.CoarsePatches), entry.parameters.options, entry.packKey);
+                pack = new PackMemory(
+                    entry.rig.ViewAt(entry.packKey.detail >= WingDetail.CoarsePatches), entry.parameters.options, entry.packKey);
                 group.Add(pack);
                 m_Packs.Add(pack);
             }

@@ -6,7 +6,10 @@ using Unity.Jobs;
 
 namespace Alate
 {
-    /// <summary>First of the two jobs of a frame: all substeps of the fixed steps that are due; index = packs of four wings with the bodies that they carry.</summary>
+    /// <summary>
+    /// First of the two jobs of a frame: all substeps of the fixed steps that are due; index = packs of four wings with the bodies that
+    /// they carry.
+    /// </summary>
     [BurstCompile]
     internal unsafe struct StepWingsJob : IJobFor
     {

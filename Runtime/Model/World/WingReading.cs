@@ -7,8 +7,9 @@ using UnityEngine.Scripting.APIUpdating;
 namespace Alate
 {
     /// <summary>
-    /// The state of one wing at the end of the last step, read in place: wing frame, wing lengths, wing masses, radians. Valid until the next
-    /// call that steps or changes the <see cref="WingWorld"/> it came from; then, where Unity's safety checks are on, it throws <see cref="InvalidOperationException"/>.
+    /// The state of one wing at the end of the last step, read in place: wing frame, wing lengths, wing masses, radians. Valid until the
+    /// next call that steps or changes the <see cref="WingWorld"/> it came from; then, where Unity's safety checks are on, it throws
+    /// <see cref="InvalidOperationException"/>.
     /// </summary>
     [MovedFrom(true, null, "Alate")]
     public readonly unsafe struct WingReading
@@ -52,15 +53,17 @@ namespace Alate
         public float3 AirForce => Readings->airForce[m_Lane];
 
         /// <summary>
-        /// Moment of <see cref="AirForce"/> about the body's reference point (<see cref="WingSurroundings.hinge"/> away from the hinge), mean over the last step,
-        /// wing masses · L²/s².
+        /// Moment of <see cref="AirForce"/> about the body's reference point (<see cref="WingSurroundings.hinge"/> away from the hinge),
+        /// mean over the last step, wing masses · L²/s².
         /// </summary>
         public float3 AirMoment => Readings->airMoment[m_Lane];
 
         /// <summary>Spring energy (Eq. 12), wing masses · L²/s².</summary>
         public float SpringEnergy => Readings->springEnergy[m_Lane];
 
-        /// <summary>Largest |l/L − 1| of the membrane between any two joints, at the end of the last step; above 0.1 a wing looks torn.</summary>
+        /// <summary>
+        /// Largest |l/L − 1| of the membrane between any two joints, at the end of the last step; above 0.1 a wing looks torn.
+        /// </summary>
         public float Stretch => Readings->stretch[m_Lane];
 
         /// <summary>Newton iterations per substep, mean over the last step.</summary>
@@ -104,8 +107,8 @@ namespace Alate
         public float3 BendAngles(int chain, int bone) => m_Pack.bendAngles[Bone(chain, bone)][m_Lane];
 
         /// <summary>
-        /// Stiffness of the joint at the root side of a bone, wing masses · L²/s² per radian: x against bending down, y against torsion. Over <see cref="WingParameters.stiffnessUnit"/> it
-        /// is in N·m² per wing length.
+        /// Stiffness of the joint at the root side of a bone, wing masses · L²/s² per radian: x against bending down, y against torsion.
+        /// Over <see cref="WingParameters.stiffnessUnit"/> it is in N·m² per wing length.
         /// </summary>
         public float2 JointStiffness(int chain, int bone)
         {
@@ -119,7 +122,9 @@ namespace Alate
         /// <summary>Number of aerodynamic patches.</summary>
         public int PatchCount => m_Pack.rig.patchCount;
 
-        /// <summary>Middle of a patch, between the four joints around it, wing lengths from the hinge, at a time within the last step.</summary>
+        /// <summary>
+        /// Middle of a patch, between the four joints around it, wing lengths from the hinge, at a time within the last step.
+        /// </summary>
         public float3 PatchPosition(int patch, float alpha = 1f)
         {
             Check(patch, PatchCount, nameof(patch));
@@ -140,7 +145,9 @@ namespace Alate
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         public float PatchAngleOfAttack(int patch) => Elementary.Asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
 
-        /// <summary>Adds the force of the air on each patch in the last substep to the four joints around it, as the step itself shares it out.</summary>
+        /// <summary>
+        /// Adds the force of the air on each patch in the last substep to the four joints around it, as the step itself shares it out.
+        /// </summary>
         /// <param name="loads">[chain · m + joint] Wing masses · L/s².</param>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         internal void AddJointLoads(float3[] loads)
@@ -201,7 +208,10 @@ namespace Alate
         {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
             if (m_Source == null || m_Version != m_Source.Version)
-                throw new InvalidOperationException("This reading is out of date: its world was stepped or changed since. Read the wing again.");
+            {
+                throw new InvalidOperationException(
+                    "This reading is out of date: its world was stepped or changed since. Read the wing again.");
+            }
 #endif
         }
 

@@ -6,14 +6,20 @@ namespace Alate
     public sealed partial class WingWorld
     {
         /// <summary>
-        /// Commands a wing's beat from its next one on, in place of the one that follows the speed of its surroundings; light enough for every beat: nothing else is
-        /// derived from it.
+        /// Commands a wing's beat from its next one on, in place of the one that follows the speed of its surroundings; light enough for
+        /// every beat: nothing else is derived from it.
         /// </summary>
         /// <exception cref="ArgumentException">No such wing, or a drive out of range.</exception>
         public unsafe void SetDrive(WingHandle wing, in WingDrive drive)
         {
             if (!drive.IsValid)
-                throw new ArgumentException($"A drive of {drive.frequency} Hz, {drive.amplitude} times the amplitude, flap {drive.meanFlap}, sweep {drive.meanSweep}, feather {drive.meanFeather}, tilt {drive.tilt} radians is out of range: 0.1 to 1000 Hz, 0 to 2, −π to π.", nameof(drive));
+            {
+                throw new ArgumentException(
+                    $"A drive of {drive.frequency} Hz, {drive.amplitude} times the amplitude, flap "
+                    + $"{drive.meanFlap}, sweep {drive.meanSweep}, feather "
+                    + $"{drive.meanFeather}, tilt {drive.tilt} radians is out of range: 0.1 to 1000 Hz, 0 to 2, −π to π.",
+                    nameof(drive));
+            }
             WriteDrive(Entry(wing), drive, true);
         }
 
@@ -91,7 +97,10 @@ namespace Alate
             body.last[command] = units;
         }
 
-        /// <summary>Departs a body's motion: velocity, turn and angular velocity, each along the world's axes; a turn does not turn the angular velocity with it.</summary>
+        /// <summary>
+        /// Departs a body's motion: velocity, turn and angular velocity, each along the world's axes; a turn does not turn the angular
+        /// velocity with it.
+        /// </summary>
         internal void Depart(BodyHandle handle, float3 velocity, float3 turn, float3 rate)
         {
             ref FlyingBody body = ref Body(handle);

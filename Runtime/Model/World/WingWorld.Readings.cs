@@ -14,7 +14,9 @@ namespace Alate
             return count;
         }
 
-        /// <summary>Reads a wing's state for tools and tests, without copying it. Valid until the next call that changes the world.</summary>
+        /// <summary>
+        /// Reads a wing's state for tools and tests, without copying it. Valid until the next call that changes the world.
+        /// </summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public WingReading Read(WingHandle wing)
         {
@@ -22,7 +24,9 @@ namespace Alate
             return new WingReading(m_Arrays, entry);
         }
 
-        /// <summary>Starts or stops keeping the load on every patch, for <see cref="WingReading.PatchForce"/>; all wings of the pack are kept.</summary>
+        /// <summary>
+        /// Starts or stops keeping the load on every patch, for <see cref="WingReading.PatchForce"/>; all wings of the pack are kept.
+        /// </summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void RecordPatches(WingHandle wing, bool on)
         {

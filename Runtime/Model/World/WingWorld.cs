@@ -45,7 +45,8 @@ namespace Alate
 
         /// <summary>Adds a wing in its driven pose at the start of its beat.</summary>
         /// <exception cref="ArgumentNullException">No rig.</exception>
-        /// <exception cref="ArgumentException">The rig is disposed, or a parameter is out of its range; names it, its value and the range.</exception>
+        /// <exception cref="ArgumentException">The rig is disposed, or a parameter is out of its range; names it, its value and the
+        /// range.</exception>
         public WingHandle Add(WingRig rig, in WingParameters parameters) => Add(rig, parameters, default);
 
         /// <summary>Adds a wing that starts in the given surroundings.</summary>
@@ -54,7 +55,8 @@ namespace Alate
             Add(rig, parameters, surroundings, default);
 
         internal WingHandle Add(
-            WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey packKey, VertexPacking packing = VertexPacking.None)
+            WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey packKey,
+            VertexPacking packing = VertexPacking.None)
         {
             if (rig == null)
                 throw new ArgumentNullException(nameof(rig));
@@ -94,7 +96,9 @@ namespace Alate
         public bool Contains(WingHandle wing) =>
             !m_Disposed && !wing.IsNone && wing.index < m_Entries.Count && m_Entries[wing.index]?.version == wing.version;
 
-        /// <summary>Changes a wing's parameters; they are seen from the next substep on, frequency and amplitude from the next beat on.</summary>
+        /// <summary>
+        /// Changes a wing's parameters; they are seen from the next substep on, frequency and amplitude from the next beat on.
+        /// </summary>
         /// <exception cref="ArgumentException">No such wing, or a parameter is out of its range.</exception>
         public void SetParameters(WingHandle wing, in WingParameters parameters)
         {
@@ -151,7 +155,10 @@ namespace Alate
         public void Resume(WingHandle wing, float seconds)
         {
             if (!(seconds >= 0f && seconds <= OuterBounds.Seconds))
-                throw new ArgumentException($"The time to make up for must be 0 to {OuterBounds.Seconds} seconds, not {seconds}.", nameof(seconds));
+            {
+                throw new ArgumentException(
+                    $"The time to make up for must be 0 to {OuterBounds.Seconds} seconds, not {seconds}.", nameof(seconds));
+            }
             WingEntry entry = Entry(wing);
             m_Arrays.Resume(entry.pack, entry.lane, seconds);
         }
@@ -241,7 +248,10 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public NativeArray<float4> Tangents(WingHandle wing) => Entry(wing).tangents;
 
-        /// <summary>Vertices of a wing that was added with packing; not created otherwise, as those of <see cref="Vertices"/> are not for such a wing.</summary>
+        /// <summary>
+        /// Vertices of a wing that was added with packing; not created otherwise, as those of <see cref="Vertices"/> are not for such a
+        /// wing.
+        /// </summary>
         internal NativeArray<PackedVertex> PackedVertices(WingHandle wing) => Entry(wing).packedVertices;
 
         /// <summary>Tangents of a wing that was added with packing; not created where they are not wanted, or the mesh has none.</summary>

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Alate.Samples
 {
-    /// <summary>The two-tailed one-sample t-test of the paper's user study (Sec. 7.2): whether the mean of a sample differs from an expected one.</summary>
+    /// <summary>
+    /// The two-tailed one-sample t-test of the paper's user study (Sec. 7.2): whether the mean of a sample differs from an expected one.
+    /// </summary>
     internal readonly struct OneSampleTTest
     {
         /// <param name="sample">Two values or more.</param>

@@ -48,7 +48,8 @@ namespace Alate.Samples
         /// <summary>Returns the result in one line.</summary>
         public override string ToString()
         {
-            string test = Test == null ? "" : Test.Value.P < k_SmallestShown ? ", p < 0.001" : FormattableString.Invariant($", p = {Test.Value.P:0.000}");
+            string test = Test == null
+                ? "" : Test.Value.P < k_SmallestShown ? ", p < 0.001" : FormattableString.Invariant($", p = {Test.Value.P:0.000}");
             return $"{One.Title} {VotesForOne} : {Count - VotesForOne} {Other.Title}{test}";
         }
     }

@@ -5,8 +5,8 @@ using Alate.Catalogue;
 namespace Alate.Samples
 {
     /// <summary>
-    /// One participant's session of a paired comparison as in the paper's user study (Sec. 7.2): every pair of methods for every species, in random order, each on a
-    /// random side.
+    /// One participant's session of a paired comparison as in the paper's user study (Sec. 7.2): every pair of methods for every species,
+    /// in random order, each on a random side.
     /// </summary>
     internal sealed class PairStudy
     {

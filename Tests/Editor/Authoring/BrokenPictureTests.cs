@@ -17,10 +17,12 @@ namespace Alate.Editor.Tests
             AssertRefused(new DrawnPicture(300, 300, new Color32(shade, shade, shade, 255)), "No wing", "stands out");
 
         [Test]
-        public void TransparentPicture_HasNoWing() => AssertRefused(new DrawnPicture(300, 300, new Color32(0, 0, 0, 0)), "No wing", "stands out");
+        public void TransparentPicture_HasNoWing() =>
+            AssertRefused(new DrawnPicture(300, 300, new Color32(0, 0, 0, 0)), "No wing", "stands out");
 
         [Test]
-        public void Noise_HasNoWing() => AssertRefused(new DrawnPicture(300, 300, new Color32(128, 128, 128, 255)).Noise(60f, 5), "No wing");
+        public void Noise_HasNoWing() =>
+            AssertRefused(new DrawnPicture(300, 300, new Color32(128, 128, 128, 255)).Noise(60f, 5), "No wing");
 
         [Test]
         public void Gradient_HasNoWing() =>
@@ -41,7 +43,8 @@ namespace Alate.Editor.Tests
         {
             Vector2[] wing = DrawnWing.Monarch().In(400, 0f, false, 0.4f).Outline;
             DrawnPicture picture = new DrawnPicture(400, 400, s_White)
-                .Fill(Array.ConvertAll(wing, p => p + new Vector2(-90f, 0f)), s_Black).Fill(Array.ConvertAll(wing, p => p + new Vector2(100f, 20f)), s_Black);
+                .Fill(Array.ConvertAll(wing, p => p + new Vector2(-90f, 0f)), s_Black)
+                .Fill(Array.ConvertAll(wing, p => p + new Vector2(100f, 20f)), s_Black);
 
             AssertRefused(picture, "2 wings", "one wing");
         }
@@ -51,8 +54,11 @@ namespace Alate.Editor.Tests
         {
             Vector2[] wing = DrawnWing.Fan().In(600, 0f, false, 0.3f).Outline;
             var picture = new DrawnPicture(600, 600, s_White);
-            foreach (Vector2 shift in new[] { new Vector2(-150, -150), new Vector2(150, -150), new Vector2(-150, 150), new Vector2(150, 150) })
+            foreach (Vector2 shift
+                in new[] { new Vector2(-150, -150), new Vector2(150, -150), new Vector2(-150, 150), new Vector2(150, 150) })
+            {
                 picture.Fill(Array.ConvertAll(wing, p => p + shift), s_Black);
+            }
 
             AssertRefused(picture, "4 wings");
         }
@@ -95,7 +101,8 @@ namespace Alate.Editor.Tests
             var settings = new WingTracingSettings { chains = chains, jointsPerChain = joints, triangles = triangles, length = length };
             var picture = WingPicture.FromGrey(50, 50, new byte[2500]);
 
-            Assert.That(() => WingTracer.Trace(picture, settings), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains(said));
+            Assert.That(
+                () => WingTracer.Trace(picture, settings), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains(said));
         }
 
         [Test]
@@ -105,7 +112,8 @@ namespace Alate.Editor.Tests
             settings.hinge = new Vector2(51f, 10f);
 
             Assert.That(
-                () => WingTracer.Trace(WingPicture.FromGrey(50, 50, new byte[2500]), settings), Throws.ArgumentException.With.Message.Contains("(51, 10)"));
+                () => WingTracer.Trace(WingPicture.FromGrey(50, 50, new byte[2500]), settings),
+                Throws.ArgumentException.With.Message.Contains("(51, 10)"));
         }
 
         [Test]
@@ -115,14 +123,16 @@ namespace Alate.Editor.Tests
             settings.forward = Vector2.zero;
 
             Assert.That(
-                () => WingTracer.Trace(WingPicture.FromGrey(50, 50, new byte[2500]), settings), Throws.ArgumentException.With.Message.Contains("zero"));
+                () => WingTracer.Trace(WingPicture.FromGrey(50, 50, new byte[2500]), settings),
+                Throws.ArgumentException.With.Message.Contains("zero"));
         }
 
         private static Vector2[] Line(float ax, float ay, float bx, float by) => new[] { new Vector2(ax, ay), new Vector2(bx, by) };
 
         private static void AssertRefused(DrawnPicture picture, params string[] said)
         {
-            FormatException failure = Assert.Throws<FormatException>(() => WingTracer.Trace(picture.ToPicture(), WingTracingSettings.Default));
+            FormatException failure = Assert.Throws<FormatException>(
+                () => WingTracer.Trace(picture.ToPicture(), WingTracingSettings.Default));
 
             Assert.That(failure.Message, Does.Not.Contain("\n"));
             foreach (string part in said)

@@ -124,8 +124,10 @@ namespace Alate.Editor.Tests
 
         private void CoverSegment(Vector2 a, Vector2 b, float radius, Dictionary<int, float> cover)
         {
-            int top = Math.Max(0, (int)(Math.Min(a.y, b.y) - radius - 1f)), bottom = Math.Min(height - 1, (int)(Math.Max(a.y, b.y) + radius + 1f));
-            int left = Math.Max(0, (int)(Math.Min(a.x, b.x) - radius - 1f)), right = Math.Min(width - 1, (int)(Math.Max(a.x, b.x) + radius + 1f));
+            int top = Math.Max(0, (int)(Math.Min(a.y, b.y) - radius - 1f)),
+                bottom = Math.Min(height - 1, (int)(Math.Max(a.y, b.y) + radius + 1f));
+            int left = Math.Max(0, (int)(Math.Min(a.x, b.x) - radius - 1f)),
+                right = Math.Min(width - 1, (int)(Math.Max(a.x, b.x) + radius + 1f));
             for (int row = top; row <= bottom; row++)
             {
                 for (int column = left; column <= right; column++)

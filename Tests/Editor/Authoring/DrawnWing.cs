@@ -48,7 +48,8 @@ namespace Alate.Editor.Tests
 
         /// <summary>Wing with a wavy trailing edge.</summary>
         public static DrawnWing Scalloped() => Of(
-            "scalloped", 800, x => 0.04 + 0.12 * Bell(x, 3), x => -0.05 - 0.3 * Bell(x, 2.5) - 0.025 * Math.Sin(40 * x) * Math.Min(1, 4 * (1 - x)));
+            "scalloped", 800, x => 0.04 + 0.12 * Bell(x, 3),
+            x => -0.05 - 0.3 * Bell(x, 2.5) - 0.025 * Math.Sin(40 * x) * Math.Min(1, 4 * (1 - x)));
 
         /// <summary>A broad fan from a narrow base.</summary>
         public static DrawnWing Fan()
@@ -70,7 +71,8 @@ namespace Alate.Editor.Tests
             var outline = new List<Vector2>();
             for (int k = 0; k <= 90; k++)
                 outline.Add(new Vector2(0.01f * k, (float)(-0.4 * Math.Sin(0.024 * k))));
-            outline.AddRange(new[] { new Vector2(0.94f, -0.85f), new Vector2(0.98f, -0.9f), new Vector2(1.02f, -0.85f), new Vector2(1f, -0.3f) });
+            outline.AddRange(
+                new[] { new Vector2(0.94f, -0.85f), new Vector2(0.98f, -0.9f), new Vector2(1.02f, -0.85f), new Vector2(1f, -0.3f) });
             for (int k = 100; k > 0; k--)
                 outline.Add(new Vector2(0.01f * k, (float)(0.2 * Math.Sin(0.029 * k))));
             return new DrawnWing("long-tailed", outline.ToArray());
@@ -104,6 +106,7 @@ namespace Alate.Editor.Tests
         }
 
         // Rises steeply from the hinge and falls to 0 at the tip.
-        private static double Bell(double x, double power) => Math.Sqrt(Math.Max(0.0, 1.0 - Math.Pow(x, power))) * Math.Min(1.0, 0.25 + 1.5 * x);
+        private static double Bell(double x, double power) =>
+            Math.Sqrt(Math.Max(0.0, 1.0 - Math.Pow(x, power))) * Math.Min(1.0, 0.25 + 1.5 * x);
     }
 }

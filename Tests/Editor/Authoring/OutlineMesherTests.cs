@@ -14,7 +14,10 @@ namespace Alate.Editor.Tests
             foreach (DrawnWing wing in DrawnWing.All)
             {
                 foreach (int triangles in new[] { 50, 121, 300, 1000, 4192 })
-                    yield return new TestCaseData(wing.Name, PlanPaths.Counterclockwise(wing.In(1000).Outline), triangles).SetName($"{{m}}({wing.Name}, {triangles})");
+                {
+                    yield return new TestCaseData(wing.Name, PlanPaths.Counterclockwise(wing.In(1000).Outline), triangles)
+                        .SetName($"{{m}}({wing.Name}, {triangles})");
+                }
             }
         }
 
@@ -24,7 +27,8 @@ namespace Alate.Editor.Tests
             TriangleLinks mesh = OutlineMesher.Mesh((PlanPoint[])outline, triangles, out int rim);
 
             Assert.That(mesh.SideCount, Is.EqualTo(3 * triangles), name);
-            Assert.That(2 * (mesh.points.Length - rim) + rim - 2, Is.EqualTo(triangles), "every point is used once, and the rim is a single loop");
+            Assert.That(
+                2 * (mesh.points.Length - rim) + rim - 2, Is.EqualTo(triangles), "every point is used once, and the rim is a single loop");
             Assert.That(LeastAngle(mesh), Is.GreaterThan(k_LeastAngle));
         }
 
@@ -85,7 +89,8 @@ namespace Alate.Editor.Tests
             comb.Add(new PlanPoint(0, -20));
             comb.Reverse();
 
-            Assert.That(() => OutlineMesher.Mesh(comb.ToArray(), 50, out _), Throws.ArgumentException.With.Message.Contains("50 triangles"));
+            Assert.That(
+                () => OutlineMesher.Mesh(comb.ToArray(), 50, out _), Throws.ArgumentException.With.Message.Contains("50 triangles"));
         }
 
         private static PlanPoint[] Rim(TriangleLinks mesh, int count)

@@ -39,12 +39,14 @@ namespace Alate.Editor.Tests
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void AnyOtherOutline_IsFoundWithinOnePointFivePercentOfSpan(string name, DrawnKind kind, int side) => AssertFound(name, kind, side);
+        public void AnyOtherOutline_IsFoundWithinOnePointFivePercentOfSpan(string name, DrawnKind kind, int side) =>
+            AssertFound(name, kind, side);
 
         [TestCase("monarch", DrawnKind.Hard, Explicit = true, Category = "Long")]
         [TestCase("tailed", DrawnKind.Gradient, Explicit = true, Category = "Long")]
         [TestCase("fan", DrawnKind.Drawing)]
-        public void OutlineInALargePicture_IsFoundWithinOnePointFivePercentOfSpan(string name, DrawnKind kind) => AssertFound(name, kind, 2000);
+        public void OutlineInALargePicture_IsFoundWithinOnePointFivePercentOfSpan(string name, DrawnKind kind) =>
+            AssertFound(name, kind, 2000);
 
         [Test]
         public void OutlineOfASilhouette_IsFoundWithinATenthOfAPixelOfItsArea()
@@ -93,11 +95,15 @@ namespace Alate.Editor.Tests
             for (int k = 0; k < dashes; k++)
             {
                 double from = rim.Length * k / dashes;
-                picture.Stroke(Array.ConvertAll(new[] { from, from + 8.0, from + 16.0, from + 22.0 }, at => ToPicture(rim.At(at))), 3f, black);
+                picture.Stroke(
+                    Array.ConvertAll(new[] { from, from + 8.0, from + 16.0, from + 22.0 }, at => ToPicture(rim.At(at))), 3f, black);
             }
 
             foreach (float angle in new[] { -0.9f, -0.5f, -0.1f, 0.2f, 0.5f })
-                picture.Stroke(place.At(new[] { V(0.02f, 0f), V(0.85f * (float)Math.Cos(angle), 0.85f * (float)Math.Sin(angle)) }), 3f, black);
+            {
+                picture.Stroke(
+                    place.At(new[] { V(0.02f, 0f), V(0.85f * (float)Math.Cos(angle), 0.85f * (float)Math.Sin(angle)) }), 3f, black);
+            }
 
             PlanPoint[] outline = Trace(picture);
 

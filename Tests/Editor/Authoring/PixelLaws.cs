@@ -57,7 +57,8 @@ namespace Alate.Editor.Tests
             Assert.That(parts[1].Any((column, row) => column == 5 && row == 3), Is.True);
             Assert.That(parts[1].Any((column, row) => column == 3 && row == 5), Is.False);
             Assert.That(Text(parts[1].ToMask(5)), Is.EqualTo(new[] { ".......", ".......", "......#", ".....#.", "......." }));
-            Assert.That((mask.Contains(6, 0), mask.Contains(7, 0), mask.Contains(-1, 0), mask.Contains(0, 5)), Is.EqualTo((true, false, false, false)));
+            Assert.That((mask.Contains(6, 0), mask.Contains(7, 0), mask.Contains(-1, 0), mask.Contains(0, 5)),
+                Is.EqualTo((true, false, false, false)));
         }
 
         [TestCase(0.8)]
@@ -132,7 +133,8 @@ namespace Alate.Editor.Tests
             {
                 int x = random.Next(60), y = random.Next(40);
                 bool counts = k % 3 > 0;
-                surfaces.Add(x, y, new[] { counts ? One(x, y) : 999.0, counts ? Two(x, y) : -99.0 }, counts ? 0.2 + random.NextDouble() : 0.0);
+                surfaces.Add(
+                    x, y, new[] { counts ? One(x, y) : 999.0, counts ? Two(x, y) : -99.0 }, counts ? 0.2 + random.NextDouble() : 0.0);
             }
 
             surfaces.Fit();
@@ -177,7 +179,8 @@ namespace Alate.Editor.Tests
                 known[k % side, k / side] = Math.Abs(k % side - 40) < 13 && Math.Abs(k / side - 40) < 24;
             foreach (PlainGround ground in new[] { PlainGround.FromBorder(channels), PlainGround.Outside(known, channels) })
             {
-                Assert.That(ground.Distance[40, 40], Is.EqualTo(Math.Sqrt((900.0 + 3600.0 + 400.0) / 3.0)).Within(0.05), "also where the wing stands among the ground");
+                Assert.That(ground.Distance[40, 40], Is.EqualTo(Math.Sqrt((900.0 + 3600.0 + 400.0) / 3.0)).Within(0.05),
+                    "also where the wing stands among the ground");
                 Assert.That(ground.Distance[5, 70], Is.EqualTo(0f).Within(0.05f));
                 Assert.That(ground.Noise, Is.EqualTo(8.0), "at least eight shades");
             }
@@ -190,7 +193,10 @@ namespace Alate.Editor.Tests
             var plane = new PixelPlane(side, side);
             var random = new System.Random(4);
             for (int k = 0; k < plane.values.Length; k++)
-                plane.values[k] = 100f + 10f * (float)(Math.Sqrt(-2.0 * Math.Log(1.0 - random.NextDouble())) * Math.Cos(2.0 * Math.PI * random.NextDouble()));
+            {
+                plane.values[k] = 100f
+                    + 10f * (float)(Math.Sqrt(-2.0 * Math.Log(1.0 - random.NextDouble())) * Math.Cos(2.0 * Math.PI * random.NextDouble()));
+            }
             double noise = PlainGround.Outside(plane.Above(999f), plane).Noise;
 
             // Of the distances of a bell of width 10: median 6.745, and 1.4826 times the median distance from that, 5.93.
@@ -239,7 +245,8 @@ namespace Alate.Editor.Tests
                 pixels[k] = new Color32((byte)(k % width % 251), (byte)(k / width), (byte)(k % 7), (byte)(200 + k % 5));
             var working = new WorkingPicture(new WingPicture(width, height, pixels));
 
-            Assert.That((working.Factor, working.Width, working.Height, working.HasTransparentGround), Is.EqualTo((factor, width / factor, height / factor, false)));
+            Assert.That((working.Factor, working.Width, working.Height, working.HasTransparentGround),
+                Is.EqualTo((factor, width / factor, height / factor, false)));
             int column = working.Width - 2, row = working.Height - 3;
             float[] sums = new float[4];
             for (int k = 0; k < factor * factor; k++)
@@ -283,7 +290,8 @@ namespace Alate.Editor.Tests
             for (int k = 0; k < 60 * 40; k++)
             {
                 int x = k % 60, y = k / 60;
-                bars[x, y] = x > 4 && x < 50 && Math.Abs(y - 10) < 3 || x > 4 && x < 50 && Math.Abs(y - 30) < 4 || Math.Abs(x - 25) < 3 && y > 10 && y < 30;
+                bars[x, y] = x > 4 && x < 50 && Math.Abs(y - 10) < 3 || x > 4 && x < 50 && Math.Abs(y - 30) < 4
+                    || Math.Abs(x - 25) < 3 && y > 10 && y < 30;
             }
 
             PixelMask thin = Thinning.Run(bars);

@@ -49,9 +49,12 @@ namespace Alate.Editor.Tests
             AssertEqual(read, written);
             for (int i = 0; i < 4; i++)
             {
-                Assert.That(read.Chains[i].flexuralStiffness ?? Array.Empty<float>(), Is.EqualTo(written.Chains[i].flexuralStiffness ?? Array.Empty<float>()));
-                Assert.That(read.Chains[i].veinWidths ?? Array.Empty<float>(), Is.EqualTo(written.Chains[i].veinWidths ?? Array.Empty<float>()));
-                Assert.That(read.Chains[i].torsionalStiffness ?? Array.Empty<float>(), Is.EqualTo(written.Chains[i].torsionalStiffness ?? Array.Empty<float>()));
+                Assert.That(read.Chains[i].flexuralStiffness ?? Array.Empty<float>(),
+                    Is.EqualTo(written.Chains[i].flexuralStiffness ?? Array.Empty<float>()));
+                Assert.That(
+                    read.Chains[i].veinWidths ?? Array.Empty<float>(), Is.EqualTo(written.Chains[i].veinWidths ?? Array.Empty<float>()));
+                Assert.That(read.Chains[i].torsionalStiffness ?? Array.Empty<float>(),
+                    Is.EqualTo(written.Chains[i].torsionalStiffness ?? Array.Empty<float>()));
             }
 
             Assert.That(SkeletonJson.Write(TestWings.Fan()), Does.Not.Contain("Stiffness").And.Not.Contain("vein"));
@@ -112,7 +115,8 @@ namespace Alate.Editor.Tests
         [TestCase("# version 1", "line 1, column 1: expected '{', found '#'.")]
         [TestCase("[]", "expected '{'")]
         [TestCase("{}", "expected a key in double quotes, found '}'.")]
-        [TestCase("{\"versions\":1}", "expected one of the keys version, hinge, span, up, chains, flexuralStiffness, torsionalStiffness, veinWidths, found '\"versions\"'.")]
+        [TestCase("{\"versions\":1}", "expected one of the keys version, hinge, span, up, chains, flexuralStiffness, torsionalStiffness, "
+            + "veinWidths, found '\"versions\"'.")]
         [TestCase("{\"version\":1}", "\"hinge\" is missing.")]
         [TestCase("{\"version\":1,\"version\":1}", "\"version\" appears twice.")]
         [TestCase("{\"version\":1,}", "expected a key in double quotes")]

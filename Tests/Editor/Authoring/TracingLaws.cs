@@ -21,7 +21,8 @@ namespace Alate.Editor.Tests
             List<PlanPoint> rim = ContourTracer.Longest(field);
 
             Assert.That(rim.Select(p => Math.Sqrt(Math.Pow(p.x - x, 2.0) + Math.Pow(p.z - y, 2.0))), Is.All.EqualTo(radius).Within(0.05));
-            Assert.That(Polygon.Area(rim), Is.EqualTo(Math.PI * radius * radius).Within(0.01 * radius * radius), "clockwise where y points down");
+            Assert.That(
+                Polygon.Area(rim), Is.EqualTo(Math.PI * radius * radius).Within(0.01 * radius * radius), "clockwise where y points down");
         }
 
         [Test]
@@ -63,7 +64,8 @@ namespace Alate.Editor.Tests
             // A slice of a cake.
             PlanPoint[] slice = Enumerable.Range(-1, 62).Select(k =>
             {
-                double t = 0.9 * (k / 60.0 - 0.5), x = k < 0 ? 0.0 : 4.0 * Math.Cos(t), z = k < 0 ? 0.0 : (mirrored ? -4.0 : 4.0) * Math.Sin(t);
+                double t = 0.9 * (k / 60.0 - 0.5), x = k < 0 ? 0.0 : 4.0 * Math.Cos(t),
+                    z = k < 0 ? 0.0 : (mirrored ? -4.0 : 4.0) * Math.Sin(t);
                 return new PlanPoint(30.0 + Math.Cos(angle) * x - Math.Sin(angle) * z, -8.0 + Math.Sin(angle) * x + Math.Cos(angle) * z);
             }).ToArray();
             if (Polygon.Area(slice) < 0.0)
@@ -77,7 +79,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void EndsThatAreAlike_AreAGuess_AndATrianglesHingeLiesOppositeItsShortestSide()
         {
-            PlanPoint[] lens = Enumerable.Range(0, 300).Select(k => new PlanPoint(3.0 * Math.Cos(2.0 * Math.PI * k / 300.0), Math.Sin(2.0 * Math.PI * k / 300.0))).ToArray();
+            PlanPoint[] lens = Enumerable.Range(0, 300)
+                .Select(k => new PlanPoint(3.0 * Math.Cos(2.0 * Math.PI * k / 300.0), Math.Sin(2.0 * Math.PI * k / 300.0))).ToArray();
             Assert.That(PointedEnd.Of(lens).Confidence, Is.EqualTo(0.5).Within(0.02));
             foreach (double x in new[] { 3.4, 2.6 })
             {
@@ -137,8 +140,17 @@ namespace Alate.Editor.Tests
                     Assert.That(() => settings.Check(picture), Throws.InstanceOf<ArgumentException>().With.Message.Contains(problem));
             }
 
-            WingTracingSettings With(int chains = 5, int joints = 5, int triangles = 1000, float length = 1f, Vector2? hinge = null, Vector2? forward = null) =>
-                new WingTracingSettings { chains = chains, jointsPerChain = joints, triangles = triangles, length = length, hinge = hinge, forward = forward };
+            WingTracingSettings With(
+                int chains = 5, int joints = 5, int triangles = 1000, float length = 1f, Vector2? hinge = null, Vector2? forward = null) =>
+                new WingTracingSettings
+                {
+                    chains = chains,
+                    jointsPerChain = joints,
+                    triangles = triangles,
+                    length = length,
+                    hinge = hinge,
+                    forward = forward,
+                };
             Check(WingTracingSettings.Default, null);
             Check(With(3, 16, 50, 1e6f, new Vector2(64f, 48f), new Vector2(-1f, 0f)), null);
             Check(With(16, 3, 200000, 1e-6f, Vector2.zero), null);
@@ -155,18 +167,22 @@ namespace Alate.Editor.Tests
             Check(With(forward: Vector2.zero), "zero or not finite");
             Check(With(forward: new Vector2(float.NaN, 1f)), "zero or not finite");
             WingTracingSettings standard = WingTracingSettings.Default;
-            Assert.That((standard.chains, standard.jointsPerChain, standard.triangles, standard.length, standard.veinWidths), Is.EqualTo((5, 5, 1000, 1f, false)));
+            Assert.That((standard.chains, standard.jointsPerChain, standard.triangles, standard.length, standard.veinWidths),
+                Is.EqualTo((5, 5, 1000, 1f, false)));
         }
 
         [Test]
         public void Pictures_AreReadFrom32To16384PixelsASide()
         {
             Assert.That(() => WingPicture.FromGrey(32, 32, new byte[32 * 32]), Throws.Nothing);
-            Assert.That(() => WingPicture.FromGrey(31, 32, new byte[31 * 32]), Throws.TypeOf<FormatException>().With.Message.Contains("31 × 32 pixels; it needs at least 32 × 32"));
+            Assert.That(() => WingPicture.FromGrey(31, 32, new byte[31 * 32]),
+                Throws.TypeOf<FormatException>().With.Message.Contains("31 × 32 pixels; it needs at least 32 × 32"));
             Assert.That(() => WingPicture.FromGrey(32, 31, new byte[31 * 32]), Throws.TypeOf<FormatException>());
             Assert.That(() => WingPicture.FromGrey(16384, 32, new byte[16384 * 32]), Throws.Nothing);
-            Assert.That(() => WingPicture.FromGrey(16385, 32, new byte[16385 * 32]), Throws.TypeOf<FormatException>().With.Message.Contains("too large"));
-            Assert.That(() => WingPicture.FromGrey(32, 33, new byte[32 * 32]), Throws.ArgumentException.With.Message.Contains("needs 1056 of them, not 1024"));
+            Assert.That(() => WingPicture.FromGrey(16385, 32, new byte[16385 * 32]),
+                Throws.TypeOf<FormatException>().With.Message.Contains("too large"));
+            Assert.That(() => WingPicture.FromGrey(32, 33, new byte[32 * 32]),
+                Throws.ArgumentException.With.Message.Contains("needs 1056 of them, not 1024"));
         }
     }
 }

@@ -17,23 +17,28 @@ namespace Alate.Editor.Tests
         [TestCase(60f, 4.0, 90f)]
         public void TheResponseOfALine_IsThatOfABell_WhicheverWayItRuns_DarkOrBright(float contrast, double width, float degrees)
         {
-            // Across a line A exp(−x² / 2 s²), blurred by a bell of width w, the curvature is A s (s² + w²)^(−3/2); times w², and the most over the three widths that are tried.
+            // Across a line A exp(−x² / 2 s²), blurred by a bell of width w, the curvature is A s (s² + w²)^(−3/2); times w², and the most
+            // over the three widths that are tried.
             const int side = 120;
             double cosine = Math.Cos(degrees * Math.PI / 180.0), sine = Math.Sin(degrees * Math.PI / 180.0), wanted = 0.0;
-            WorkingPicture picture = Painted(side, (x, y) => 120.0 + contrast * Math.Exp(-0.5 * Math.Pow(((x - 60.0) * cosine + (y - 60.0) * sine) / width, 2.0)));
+            WorkingPicture picture = Painted(
+                side, (x, y) => 120.0 + contrast * Math.Exp(-0.5 * Math.Pow(((x - 60.0) * cosine + (y - 60.0) * sine) / width, 2.0)));
             PixelPlane field = RidgeField.Of(picture, Whole(side), 400.0);
             foreach (double bell in new[] { 1.0, 1.8, 3.2 })
                 wanted = Math.Max(wanted, bell * bell * Math.Abs(contrast) * width * Math.Pow(width * width + bell * bell, -1.5));
 
             Assert.That(field[60, 60], Is.EqualTo(wanted).Within(0.12 * wanted), "up to the steps of pixels");
-            Assert.That(field[60 + (int)Math.Round(12.0 * cosine), 60 + (int)Math.Round(12.0 * sine)], Is.LessThan(0.05 * wanted), "beside the line");
-            Assert.That(field[60 - (int)Math.Round(12.0 * sine), 60 + (int)Math.Round(12.0 * cosine)], Is.EqualTo(wanted).Within(0.12 * wanted), "along the line");
+            Assert.That(field[60 + (int)Math.Round(12.0 * cosine), 60 + (int)Math.Round(12.0 * sine)], Is.LessThan(0.05 * wanted),
+                "beside the line");
+            Assert.That(field[60 - (int)Math.Round(12.0 * sine), 60 + (int)Math.Round(12.0 * cosine)],
+                Is.EqualTo(wanted).Within(0.12 * wanted), "along the line");
         }
 
         [Test]
         public void Spots_AreNoLines()
         {
-            WorkingPicture picture = Painted(80, (x, y) => 120.0 - 80.0 * Math.Exp(-0.5 * ((x - 40.0) * (x - 40.0) + (y - 40.0) * (y - 40.0)) / 9.0));
+            WorkingPicture picture = Painted(
+                80, (x, y) => 120.0 - 80.0 * Math.Exp(-0.5 * ((x - 40.0) * (x - 40.0) + (y - 40.0) * (y - 40.0)) / 9.0));
 
             Assert.That(RidgeField.Of(picture, Whole(80), 300.0)[40, 40], Is.EqualTo(0f).Within(0.5f), "curved along as across");
         }
@@ -68,7 +73,10 @@ namespace Alate.Editor.Tests
             {
                 double shade = 200.0;
                 for (int line = 0; line < 3; line++)
-                    shade -= 90.0 * Math.Max(0.0, Math.Min(k / width + 1.0, rows[line] + 0.5 * widths[line]) - Math.Max(k / width, rows[line] - 0.5 * widths[line]));
+                {
+                    shade -= 90.0 * Math.Max(0.0,
+                        Math.Min(k / width + 1.0, rows[line] + 0.5 * widths[line]) - Math.Max(k / width, rows[line] - 0.5 * widths[line]));
+                }
                 shades.values[k] = (float)shade;
             }
 
@@ -77,7 +85,8 @@ namespace Alate.Editor.Tests
             var veins = new RadialVein[4];
             for (int line = 0; line < 3; line++)
             {
-                chains[line + 1] = Enumerable.Range(0, 5).Select(j => new PlanPoint((20.0 + 60.0 * j) * factor, -rows[line] * factor)).ToArray();
+                chains[line + 1] = Enumerable.Range(0, 5)
+                    .Select(j => new PlanPoint((20.0 + 60.0 * j) * factor, -rows[line] * factor)).ToArray();
                 veins[line + 1] = new RadialVein(Polyline.Even(chains[line + 1], 200), 0.0, 1.0);
             }
 
@@ -116,7 +125,8 @@ namespace Alate.Editor.Tests
             for (int y = 20; y < 55; y++)
                 thin[60, y] = true;
             var graph = new VeinGraph(thin, 200.0);
-            double[] costs = Enumerable.Range(0, graph.Count).SelectMany(graph.LinksOf).Where(link => link.IsBridge).Select(link => link.dearness).Distinct().ToArray();
+            double[] costs = Enumerable.Range(0, graph.Count).SelectMany(graph.LinksOf).Where(link => link.IsBridge)
+                .Select(link => link.dearness).Distinct().ToArray();
 
             Assert.That(costs, Is.EquivalentTo(new[] { 1.5, 2.5 }), "the upright line goes on to the level one, the level one does not");
         }
@@ -145,21 +155,24 @@ namespace Alate.Editor.Tests
             var rim = new Polyline(corners, true);
 
             // Base on the left, leading edge above: tips at the upper right and lower right.
-            PlanPoint[][] chains = { new[] { new PlanPoint(0, 1.2), new PlanPoint(3.5, 2) }, new[] { new PlanPoint(0, 0.8), new PlanPoint(3, 0) } };
+            PlanPoint[][] chains = { new[] { new PlanPoint(0, 1.2), new PlanPoint(3.5, 2) },
+                new[] { new PlanPoint(0, 0.8), new PlanPoint(3, 0) } };
             var order = new RimOrder(rim, chains);
 
             Assert.That(order.Of(new PlanPoint(3.5, 2)), Is.EqualTo(0.0).Within(1e-9));
             Assert.That(order.Of(new PlanPoint(4, 1)), Is.EqualTo(1.5).Within(1e-9));
             Assert.That(order.Of(new PlanPoint(3, 0)), Is.EqualTo(3.5).Within(1e-9));
             Assert.That(order.Of(new PlanPoint(2, 2)), Is.EqualTo(-1.5).Within(1e-9), "ahead of the first tip");
-            Assert.That(order.Of(new PlanPoint(0, 0.9)), Is.EqualTo(7.4).Within(1e-9), "behind the base's middle it counts from the other side");
+            Assert.That(
+                order.Of(new PlanPoint(0, 0.9)), Is.EqualTo(7.4).Within(1e-9), "behind the base's middle it counts from the other side");
             Assert.That(order.Of(new PlanPoint(0, 1.1)), Is.EqualTo(-4.4).Within(1e-9));
         }
 
         [Test]
         public void LinesThatFan_MeetInTheirHinge_AndParallelOnesDoNot()
         {
-            var rim = new Polyline(new[] { new PlanPoint(5, -5), new PlanPoint(5, -95), new PlanPoint(195, -95), new PlanPoint(195, -5) }, true);
+            var rim = new Polyline(
+                new[] { new PlanPoint(5, -5), new PlanPoint(5, -95), new PlanPoint(195, -95), new PlanPoint(195, -5) }, true);
             PixelMask fan = new PixelMask(200, 100), level = new PixelMask(200, 100);
             for (int x = 40; x < 180; x++)
             {

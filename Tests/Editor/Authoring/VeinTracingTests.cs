@@ -31,12 +31,14 @@ namespace Alate.Editor.Tests
         }
 
         [TestCaseSource(nameof(Some))]
-        public void ChainsFollowTheVeins_AndTheHingeLiesWhereTheyMeet(object wing, VeinLook look, int side) => AssertFollowed((DrawnWing)wing, look, side);
+        public void ChainsFollowTheVeins_AndTheHingeLiesWhereTheyMeet(object wing, VeinLook look, int side) =>
+            AssertFollowed((DrawnWing)wing, look, side);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void ChainsFollowTheVeinsOfAnyOtherWing_AndTheHingeLiesWhereTheyMeet(object wing, VeinLook look, int side) => AssertFollowed((DrawnWing)wing, look, side);
+        public void ChainsFollowTheVeinsOfAnyOtherWing_AndTheHingeLiesWhereTheyMeet(object wing, VeinLook look, int side) =>
+            AssertFollowed((DrawnWing)wing, look, side);
 
         private static void AssertFollowed(DrawnWing wing, VeinLook look, int side)
         {
@@ -58,7 +60,8 @@ namespace Alate.Editor.Tests
                 }
             }
 
-            Assert.That(followed, Is.GreaterThanOrEqualTo(look == VeinLook.Broken ? 3 : 4), "chains on veins; the first one may keep to the leading edge");
+            Assert.That(followed, Is.GreaterThanOrEqualTo(look == VeinLook.Broken ? 3 : 4),
+                "chains on veins; the first one may keep to the leading edge");
             Assert.That(trace.Skeleton.Validate(), Is.Empty);
             Vector2 hinge = trace.Placement.ToPicture(trace.Skeleton.Hinge);
             Assert.That((hinge - drawn.Root).magnitude / drawn.Place.Length, Is.LessThan(0.08), "hinge");
@@ -164,6 +167,7 @@ namespace Alate.Editor.Tests
             return sum;
         }
 
-        private static Vector2 Joint(WingTrace trace, int chain, int joint) => trace.Placement.ToPicture(trace.Skeleton.GetJoint(chain, joint));
+        private static Vector2 Joint(WingTrace trace, int chain, int joint) =>
+            trace.Placement.ToPicture(trace.Skeleton.GetJoint(chain, joint));
     }
 }

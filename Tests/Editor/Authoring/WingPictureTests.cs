@@ -39,7 +39,8 @@ namespace Alate.Editor.Tests
             m_Texture.name = "my wing";
             m_Texture.Apply(false, true);
 
-            Assert.That(() => WingPicture.FromTexture(m_Texture), Throws.ArgumentException.With.Message.Contains("my wing").And.Message.Contains("Read/Write"));
+            Assert.That(() => WingPicture.FromTexture(m_Texture), Throws.ArgumentException.With.Message.Contains("my wing").And.Message
+                .Contains("Read/Write"));
         }
 
         [Test]

@@ -32,7 +32,8 @@ namespace Alate.Editor.Tests
 
             for (int k = 0; k < mesh.triangles.Length; k += 3)
             {
-                Vector3 a = mesh.positions[mesh.triangles[k]], b = mesh.positions[mesh.triangles[k + 1]], c = mesh.positions[mesh.triangles[k + 2]];
+                Vector3 a = mesh.positions[mesh.triangles[k]], b = mesh.positions[mesh.triangles[k + 1]],
+                    c = mesh.positions[mesh.triangles[k + 2]];
                 Assert.That(Vector3.Cross(b - a, c - a).y, Is.GreaterThan(0f));
             }
 
@@ -103,7 +104,8 @@ namespace Alate.Editor.Tests
             WingPlace place = DrawnWing.Monarch().In(300);
             Color32 white = new Color32(255, 255, 255, 255), brown = new Color32(122, 85, 51, 255);
             var plain = new DrawnPicture(300, 300, white);
-            DrawnPicture spotlight = new DrawnPicture(300, 300, white).Shade((x, y) => -136f * Math.Min(1f, 2f * new Vector2(x - 0.5f, y - 0.5f).magnitude));
+            DrawnPicture spotlight = new DrawnPicture(300, 300, white)
+                .Shade((x, y) => -136f * Math.Min(1f, 2f * new Vector2(x - 0.5f, y - 0.5f).magnitude));
 
             WingTrace clear = WingTracer.Trace(plain.Fill(place.Outline, brown).ToPicture(), WingTracingSettings.Default);
             WingTrace faint = WingTracer.Trace(spotlight.Fill(place.Outline, brown).ToPicture(), WingTracingSettings.Default);
@@ -132,7 +134,8 @@ namespace Alate.Editor.Tests
             WingTrace trace = WingTracer.Trace(place.Draw(DrawnKind.Silhouette).ToPicture(), settings);
 
             Assert.That(trace.Skeleton.SpanAxis.x, Is.LessThan(-0.99f), "upside down, it is a left wing");
-            Vector2 first = trace.Placement.ToPicture(trace.Skeleton.GetJoint(0, 2)), last = trace.Placement.ToPicture(trace.Skeleton.GetJoint(4, 2));
+            Vector2 first = trace.Placement.ToPicture(trace.Skeleton.GetJoint(0, 2)),
+                last = trace.Placement.ToPicture(trace.Skeleton.GetJoint(4, 2));
             Assert.That(first.y, Is.GreaterThan(last.y), "the first chain lies lower in the picture");
         }
 

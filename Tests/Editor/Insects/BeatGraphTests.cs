@@ -118,7 +118,8 @@ namespace Alate.Editor.Tests
             for (int k = 0; k < phases.Length; k++)
                 phases[k] = random.NextDouble();
             Array.Sort(phases);
-            BeatSample[] beat = Array.ConvertAll(phases, phase => new BeatSample(phase, 0f, 1f + 3f * Mathf.Sin(2f * Mathf.PI * (float)phase)));
+            BeatSample[] beat = Array.ConvertAll(
+                phases, phase => new BeatSample(phase, 0f, 1f + 3f * Mathf.Sin(2f * Mathf.PI * (float)phase)));
 
             Assert.That(LiveNumbers.MeanLift(beat), Is.EqualTo(1f).Within(0.01f));
         }

@@ -113,8 +113,10 @@ namespace Alate.Editor.Tests
         [Test]
         public void ImpossibleTraces_AreRefusedWithTheValue()
         {
-            Assert.That(() => new BeatTrace(0, 1.0), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ActualValue").EqualTo(0));
-            Assert.That(() => new BeatTrace(1, double.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ActualValue").NaN);
+            Assert.That(
+                () => new BeatTrace(0, 1.0), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ActualValue").EqualTo(0));
+            Assert.That(
+                () => new BeatTrace(1, double.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ActualValue").NaN);
             Assert.That(() => new BeatTrace(1, 1.0)[0], Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
 

@@ -43,7 +43,8 @@ namespace Alate.Editor.Tests
             InsectDefinition species = InsectCatalogue.Find(name);
             Assert.That(PrefabUtility.IsPartOfPrefabInstance(insect), Is.True);
             Assert.That(insect.activeSelf, Is.True);
-            Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/{species.DisplayName}/{species.DisplayName}.prefab") != null, Is.True);
+            Assert.That(
+                AssetDatabase.LoadAssetAtPath<GameObject>($"{k_Home}/{species.DisplayName}/{species.DisplayName}.prefab") != null, Is.True);
 
             InsectWings wings = insect.GetComponent<InsectWings>();
             Assert.That(wings.Wings, Has.Count.EqualTo(2 * species.Wings.Count));
@@ -170,7 +171,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void NothingIsSaved_OutsideOfAssets([Values("Packages/com.alate.insect-wings", "Library", "AssetsToo")] string folder)
         {
-            Assert.That(() => new InsectAssets(folder), Throws.ArgumentException.With.Message.Contains(folder).And.Message.Contains("read-only"));
+            Assert.That(
+                () => new InsectAssets(folder), Throws.ArgumentException.With.Message.Contains(folder).And.Message.Contains("read-only"));
         }
 
         [Test]

@@ -29,7 +29,8 @@ namespace Alate.Editor.Tests
         public void BatchingStatic_IsFoundBeforePlayBegins()
         {
             InsectWings insect = Insect();
-            GameObjectUtility.SetStaticEditorFlags(insect.Wings[1].Renderer.gameObject, StaticEditorFlags.BatchingStatic | StaticEditorFlags.OccludeeStatic);
+            GameObjectUtility.SetStaticEditorFlags(
+                insect.Wings[1].Renderer.gameObject, StaticEditorFlags.BatchingStatic | StaticEditorFlags.OccludeeStatic);
 
             var status = InsectStatus.Of(insect);
 
@@ -42,7 +43,8 @@ namespace Alate.Editor.Tests
         public void OtherStaticFlags_AreNoProblem()
         {
             InsectWings insect = Insect();
-            GameObjectUtility.SetStaticEditorFlags(insect.Wings[0].Renderer.gameObject, StaticEditorFlags.OccludeeStatic | StaticEditorFlags.ContributeGI);
+            GameObjectUtility.SetStaticEditorFlags(
+                insect.Wings[0].Renderer.gameObject, StaticEditorFlags.OccludeeStatic | StaticEditorFlags.ContributeGI);
 
             Assert.That(InsectStatus.Of(insect).IsShown, Is.False);
         }

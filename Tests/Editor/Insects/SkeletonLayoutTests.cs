@@ -76,7 +76,8 @@ namespace Alate.Editor.Tests
         public void WhatCannotBeLaidOut_IsSaid_AndNobodyIsAskedForAPlace()
         {
             InsectWings insect = Bones(out _);
-            FitSkeleton never = (SurfaceMesh surface, Transform root, Transform mesh) => throw new ArgumentException("It is a ball.", nameof(mesh));
+            FitSkeleton never =
+                (SurfaceMesh surface, Transform root, Transform mesh) => throw new ArgumentException("It is a ball.", nameof(mesh));
             var fix = new LayOutSkeletonFix(never, (_, __, ___) => throw new InvalidOperationException("asked"));
 
             FixOutcome outcome = fix.Apply(insect, s_All);

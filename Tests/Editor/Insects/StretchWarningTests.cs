@@ -12,7 +12,8 @@ namespace Alate.Editor.Tests
         {
             string warning = LiveNumbers.Overstretched(0.234f);
 
-            Assert.That(warning, Does.Contain("23 %").And.Contain("Lower the wind").And.Contain("Elasticity").And.Contain("Coupling").And.Not.Contain("\n"));
+            Assert.That(warning, Does.Contain("23 %").And.Contain("Lower the wind").And.Contain("Elasticity").And
+                .Contain("Coupling").And.Not.Contain("\n"));
         }
 
         [Test]

@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Presets that are saved from a tuned insect: the wings beat as before, and nothing is written where it must not be.</summary>
+    /// <summary>
+    /// Presets that are saved from a tuned insect: the wings beat as before, and nothing is written where it must not be.
+    /// </summary>
     public sealed class TunedPresetTests : InsectFixture
     {
         [TestCase(SpringUnits.BeatRate)]

@@ -13,7 +13,9 @@ namespace Alate.Editor.Tests
             var first = new Wing { Renderer = renderer, Part = WingPart.Submesh, Submesh = 1, Point = Vector3.one };
 
             Assert.That(WingList.SamePart(first, new Wing { Renderer = renderer, Part = WingPart.Submesh, Submesh = 1 }), Is.True);
-            Assert.That(WingList.SamePart(first, new Wing { Renderer = renderer, Part = WingPart.Submesh, Submesh = 2, Point = Vector3.one }), Is.False);
+            Assert.That(
+                WingList.SamePart(first, new Wing { Renderer = renderer, Part = WingPart.Submesh, Submesh = 2, Point = Vector3.one }),
+                Is.False);
             Assert.That(WingList.SamePart(first, new Wing { Renderer = renderer, Submesh = 1 }), Is.False);
             Assert.That(WingList.SamePart(first, null), Is.False);
         }

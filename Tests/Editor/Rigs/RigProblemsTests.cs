@@ -48,7 +48,8 @@ namespace Alate.Editor.Tests
             SurfaceMesh surface = Surface();
             int first = surface.positions.Length;
             surface.positions = surface.positions
-                .Concat(new[] { new Vector3(-0.03f, 0f, 0.001f), new Vector3(-0.03f, 0f, -0.012f), new Vector3(-0.001f, 0f, -0.006f) }).ToArray();
+                .Concat(new[] { new Vector3(-0.03f, 0f, 0.001f), new Vector3(-0.03f, 0f, -0.012f), new Vector3(-0.001f, 0f, -0.006f) })
+                .ToArray();
             surface.normals = null;
             surface.triangles = surface.triangles.Concat(new[] { first, first + 1, first + 2 }).ToArray();
             for (int i = 0; i < 5; i++)
@@ -60,7 +61,8 @@ namespace Alate.Editor.Tests
             {
                 // Forty of them, side by side in height, so that none is another's double.
                 surface.positions = surface.positions
-                    .Concat(new[] { first, first + 1, first + 2 }.Select(c => surface.positions[c] + new Vector3(0f, 1e-5f * (k + 1), 0f))).ToArray();
+                    .Concat(new[] { first, first + 1, first + 2 }.Select(c => surface.positions[c] + new Vector3(0f, 1e-5f * (k + 1), 0f)))
+                    .ToArray();
                 int own = surface.positions.Length - 3;
                 surface.triangles = surface.triangles.Concat(new[] { own, own + 1, own + 2 }).ToArray();
             }
@@ -110,7 +112,8 @@ namespace Alate.Editor.Tests
             for (int k = 0; k < surface.positions.Length; k++)
             {
                 Vector3 joint = Skeleton.GetJoint(2, 2);
-                surface.positions[k] = joint + 0.12f * (surface.positions[k] - joint) + new Vector3(0.2f * Mathf.Max(0f, surface.positions[k].x - 0.58f), 0f, 0f);
+                surface.positions[k] = joint + 0.12f * (surface.positions[k] - joint)
+                    + new Vector3(0.2f * Mathf.Max(0f, surface.positions[k].x - 0.58f), 0f, 0f);
             }
 
             List<RigProblem> problems = Find(surface);
@@ -130,7 +133,8 @@ namespace Alate.Editor.Tests
             RigProblem misfit = Find(surface)[0];
 
             Assert.That(misfit.Kind, Is.EqualTo(RigProblemKind.DoesNotFit));
-            Assert.That(() => WingRig.Bake(Skeleton, surface, WingRigSettings.Default), Throws.ArgumentException.With.Message.EqualTo(misfit.Message));
+            Assert.That(() => WingRig.Bake(Skeleton, surface, WingRigSettings.Default),
+                Throws.ArgumentException.With.Message.EqualTo(misfit.Message));
             Assert.That(misfit.Joints, Has.Count.EqualTo(25));
         }
 

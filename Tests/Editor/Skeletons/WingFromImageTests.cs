@@ -55,7 +55,8 @@ namespace Alate.Editor.Tests
             m_Texture.Apply(false, true);
 
             Assert.That(
-                () => WingImageFile.Read(m_Texture, null), Throws.TypeOf<FormatException>().With.Message.Contains("my wing").And.Message.Contains("Read/Write"));
+                () => WingImageFile.Read(m_Texture, null),
+                Throws.TypeOf<FormatException>().With.Message.Contains("my wing").And.Message.Contains("Read/Write"));
         }
 
         [Test]

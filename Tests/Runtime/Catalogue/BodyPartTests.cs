@@ -20,7 +20,8 @@ namespace Alate.Tests
                 BodyPart part = Ellipsoid.Around(centre, radii, 40, 40);
                 SurfaceMesh mesh = Mesh(part);
 
-                Assert.That(BodyPieces.Volume(mesh, BodyPieces.Of(mesh)[0]), Is.EqualTo(4 * Math.PI / 3 * radii.x * radii.y * radii.z).Within(2).Percent);
+                Assert.That(BodyPieces.Volume(mesh, BodyPieces.Of(mesh)[0]),
+                    Is.EqualTo(4 * Math.PI / 3 * radii.x * radii.y * radii.z).Within(2).Percent);
                 for (int vertex = 1; vertex + 1 < part.Positions.Length; vertex++)
                 {
                     Vector3 away = part.Positions[vertex] - centre;

@@ -100,7 +100,9 @@ namespace Alate.Tests
 
             for (int vertex = 0; vertex < body.VertexCount; vertex++)
             {
-                List<int> twins = vertices.TryGetValue(Cell(Mirrored(body.positions[vertex])), out List<int> found) ? found : new List<int>();
+                List<int> twins = vertices.TryGetValue(Cell(Mirrored(body.positions[vertex])), out List<int> found)
+                    ? found
+                    : new List<int>();
                 Assert.That(twins.Exists(twin => AreTwins(body, vertex, twin)), Is.True, $"{body.positions[vertex]} has no twin");
             }
         }

@@ -26,7 +26,8 @@ namespace Alate.Tests
         [Test]
         public void Columns_AreThePapersFour_InOrder()
         {
-            Assert.That(ComparisonColumn.All.Select(column => column.Name), Is.EqualTo(new[] { "rigid", "no-wave", "full", "elasticity-0.25" }));
+            Assert.That(
+                ComparisonColumn.All.Select(column => column.Name), Is.EqualTo(new[] { "rigid", "no-wave", "full", "elasticity-0.25" }));
             Assert.That(ComparisonColumn.All.Select(column => column.Title), Is.Unique.And.All.Not.Empty);
         }
 
@@ -80,7 +81,8 @@ namespace Alate.Tests
         [TestCase(float.PositiveInfinity)]
         public void AnImpossibleElasticity_IsRefused(float factor)
         {
-            Assert.That(() => ComparisonColumn.Elasticity(factor), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("elasticity"));
+            Assert.That(() => ComparisonColumn.Elasticity(factor),
+                Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("elasticity"));
         }
 
         [Test]

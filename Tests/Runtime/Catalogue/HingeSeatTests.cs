@@ -16,7 +16,8 @@ namespace Alate.Tests
         public void AWingAtRest_PassesThroughNoPartOfTheBody(InsectDefinition species)
         {
             SurfaceMesh body = species.Body.CreateSurface(k_Millimetres);
-            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(body).ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(body, piece)));
+            List<(List<int> Corners, Bounds Bounds)> pieces = BodyPieces.Of(body)
+                .ConvertAll(piece => (Corners: piece, Bounds: BodyPieces.BoundsOf(body, piece)));
             foreach (WingDefinition wing in species.Wings)
             {
                 SurfaceMesh surface = wing.CreateSurface(WingSide.Right, k_Millimetres);

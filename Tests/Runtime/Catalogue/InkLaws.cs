@@ -12,7 +12,8 @@ namespace Alate.Tests
     public sealed class InkLaws
     {
         // A plate of length 1: leading edge at 0.1, trailing edge at -0.3.
-        private static WingOutline Plate() => WingOutline.FromMillimetres(new[] { 0.0, 25.0, 50.0 }, new[] { 5.0, 5.0, 5.0 }, new[] { -15.0, -15.0, -15.0 });
+        private static WingOutline Plate() =>
+            WingOutline.FromMillimetres(new[] { 0.0, 25.0, 50.0 }, new[] { 5.0, 5.0, 5.0 }, new[] { -15.0, -15.0, -15.0 });
 
         [TestCase(0f, 10, 200, 90, 255)]
         [TestCase(1f, 110, 0, 90, 55)]
@@ -20,7 +21,8 @@ namespace Alate.Tests
         [TestCase(-3f, 10, 200, 90, 255)]
         [TestCase(7f, 110, 0, 90, 55)]
         public void AMix_GoesFromOneColourToTheOther_ChannelByChannel(float share, int red, int green, int blue, int alpha) => Assert.That(
-            Tint.Mix(new Color32(10, 200, 90, 255), new Color32(110, 0, 90, 55), share), Is.EqualTo(new Color32((byte)red, (byte)green, (byte)blue, (byte)alpha)));
+            Tint.Mix(new Color32(10, 200, 90, 255), new Color32(110, 0, 90, 55), share),
+            Is.EqualTo(new Color32((byte)red, (byte)green, (byte)blue, (byte)alpha)));
 
         [TestCase(0.9f, 1f)]
         [TestCase(1.5f, 0.75f)]
@@ -57,17 +59,22 @@ namespace Alate.Tests
                 Assert.That(Ink.Ellipse(0.9 * x, 0.9 * z, 3.0, 2.0, 0.1), Is.EqualTo(1f));
                 Assert.That(Ink.Ellipse(1.1 * x, 1.1 * z, 3.0, 2.0, 0.1), Is.EqualTo(0f));
                 foreach (int spot in new[] { -2, 0, 5 })
-                    Assert.That(Ink.Row(10.0 * (spot + 0.5) + x, 4.0 + z, 10.0, 4.0, 3.0, 2.0, 0.1), Is.EqualTo(0.5f).Within(1e-5f), "middles half a spacing on");
+                {
+                    Assert.That(Ink.Row(10.0 * (spot + 0.5) + x, 4.0 + z, 10.0, 4.0, 3.0, 2.0, 0.1), Is.EqualTo(0.5f).Within(1e-5f),
+                        "middles half a spacing on");
+                }
             }
         }
 
         [Test]
         public void EdgesAndMargins_AreTracedFromEndToEnd_AndExtendedStraight()
         {
-            List<double> edge = Ink.Edge(span => 2.0 * span, 0.25, 0.75), margin = Ink.Margin(Plate(), 0.0, 1.0), extended = Ink.Extended(new List<double> { 0, 0, 3, 4, 3, 6 }, 5.0);
+            List<double> edge = Ink.Edge(span => 2.0 * span, 0.25, 0.75), margin = Ink.Margin(Plate(), 0.0, 1.0),
+                extended = Ink.Extended(new List<double> { 0, 0, 3, 4, 3, 6 }, 5.0);
 
             Assert.That((edge[0], edge[1], edge[edge.Count - 2], edge[edge.Count - 1]), Is.EqualTo((0.25, 0.5, 0.75, 1.5)));
-            Assert.That(new[] { margin[0], margin[1], margin[margin.Count - 2], margin[margin.Count - 1] }, Is.EqualTo(new[] { 0.0, 0.1, 0.0, -0.3 }).Within(1e-6), "from the leading to the trailing corner of the base");
+            Assert.That(new[] { margin[0], margin[1], margin[margin.Count - 2], margin[margin.Count - 1] },
+                Is.EqualTo(new[] { 0.0, 0.1, 0.0, -0.3 }).Within(1e-6), "from the leading to the trailing corner of the base");
             Assert.That(extended, Is.EqualTo(new[] { -3.0, -4.0, 0.0, 0.0, 3.0, 4.0, 3.0, 6.0, 3.0, 11.0 }).Within(1e-9));
         }
 
@@ -120,7 +127,10 @@ namespace Alate.Tests
             VeinFan veins = new VeinFan(Plate(), 0.0).Add(0.5);
             var pattern = new MembranePattern(Plate(), veins)
             {
-                Membrane = new Color(0.1f, 0.2f, 0.3f, 0.4f), Base = new Color(0.5f, 0.6f, 0.7f, 0.8f), Vein = new Color(0.9f, 0.05f, 0.15f, 1f), VeinHalfWidth = 0.02,
+                Membrane = new Color(0.1f, 0.2f, 0.3f, 0.4f),
+                Base = new Color(0.5f, 0.6f, 0.7f, 0.8f),
+                Vein = new Color(0.9f, 0.05f, 0.15f, 1f),
+                VeinHalfWidth = 0.02,
             };
             double Width(double span)
             {
@@ -134,7 +144,8 @@ namespace Alate.Tests
             Assert.That(Width(0.05), Is.EqualTo(0.02 * (0.45 + 2.5 * 0.05)).Within(2e-4));
             Assert.That(Width(0.5), Is.EqualTo(0.02 * 0.7).Within(2e-4));
             Assert.That(Width(0.8), Is.EqualTo(0.02 * 0.52).Within(2e-4));
-            Color far = pattern.ColourAt(0.7, -0.2, 1e-5), near = pattern.ColourAt(0.0, -0.02, 1e-5), vein = pattern.ColourAt(0.5, -0.1, 1e-5);
+            Color far = pattern.ColourAt(0.7, -0.2, 1e-5), near = pattern.ColourAt(0.0, -0.02, 1e-5),
+                vein = pattern.ColourAt(0.5, -0.1, 1e-5);
             Assert.That(((Color32)far, (Color32)vein), Is.EqualTo(((Color32)pattern.Membrane, (Color32)pattern.Vein)));
             Assert.That(near.r, Is.GreaterThan(0.45f), "the colour near the base");
         }
@@ -156,7 +167,8 @@ namespace Alate.Tests
             var margin = new Polyline(new[] { new PlanPoint(0, 0), new PlanPoint(10, 0) });
             List<Polyline> cut = new RimScallops(0.2, 0.8, 0.5, 0.25, 0.0).Cut(margin);
 
-            Assert.That(cut.Select(part => (Math.Round(part.Points[0].x, 9), Math.Round(part.Points[part.Points.Count - 1].x, 9))), Is.EqualTo(new[] { (0.0, 2.0), (2.0, 4.0), (4.0, 6.0), (6.0, 8.0), (8.0, 10.0) }));
+            Assert.That(cut.Select(part => (Math.Round(part.Points[0].x, 9), Math.Round(part.Points[part.Points.Count - 1].x, 9))),
+                Is.EqualTo(new[] { (0.0, 2.0), (2.0, 4.0), (4.0, 6.0), (6.0, 8.0), (8.0, 10.0) }));
             double[] depths = cut.Select(part => part.Points.Max(point => Math.Abs(point.z))).ToArray();
             Assert.That(depths, Is.EqualTo(new[] { 0.0, 0.5, 0.25, 0.0, 0.0 }).Within(1e-6));
             Assert.That(cut[1].Points.Min(point => point.z), Is.EqualTo(-0.5).Within(1e-6), "inwards: the margin runs clockwise");
@@ -164,7 +176,8 @@ namespace Alate.Tests
 
         private sealed class Coordinates : WingPattern
         {
-            public override Color ColourAt(double span, double forward, double softness) => new Color((float)span, (float)(0.5 + forward), (float)softness, 1f);
+            public override Color ColourAt(double span, double forward, double softness) =>
+                new Color((float)span, (float)(0.5 + forward), (float)softness, 1f);
         }
     }
 }

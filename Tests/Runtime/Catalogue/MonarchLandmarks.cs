@@ -3,14 +3,15 @@ using System;
 namespace Alate.Tests
 {
     /// <summary>
-    /// Outline of the monarch as measured by Kang and others (2020), millimetres, and what follows from it in double precision: apart from the package's own outline, mesher and
-    /// skeleton generator.
+    /// Outline of the monarch as measured by Kang and others (2020), millimetres, and what follows from it in double precision: apart from
+    /// the package's own outline, mesher and skeleton generator.
     /// </summary>
     internal static class MonarchLandmarks
     {
         private static readonly double[] s_Span = { 0.0, 4.5, 9.0, 13.4, 17.9, 22.4, 26.9, 31.3, 35.8, 40.3, 44.8, 49.2, 53.7, 58.2, 61.0 };
         private static readonly double[] s_Leading = { 0.3, 2.3, 4.0, 5.3, 6.6, 7.7, 8.8, 9.7, 10.3, 10.7, 10.8, 10.8, 10.9, 9.6, 7.6 };
-        private static readonly double[] s_Trailing = { -1.4, -4.6, -9.3, -14.4, -19.6, -24.7, -27.8, -25.4, -21.1, -16.1, -8.1, -4.6, -1.8, 2.2, 4.3 };
+        private static readonly double[] s_Trailing = { -1.4, -4.6, -9.3, -14.4, -19.6, -24.7, -27.8, -25.4, -21.1, -16.1, -8.1, -4.6,
+            -1.8, 2.2, 4.3 };
 
         /// <summary>Area of a grid with straight edges between its columns, wing lengths squared.</summary>
         public static double GridArea(int columns)
@@ -22,8 +23,9 @@ namespace Alate.Tests
         }
 
         /// <summary>
-        /// Middle of the middle chain of five, wing lengths: half-way from the middle of the base to the point that halves the margin between
-        /// the tip's leading corner and the last chain's tip at 26.9 mm of span. The margin is measured in 400 even steps of span, as the package does, which cuts its corners by 5·10⁻⁶ of it.
+        /// Middle of the middle chain of five, wing lengths: half-way from the middle of the base to the point that halves the margin
+        /// between the tip's leading corner and the last chain's tip at 26.9 mm of span. The margin is measured in 400 even steps of span,
+        /// as the package does, which cuts its corners by 5·10⁻⁶ of it.
         /// </summary>
         public static (double x, double z) MiddleJoint()
         {
@@ -36,7 +38,8 @@ namespace Alate.Tests
             for (; left > Side(at, steps); at++)
                 left -= Side(at, steps);
             double share = left / Side(at, steps), from = Span(at, steps), to = Span(at + 1, steps);
-            double z = At(s_Trailing, from) + share * (At(s_Trailing, to) - At(s_Trailing, from)), root = 0.5 * (s_Leading[0] + s_Trailing[0]);
+            double z = At(s_Trailing, from) + share * (At(s_Trailing, to) - At(s_Trailing, from)),
+                root = 0.5 * (s_Leading[0] + s_Trailing[0]);
             return (0.5 * (from + share * (to - from)) / length, 0.5 * (root + z) / length);
         }
 

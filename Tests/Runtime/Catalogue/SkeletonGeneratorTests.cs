@@ -106,7 +106,8 @@ namespace Alate.Tests
         [TestCase(5, 5, double.NaN)]
         public void AnImpossibleSkeleton_IsRefused(int chains, int joints, double lastTipSpan)
         {
-            Assert.That(() => SkeletonGenerator.Generate(Outline, chains, joints, lastTipSpan), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(
+                () => SkeletonGenerator.Generate(Outline, chains, joints, lastTipSpan), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
     }
 }

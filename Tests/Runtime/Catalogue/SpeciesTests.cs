@@ -100,7 +100,8 @@ namespace Alate.Tests
                 Assert.That(rig.TriangleCount, Is.EqualTo(wing.TriangleCount));
                 Assert.That(rig.ChainCount, Is.EqualTo(wing.Chains));
                 Assert.That(rig.Frame.length, Is.EqualTo(LargestSpan(surface)).Within(0.01).Percent);
-                Assert.That(rig.Frame.length, Is.EqualTo(wing.Outline.Length * InsectDefinition.UnitsPerMetre).Within(0.5).Percent, "rounding shortens the tip a little");
+                Assert.That(rig.Frame.length, Is.EqualTo(wing.Outline.Length * InsectDefinition.UnitsPerMetre).Within(0.5).Percent,
+                    "rounding shortens the tip a little");
                 rig.Release();
                 UnityEngine.Object.DestroyImmediate(skeleton);
             }

@@ -92,9 +92,11 @@ namespace Alate.Tests
         {
             InsectDefinition monarch = InsectCatalogue.Find("monarch");
             Assert.That(
-                () => WingMaterial.ForWing(monarch.Wings[0], size), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("16 to 8192"));
+                () => WingMaterial.ForWing(monarch.Wings[0], size),
+                Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("16 to 8192"));
             Assert.That(
-                () => WingMaterial.ForBody(monarch, size), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("16 to 8192"));
+                () => WingMaterial.ForBody(monarch, size),
+                Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("16 to 8192"));
         }
 
         [Test]

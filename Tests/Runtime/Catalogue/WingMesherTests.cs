@@ -74,7 +74,10 @@ namespace Alate.Tests
                     Assert.That(SmallestTriangle(surface), Is.GreaterThan(0), wing.Name);
                     Assert.That(SmallestAngles(surface)[0], Is.GreaterThan(20), wing.Name);
                     foreach (double edge in new[] { wing.Contour.LeadingAt(0), wing.Contour.TrailingAt(0) })
-                        Assert.That(Array.Exists(surface.positions, p => (p - new Vector3(0f, 0f, (float)edge)).magnitude < 1e-5f), wing.Name);
+                    {
+                        Assert.That(
+                            Array.Exists(surface.positions, p => (p - new Vector3(0f, 0f, (float)edge)).magnitude < 1e-5f), wing.Name);
+                    }
                     if (wing.Scallops == null)
                         Assert.That(Area(surface), Is.EqualTo(wing.Contour.Area).Within(2).Percent, wing.Name);
                 }
@@ -210,6 +213,7 @@ namespace Alate.Tests
             return angles;
         }
 
-        private static Vector3 Corner(SurfaceMesh surface, int triangle, int corner) => surface.positions[surface.triangles[3 * triangle + corner]];
+        private static Vector3 Corner(SurfaceMesh surface, int triangle, int corner) =>
+            surface.positions[surface.triangles[3 * triangle + corner]];
     }
 }

@@ -54,7 +54,8 @@ namespace Alate.Tests.Crowds
                 {
                     foreach (int k in wing.Vertices)
                     {
-                        between = math.max(between, math.distance(0.5f * (before.Positions[k] + after.Positions[k]), now.Positions[k]) / wing.Length);
+                        between = math.max(
+                            between, math.distance(0.5f * (before.Positions[k] + after.Positions[k]), now.Positions[k]) / wing.Length);
                         float3 normal = before.Normals[k] + after.Normals[k];
                         float angle = math.atan2(math.length(math.cross(normal, now.Normals[k])), math.dot(normal, now.Normals[k]));
                         normalBetween = math.max(normalBetween, math.degrees(angle));

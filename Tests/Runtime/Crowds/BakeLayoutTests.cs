@@ -22,7 +22,8 @@ namespace Alate.Tests.Crowds
                 {
                     int2 pixel = layout.PixelOf(vertex, frame);
                     Assert.That(taken.Add(pixel));
-                    Assert.That(pixel.x >= 0 && pixel.x < layout.Width && pixel.y >= 0 && pixel.y < (holdsNormals ? layout.NormalRows : layout.Height));
+                    Assert.That(pixel.x >= 0 && pixel.x < layout.Width && pixel.y >= 0
+                        && pixel.y < (holdsNormals ? layout.NormalRows : layout.Height));
                 }
             }
         }
@@ -42,7 +43,8 @@ namespace Alate.Tests.Crowds
         {
             Assert.That(
                 () => BakeLayout.Fit(1000, 64, 128, false),
-                Throws.TypeOf<BakeException>().With.Message.StartsWith("1000 vertices at 64 frames need a texture of 128 x 512 pixels; at most 128 x 128 are allowed"));
+                Throws.TypeOf<BakeException>().With.Message
+                    .StartsWith("1000 vertices at 64 frames need a texture of 128 x 512 pixels; at most 128 x 128 are allowed"));
         }
     }
 }

@@ -58,7 +58,10 @@ namespace Alate.Tests.Crowds
             BakedFrame frame = bake.Clips[0].Frames[7];
             BakedWing right = bake.Wings[0], left = bake.Wings[1];
             for (int k = 0; k < right.Vertices.Length; k++)
-                Assert.That(math.distance(MirrorX(frame.Positions[right.Vertices[k]]), frame.Positions[left.Vertices[k]]), Is.LessThan(1e-5f));
+            {
+                Assert.That(
+                    math.distance(MirrorX(frame.Positions[right.Vertices[k]]), frame.Positions[left.Vertices[k]]), Is.LessThan(1e-5f));
+            }
         }
 
         [Test]
@@ -70,7 +73,8 @@ namespace Alate.Tests.Crowds
             float apart = 0f;
             for (int k = 0; k < right.Vertices.Length; k++)
             {
-                Assert.That(math.distance(MirrorX(toLeft.Positions[right.Vertices[k]]), toRight.Positions[left.Vertices[k]]), Is.LessThan(1e-5f));
+                Assert.That(
+                    math.distance(MirrorX(toLeft.Positions[right.Vertices[k]]), toRight.Positions[left.Vertices[k]]), Is.LessThan(1e-5f));
                 apart = math.max(apart, math.distance(toLeft.Positions[right.Vertices[k]], toRight.Positions[right.Vertices[k]]));
             }
 
@@ -86,9 +90,13 @@ namespace Alate.Tests.Crowds
             BakedWing right = bake.Wings[0], left = bake.Wings[1];
             for (int frame = 0; frame < k_Frames; frame += 5)
             {
-                float3[] now = bake.Clips[0].Frames[frame].Positions, ahead = bake.Clips[0].Frames[(frame + k_Frames / 4) % k_Frames].Positions;
+                float3[] now = bake.Clips[0].Frames[frame].Positions,
+                    ahead = bake.Clips[0].Frames[(frame + k_Frames / 4) % k_Frames].Positions;
                 for (int k = 0; k < right.Vertices.Length; k++)
-                    Assert.That(math.distance(MirrorX(ahead[right.Vertices[k]]), now[left.Vertices[k]]), Is.LessThan(0.01f * bake.WingLength), $"frame {frame}");
+                {
+                    Assert.That(math.distance(MirrorX(ahead[right.Vertices[k]]), now[left.Vertices[k]]),
+                        Is.LessThan(0.01f * bake.WingLength), $"frame {frame}");
+                }
             }
         }
 
@@ -140,7 +148,8 @@ namespace Alate.Tests.Crowds
             quick.Beat.maxFrequency *= 1.5f;
             insect.Wings[1].Preset = quick;
 
-            Assert.That(() => Bake(insect, "cruise"), Throws.TypeOf<BakeException>().With.Message.Contains("all wings must beat at one rate"));
+            Assert.That(
+                () => Bake(insect, "cruise"), Throws.TypeOf<BakeException>().With.Message.Contains("all wings must beat at one rate"));
         }
 
         [Test]
@@ -191,7 +200,8 @@ namespace Alate.Tests.Crowds
             var motion = new BakeMotion("own") { Speed = speed, Climb = climb, PitchDegrees = pitch };
 
             Assert.That(
-                () => InsectBaker.Bake(Insect("monarch"), new[] { motion }, new BakeSettings(k_Frames)), Throws.TypeOf<BakeException>().With.Message.Contains(message));
+                () => InsectBaker.Bake(Insect("monarch"), new[] { motion }, new BakeSettings(k_Frames)),
+                Throws.TypeOf<BakeException>().With.Message.Contains(message));
         }
 
         [Test]

@@ -53,8 +53,10 @@ namespace Alate.Tests.Crowds
             {
                 var scale = (Vector3)random.NextFloat3(0.3f, 3f);
                 scale.x *= mirrored ? -1f : 1f;
-                Matrix4x4 matrix = Matrix4x4.TRS(Vector3.one, (quaternion)random.NextQuaternionRotation(), scale) * Matrix4x4.Rotate((quaternion)random.NextQuaternionRotation());
-                float3 normal = random.NextFloat3Direction(), along = math.normalize(math.cross(normal, random.NextFloat3Direction())), across = math.cross(normal, along);
+                Matrix4x4 matrix = Matrix4x4.TRS(Vector3.one, (quaternion)random.NextQuaternionRotation(), scale)
+                    * Matrix4x4.Rotate((quaternion)random.NextQuaternionRotation());
+                float3 normal = random.NextFloat3Direction(), along = math.normalize(math.cross(normal, random.NextFloat3Direction())),
+                    across = math.cross(normal, along);
                 float3 turned = new NormalTransform(matrix).Apply(normal);
 
                 Assert.That(math.length(turned), Is.EqualTo(1f).Within(1e-5f));
@@ -76,7 +78,8 @@ namespace Alate.Tests.Crowds
 
             Assert.That(layout.Width, Is.EqualTo(width));
             Assert.That(layout.Height, Is.EqualTo(frames * ((vertices + width - 1) / width)).And.LessThanOrEqualTo(width));
-            Assert.That(frames * ((vertices + width / 2 - 1) / (width / 2)), Is.GreaterThan(width / 2), "half as wide would be higher than wide");
+            Assert.That(
+                frames * ((vertices + width / 2 - 1) / (width / 2)), Is.GreaterThan(width / 2), "half as wide would be higher than wide");
         }
 
         [Test]

@@ -14,7 +14,8 @@ namespace Alate.Tests.Crowds
     {
         private static readonly LoopRows[] s_Loops =
         {
-            new LoopRows { frequency = 10f, first = 3, count = 8 }, new LoopRows { frequency = 4f, first = 11, count = 5 }, new LoopRows { frequency = 0f, first = 16, count = 1 },
+            new LoopRows { frequency = 10f, first = 3, count = 8 }, new LoopRows { frequency = 4f, first = 11, count = 5 },
+            new LoopRows { frequency = 0f, first = 16, count = 1 },
         };
 
         private readonly List<IDisposable> m_Made = new List<IDisposable>();
@@ -91,7 +92,8 @@ namespace Alate.Tests.Crowds
 
             for (int k = 0; k < poses.Length; k++)
             {
-                float3 point = random.NextFloat3(-1f, 1f), wanted = poses[k].position + math.rotate(poses[k].rotation, point * poses[k].scale);
+                float3 point = random.NextFloat3(-1f, 1f),
+                    wanted = poses[k].position + math.rotate(poses[k].rotation, point * poses[k].scale);
                 Assert.That(math.distance(math.transform(job.matrices[k], point), wanted), Is.LessThan(1e-4f));
             }
         }
@@ -146,14 +148,16 @@ namespace Alate.Tests.Crowds
                 poses[0] = pose;
                 int size = height > 0.3f ? 0 : height > 0.1f ? 1 : 2;
 
-                Assert.That(Run(job).counts.ToArray(), Is.EqualTo(Enumerable.Range(0, 4).Select(k => k == size ? 1 : 0)), $"height {height}");
+                Assert.That(
+                    Run(job).counts.ToArray(), Is.EqualTo(Enumerable.Range(0, 4).Select(k => k == size ? 1 : 0)), $"height {height}");
             }
         }
 
         [Test]
         public void WithoutACamera_AllAreDrawnWithTheFinestMesh()
         {
-            CrowdJob job = Job(new[] { CrowdPose.At(new float3(0f, 0f, 1e6f), quaternion.identity), CrowdPose.At(default, quaternion.identity) });
+            CrowdJob job = Job(
+                new[] { CrowdPose.At(new float3(0f, 0f, 1e6f), quaternion.identity), CrowdPose.At(default, quaternion.identity) });
             NativeArray<float4> planes = job.planes;
             planes[0] = new float4(0f, 0f, 1f, -1e9f);
             job.culls = false;
@@ -175,13 +179,15 @@ namespace Alate.Tests.Crowds
             IEnumerable<int> sorted = Enumerable.Range(0, 24).Where(k => k != 4).OrderBy(k => math.distance(eye, poses[k].position));
             Assert.That(job.nearest.ToArray(), Is.EqualTo(sorted.Concat(Enumerable.Repeat(-1, 30)).Take(ranked)));
             Run(job);
-            Assert.That(job.nearest.ToArray(), Is.EqualTo(sorted.Concat(Enumerable.Repeat(-1, 30)).Take(ranked)), "nothing is left of the frame before");
+            Assert.That(job.nearest.ToArray(), Is.EqualTo(sorted.Concat(Enumerable.Repeat(-1, 30)).Take(ranked)),
+                "nothing is left of the frame before");
         }
 
         [Test]
         public void EachMeshsInsects_StandTogether_WithoutThoseThatAreHidden()
         {
-            // Far, near, middle, near, middle, far along Z; the second near one and the first far one are hidden, and one out of sight with them.
+            // Far, near, middle, near, middle, far along Z; the second near one and the first far one are hidden, and one out of sight with
+            // them.
             float[] aways = { 90f, 5f, 28f, 6f, 29f, 80f, -50f };
             CrowdPose[] poses = aways.Select(away => CrowdPose.At(new float3(0f, 0f, away), quaternion.identity)).ToArray();
             CrowdJob job = Job(poses, 2, 3, 0, 6);
@@ -203,7 +209,8 @@ namespace Alate.Tests.Crowds
         {
             CrowdPose[] poses = { CrowdPose.At(default, quaternion.identity), CrowdPose.At(default, quaternion.identity) };
             Assert.That(() => Job(poses).Validate(), Throws.Nothing);
-            Assert.That(() => Job(poses, 4, 1, 2).Validate(), Throws.ArgumentException.With.Message.EqualTo("CrowdJob.hidden is 2; it must be from 0 to 1."));
+            Assert.That(() => Job(poses, 4, 1, 2).Validate(),
+                Throws.ArgumentException.With.Message.EqualTo("CrowdJob.hidden is 2; it must be from 0 to 1."));
             CrowdJob job = Job(poses);
             job.seconds = float.NaN;
             Assert.That(() => job.Validate(), Throws.ArgumentException.With.Message.StartsWith("CrowdJob.seconds is NaN"));
@@ -212,7 +219,8 @@ namespace Alate.Tests.Crowds
             Assert.That(() => job.Validate(), Throws.ArgumentException.With.Message.StartsWith("CrowdJob.sizeCount is 5"));
             job = Job(poses);
             job.tints = Keep(new NativeArray<float4>(1, Allocator.Persistent));
-            Assert.That(() => job.Validate(), Throws.ArgumentException.With.Message.EqualTo("CrowdJob.tints has room for 1; the job needs 2."));
+            Assert.That(
+                () => job.Validate(), Throws.ArgumentException.With.Message.EqualTo("CrowdJob.tints has room for 1; the job needs 2."));
         }
 #endif
 

@@ -82,7 +82,8 @@ namespace Alate.Tests.Crowds
             }
         }
 
-        // On average over beats, as feedback makes each a little different. The bake holds the body, which bobs in free flight, most where it hovers: what that does to the wings is left out.
+        // On average over beats, as feedback makes each a little different. The bake holds the body, which bobs in free flight, most where
+        // it hovers: what that does to the wings is left out.
         [TestCase("cruise", 0.12f)]
         [TestCase("hover", 0.26f)]
         public void TheJoints_AreOnAverageNearThoseOfAFreeFlight(string name, float near)
@@ -107,7 +108,11 @@ namespace Alate.Tests.Crowds
                         int frame = (int)math.round(at) % k_Frames;
                         counts[frame]++;
                         for (int joint = 0; joint < wing.RestJoints.Length; joint++)
-                            sums[frame, joint] += math.mul(model.Wings[0].Axes, reading.JointPosition(joint / wing.JointsPerChain, joint % wing.JointsPerChain) - reading.JointPosition(0, 0));
+                        {
+                            sums[frame, joint] += math.mul(
+                                model.Wings[0].Axes, reading.JointPosition(joint / wing.JointsPerChain, joint % wing.JointsPerChain)
+                                - reading.JointPosition(0, 0));
+                        }
                     }
                 }
             }
@@ -118,7 +123,8 @@ namespace Alate.Tests.Crowds
                 Assert.That(counts[frame], Is.GreaterThan(5), "beats at this phase");
                 for (int joint = 0; joint < wing.RestJoints.Length; joint++)
                 {
-                    float3 baked = (clip.Frames[frame].Joints[wing.FirstJoint + joint].position - clip.Frames[frame].Joints[wing.FirstJoint].position) / wing.Length;
+                    float3 baked = (clip.Frames[frame].Joints[wing.FirstJoint + joint].position
+                        - clip.Frames[frame].Joints[wing.FirstJoint].position) / wing.Length;
                     worst = math.max(worst, math.distance(sums[frame, joint] / counts[frame], baked));
                 }
             }
@@ -140,7 +146,8 @@ namespace Alate.Tests.Crowds
             {
                 float3 mirrored = left.Frames[5].Positions[one.Vertices[k]] * new float3(-1f, 1f, 1f);
                 Assert.That(math.distance(mirrored, right.Frames[5].Positions[other.Vertices[k]]), Is.LessThan(5e-3f * m_Bake.WingLength));
-                apart = math.max(apart, math.distance(left.Frames[5].Positions[one.Vertices[k]], right.Frames[5].Positions[one.Vertices[k]]));
+                apart = math.max(
+                    apart, math.distance(left.Frames[5].Positions[one.Vertices[k]], right.Frames[5].Positions[one.Vertices[k]]));
             }
 
             Assert.That(apart, Is.GreaterThan(0.005f * m_Bake.WingLength), "the sides beat differently");
@@ -184,7 +191,8 @@ namespace Alate.Tests.Crowds
                 Assert.That(
                     () => InsectBaker.Bake(m_Insect, new[] { BakeMotion.Find("hover") }, new BakeSettings(k_Frames)),
                     Throws.TypeOf<BakeException>().With.Message.Contains("has none for its numbers; without trims it has: glide, rest."));
-                Assert.That(InsectBaker.Bake(m_Insect, new[] { BakeMotion.Find("rest") }, new BakeSettings(k_Frames)).Clips, Has.Count.EqualTo(1));
+                Assert.That(
+                    InsectBaker.Bake(m_Insect, new[] { BakeMotion.Find("rest") }, new BakeSettings(k_Frames)).Clips, Has.Count.EqualTo(1));
             }
             finally
             {

@@ -6,7 +6,9 @@ using UnityEngine;
 
 namespace Alate.Tests.Crowds
 {
-    /// <summary>A bake made by hand: two plane wings along X with one fold each, and a small body between; every number of every vertex differs.</summary>
+    /// <summary>
+    /// A bake made by hand: two plane wings along X with one fold each, and a small body between; every number of every vertex differs.
+    /// </summary>
     internal static class PlainBake
     {
         public const float WingLength = 2f;
@@ -42,7 +44,10 @@ namespace Alate.Tests.Crowds
                 float side = wing == 0 ? 1f : -1f;
                 int first = wing * k_WingVertices;
                 for (int k = 0; k < k_WingVertices; k++)
-                    positions[first + k] = new Vector3(side * (0.1f + WingLength * (k / (k_Rows + 1)) / k_Columns), 0f, 0.5f - (float)(k % (k_Rows + 1)) / k_Rows);
+                {
+                    positions[first + k] = new Vector3(
+                        side * (0.1f + WingLength * (k / (k_Rows + 1)) / k_Columns), 0f, 0.5f - (float)(k % (k_Rows + 1)) / k_Rows);
+                }
                 for (int column = 0; column < k_Columns; column++)
                 {
                     for (int row = 0; row < k_Rows; row++)
@@ -71,7 +76,8 @@ namespace Alate.Tests.Crowds
                 Normals = normals,
                 Uvs = uvs,
                 Colours = colours,
-                Parts = new[] { new BakedPart("wings", null, true, wings.ToArray()), new BakedPart("body", null, false, Array.ConvertAll(body, corner => 2 * k_WingVertices + corner)) },
+                Parts = new[] { new BakedPart("wings", null, true, wings.ToArray()),
+                    new BakedPart("body", null, false, Array.ConvertAll(body, corner => 2 * k_WingVertices + corner)) },
             };
         }
 
@@ -103,7 +109,11 @@ namespace Alate.Tests.Crowds
                 frames.Add(Frame(bake, 0.4f * math.sin(2f * math.PI * frame / count + clip)));
             return new BakedClip
             {
-                Motion = new BakeMotion("clip " + clip) { Roll = 0.1f * (clip + 1), Steering = new InsectSteering { frequencyScale = 1f, amplitudeScale = 0.5f, meanFlap = 3f + clip } },
+                Motion = new BakeMotion("clip " + clip)
+                {
+                    Roll = 0.1f * (clip + 1),
+                    Steering = new InsectSteering { frequencyScale = 1f, amplitudeScale = 0.5f, meanFlap = 3f + clip },
+                },
                 Frequency = 10f + clip,
                 Velocity = new float3(0.1f, 0.2f, 3f + clip),
                 AngularVelocity = new float3(0.01f, 0.5f + clip, 0.02f),
@@ -115,7 +125,16 @@ namespace Alate.Tests.Crowds
             };
         }
 
-        private static WingDrive Beat(int number) => new WingDrive { frequency = number, amplitude = 0.1f * number, meanFlap = 0.2f, meanSweep = 0.3f, meanFeather = 0.4f, tilt = 0.05f * number };
+        private static WingDrive Beat(int number) => new WingDrive
+        {
+            frequency = number,
+            amplitude = 0.1f
+            * number,
+            meanFlap = 0.2f,
+            meanSweep = 0.3f,
+            meanFeather = 0.4f,
+            tilt = 0.05f * number
+        };
 
         // Each wing turns about its root by an angle, as a plane: blends of its corners are exact.
         private static BakedFrame Frame(InsectBake bake, float angle)

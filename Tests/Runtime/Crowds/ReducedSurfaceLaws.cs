@@ -32,7 +32,8 @@ namespace Alate.Tests.Crowds
             for (int k = 0; k < 20; k++)
             {
                 float3 place = random.NextFloat3(-3f, 3f);
-                double wanted = planes.Sum(plane => plane.Weight * System.Math.Pow((double)plane.Normal.x * place.x + (double)plane.Normal.y * place.y + (double)plane.Normal.z * place.z + plane.D, 2.0));
+                double wanted = planes.Sum(plane => plane.Weight * System.Math.Pow(
+                    (double)plane.Normal.x * place.x + (double)plane.Normal.y * place.y + (double)plane.Normal.z * place.z + plane.D, 2.0));
                 Assert.That(half.At(place.x, place.y, place.z), Is.EqualTo(wanted).Within(1e-10 * wanted));
             }
         }
@@ -56,7 +57,8 @@ namespace Alate.Tests.Crowds
         [Test]
         public void TheError_IsTheRootOfTheMeanSquareOverVerticesAndFrames()
         {
-            // All but the outermost corners of the wings rise by a hundredth of the wing length in the fifth of eight frames, which is one of two that are measured.
+            // All but the outermost corners of the wings rise by a hundredth of the wing length in the fifth of eight frames, which is one
+            // of two that are measured.
             InsectBake bake = PlainBake.Make(1, 1, 1, 1);
             BakedFrame flat = bake.Clips[0].Frames[0];
             var frames = new List<BakedFrame>();
@@ -118,7 +120,8 @@ namespace Alate.Tests.Crowds
             float area = 0f;
             for (int k = 0; k < triangles.Length; k += 3)
             {
-                float3 a = bake.Surface.Positions[triangles[k]], b = bake.Surface.Positions[triangles[k + 1]], c = bake.Surface.Positions[triangles[k + 2]];
+                float3 a = bake.Surface.Positions[triangles[k]], b = bake.Surface.Positions[triangles[k + 1]],
+                    c = bake.Surface.Positions[triangles[k + 2]];
                 area += 0.5f * math.cross(b - a, c - a).y;
             }
 

@@ -72,7 +72,8 @@ namespace Alate.Tests.Crowds
             {
                 for (int k = 0; k < part.Length; k += 3)
                 {
-                    float3 a = bake.Surface.Positions[part[k]], b = bake.Surface.Positions[part[k + 1]], c = bake.Surface.Positions[part[k + 2]];
+                    float3 a = bake.Surface.Positions[part[k]], b = bake.Surface.Positions[part[k + 1]],
+                        c = bake.Surface.Positions[part[k + 2]];
                     area += wings.Contains(part[k]) ? 0.5f * math.length(math.cross(b - a, c - a)) : 0f;
                 }
             }

@@ -40,13 +40,15 @@ namespace Alate.Tests.Crowds
             InsectBake whole = PlainBake.Make(1), smaller = SmallerBake.Of(whole, 70, out _);
             int[] kept = Kept(whole, smaller);
 
-            Assert.That(smaller.Surface.Parts.Select(part => (part.Name, part.HasColours)), Is.EqualTo(new[] { ("wings", true), ("body", false) }));
+            Assert.That(
+                smaller.Surface.Parts.Select(part => (part.Name, part.HasColours)), Is.EqualTo(new[] { ("wings", true), ("body", false) }));
             foreach ((BakedPart from, BakedPart to) in whole.Surface.Parts.Zip(smaller.Surface.Parts, (from, to) => (from, to)))
             {
                 Assert.That(to.Triangles.Select(corner => kept[corner]).Distinct(), Is.SubsetOf(from.Triangles));
                 for (int k = 0; k < to.Triangles.Length; k += 3)
                 {
-                    float3 a = smaller.Surface.Positions[to.Triangles[k]], b = smaller.Surface.Positions[to.Triangles[k + 1]], c = smaller.Surface.Positions[to.Triangles[k + 2]];
+                    float3 a = smaller.Surface.Positions[to.Triangles[k]], b = smaller.Surface.Positions[to.Triangles[k + 1]],
+                        c = smaller.Surface.Positions[to.Triangles[k + 2]];
                     Assert.That(math.cross(b - a, c - a).y, Is.GreaterThan(0f));
                 }
             }
@@ -61,7 +63,8 @@ namespace Alate.Tests.Crowds
             {
                 BakedWing from = whole.Wings[w], to = smaller.Wings[w];
                 Assert.That(
-                    (to.Name, to.Side, to.Length, to.FirstJoint, to.JointsPerChain, to.RestJoints), Is.EqualTo((from.Name, from.Side, from.Length, from.FirstJoint, from.JointsPerChain, from.RestJoints)));
+                    (to.Name, to.Side, to.Length, to.FirstJoint, to.JointsPerChain, to.RestJoints),
+                    Is.EqualTo((from.Name, from.Side, from.Length, from.FirstJoint, from.JointsPerChain, from.RestJoints)));
                 Assert.That(to.Vertices.Select(vertex => kept[vertex]), Is.EqualTo(from.Vertices.Where(kept.Contains)));
                 for (int k = 0; k < to.Vertices.Length; k++)
                 {
@@ -71,7 +74,8 @@ namespace Alate.Tests.Crowds
                 }
             }
 
-            Assert.That((smaller.Name, smaller.MetresPerUnit, smaller.WingLength, smaller.JointCount), Is.EqualTo((whole.Name, whole.MetresPerUnit, whole.WingLength, whole.JointCount)));
+            Assert.That((smaller.Name, smaller.MetresPerUnit, smaller.WingLength, smaller.JointCount),
+                Is.EqualTo((whole.Name, whole.MetresPerUnit, whole.WingLength, whole.JointCount)));
         }
 
         [Test]
@@ -82,7 +86,8 @@ namespace Alate.Tests.Crowds
             {
                 BakedClip from = whole.Clips[k], to = smaller.Clips[k];
                 Assert.That(to.Motion, Is.SameAs(from.Motion));
-                Assert.That((to.Frequency, to.Velocity, to.AngularVelocity), Is.EqualTo((from.Frequency, from.Velocity, from.AngularVelocity)));
+                Assert.That(
+                    (to.Frequency, to.Velocity, to.AngularVelocity), Is.EqualTo((from.Frequency, from.Velocity, from.AngularVelocity)));
                 Assert.That((to.Attitude, to.RightBeat, to.LeftBeat), Is.EqualTo((from.Attitude, from.RightBeat, from.LeftBeat)));
                 Assert.That(to.Error, Is.EqualTo(from.Error));
             }
@@ -93,7 +98,8 @@ namespace Alate.Tests.Crowds
         {
             InsectBake whole = PlainBake.Make(1);
 
-            Assert.That(() => SmallerBake.Of(whole, 49, out _), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("50 triangles or more"));
+            Assert.That(() => SmallerBake.Of(whole, 49, out _),
+                Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("50 triangles or more"));
             Assert.That(SmallerBake.Of(whole, 50, out _).Surface.TriangleCount, Is.LessThanOrEqualTo(50));
             Assert.That(() => SmallerBake.Of(null, 50, out _), Throws.ArgumentNullException);
         }

@@ -43,7 +43,8 @@ namespace Alate.Tests.Crowds
                 slowest = math.min(slowest, share);
                 fastest = math.max(fastest, share);
                 Assert.That(math.distance(math.normalize(velocity), ahead), Is.LessThan(0.05f));
-                Assert.That(math.rotate(math.mul(now[k].rotation, math.inverse(Attitude())), new float3(0f, 1f, 0f)).y, Is.EqualTo(1f).Within(1e-4f), "upright but for the attitude");
+                Assert.That(math.rotate(math.mul(now[k].rotation, math.inverse(Attitude())), new float3(0f, 1f, 0f)).y,
+                    Is.EqualTo(1f).Within(1e-4f), "upright but for the attitude");
                 float3 bend = after[k].position - 2f * now[k].position + before[k].position;
                 left += math.cross(velocity, bend).y < 0f ? 1 : 0;
             }
@@ -126,7 +127,8 @@ namespace Alate.Tests.Crowds
             SpawnJob job = Job(1f);
             job.poses = poses;
             Assert.That(() => job.Validate(3), Throws.Nothing);
-            Assert.That(() => job.Validate(4), Throws.ArgumentException.With.Message.EqualTo("SpawnJob.poses has room for 3; the job needs 4."));
+            Assert.That(
+                () => job.Validate(4), Throws.ArgumentException.With.Message.EqualTo("SpawnJob.poses has room for 3; the job needs 4."));
             job.half.y = -1f;
             Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.half is -1"));
             job.half.y = 1f;

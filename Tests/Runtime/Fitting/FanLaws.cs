@@ -7,7 +7,9 @@ using NUnit.Framework;
 
 namespace Alate.Tests
 {
-    /// <summary>Laws of the fan of chains: the field between them, its level lines, joints on paths, and chains that would meet or leave the wing.</summary>
+    /// <summary>
+    /// Laws of the fan of chains: the field between them, its level lines, joints on paths, and chains that would meet or leave the wing.
+    /// </summary>
     public sealed class FanLaws
     {
         // A square with a corner missing: the notch's inner corner is at (1, 1).
@@ -44,7 +46,8 @@ namespace Alate.Tests
         {
             PlanPoint[] rim = { new PlanPoint(0, 0), new PlanPoint(2, 0), new PlanPoint(2, 1), new PlanPoint(0, 1) };
             var field = new FanField(rim, new[] { 0.0, 0.0, 1.0, 0.0 }, new PlanPoint(1, 0));
-            PlanPoint upper = new PlanPoint(2.0 * value, 1.0), right = new PlanPoint(2.0, value), root = back ? right : upper, tip = back ? upper : right;
+            PlanPoint upper = new PlanPoint(2.0 * value, 1.0), right = new PlanPoint(2.0, value), root = back ? right : upper,
+                tip = back ? upper : right;
             List<PlanPoint> line = LevelLine.Trace(field, value, root, tip);
 
             Assert.That((line[0].x, line[0].z, line[line.Count - 1].x, line[line.Count - 1].z), Is.EqualTo((root.x, root.z, tip.x, tip.z)));
@@ -80,7 +83,8 @@ namespace Alate.Tests
         public void BonesKeepOutOfHollows_RatherThanBulges()
         {
             // Round a wing clockwise a hollow turns to the left: of two equal bends the one bone that is left over goes across the bulge.
-            PlanPoint[] path = { new PlanPoint(0.0, 0.0), new PlanPoint(0.4, 0.0), new PlanPoint(0.55, 0.06), new PlanPoint(0.7, 0.0), new PlanPoint(0.85, -0.06), new PlanPoint(1.0, 0.0) };
+            PlanPoint[] path = { new PlanPoint(0.0, 0.0), new PlanPoint(0.4, 0.0), new PlanPoint(0.55, 0.06), new PlanPoint(0.7, 0.0),
+                new PlanPoint(0.85, -0.06), new PlanPoint(1.0, 0.0) };
             PlanPoint[] joints = BalancedJoints.Place(path, 4);
             double bulge = joints.Min(joint => Distance(joint, path[2])), hollow = joints.Min(joint => Distance(joint, path[4]));
 
@@ -92,7 +96,8 @@ namespace Alate.Tests
         {
             var outline = new ClosedCurve(s_Bent, 1600);
             double Arc(double x, double z) => outline.Nearest(new PlanPoint(x, z));
-            List<PlanPoint> straight = InnerPath.Find(outline, Arc(0.5, 0.0), Arc(0.0, 1.5)), round = InnerPath.Find(outline, Arc(1.9, 1.0), Arc(0.9, 2.0));
+            List<PlanPoint> straight = InnerPath.Find(outline, Arc(0.5, 0.0), Arc(0.0, 1.5)),
+                round = InnerPath.Find(outline, Arc(1.9, 1.0), Arc(0.9, 2.0));
 
             Assert.That(straight, Has.Count.EqualTo(2));
             Assert.That(Polyline.LengthOf(straight), Is.EqualTo(Math.Sqrt(2.5)).Within(1e-3));
@@ -109,9 +114,11 @@ namespace Alate.Tests
         public void ABoneOutsideTheWing_IsAsFarOffAsItsFarthestPlace()
         {
             var outline = new ClosedCurve(s_Bent, 1600);
-            PlanPoint[] across = { new PlanPoint(0.8, 1.8), new PlanPoint(1.8, 0.8) }, inside = { new PlanPoint(0.2, 1.8), new PlanPoint(0.2, 0.2), new PlanPoint(1.8, 0.2) };
+            PlanPoint[] across = { new PlanPoint(0.8, 1.8), new PlanPoint(1.8, 0.8) },
+                inside = { new PlanPoint(0.2, 1.8), new PlanPoint(0.2, 0.2), new PlanPoint(1.8, 0.2) };
 
-            Assert.That(ChainInset.Outside(across, outline), Is.EqualTo(0.3).Within(0.01), "the middle of the bone, 0.3 right of and above the inner corner's sides");
+            Assert.That(ChainInset.Outside(across, outline), Is.EqualTo(0.3).Within(0.01),
+                "the middle of the bone, 0.3 right of and above the inner corner's sides");
             Assert.That(ChainInset.Outside(inside, outline), Is.Zero);
         }
 
@@ -134,8 +141,10 @@ namespace Alate.Tests
         [Test]
         public void ChainsMeet_WhereTheyCrossOrTouch_ButNotAtACommonRoot()
         {
-            PlanPoint[] level = { new PlanPoint(0, 0), new PlanPoint(1, 0), new PlanPoint(2, 0) }, above = { new PlanPoint(0, 0.5), new PlanPoint(1, 0.5), new PlanPoint(2, 0.5) };
-            PlanPoint[] across = { new PlanPoint(0, 0.5), new PlanPoint(1, 0.5), new PlanPoint(2, -0.5) }, fork = { new PlanPoint(0, 0), new PlanPoint(1, 0.5), new PlanPoint(2, 0.5) };
+            PlanPoint[] level = { new PlanPoint(0, 0), new PlanPoint(1, 0), new PlanPoint(2, 0) },
+                above = { new PlanPoint(0, 0.5), new PlanPoint(1, 0.5), new PlanPoint(2, 0.5) };
+            PlanPoint[] across = { new PlanPoint(0, 0.5), new PlanPoint(1, 0.5), new PlanPoint(2, -0.5) },
+                fork = { new PlanPoint(0, 0), new PlanPoint(1, 0.5), new PlanPoint(2, 0.5) };
             PlanPoint[] Near(double z) => new[] { new PlanPoint(0, 0.5), new PlanPoint(1, 0.5), new PlanPoint(2, z) };
 
             Assert.That(ChainOrder.Cross(new[] { level, above }), Is.False);

@@ -47,7 +47,9 @@ namespace Alate.Tests
             return outside / Span;
         }
 
-        /// <summary>Largest distance of the outer two thirds of the principal chain's length from the leading edge between its root and its tip.</summary>
+        /// <summary>
+        /// Largest distance of the outer two thirds of the principal chain's length from the leading edge between its root and its tip.
+        /// </summary>
         public double OffLeadingEdge()
         {
             List<PlanPoint> chain = Walk(0);

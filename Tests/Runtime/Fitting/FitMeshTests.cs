@@ -44,7 +44,8 @@ namespace Alate.Tests
             // A coarse half of the wing beside a fine one.
             SurfaceMesh coarse = Part(2, 1, 0f, 0.5f), fine = Part(12, 8, 0.5f, 1f);
             int count = coarse.positions.Length;
-            SurfaceMesh joined = Of(coarse.positions.Concat(fine.positions), coarse.triangles.Concat(fine.triangles.Select(k => k + count)));
+            SurfaceMesh joined = Of(
+                coarse.positions.Concat(fine.positions), coarse.triangles.Concat(fine.triangles.Select(k => k + count)));
             SkeletonFit fit = SkeletonFitter.Fit(joined, Hints());
 
             Assert.That(fit.Warnings, Is.Empty);
@@ -69,7 +70,8 @@ namespace Alate.Tests
             SkeletonFit fit = SkeletonFitter.Fit(shell, Hints());
 
             Assert.That(fit.Warns(SkeletonFitWarningKind.ClosedShell), Is.True);
-            Assert.That(fit.Skeleton.Chains.SelectMany(chain => chain.joints).Select(joint => joint.y), Is.All.EqualTo(0.01f).Within(1e-5f));
+            Assert.That(
+                fit.Skeleton.Chains.SelectMany(chain => chain.joints).Select(joint => joint.y), Is.All.EqualTo(0.01f).Within(1e-5f));
             AssertAlike(wing, shell, 0.015f);
         }
 
@@ -170,7 +172,8 @@ namespace Alate.Tests
             Assert.That(Refusal(Of(new Vector3[0], new int[0])), Is.EqualTo("Mesh 'Test' has no vertices."));
             Assert.That(Refusal(Of(wing.positions, new int[0])), Is.EqualTo("Mesh 'Test' has no triangles."));
             Assert.That(Refusal(Of(wing.positions, new[] { 0, 1, -1 })), Does.Contain("triangle 0"));
-            Assert.That(Refusal(Of(wing.positions.Select(p => new Vector3(p.x, 0f, 0f)), wing.triangles)), Does.Contain("no triangle with an area"));
+            Assert.That(Refusal(Of(wing.positions.Select(p => new Vector3(p.x, 0f, 0f)), wing.triangles)),
+                Does.Contain("no triangle with an area"));
             Assert.That(Refusal(Of(wing.positions.Select(p => Vector3.one), wing.triangles)), Does.Contain("no triangle with an area"));
             wing.positions[7].y = float.NaN;
             Assert.That(Refusal(wing), Does.Contain("vertex 7 is not finite"));

@@ -22,14 +22,16 @@ namespace Alate.Tests
 
             // exp(-800 x²) is cut where it has fallen to exp(-5): 0.9915 of the standard deviation of the whole curve is left.
             Assert.That(found, Is.EqualTo(top).Within(1e-3));
-            Assert.That(spread, Is.EqualTo(0.9915 / Math.Sqrt(2.0 * bend * sharpness)).Within(1e-3 / Math.Sqrt(2.0 * bend * sharpness) * 3.0));
+            Assert.That(
+                spread, Is.EqualTo(0.9915 / Math.Sqrt(2.0 * bend * sharpness)).Within(1e-3 / Math.Sqrt(2.0 * bend * sharpness) * 3.0));
         }
 
         [Test]
         public void AFlatTop_CountsByItsMiddle_AndNeitherATopBeyondAValleyNorAnExcludedPlace()
         {
             double flat = SoftMaximum.Find(0.0, 10.0, 1000, 50.0, x => x > 2.0 && x < 5.0 ? 1.0 : 0.0, out double width);
-            double first = SoftMaximum.Find(0.0, 10.0, 1000, 50.0, x => Math.Abs(x - 3.0) < 0.5 ? 1.0 : Math.Abs(x - 8.0) < 0.5 ? 0.99 : 0.0, out _);
+            double first = SoftMaximum.Find(
+                0.0, 10.0, 1000, 50.0, x => Math.Abs(x - 3.0) < 0.5 ? 1.0 : Math.Abs(x - 8.0) < 0.5 ? 0.99 : 0.0, out _);
             double open = SoftMaximum.Find(0.0, 10.0, 20000, 50.0, x => x > 6.0 ? double.NegativeInfinity : x, out _);
 
             Assert.That(flat, Is.EqualTo(3.5).Within(0.01));
@@ -43,12 +45,14 @@ namespace Alate.Tests
         {
             var surface = new SurfaceMesh
             {
-                positions = new[] { new Vector3(10f, 5f, -3f), new Vector3(14f, 5f, -3f), new Vector3(10f, 6f, -1f), new Vector3(900f, 0f, 0f) },
+                positions = new[] { new Vector3(10f, 5f, -3f), new Vector3(14f, 5f, -3f), new Vector3(10f, 6f, -1f),
+                    new Vector3(900f, 0f, 0f) },
                 triangles = new[] { 0, 1, 2 },
             };
             var unit = new UnitSurface(surface);
 
-            Assert.That(math.distance(unit.points[0], new float3(-0.5f, -0.125f, -0.25f)), Is.LessThan(1e-6f), "a vertex of no triangle has no say");
+            Assert.That(math.distance(unit.points[0], new float3(-0.5f, -0.125f, -0.25f)), Is.LessThan(1e-6f),
+                "a vertex of no triangle has no say");
             Assert.That(math.distance(unit.points[1], new float3(0.5f, -0.125f, -0.25f)), Is.LessThan(1e-6f));
             Assert.That(math.distance(unit.points[2], new float3(-0.5f, 0.125f, 0.25f)), Is.LessThan(1e-6f));
             for (int k = 0; k < 4; k++)
@@ -66,7 +70,8 @@ namespace Alate.Tests
                 var v = new PlanPoint(random.NextFloat(-2f, 2f), random.NextFloat(-2f, 2f));
 
                 Assert.That(math.distance(plane.up, normal), Is.LessThan(1e-6f));
-                Assert.That(math.distance(math.cross(plane.right, plane.up), plane.ahead), Is.LessThan(1e-5f), $"seed {seed}: seen from above");
+                Assert.That(
+                    math.distance(math.cross(plane.right, plane.up), plane.ahead), Is.LessThan(1e-5f), $"seed {seed}: seen from above");
                 Assert.That(math.length(plane.right), Is.EqualTo(1f).Within(1e-5f));
                 PlanPoint again = plane.ToPlan(plane.Direction(v) + 3f * normal);
                 Assert.That(Math.Abs(again.x - v.x) + Math.Abs(again.z - v.z), Is.LessThan(1e-5), $"seed {seed}");
@@ -78,9 +83,11 @@ namespace Alate.Tests
         {
             PlanPoint[] corners = { new PlanPoint(2, 1), new PlanPoint(6, 1), new PlanPoint(6, 3), new PlanPoint(2, 3) };
             var outline = new ClosedCurve(corners, 400);
-            PlanPoint anchor = new PlanPoint(2, 2), span = new PlanPoint(0.8, 0.6), forward = mirrored ? new PlanPoint(0.6, -0.8) : new PlanPoint(-0.6, 0.8);
+            PlanPoint anchor = new PlanPoint(2, 2), span = new PlanPoint(0.8, 0.6),
+                forward = mirrored ? new PlanPoint(0.6, -0.8) : new PlanPoint(-0.6, 0.8);
             var view = new WingView(anchor, span, forward, 4.0);
-            PlanPoint tip = view.ToWing(anchor + span * 4.0), lead = view.ToWing(anchor + forward * 2.0), again = view.FromWing(view.ToWing(new PlanPoint(3.5, -7.0)));
+            PlanPoint tip = view.ToWing(anchor + span * 4.0), lead = view.ToWing(anchor + forward * 2.0),
+                again = view.FromWing(view.ToWing(new PlanPoint(3.5, -7.0)));
 
             Assert.That(Near((tip.x, tip.z), (1.0, 0.0)));
             Assert.That(Near((lead.x, lead.z), (0.0, 0.5)));
@@ -93,7 +100,8 @@ namespace Alate.Tests
         [Test]
         public void TheAcross_StandsUpright_TowardsTheOther()
         {
-            PlanPoint v = new PlanPoint(3, 4), towards = WingView.Across(v, new PlanPoint(1, 0)), away = WingView.Across(v, new PlanPoint(-1, 0));
+            PlanPoint v = new PlanPoint(3, 4), towards = WingView.Across(v, new PlanPoint(1, 0)),
+                away = WingView.Across(v, new PlanPoint(-1, 0));
 
             Assert.That((towards.x, towards.z), Is.EqualTo((4.0, -3.0)));
             Assert.That((away.x, away.z), Is.EqualTo((-4.0, 3.0)));
@@ -106,7 +114,8 @@ namespace Alate.Tests
         [TestCase(0.16f, 0.41f, -1f, 0.5f)]
         [TestCase(-0.16f, 0.59f, 1f, 0.5f)]
         [TestCase(-0.16f, 0.61f, 1f, 0.8f)]
-        public void UpIsTheGivenSide_OrWhereThatDoesNotTell_TheFrontOfMostTriangles(float cosine, float frontShare, float side, float confidence)
+        public void UpIsTheGivenSide_OrWhereThatDoesNotTell_TheFrontOfMostTriangles(
+            float cosine, float frontShare, float side, float confidence)
         {
             // One triangle shows its front to the normal, with a share of the area, the other its back.
             float3[] points = { 0f, new float3(0f, 0f, 1f), new float3(2f * frontShare, 0f, 0f), new float3(2f - 2f * frontShare, 0f, 0f) };
@@ -124,9 +133,11 @@ namespace Alate.Tests
         [TestCase(0.7, 1.0, 0.79)]
         public void TheNarrowEnd_IsTheMoreCertain_TheMoreTheEndsDiffer(double near, double far, double confidence)
         {
-            // A trapezium of length 8 whose widths, a share of 0.15 from its ends, are as near and far as said; 0.7 and 1 differ by half of what makes a point.
+            // A trapezium of length 8 whose widths, a share of 0.15 from its ends, are as near and far as said; 0.7 and 1 differ by half of
+            // what makes a point.
             double slope = (far - near) / 0.7, first = Math.Max(near - 0.15 * slope, 0.0), last = Math.Max(far + 0.15 * slope, 0.0);
-            PlanPoint[] corners = { new PlanPoint(1, -0.5 * first), new PlanPoint(9, -0.5 * last), new PlanPoint(9, 0.5 * last), new PlanPoint(1, 0.5 * first) };
+            PlanPoint[] corners = { new PlanPoint(1, -0.5 * first), new PlanPoint(9, -0.5 * last), new PlanPoint(9, 0.5 * last),
+                new PlanPoint(1, 0.5 * first) };
             var outline = new ClosedCurve(corners, 2000);
             var end = new NarrowEnd(outline, Polygon.Centroid(corners));
 
@@ -138,9 +149,12 @@ namespace Alate.Tests
         [Test]
         public void Pieces_HangTogetherByCornersAndJunctions_TheLargestFirst()
         {
-            float3[] points = Enumerable.Range(0, 9).Select(k => new float3(k % 3 == 1 ? 1f : 0f, k < 3 ? 0f : k < 6 ? 5f : 10f, k % 3 == 2 ? (k < 3 ? 1f : k < 6 ? 3f : 2f) : 0f)).ToArray();
+            float3[] points = Enumerable.Range(0, 9).Select(
+                k => new float3(k % 3 == 1 ? 1f : 0f, k < 3 ? 0f : k < 6 ? 5f : 10f, k % 3 == 2 ? (k < 3 ? 1f : k < 6 ? 3f : 2f) : 0f))
+                .ToArray();
             int3[] triangles = { new int3(0, 1, 2), new int3(3, 4, 5), new int3(6, 7, 8) };
-            List<List<int3>> apart = SheetPieces.Of(points, triangles, new List<(int, int)>()), tied = SheetPieces.Of(points, triangles, new List<(int, int)> { (2, 8) });
+            List<List<int3>> apart = SheetPieces.Of(points, triangles, new List<(int, int)>()),
+                tied = SheetPieces.Of(points, triangles, new List<(int, int)> { (2, 8) });
 
             Assert.That(apart.Select(piece => piece[0].x), Is.EqualTo(new[] { 3, 6, 0 }));
             Assert.That(apart.Select(piece => SheetPieces.Area(points, piece)), Is.EqualTo(new[] { 1.5, 1.0, 0.5 }));
@@ -153,7 +167,8 @@ namespace Alate.Tests
         public void AVertexOnAnOpenEdge_CutsIt_WithinTheTolerance(float off, bool isCut)
         {
             // A coarse triangle above, two fine ones below, whose middle vertex lies beside the coarse edge.
-            float3[] points = { new float3(0f, 0f, 0f), new float3(2f, 0f, 0f), new float3(1f, 0f, 1f), new float3(1f, off, 0f), new float3(1f, 0f, -1f) };
+            float3[] points = { new float3(0f, 0f, 0f), new float3(2f, 0f, 0f), new float3(1f, 0f, 1f), new float3(1f, off, 0f),
+                new float3(1f, 0f, -1f) };
             int3[] triangles = { new int3(0, 2, 1), new int3(0, 3, 4), new int3(3, 1, 4) };
             var boundary = new SheetBoundary(points, triangles, 0.01f);
 
@@ -166,7 +181,8 @@ namespace Alate.Tests
         {
             PlanPoint[] plan =
             {
-                new PlanPoint(0, 0), new PlanPoint(4, 0), new PlanPoint(4, 4), new PlanPoint(0, 4), new PlanPoint(1, 1), new PlanPoint(3, 1), new PlanPoint(2, 3),
+                new PlanPoint(0, 0), new PlanPoint(4, 0), new PlanPoint(4, 4), new PlanPoint(0, 4), new PlanPoint(1, 1),
+                new PlanPoint(3, 1), new PlanPoint(2, 3),
             };
             var edges = new List<(int, int)> { (2, 1), (4, 5), (0, 3), (2, 3), (6, 5), (0, 1), (4, 6) };
             var walk = new OutlineWalk(plan, edges);
@@ -182,6 +198,7 @@ namespace Alate.Tests
             Assert.That(round.holes, Is.Empty);
         }
 
-        private static bool Near((double, double) a, (double, double) b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9;
+        private static bool Near((double, double) a, (double, double) b) =>
+            Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9;
     }
 }

@@ -71,7 +71,10 @@ namespace Alate.Tests
 
             Assert.That(fit.Warns(SkeletonFitWarningKind.LeadingEdgeGuessed), Is.EqualTo(isGuessed));
             if (!isGuessed)
-                Assert.That(Vector3.Dot(fit.Skeleton.SpanAxis, new Vector3(Mathf.Cos(angle), 0f, Mathf.Sin(angle))), Is.EqualTo(0f).Within(1e-3f), "the span runs across it");
+            {
+                Assert.That(Vector3.Dot(fit.Skeleton.SpanAxis, new Vector3(Mathf.Cos(angle), 0f, Mathf.Sin(angle))),
+                    Is.EqualTo(0f).Within(1e-3f), "the span runs across it");
+            }
         }
 
         [Test]
@@ -105,7 +108,8 @@ namespace Alate.Tests
         {
             // A square without a smaller one in its middle: h² / (4 − h²) of what is left.
             float h = (float)Math.Sqrt(4.0 * share / (1.0 + share)) / 2f;
-            float3[] points = { new float3(-1, 0, -1), new float3(1, 0, -1), new float3(1, 0, 1), new float3(-1, 0, 1), new float3(-h, 0, -h), new float3(h, 0, -h), new float3(h, 0, h), new float3(-h, 0, h) };
+            float3[] points = { new float3(-1, 0, -1), new float3(1, 0, -1), new float3(1, 0, 1), new float3(-1, 0, 1),
+                new float3(-h, 0, -h), new float3(h, 0, -h), new float3(h, 0, h), new float3(-h, 0, h) };
             var triangles = new List<int3>();
             for (int k = 0; k < 4; k++)
             {
@@ -127,7 +131,8 @@ namespace Alate.Tests
         {
             // A roof of two sides whose slope has this cosine.
             float x = (float)flat, y = (float)Math.Sqrt(1.0 - flat * flat);
-            float3[] points = { new float3(-x, 0, 0), new float3(-x, 0, 1), new float3(0, y, 1), new float3(0, y, 0), new float3(x, 0, 0), new float3(x, 0, 1) };
+            float3[] points = { new float3(-x, 0, 0), new float3(-x, 0, 1), new float3(0, y, 1), new float3(0, y, 0), new float3(x, 0, 0),
+                new float3(x, 0, 1) };
             FitNotes notes = Doubts(points, new List<int3> { new int3(0, 1, 2), new int3(0, 2, 3), new int3(3, 2, 5), new int3(3, 5, 4) });
 
             Assert.That(notes.Warned(SkeletonFitWarningKind.StronglyCurved), Is.EqualTo(confidence < 1.0));
@@ -140,7 +145,8 @@ namespace Alate.Tests
         {
             // A triangle on the edge of a square of 1 is folded back over it: the outline loses its area once, the triangles gain it.
             float z = (float)(2.0 * flap);
-            float3[] points = { new float3(0, 0, 0), new float3(1, 0, 0), new float3(1, 0, 1), new float3(0, 0, 1), new float3(0.5f, 0.01f, z) };
+            float3[] points = { new float3(0, 0, 0), new float3(1, 0, 0), new float3(1, 0, 1), new float3(0, 0, 1),
+                new float3(0.5f, 0.01f, z) };
             FitNotes notes = Doubts(points, new List<int3> { new int3(0, 2, 1), new int3(0, 3, 2), new int3(0, 1, 4) });
 
             Assert.That(notes.Warned(SkeletonFitWarningKind.FoldsOverItself), Is.EqualTo(isFold));
@@ -155,10 +161,17 @@ namespace Alate.Tests
             int count = plate.positions.Length;
             float side = Mathf.Sqrt(share);
             Vector3[] speck = new[] { new Vector3(2f, 0f, 0f), new Vector3(2f, 0f, side), new Vector3(2f + side, 0f, 0f) };
-            var both = new SurfaceMesh { name = "Both", positions = plate.positions.Concat(speck).ToArray(), triangles = plate.triangles.Concat(new[] { count, count + 1, count + 2 }).ToArray() };
+            var both = new SurfaceMesh
+            {
+                name = "Both",
+                positions = plate.positions.Concat(speck).ToArray(),
+                triangles = plate.triangles
+                .Concat(new[] { count, count + 1, count + 2 }).ToArray()
+            };
             if (!isLeftOut)
             {
-                Assert.That(() => SkeletonFitter.Fit(both, Hinged()), Throws.ArgumentException.With.Message.Contains("is not one wing but 2 pieces apart, the largest with 98 %"));
+                Assert.That(() => SkeletonFitter.Fit(both, Hinged()),
+                    Throws.ArgumentException.With.Message.Contains("is not one wing but 2 pieces apart, the largest with 98 %"));
                 return;
             }
 
@@ -173,18 +186,21 @@ namespace Alate.Tests
         [TestCase(0.14, 0.3, 0)]
         public void AStripOnTheRearMargin_IsATail_AndASlotACleft_WhereItIsNarrowAndLong(double width, double length, int found)
         {
-            // At least three and a half times as long a way round as it is wide, and at most a quarter of the mean chord, which is the area of a wing of reach 1.
+            // At least three and a half times as long a way round as it is wide, and at most a quarter of the mean chord, which is the area
+            // of a wing of reach 1.
             foreach (double sign in new[] { 1.0, -1.0 })
             {
                 double half = 0.5 * width, rear = sign > 0.0 ? -0.25 : -0.25 - width * length, deep = rear - sign * length;
                 PlanPoint[] corners =
                 {
-                    new PlanPoint(0, 0), new PlanPoint(0, 0.25), new PlanPoint(1, 0.25), new PlanPoint(1, rear), new PlanPoint(0.5 + half, rear), new PlanPoint(0.5 + half, deep),
+                    new PlanPoint(0, 0), new PlanPoint(0, 0.25), new PlanPoint(1, 0.25), new PlanPoint(1, rear),
+                    new PlanPoint(0.5 + half, rear), new PlanPoint(0.5 + half, deep),
                     new PlanPoint(0.5 - half, deep), new PlanPoint(0.5 - half, rear), new PlanPoint(0, rear),
                 };
                 var outline = new ClosedCurve(corners, 1600);
                 var trimmed = new TrimmedOutline(outline, 0.25, outline.Length - 0.25);
-                IReadOnlyList<OutlineStretch> narrow = sign > 0.0 ? trimmed.Tails : trimmed.Clefts, other = sign > 0.0 ? trimmed.Clefts : trimmed.Tails;
+                IReadOnlyList<OutlineStretch> narrow = sign > 0.0 ? trimmed.Tails : trimmed.Clefts,
+                    other = sign > 0.0 ? trimmed.Clefts : trimmed.Tails;
 
                 // A slot takes from the area what a tail adds; the rear of the slotted wing makes up for it but once.
                 if (sign < 0.0 && width > 0.1)
@@ -208,7 +224,8 @@ namespace Alate.Tests
             SkeletonFitSettings settings = SkeletonFitSettings.Default;
 
             Assert.That((settings.chains, settings.jointsPerChain, settings.forward), Is.EqualTo((5, 5, (Vector3?)Vector3.forward)));
-            Assert.That((settings.hinge, settings.bodyPoint, settings.bodySide, settings.up), Is.EqualTo(((Vector3?)null, (Vector3?)null, (Vector3?)null, (Vector3?)null)));
+            Assert.That((settings.hinge, settings.bodyPoint, settings.bodySide, settings.up),
+                Is.EqualTo(((Vector3?)null, (Vector3?)null, (Vector3?)null, (Vector3?)null)));
         }
 
         private static FitNotes Doubts(float3[] points, List<int3> triangles)

@@ -21,7 +21,9 @@ namespace Alate.Tests
         public double[] waves = new double[0];
         public double[] phases = new double[0];
 
-        /// <summary>Height of a tail, or depth of a notch where negative, in radii; its angle from the tip and its width, radians.</summary>
+        /// <summary>
+        /// Height of a tail, or depth of a notch where negative, in radii; its angle from the tip and its width, radians.
+        /// </summary>
         public double tail;
         public double tailAngle = -0.9;
         public double tailWidth = 0.07;

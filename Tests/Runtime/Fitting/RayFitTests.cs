@@ -11,13 +11,15 @@ namespace Alate.Tests
         [Test]
         [Pairwise]
         public void Chains_RunAlongRays_FromTheFirstToTheLast(
-            [Values(8, 11, 15)] int rays, [Values(0.03, 0.1, 0.25)] double depth, [Values(3, 5, 8)] int chains) => AssertAlong(rays, depth, chains);
+            [Values(8, 11, 15)] int rays, [Values(0.03, 0.1, 0.25)] double depth, [Values(3, 5, 8)] int chains) =>
+            AssertAlong(rays, depth, chains);
 
         [Test]
         [Explicit]
         [Category("Long")]
         public void ChainsOfEveryFin_RunAlongRays_FromTheFirstToTheLast(
-            [Values(8, 11, 15)] int rays, [Values(0.03, 0.1, 0.25)] double depth, [Values(3, 5, 8)] int chains) => AssertAlong(rays, depth, chains);
+            [Values(8, 11, 15)] int rays, [Values(0.03, 0.1, 0.25)] double depth, [Values(3, 5, 8)] int chains) =>
+            AssertAlong(rays, depth, chains);
 
         private static void AssertAlong(int rays, double depth, int chains)
         {
@@ -82,7 +84,8 @@ namespace Alate.Tests
             WingSkeleton skeleton = Fit(fin, chains, out _);
 
             Assert.That(skeleton.Validate(), Is.Empty);
-            Vector3 first = skeleton.GetJoint(0, skeleton.JointsPerChain - 1), last = skeleton.GetJoint(chains - 1, skeleton.JointsPerChain - 1);
+            Vector3 first = skeleton.GetJoint(0, skeleton.JointsPerChain - 1),
+                last = skeleton.GetJoint(chains - 1, skeleton.JointsPerChain - 1);
             Assert.That(Vector3.Distance(first, fin.End(1)), Is.LessThan(0.02), "the first chain ends at the first long ray");
             Assert.That(Vector3.Distance(last, fin.End(rays - 1)), Is.LessThan(0.02));
         }

@@ -21,7 +21,8 @@ namespace Alate.Tests
                     lowest[member] = member;
                 for (int joins = random.NextInt(2 * count); joins > 0; joins--)
                 {
-                    int a = random.NextInt(count), b = random.NextInt(count), low = Math.Min(lowest[a], lowest[b]), high = Math.Max(lowest[a], lowest[b]);
+                    int a = random.NextInt(count), b = random.NextInt(count), low = Math.Min(lowest[a], lowest[b]),
+                        high = Math.Max(lowest[a], lowest[b]);
                     sets.Join(a, b);
                     lowest = Array.ConvertAll(lowest, member => member == high ? low : member);
                 }

@@ -29,9 +29,11 @@ namespace Alate.Tests
 
                     // The centre lies as far from all three corners.
                     PlanPoint ab = b - a, ac = c - a;
-                    PlanPoint centre = a + new PlanPoint(ac.z * ab.LengthSquared - ab.z * ac.LengthSquared, ab.x * ac.LengthSquared - ac.x * ab.LengthSquared) * (0.5 / doubled);
+                    PlanPoint centre = a + new PlanPoint(ac.z * ab.LengthSquared - ab.z * ac.LengthSquared, ab.x * ac.LengthSquared
+                        - ac.x * ab.LengthSquared) * (0.5 / doubled);
                     double radius = Math.Sqrt((a - centre).LengthSquared);
-                    Assert.That(points.Min(point => Math.Sqrt((point - centre).LengthSquared)), Is.GreaterThan(radius * (1.0 - 1e-6)), $"seed {seed}");
+                    Assert.That(points.Min(point => Math.Sqrt((point - centre).LengthSquared)), Is.GreaterThan(radius * (1.0 - 1e-6)),
+                        $"seed {seed}");
                 }
 
                 Assert.That(area, Is.EqualTo(16.0).Within(1e-9), $"seed {seed}: the square is filled");
@@ -49,7 +51,10 @@ namespace Alate.Tests
             {
                 int twin = mesh.twins[side];
                 if (mesh.corners[side] >= 4)
-                    Assert.That(mesh.Find(mesh.corners[side], mesh.End(side)), Is.EqualTo(side), "around an inner point all sides are found");
+                {
+                    Assert.That(
+                        mesh.Find(mesh.corners[side], mesh.End(side)), Is.EqualTo(side), "around an inner point all sides are found");
+                }
                 Assert.That(mesh.corners[mesh.firstSides[mesh.corners[side]]], Is.EqualTo(mesh.corners[side]));
                 if (twin < 0)
                 {
@@ -70,7 +75,8 @@ namespace Alate.Tests
         [Test]
         public void PointsInside_AreAsManyAsWanted_ClearOfTheRimAndOfCorners_AndEven([Values(7, 60, 400)] int count)
         {
-            List<PlanPoint> rim = Polyline.Even(s_Square, 4 * (int)Math.Ceiling(Math.Sqrt(count)), true).ToList(), corners = s_Square.ToList();
+            List<PlanPoint> rim = Polyline.Even(s_Square, 4 * (int)Math.Ceiling(Math.Sqrt(count)), true).ToList(),
+                corners = s_Square.ToList();
             List<PlanPoint> inside = InteriorPoints.Place(rim, corners, count);
             double even = Math.Sqrt(2.0 / Math.Sqrt(3.0) * 16.0 / count), nearest = double.MaxValue;
             for (int a = 0; a < inside.Count; a++)
@@ -82,7 +88,8 @@ namespace Alate.Tests
             Assert.That(inside, Has.Count.EqualTo(count));
             Assert.That(nearest, Is.InRange(0.5 * even, 1.1 * even), "a lattice of equal triangles");
             Assert.That(inside.Min(point => Polyline.Distance(rim, point, true)), Is.GreaterThan(0.54 * nearest));
-            Assert.That(inside.Min(point => corners.Min(corner => Math.Sqrt((corner - point).LengthSquared))), Is.GreaterThan(1.09 * nearest));
+            Assert.That(
+                inside.Min(point => corners.Min(corner => Math.Sqrt((corner - point).LengthSquared))), Is.GreaterThan(1.09 * nearest));
             Assert.That(inside.All(point => Polygon.Contains(rim, point)), Is.True);
             PlanPoint middle = inside.Aggregate((a, b) => a + b) * (1.0 / count);
             Assert.That(Math.Sqrt((middle - new PlanPoint(2, 2)).LengthSquared), Is.LessThan(even), "all over the square");
@@ -93,7 +100,8 @@ namespace Alate.Tests
         public void ARimsVertices_AreItsCorners_AndEvenBetween_InTheNumberThatIsAsked([Values] bool isOdd)
         {
             PlanPoint[] fine = Polyline.Even(s_Square, 160, true);
-            List<PlanPoint> found = RimSampler.Sample(fine, 0.5, isOdd, null), given = RimSampler.Sample(fine, 0.5, isOdd, new[] { 0, 40, 80, 120 });
+            List<PlanPoint> found = RimSampler.Sample(fine, 0.5, isOdd, null),
+                given = RimSampler.Sample(fine, 0.5, isOdd, new[] { 0, 40, 80, 120 });
             foreach (List<PlanPoint> rim in new[] { found, given })
             {
                 Assert.That(rim.Count % 2, Is.EqualTo(isOdd ? 1 : 0));
@@ -110,16 +118,20 @@ namespace Alate.Tests
         public void WhereAnOutlineIsNarrow_ItsVerticesLieCloser_ButNotWithoutEnd_AndChangeSlowly()
         {
             // Four wide and 0.4 wide; a strip of 0.05 would ask for less than the least.
-            var strip = new Polyline(new[] { new PlanPoint(0, 0), new PlanPoint(20, 0), new PlanPoint(20, 0.4), new PlanPoint(0, 0.4) }, true);
-            var hair = new Polyline(new[] { new PlanPoint(0, 0), new PlanPoint(20, 0), new PlanPoint(20, 0.05), new PlanPoint(0, 0.05) }, true);
+            var strip = new Polyline(
+                new[] { new PlanPoint(0, 0), new PlanPoint(20, 0), new PlanPoint(20, 0.4), new PlanPoint(0, 0.4) }, true);
+            var hair = new Polyline(
+                new[] { new PlanPoint(0, 0), new PlanPoint(20, 0), new PlanPoint(20, 0.05), new PlanPoint(0, 0.05) }, true);
             var wide = new Polyline(new[] { new PlanPoint(0, 0), new PlanPoint(20, 0), new PlanPoint(20, 9), new PlanPoint(0, 9) }, true);
 
             Assert.That(2.0 / new RimSpacing(strip, 1.0).Count(9.0, 11.0), Is.EqualTo(0.36).Within(1e-9), "0.9 of the width");
-            Assert.That(2.0 / new RimSpacing(hair, 1.0).Count(9.0, 11.0), Is.EqualTo(0.2).Within(1e-9), "a fifth of the even spacing at least");
+            Assert.That(
+                2.0 / new RimSpacing(hair, 1.0).Count(9.0, 11.0), Is.EqualTo(0.2).Within(1e-9), "a fifth of the even spacing at least");
             Assert.That(2.0 / new RimSpacing(wide, 1.0).Count(9.0, 11.0), Is.EqualTo(1.0).Within(1e-9));
 
             // A funnel: widths of 0.1 on the left, of 6 on the right.
-            var funnel = new Polyline(new[] { new PlanPoint(0, 0), new PlanPoint(6, 0), new PlanPoint(6, 3), new PlanPoint(12, 3), new PlanPoint(12, -3), new PlanPoint(6, -3), new PlanPoint(6, -0.1), new PlanPoint(0, -0.1) }.Reverse().ToArray(), true);
+            var funnel = new Polyline(new[] { new PlanPoint(0, 0), new PlanPoint(6, 0), new PlanPoint(6, 3), new PlanPoint(12, 3),
+                new PlanPoint(12, -3), new PlanPoint(6, -3), new PlanPoint(6, -0.1), new PlanPoint(0, -0.1) }.Reverse().ToArray(), true);
             var spacing = new RimSpacing(funnel, 1.0);
             double least = 9.0, most = 0.0;
             const double step = 0.1;
@@ -137,7 +149,8 @@ namespace Alate.Tests
         [Test]
         public void Advancing_IsTheInverseOfCounting_AlsoAroundTheEnd()
         {
-            var strip = new Polyline(new[] { new PlanPoint(0, 0), new PlanPoint(20, 0), new PlanPoint(20, 3), new PlanPoint(0, 0.4) }, true);
+            var strip = new Polyline(
+                new[] { new PlanPoint(0, 0), new PlanPoint(20, 0), new PlanPoint(20, 3), new PlanPoint(0, 0.4) }, true);
             var spacing = new RimSpacing(strip, 1.0);
             var random = new Random(4u);
             for (int k = 0; k < 50; k++)
@@ -159,7 +172,10 @@ namespace Alate.Tests
         {
             var comb = new List<PlanPoint> { new PlanPoint(2.0 * teeth, 0.0), new PlanPoint(2.0 * teeth, 1.0) };
             for (int tooth = teeth - 1; tooth >= 0; tooth--)
-                comb.AddRange(new[] { new PlanPoint(2.0 * tooth + 1.5, 1.0), new PlanPoint(2.0 * tooth + 1.5, 9.0), new PlanPoint(2.0 * tooth + 0.5, 9.0), new PlanPoint(2.0 * tooth + 0.5, 1.0) });
+            {
+                comb.AddRange(new[] { new PlanPoint(2.0 * tooth + 1.5, 1.0), new PlanPoint(2.0 * tooth + 1.5, 9.0),
+                    new PlanPoint(2.0 * tooth + 0.5, 9.0), new PlanPoint(2.0 * tooth + 0.5, 1.0) });
+            }
             comb.AddRange(new[] { new PlanPoint(0.0, 1.0), new PlanPoint(0.0, 0.0) });
             return comb.ToArray();
         }

@@ -29,7 +29,8 @@ namespace Alate.Tests
                     for (int k = 0; k + 1 < spans.Length; k++)
                         AssertOneWay(curve, spans[k], spans[k + 1], values[k], values[k + 1], $"seed {seed}, landmark {k}");
                     Assert.That(curve.At(spans[0] - 1.0), Is.EqualTo(values[0]), $"seed {seed}: before the first");
-                    Assert.That(curve.At(spans[spans.Length - 1] + 1.0), Is.EqualTo(values[values.Length - 1]).Within(k_Bound), $"seed {seed}: behind the last");
+                    Assert.That(curve.At(spans[spans.Length - 1] + 1.0), Is.EqualTo(values[values.Length - 1]).Within(k_Bound),
+                        $"seed {seed}: behind the last");
                 }
             }
         }
@@ -46,7 +47,8 @@ namespace Alate.Tests
                 MonotoneCurve curve = MonotoneCurve.Straight(spans, values).Smoothed();
                 for (int k = 1; k < 3; k++)
                 {
-                    double at = curve.At(spans[k]), before = (at - curve.At(spans[k] - step)) / step, after = (curve.At(spans[k] + step) - at) / step;
+                    double at = curve.At(spans[k]), before = (at - curve.At(spans[k] - step)) / step,
+                        after = (curve.At(spans[k] + step) - at) / step;
                     Assert.That(after, Is.EqualTo(before).Within(1e-4), $"seed {seed}, landmark {k}");
                 }
             }

@@ -12,7 +12,8 @@ namespace Alate.Tests
     {
         private const double k_Bound = 1e-9;
 
-        private static readonly PlanPoint[] s_Square = { new PlanPoint(1, 2), new PlanPoint(4, 2), new PlanPoint(4, 6), new PlanPoint(1, 6) };
+        private static readonly PlanPoint[] s_Square = { new PlanPoint(1, 2), new PlanPoint(4, 2), new PlanPoint(4, 6),
+            new PlanPoint(1, 6) };
 
         [Test]
         public void ARectangle_HasTheAreaAndTheCentreOfItsSides_EitherWayRound()
@@ -82,7 +83,8 @@ namespace Alate.Tests
             Assert.That(Polygon.IsSimple(bow), Is.False);
             Assert.That(Polygon.IsSimple(bow.Reverse().ToArray()), Is.False);
             Assert.That(Polygon.IsSimple(new[] { s_Square[0], s_Square[1] }), Is.False);
-            PlanPoint[] pentagram = Array.ConvertAll(new[] { 0, 2, 4, 1, 3 }, k => new PlanPoint(Math.Cos(0.4 * Math.PI * k), Math.Sin(0.4 * Math.PI * k)));
+            PlanPoint[] pentagram = Array.ConvertAll(
+                new[] { 0, 2, 4, 1, 3 }, k => new PlanPoint(Math.Cos(0.4 * Math.PI * k), Math.Sin(0.4 * Math.PI * k)));
             Assert.That(Polygon.IsSimple(pentagram), Is.False, "counterclockwise, but crossed");
             foreach (uint seed in Seeds.First(20))
             {
@@ -97,7 +99,8 @@ namespace Alate.Tests
         {
             PlanPoint a = new PlanPoint(0, 0), b = new PlanPoint(2, 2), c = new PlanPoint(0, 2), d = new PlanPoint(2, 0);
 
-            Assert.That(PlanPoint.SegmentsCross(a, b, c, d) && PlanPoint.SegmentsCross(b, a, c, d) && PlanPoint.SegmentsCross(c, d, a, b), Is.True);
+            Assert.That(
+                PlanPoint.SegmentsCross(a, b, c, d) && PlanPoint.SegmentsCross(b, a, c, d) && PlanPoint.SegmentsCross(c, d, a, b), Is.True);
             Assert.That(PlanPoint.SegmentsCross(a, b, c, new PlanPoint(0.9, 1.1)), Is.False, "it ends before");
             Assert.That(PlanPoint.SegmentsCross(a, new PlanPoint(0.9, 0.9), c, d), Is.False);
             Assert.That(PlanPoint.SegmentsCross(a, b, new PlanPoint(0, 1), new PlanPoint(2, 3)), Is.False, "parallel");
@@ -128,11 +131,13 @@ namespace Alate.Tests
             for (int degrees = -170; degrees <= 170; degrees += 20)
             {
                 double angle = Math.PI * degrees / 180.0;
-                PlanPoint[] path = { new PlanPoint(-3.0, 0.0), new PlanPoint(0.0, 0.0), new PlanPoint(0.5 * Math.Cos(angle), 0.5 * Math.Sin(angle)) };
+                PlanPoint[] path = { new PlanPoint(-3.0, 0.0), new PlanPoint(0.0, 0.0),
+                    new PlanPoint(0.5 * Math.Cos(angle), 0.5 * Math.Sin(angle)) };
                 Assert.That(Polygon.TurnCosine(path, 1), Is.EqualTo(Math.Cos(angle)).Within(k_Bound), $"{degrees} degrees");
             }
 
-            Assert.That(Enumerable.Range(0, 4).Select(corner => Polygon.TurnCosine(s_Square, corner)), Is.All.EqualTo(0.0).Within(k_Bound), "the last side joins the first");
+            Assert.That(Enumerable.Range(0, 4).Select(corner => Polygon.TurnCosine(s_Square, corner)), Is.All.EqualTo(0.0).Within(k_Bound),
+                "the last side joins the first");
         }
 
         [Test]
@@ -158,7 +163,8 @@ namespace Alate.Tests
 
             PlanPoint[] fine = Polyline.Even(s_Square, 140, true);
             PlanPoint[] coarse = Polygon.Simplified(fine, 0.01);
-            Assert.That(coarse.Select(corner => (Math.Round(corner.x, 6), Math.Round(corner.z, 6))), Is.EquivalentTo(s_Square.Select(corner => (corner.x, corner.z))));
+            Assert.That(coarse.Select(corner => (Math.Round(corner.x, 6), Math.Round(corner.z, 6))),
+                Is.EquivalentTo(s_Square.Select(corner => (corner.x, corner.z))));
         }
 
         [Test]
@@ -187,7 +193,8 @@ namespace Alate.Tests
         public void ARay_MeetsTheNearestSideAhead_ButTheOneItBeginsOn()
         {
             var square = new Polyline(s_Square, true);
-            double up = square.RayDistance(new PlanPoint(2, 3), new PlanPoint(0, 1), -1, out int upper), right = square.RayDistance(new PlanPoint(2, 3), new PlanPoint(1, 0), -1, out int righter);
+            double up = square.RayDistance(new PlanPoint(2, 3), new PlanPoint(0, 1), -1, out int upper),
+                right = square.RayDistance(new PlanPoint(2, 3), new PlanPoint(1, 0), -1, out int righter);
 
             Assert.That((up, upper, right, righter), Is.EqualTo((3.0, 2, 2.0, 1)));
             Assert.That(square.RayDistance(new PlanPoint(2, 1), new PlanPoint(0, 1), -1, out _), Is.EqualTo(1.0), "the nearer of two");

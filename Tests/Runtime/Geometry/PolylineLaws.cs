@@ -22,7 +22,8 @@ namespace Alate.Tests
                 Assert.That(line.Length, Is.EqualTo(Polyline.LengthOf(star, isClosed)).Within(k_Bound), $"seed {seed}");
                 for (int k = 0; k < star.Length; k++)
                     Assert.That(Distance(line.At(line.DistanceTo(k)), star[k]), Is.LessThan(k_Bound), $"seed {seed}, point {k}");
-                Assert.That(Distance(line.At(line.Length), isClosed ? star[0] : star[star.Length - 1]), Is.LessThan(k_Bound), $"seed {seed}");
+                Assert.That(
+                    Distance(line.At(line.Length), isClosed ? star[0] : star[star.Length - 1]), Is.LessThan(k_Bound), $"seed {seed}");
             }
         }
 
@@ -37,7 +38,9 @@ namespace Alate.Tests
                 for (int k = 0; k < 20; k++)
                 {
                     PlanPoint point = Anywhere(ref random);
-                    Assert.That(Distance(line.At(line.Nearest(point)), point), Is.EqualTo(Polyline.Distance(star, point, isClosed)).Within(k_Bound), $"seed {seed}, place {k}");
+                    Assert.That(
+                        Distance(line.At(line.Nearest(point)), point), Is.EqualTo(Polyline.Distance(star, point, isClosed)).Within(k_Bound),
+                        $"seed {seed}, place {k}");
                 }
             }
         }
@@ -76,7 +79,8 @@ namespace Alate.Tests
                 {
                     PlanPoint point = Anywhere(ref random);
                     double least = Polyline.Distance(curve.Samples, point, true);
-                    Assert.That(Distance(curve.At(curve.Nearest(point)), point), Is.EqualTo(least).Within(k_Bound), $"seed {seed}, place {k}");
+                    Assert.That(
+                        Distance(curve.At(curve.Nearest(point)), point), Is.EqualTo(least).Within(k_Bound), $"seed {seed}, place {k}");
                     Assert.That(curve.Contains(point), Is.EqualTo(Polygon.Contains(curve.Samples, point)), $"seed {seed}, place {k}");
                 }
             }

@@ -6,7 +6,8 @@ namespace Alate.Tests
     /// <summary>Walks along a square of side 2 and along three of its sides.</summary>
     public sealed class PolylineTests
     {
-        private static readonly PlanPoint[] s_Square = { new PlanPoint(0, 0), new PlanPoint(2, 0), new PlanPoint(2, 2), new PlanPoint(0, 2) };
+        private static readonly PlanPoint[] s_Square = { new PlanPoint(0, 0), new PlanPoint(2, 0), new PlanPoint(2, 2),
+            new PlanPoint(0, 2) };
 
         [TestCase(false, 6.0)]
         [TestCase(true, 8.0)]
@@ -31,7 +32,8 @@ namespace Alate.Tests
         {
             var line = new Polyline(s_Square);
 
-            Polyline begun = line.Until(3.0), whole = Polyline.Join(begun, new Polyline(new[] { new PlanPoint(2, 1), new PlanPoint(2, 2) }));
+            Polyline begun = line.Until(3.0),
+                whole = Polyline.Join(begun, new Polyline(new[] { new PlanPoint(2, 1), new PlanPoint(2, 2) }));
 
             Assert.That(begun.Length, Is.EqualTo(3.0));
             Assert.That(begun.Points, Has.Count.EqualTo(3));
@@ -55,7 +57,10 @@ namespace Alate.Tests
         {
             var star = new PlanPoint[40];
             for (int k = 0; k < star.Length; k++)
-                star[k] = new PlanPoint(System.Math.Cos(0.05 * System.Math.PI * k), System.Math.Sin(0.05 * System.Math.PI * k)) * (k % 2 == 0 ? 1.0 : 0.6);
+            {
+                star[k] = new PlanPoint(System.Math.Cos(0.05 * System.Math.PI * k), System.Math.Sin(0.05 * System.Math.PI * k))
+                    * (k % 2 == 0 ? 1.0 : 0.6);
+            }
             var grid = new PolygonGrid(star, 0.1);
             var random = new System.Random(3);
             for (int k = 0; k < 500; k++)

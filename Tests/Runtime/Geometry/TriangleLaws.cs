@@ -32,7 +32,8 @@ namespace Alate.Tests
                 Assert.That(u + v + w, Is.EqualTo(1.0).Within(1e-12), $"seed {seed}");
                 Assert.That(Math.Min(u, Math.Min(v, w)), Is.GreaterThanOrEqualTo(0.0), $"seed {seed}");
                 Assert.That((a * u + b * v + c * w - p).LengthSquared, Is.EqualTo(square).Within(1e-12), $"seed {seed}");
-                Assert.That(Math.Sqrt(square), Is.LessThanOrEqualTo(Math.Sqrt(searched) + 1e-9).And.GreaterThan(Math.Sqrt(searched) - 0.06), $"seed {seed}");
+                Assert.That(Math.Sqrt(square), Is.LessThanOrEqualTo(Math.Sqrt(searched) + 1e-9).And.GreaterThan(Math.Sqrt(searched) - 0.06),
+                    $"seed {seed}");
                 Assert.That(triangle.LeastDistanceSquared(p), Is.LessThanOrEqualTo(square + 1e-12), $"seed {seed}");
             }
         }
@@ -44,7 +45,9 @@ namespace Alate.Tests
         [TestCase(1.0, 3.0, 4.0)]
         [TestCase(4.0, 4.0, 13.0)]
         public void TheLeastDistance_IsThatFromTheRectangleAround(double x, double z, double square) =>
-            Assert.That(new PlanTriangle(new PlanPoint(0, 1), new PlanPoint(2, 0), new PlanPoint(1, 1)).LeastDistanceSquared(new PlanPoint(x, z)), Is.EqualTo(square));
+            Assert.That(
+                new PlanTriangle(new PlanPoint(0, 1), new PlanPoint(2, 0), new PlanPoint(1, 1)).LeastDistanceSquared(new PlanPoint(x, z)),
+                Is.EqualTo(square));
 
         [Test]
         public void ATriangleWithoutArea_IsTheLineOfItsCorners()
@@ -62,7 +65,8 @@ namespace Alate.Tests
             foreach (uint seed in Seeds.First(60))
             {
                 var random = new Random(seed);
-                float3 a = random.NextFloat3(-1f, 1f), b = random.NextFloat3(-1f, 1f), c = random.NextFloat3(-1f, 1f), p = random.NextFloat3(-2f, 2f);
+                float3 a = random.NextFloat3(-1f, 1f), b = random.NextFloat3(-1f, 1f), c = random.NextFloat3(-1f, 1f),
+                    p = random.NextFloat3(-2f, 2f);
                 float searched = float.PositiveInfinity;
                 for (int i = 0; i <= k_Steps; i++)
                 {
@@ -72,10 +76,12 @@ namespace Alate.Tests
 
                 float distance = math.sqrt(TriangleDistance.Square(p, a, b, c));
                 Assert.That(distance, Is.LessThanOrEqualTo(searched + 1e-5f).And.GreaterThan(searched - 0.06f), $"seed {seed}");
-                Assert.That(math.sqrt(TriangleDistance.Square(p, c, b, a)), Is.EqualTo(distance).Within(1e-4f), $"seed {seed}: either way round");
+                Assert.That(
+                    math.sqrt(TriangleDistance.Square(p, c, b, a)), Is.EqualTo(distance).Within(1e-4f), $"seed {seed}: either way round");
             }
 
-            Assert.That(TriangleDistance.Square(new Vector3(0.2f, 0.3f, -0.5f), Vector3.zero, Vector3.right, Vector3.up), Is.EqualTo(0.25f).Within(1e-6f));
+            Assert.That(TriangleDistance.Square(new Vector3(0.2f, 0.3f, -0.5f), Vector3.zero, Vector3.right, Vector3.up),
+                Is.EqualTo(0.25f).Within(1e-6f));
             Assert.That(TriangleDistance.Square(Vector3.up, Vector3.zero, Vector3.right, Vector3.right), Is.EqualTo(1f), "without area");
         }
 
@@ -90,7 +96,8 @@ namespace Alate.Tests
             Assert.That(TriangleSmoothing.Quality(a, b, new PlanPoint(9, 1)), Is.Zero);
 
             // Half a square: area 1/2, squared sides 1 + 1 + 2.
-            Assert.That(TriangleSmoothing.Quality(default, new PlanPoint(1, 0), new PlanPoint(0, 1)), Is.EqualTo(Math.Sqrt(0.75)).Within(1e-12));
+            Assert.That(
+                TriangleSmoothing.Quality(default, new PlanPoint(1, 0), new PlanPoint(0, 1)), Is.EqualTo(Math.Sqrt(0.75)).Within(1e-12));
         }
 
         [Test]

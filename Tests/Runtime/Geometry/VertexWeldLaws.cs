@@ -23,7 +23,10 @@ namespace Alate.Tests
                 int[] places = VertexWeld.Exact(points);
 
                 for (int k = 0; k < points.Length; k++)
-                    Assert.That(places[k], Is.EqualTo(Array.FindIndex(points, point => math.all(point == points[k]))), $"seed {seed}, vertex {k}");
+                {
+                    Assert.That(
+                        places[k], Is.EqualTo(Array.FindIndex(points, point => math.all(point == points[k]))), $"seed {seed}, vertex {k}");
+                }
             }
         }
 

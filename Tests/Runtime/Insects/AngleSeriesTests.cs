@@ -23,8 +23,10 @@ namespace Alate.Tests
         [Test]
         public void ATable_OfTwoValues_OrWithAHole_IsRefused()
         {
-            Assert.That(() => AngleSeries.FromTable(new[] { 1f, 2f }), Throws.ArgumentException.With.Message.Contains("at least three values; it has 2"));
-            Assert.That(() => AngleSeries.FromTable(new[] { 1f, float.NaN, 2f }), Throws.ArgumentException.With.Message.Contains("Value 1 of the table is NaN"));
+            Assert.That(() => AngleSeries.FromTable(new[] { 1f, 2f }),
+                Throws.ArgumentException.With.Message.Contains("at least three values; it has 2"));
+            Assert.That(() => AngleSeries.FromTable(new[] { 1f, float.NaN, 2f }),
+                Throws.ArgumentException.With.Message.Contains("Value 1 of the table is NaN"));
         }
 
         [Test]
@@ -39,7 +41,8 @@ namespace Alate.Tests
             WingKinematics kinematics = preset.ToParameters().kinematics;
             Assert.That(kinematics.frequency, Is.EqualTo(26.5f));
             Assert.That(kinematics.Mean(DrivenAngle.Feather), Is.EqualTo(10 * Math.PI / 180).Within(1e-6));
-            Assert.That(kinematics.Harmonic(DrivenAngle.Feather, 1).x, Is.EqualTo(54 * Math.PI / 180 * Math.Cos(89 * Math.PI / 180)).Within(1e-6));
+            Assert.That(
+                kinematics.Harmonic(DrivenAngle.Feather, 1).x, Is.EqualTo(54 * Math.PI / 180 * Math.Cos(89 * Math.PI / 180)).Within(1e-6));
             UnityEngine.Object.DestroyImmediate(preset);
         }
     }

@@ -10,7 +10,9 @@ namespace Alate.Editor
         /// <summary>Distance of a new chain beyond the first or last one, in distances to its neighbour.</summary>
         private const float k_Beyond = 0.5f;
 
-        /// <summary>Adds a chain halfway to the next one behind each chain with a selected joint; behind the last chain, beyond it.</summary>
+        /// <summary>
+        /// Adds a chain halfway to the next one behind each chain with a selected joint; behind the last chain, beyond it.
+        /// </summary>
         public static Proposal AddBehind(SkeletonDraft draft, JointIndex[] selected) =>
             Add(draft, Chains(selected), 1);
 

@@ -9,8 +9,8 @@ namespace Alate.Editor
     internal static class MendCommand
     {
         /// <summary>
-        /// Drops chains with fewer than two usable joints, gives the others as many joints as most of them have, and brings both counts into
-        /// their range. Chains that are complete keep their joints.
+        /// Drops chains with fewer than two usable joints, gives the others as many joints as most of them have, and brings both counts
+        /// into their range. Chains that are complete keep their joints.
         /// </summary>
         public static Proposal Make(WingSkeleton skeleton)
         {
@@ -20,7 +20,10 @@ namespace Alate.Editor
             int joints = Mathf.Clamp(UsualLength(chains), WingSkeleton.MinJoints, WingSkeleton.MaxJoints);
             SkeletonDraft draft = new SkeletonDraft(chains.Count, joints).TakeFrame(skeleton);
             for (int i = 0; i < chains.Count; i++)
-                draft.SetChain(i, chains[i].Length == joints ? chains[i].joints : new JointPath(chains[i].joints).Evenly(joints), chains[i]);
+            {
+                draft.SetChain(
+                    i, chains[i].Length == joints ? chains[i].joints : new JointPath(chains[i].joints).Evenly(joints), chains[i]);
+            }
             if (!SkeletonDraft.IsUsable(draft.Hinge))
                 draft.Hinge = draft[0, 0];
             if (!WingAxes.TryMake(draft.SpanAxis, draft.UpAxis, out float3x3 _))

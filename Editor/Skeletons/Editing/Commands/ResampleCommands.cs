@@ -7,7 +7,9 @@ namespace Alate.Editor
     /// <summary>Commands that lay joints out again along the chains.</summary>
     internal static class ResampleCommands
     {
-        /// <summary>Spaces the joints of the chains with a selected joint, or of all where none is selected, evenly along them. Roots and tips stay.</summary>
+        /// <summary>
+        /// Spaces the joints of the chains with a selected joint, or of all where none is selected, evenly along them. Roots and tips stay.
+        /// </summary>
         public static Proposal Evenly(SkeletonDraft draft, JointIndex[] selected)
         {
             var chains = new HashSet<int>(Array.ConvertAll(selected, joint => joint.chain));

@@ -9,7 +9,10 @@ namespace Alate.Editor
     /// </summary>
     internal static class RowCommands
     {
-        /// <summary>Adds a joint to every chain, in the middle of the bone beyond each row with a selected joint; at the tips, of the bone before them.</summary>
+        /// <summary>
+        /// Adds a joint to every chain, in the middle of the bone beyond each row with a selected joint; at the tips, of the bone before
+        /// them.
+        /// </summary>
         public static Proposal Add(SkeletonDraft draft, JointIndex[] selected)
         {
             if (selected.Length == 0)

@@ -9,7 +9,10 @@ using Unity.Mathematics;
 
 namespace Alate.Cli;
 
-/// <summary>The parts of a glTF file of a baked insect that all forms have: vertices, primitives by material, the file around them. Metres, Y up, facing +Z.</summary>
+/// <summary>
+/// The parts of a glTF file of a baked insect that all forms have: vertices, primitives by material, the file around them. Metres, Y up,
+/// facing +Z.
+/// </summary>
 internal sealed class BakeScene(InsectBake bake)
 {
     private readonly GlbScene m_File = new();
@@ -23,7 +26,8 @@ internal sealed class BakeScene(InsectBake bake)
     public JsonArray Animations { get; } = [];
 
     /// <summary>Positions of a frame.</summary>
-    public float3[] Positions(IEnumerable<float3> insect) => insect.Select(position => FileAxes.ToGltf(position) * bake.MetresPerUnit).ToArray();
+    public float3[] Positions(IEnumerable<float3> insect) =>
+        insect.Select(position => FileAxes.ToGltf(position) * bake.MetresPerUnit).ToArray();
 
     /// <summary>Attributes of the vertices at rest.</summary>
     public JsonObject RestAttributes() => Attributes(
@@ -65,7 +69,8 @@ internal sealed class BakeScene(InsectBake bake)
     public int AddMeshNode(JsonObject mesh) => m_File.AddNode(bake.Name, mesh);
 
     /// <summary>Times of the frames of a clip, and of its first again, seconds.</summary>
-    public int Times(BakedClip clip, int count) => Buffer.AddScalars(Enumerable.Range(0, count + 1).Select(key => key / (clip.Frequency * count)).ToArray());
+    public int Times(BakedClip clip, int count) =>
+        Buffer.AddScalars(Enumerable.Range(0, count + 1).Select(key => key / (clip.Frequency * count)).ToArray());
 
     /// <summary>Writes the file.</summary>
     /// <param name="roots">Nodes of the scene.</param>

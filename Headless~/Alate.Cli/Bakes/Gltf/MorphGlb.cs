@@ -8,7 +8,10 @@ using Unity.Mathematics;
 
 namespace Alate.Cli;
 
-/// <summary>A baked insect whose key frames are morph targets: the mesh is the first frame of the first clip, each other frame one target, each clip an animation of weights.</summary>
+/// <summary>
+/// A baked insect whose key frames are morph targets: the mesh is the first frame of the first clip, each other frame one target, each clip
+/// an animation of weights.
+/// </summary>
 internal sealed class MorphGlb
 {
     private readonly BakeScene m_Scene;

@@ -9,8 +9,8 @@ using Unity.Mathematics;
 namespace Alate.Cli;
 
 /// <summary>
-/// A baked insect with joints: each chain of a wing is a chain of nodes that turn and move, and a vertex follows the four joints around it, blended in a straight line.
-/// What no wing moves follows the root.
+/// A baked insect with joints: each chain of a wing is a chain of nodes that turn and move, and a vertex follows the four joints around it,
+/// blended in a straight line. What no wing moves follows the root.
 /// </summary>
 internal sealed class SkinGlb
 {
@@ -70,7 +70,8 @@ internal sealed class SkinGlb
 
     private int AddNode(string name, float3 place, JsonArray children)
     {
-        m_Scene.Nodes.Add(new JsonObject { ["name"] = name, ["translation"] = new JsonArray(place.x, place.y, place.z), ["children"] = children });
+        m_Scene.Nodes.Add(
+            new JsonObject { ["name"] = name, ["translation"] = new JsonArray(place.x, place.y, place.z), ["children"] = children });
         return m_Scene.Nodes.Count - 1;
     }
 

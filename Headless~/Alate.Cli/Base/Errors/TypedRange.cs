@@ -3,7 +3,9 @@ using System.Globalization;
 
 namespace Alate.Cli;
 
-/// <summary>Checks a number that a user typed where the model takes something that is made of it, such as its product with a species' own number.</summary>
+/// <summary>
+/// Checks a number that a user typed where the model takes something that is made of it, such as its product with a species' own number.
+/// </summary>
 internal static class TypedRange
 {
     private const int k_Halvings = 100, k_Digits = 6;
@@ -22,7 +24,8 @@ internal static class TypedRange
         if (value >= min && value <= max && holds(value))
             return;
         throw new UserException(
-            $"{option} must lie between {Text(Bound(own, min, holds))} and {Text(Bound(own, max, holds))} for {subject}; it is {Text(value)}.");
+            $"{option} must lie between {Text(Bound(own, min, holds))} and "
+            + $"{Text(Bound(own, max, holds))} for {subject}; it is {Text(value)}.");
     }
 
     // The number nearest to the limit that holds, in few digits.

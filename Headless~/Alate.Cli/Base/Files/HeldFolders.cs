@@ -5,7 +5,8 @@ using System.Threading;
 namespace Alate.Cli;
 
 /// <summary>
-/// Finished folders of a command that has more to say: they get their files when it has said all, and none where its standard output takes nothing.
+/// Finished folders of a command that has more to say: they get their files when it has said all, and none where its standard output takes
+/// nothing.
 /// </summary>
 internal sealed class HeldFolders : IDisposable
 {

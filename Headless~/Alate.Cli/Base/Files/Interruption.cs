@@ -7,8 +7,8 @@ using System.Threading;
 namespace Alate.Cli;
 
 /// <summary>
-/// Ends the program when the user presses Ctrl-C, or the system asks for it: removes what unfinished folders hold, shows the cursor again, and leaves
-/// with the exit code that a shell expects, 128 and the signal's number.
+/// Ends the program when the user presses Ctrl-C, or the system asks for it: removes what unfinished folders hold, shows the cursor again,
+/// and leaves with the exit code that a shell expects, 128 and the signal's number.
 /// </summary>
 internal static class Interruption
 {

@@ -53,7 +53,8 @@ internal static class OutputFile
     private static bool IsDevice(string file)
     {
         string path = Path.GetFullPath(file);
-        return Array.Exists(s_Devices, folder => path.StartsWith(folder, StringComparison.Ordinal)) && !path.StartsWith(k_SharedMemory, StringComparison.Ordinal);
+        return Array.Exists(s_Devices, folder => path.StartsWith(folder, StringComparison.Ordinal))
+            && !path.StartsWith(k_SharedMemory, StringComparison.Ordinal);
     }
 
     private static void WriteBytes(string file, MemoryStream content)

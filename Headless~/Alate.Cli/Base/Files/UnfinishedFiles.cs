@@ -8,7 +8,8 @@ using System.Text.RegularExpressions;
 namespace Alate.Cli;
 
 /// <summary>
-/// Names of files that are not finished, <c>NAME.MACHINE-PROCESS-RUN.part</c>, by which a run knows those that another one left behind when it was killed.
+/// Names of files that are not finished, <c>NAME.MACHINE-PROCESS-RUN.part</c>, by which a run knows those that another one left behind when
+/// it was killed.
 /// </summary>
 internal static partial class UnfinishedFiles
 {

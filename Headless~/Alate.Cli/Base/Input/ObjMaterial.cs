@@ -25,6 +25,8 @@ internal static class ObjMaterial
         string line = TextFile.Read(path, reader => reader.ReadToEnd().Split('\n'))
             .Select(text => text.Trim()).FirstOrDefault(text => text.StartsWith(k_Picture + ' ', StringComparison.Ordinal));
         string picture = line == null ? null : Path.Combine(folder, line[(k_Picture.Length + 1)..].Trim());
-        return picture != null && Path.GetExtension(picture).Equals(".png", StringComparison.OrdinalIgnoreCase) && File.Exists(picture) ? picture : null;
+        return picture != null && Path.GetExtension(picture).Equals(".png", StringComparison.OrdinalIgnoreCase) && File.Exists(picture)
+            ? picture
+            : null;
     }
 }

@@ -28,5 +28,6 @@ internal sealed class ObjMesh
     /// <summary>File of the materials as the mesh names it; null where it names none.</summary>
     public string Library { get; init; }
 
-    public SurfaceMesh ToSurface(string name) => new() { name = name, positions = Positions, normals = Normals, uvs = Uvs, triangles = Triangles };
+    public SurfaceMesh ToSurface(string name) =>
+        new() { name = name, positions = Positions, normals = Normals, uvs = Uvs, triangles = Triangles };
 }

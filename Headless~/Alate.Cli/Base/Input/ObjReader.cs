@@ -8,8 +8,9 @@ using UnityEngine;
 namespace Alate.Cli;
 
 /// <summary>
-/// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vt, vn and f with triangles, quads and larger polygons as fans, also with negative
-/// indices, and the name of its materials. Positions are read in double precision. Groups, lines and points are passed over.
+/// Reads the polygons of a Wavefront OBJ file: v (with colours, if any), vt, vn and f with triangles, quads and larger polygons as fans,
+/// also with negative indices, and the name of its materials. Positions are read in double precision. Groups, lines and points are passed
+/// over.
 /// </summary>
 internal sealed class ObjReader
 {

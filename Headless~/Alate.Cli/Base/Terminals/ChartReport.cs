@@ -17,7 +17,8 @@ internal sealed record ChartReport(string Picture, string Table)
     /// <param name="measure">Measures; calls back with the number of steps that are done.</param>
     /// <param name="draw">Makes the chart.</param>
     /// <param name="write">Writes the table.</param>
-    public List<T> Make<T>(Terminal terminal, string path, int count, Func<Action<int>, List<T>> measure, Func<List<T>, string> draw, Action<List<T>, Stream> write)
+    public List<T> Make<T>(Terminal terminal, string path, int count, Func<Action<int>, List<T>> measure, Func<List<T>, string> draw,
+        Action<List<T>, Stream> write)
     {
         using var folder = OutputFolder.Prepare(path, Picture, Table);
         List<T> measured = null;

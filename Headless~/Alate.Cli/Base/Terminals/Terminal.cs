@@ -56,7 +56,8 @@ internal sealed class Terminal
     /// <param name="heading">Its heading.</param>
     /// <param name="rows">All of one length.</param>
     /// <param name="names">First columns that are not broken into lines.</param>
-    public void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows, int names = 0) => ShowTable(heading, rows, Justify.Right, names);
+    public void ShowTable(string heading, IEnumerable<IReadOnlyList<string>> rows, int names = 0) =>
+        ShowTable(heading, rows, Justify.Right, names);
 
     /// <summary>Shows a table of texts.</summary>
     public void ShowTexts(string heading, IEnumerable<IReadOnlyList<string>> rows) => ShowTable(heading, rows, Justify.Left, 1);

@@ -19,13 +19,14 @@ internal static class FlightOptions
     public static Option<int?> Substeps() => Numbers.OptionalCount(FlightNumbers.Substeps);
 
     public static Option<InsectVariant?> Variant() => Choice.Optional<InsectVariant>(
-        "--variant", "Which numbers of the species: the tables', measured ones where there are any, softer ones, or those with which its wings carry it. [default: standard]", new()
-        {
-            ["standard"] = InsectVariant.Standard,
-            ["biological"] = InsectVariant.Biological,
-            ["expressive"] = InsectVariant.Expressive,
-            ["flight"] = InsectVariant.Flight,
-        });
+        "--variant", "Which numbers of the species: the tables', measured ones where there are any, softer ones, or those with which its "
+            + "wings carry it. [default: standard]", new()
+            {
+                ["standard"] = InsectVariant.Standard,
+                ["biological"] = InsectVariant.Biological,
+                ["expressive"] = InsectVariant.Expressive,
+                ["flight"] = InsectVariant.Flight,
+            });
 
     public static Option<PictureView?> View() => Choice.Optional(
         "--view", "The side the picture shows. [default: front-left]", PictureView.ByName);

@@ -23,7 +23,8 @@ internal sealed class FlyOptions
 
     private readonly Option<double?> m_Induced = Numbers.Switch(FlightNumbers.Induced);
 
-    private readonly Option<bool> m_AddedMass = new("--added-mass") { Description = "The air that the wings carry along where they are accelerated across their surface." };
+    private readonly Option<bool> m_AddedMass =
+        new("--added-mass") { Description = "The air that the wings carry along where they are accelerated across their surface." };
 
     private readonly Option<double?> m_Lag = Numbers.Optional(FlightNumbers.Lag);
 
@@ -60,11 +61,14 @@ internal sealed class FlyOptions
 
     private readonly Option<bool> m_Rigid = new("--rigid") { Description = "A stiff wing for comparison: no wave and no bending." };
 
-    private readonly Option<string[]> m_Mesh = Files("--mesh", "FILE.obj", "A wing of your own, at rest; two for a fore and a hind wing. Needs --skeleton and --species.");
+    private readonly Option<string[]> m_Mesh = Files(
+        "--mesh", "FILE.obj", "A wing of your own, at rest; two for a fore and a hind wing. Needs --skeleton and --species.");
 
-    private readonly Option<string[]> m_Skeleton = Files("--skeleton", "FILE.json", "The skeleton of each of these wings, in its mesh's space.");
+    private readonly Option<string[]> m_Skeleton = Files(
+        "--skeleton", "FILE.json", "The skeleton of each of these wings, in its mesh's space.");
 
-    private readonly Option<string[]> m_Texture = Files("--texture", "FILE.png", "The picture on each of these wings. [default: that of the mesh's material]");
+    private readonly Option<string[]> m_Texture = Files(
+        "--texture", "FILE.png", "The picture on each of these wings. [default: that of the mesh's material]");
 
     private readonly Option<string> m_Species = new("--species")
     {
@@ -80,7 +84,8 @@ internal sealed class FlyOptions
 
     private readonly Option<PictureView?> m_View = FlightOptions.View();
 
-    private readonly Option<bool> m_NoPictures = new("--no-pictures") { Description = "Neither strip.png nor stretch.png: for many runs one after the other." };
+    private readonly Option<bool> m_NoPictures =
+        new("--no-pictures") { Description = "Neither strip.png nor stretch.png: for many runs one after the other." };
 
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
@@ -88,7 +93,8 @@ internal sealed class FlyOptions
     {
         Option[] all =
         [
-            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Induced, m_AddedMass, m_Lag, m_Elasticity, m_Substeps, m_Elements, m_Coefficients, m_Preset,
+            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Induced, m_AddedMass, m_Lag, m_Elasticity, m_Substeps, m_Elements,
+            m_Coefficients, m_Preset,
             m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_Kinematics, m_View, m_NoPictures, m_Out,
         ];
         foreach (Option option in all)
@@ -125,7 +131,8 @@ internal sealed class FlyOptions
             HindSkeletonFile = File(parsed, m_Skeleton, 1),
             HindTextureFile = File(parsed, m_Texture, 1),
             KinematicsFile = parsed.GetValue(m_Kinematics),
-            Speed = parsed.GetValue(m_Speed) ?? (InsectCatalogue.TryFind(name, out InsectDefinition found) ? FlightPlan.CruiseOf(found) : 0),
+            Speed = parsed.GetValue(m_Speed)
+                ?? (InsectCatalogue.TryFind(name, out InsectDefinition found) ? FlightPlan.CruiseOf(found) : 0),
             Variant = parsed.GetValue(m_Variant) ?? InsectVariant.Standard,
             Climb = parsed.GetValue(m_Climb),
             PitchDegrees = parsed.GetValue(m_Pitch),
@@ -162,7 +169,8 @@ internal sealed class FlyOptions
     private static Option<string[]> Files(string name, string unit, string description) =>
         new(name) { HelpName = unit, Description = description, AllowMultipleArgumentsPerToken = true, Arity = new ArgumentArity(1, 2) };
 
-    private static string File(ParseResult parsed, Option<string[]> option, int index) => parsed.GetValue(option)?.ElementAtOrDefault(index);
+    private static string File(ParseResult parsed, Option<string[]> option, int index) =>
+        parsed.GetValue(option)?.ElementAtOrDefault(index);
 
     private static void Check(FlightPlan plan, string species, string preset)
     {

@@ -18,10 +18,19 @@ internal sealed class FreeOptions
     private const int k_MostPoints = 1000;
     private const double k_DefaultSeconds = 10;
 
-    private readonly Option<bool> m_Free = new("--free") { Description = "The wings carry the insect: a flight of its own, not on the spot." };
-    private readonly Option<string> m_Pilot = new("--pilot") { HelpName = "hover|goto|points|wander", Description = "With --free: where to. [default: hover, goto with --to, points with --points]" };
+    private readonly Option<bool> m_Free =
+        new("--free") { Description = "The wings carry the insect: a flight of its own, not on the spot." };
+    private readonly Option<string> m_Pilot = new("--pilot")
+    {
+        HelpName = "hover|goto|points|wander",
+        Description = "With --free: where to. [default: hover, goto with --to, points with --points]",
+    };
     private readonly Option<double[]> m_To = Numbers.Vector(FlightNumbers.To);
-    private readonly Option<string> m_Points = new("--points") { HelpName = "FILE", Description = "With --free: a file of places, X,Y,Z in metres a line, flown one after the other." };
+    private readonly Option<string> m_Points = new("--points")
+    {
+        HelpName = "FILE",
+        Description = "With --free: a file of places, X,Y,Z in metres a line, flown one after the other.",
+    };
     private readonly Option<int?> m_Seed = Numbers.OptionalCount(FlightNumbers.Seed);
     private readonly Option<double[]> m_Gust = Numbers.Vector(FlightNumbers.Gust);
     private readonly Option<double> m_Aid = Numbers.Option(FlightNumbers.Aid);
@@ -67,8 +76,11 @@ internal sealed class FreeOptions
         return new FreePlan
         {
             RecordFile = parsed.GetValue(m_Record),
-            Options = string.Join(' ', Flown.Where(option => IsGiven(parsed, option)).Select(option => parsed.GetResult(option)).Select(Said)),
-            Insect = KnownSpecies.Find(species ?? throw new UserException($"Which species? Known: {string.Join(", ", InsectCatalogue.Names)}."), InsectVariant.Flight),
+            Options = string.Join(
+                ' ', Flown.Where(option => IsGiven(parsed, option)).Select(option => parsed.GetResult(option)).Select(Said)),
+            Insect = KnownSpecies.Find(
+                species ?? throw new UserException($"Which species? Known: {string.Join(", ", InsectCatalogue.Names)}."),
+                InsectVariant.Flight),
             Points = PointsOf(parsed, out bool wanders),
             WanderSeed = wanders ? parsed.GetValue(m_Seed) ?? (int)FlightNumbers.Seed.Default : null,
             Seconds = Math.Max(seconds ?? k_DefaultSeconds, parsed.GetValue(m_Step)),
@@ -99,7 +111,8 @@ internal sealed class FreeOptions
 
     private static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };
 
-    private static string Said(OptionResult option) => string.Join(' ', option.Tokens.Select(token => token.Value).Prepend(option.Option.Name));
+    private static string Said(OptionResult option) =>
+        string.Join(' ', option.Tokens.Select(token => token.Value).Prepend(option.Option.Name));
 
     private List<float3> PointsOf(ParseResult parsed, out bool wanders)
     {
@@ -118,7 +131,9 @@ internal sealed class FreeOptions
             case "hover":
                 return [default];
             case "goto":
-                return to is { Length: 3 } ? [new float3((float)to[0], (float)to[1], (float)to[2])] : throw new UserException("--pilot goto needs --to X,Y,Z.");
+                return to is { Length: 3 }
+                    ? [new float3((float)to[0], (float)to[1], (float)to[2])]
+                    : throw new UserException("--pilot goto needs --to X,Y,Z.");
             case "points":
                 return file == null ? throw new UserException("--pilot points needs --points FILE.") : Read(file);
             default:
@@ -138,13 +153,19 @@ internal sealed class FreeOptions
             float[] place = new float[words.Length];
             for (int word = 0; word < words.Length; word++)
             {
-                if (words.Length != 3 || !float.TryParse(words[word], NumberStyles.Float, CultureInfo.InvariantCulture, out place[word]) || !(Math.Abs(place[word]) <= FlightNumbers.To.Max))
-                    throw new UserException($"{file}, line {k + 1}: {Quote.Of(lines[k].Trim())} is no place; X,Y,Z in metres, each up to {FlightNumbers.To.Max}, are needed.");
+                if (words.Length != 3 || !float.TryParse(words[word], NumberStyles.Float, CultureInfo.InvariantCulture, out place[word])
+                    || !(Math.Abs(place[word]) <= FlightNumbers.To.Max))
+                {
+                    throw new UserException($"{file}, line {k + 1}: {Quote.Of(lines[k].Trim())} is no place; X,Y,Z in metres, each up to "
+                        + $"{FlightNumbers.To.Max}, are needed.");
+                }
             }
 
             points.Add(new float3(place[0], place[1], place[2]));
         }
 
-        return points.Count is > 0 and <= k_MostPoints ? points : throw new UserException($"{file} has {points.Count} places; 1 to {k_MostPoints} are needed.");
+        return points.Count is > 0 and <= k_MostPoints
+            ? points
+            : throw new UserException($"{file} has {points.Count} places; 1 to {k_MostPoints} are needed.");
     }
 }

@@ -19,10 +19,12 @@ internal static class Numbers
         };
 
     /// <summary>A number of a flight that has a default.</summary>
-    public static Option<double> Option(FlightNumber number) => Option(number.Option, number.Word, number.Default, number.Min, number.Max, number.Help);
+    public static Option<double> Option(FlightNumber number) =>
+        Option(number.Option, number.Word, number.Default, number.Min, number.Max, number.Help);
 
     /// <summary>A number of a flight whose default depends on others.</summary>
-    public static Option<double?> Optional(FlightNumber number) => Optional(number.Option, number.Word, number.Min, number.Max, number.Help);
+    public static Option<double?> Optional(FlightNumber number) =>
+        Optional(number.Option, number.Word, number.Min, number.Max, number.Help);
 
     /// <summary>A number of a flight whose option may stand alone, which means its default; null when it is not given.</summary>
     public static Option<double?> Switch(FlightNumber number) => new(number.Option)
@@ -30,7 +32,8 @@ internal static class Numbers
         Description = number.Help,
         HelpName = number.Word,
         Arity = ArgumentArity.ZeroOrOne,
-        CustomParser = result => result.Tokens.Count == 0 ? number.Default : Parse(result, number.Option, Text(result), number.Min, number.Max),
+        CustomParser = result =>
+            result.Tokens.Count == 0 ? number.Default : Parse(result, number.Option, Text(result), number.Min, number.Max),
     };
 
     /// <summary>A whole number of a flight whose default depends on others.</summary>

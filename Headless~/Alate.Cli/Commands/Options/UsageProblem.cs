@@ -21,7 +21,9 @@ internal static class UsageProblem
             return misplaced;
         if (parsed.Errors.Count == 0)
             return null;
-        return command.Subcommands.Count > 0 ? $"'{command.Name}' needs a command. {Known(command)}" : Quote.Values(parsed.Errors[0].Message);
+        return command.Subcommands.Count > 0
+            ? $"'{command.Name}' needs a command. {Known(command)}"
+            : Quote.Values(parsed.Errors[0].Message);
     }
 
     private static bool IsOption(string word) => word.Length > 2 && word.StartsWith("--", StringComparison.Ordinal);
@@ -32,7 +34,8 @@ internal static class UsageProblem
         Command command = parsed.CommandResult.Command;
         foreach (OptionResult given in parsed.CommandResult.Children.OfType<OptionResult>().Where(given => !given.Implicit))
         {
-            Token next = given.Tokens.FirstOrDefault(token => IsOption(token.Value) || command.Options.Any(known => known.Aliases.Contains(token.Value)));
+            Token next = given.Tokens.FirstOrDefault(
+                token => IsOption(token.Value) || command.Options.Any(known => known.Aliases.Contains(token.Value)));
             if (next != null)
                 return $"{given.Option.Name} needs a value; behind it stands the option {Quote.Of(next.Value)}.";
         }
@@ -50,7 +53,8 @@ internal static class UsageProblem
             return null;
         if (command.Options.Any(known => known.Name == word))
             return $"'{word}' stands in a wrong place, such as behind '--'.";
-        (string name, int distance) = command.Options.Select(known => (known.Name, Distance(word.ToLowerInvariant(), known.Name))).MinBy(known => known.Item2);
+        (string name, int distance) = command.Options.Select(known => (known.Name, Distance(word.ToLowerInvariant(), known.Name)))
+            .MinBy(known => known.Item2);
         string nearest = distance <= 1 + word.Length / 4 ? $" Did you mean '{name}'?" : "";
         return $"'{command.Name}' has no option {Quote.Of(word)}.{nearest} '--help' lists them.";
     }
@@ -59,7 +63,8 @@ internal static class UsageProblem
     {
         if (word.StartsWith('-'))
             return $"Unknown option {Quote.Of(word)}. {Known(command)}";
-        (string path, int distance) = Paths(root, "").Select(known => (known.Path, Distance(word.ToLowerInvariant(), known.Name))).MinBy(known => known.Item2);
+        (string path, int distance) = Paths(root, "").Select(known => (known.Path, Distance(word.ToLowerInvariant(), known.Name)))
+            .MinBy(known => known.Item2);
         if (path == word)
             return $"'{path}' stands in a wrong place, such as behind '--'. {Known(command)}";
         string nearest = distance <= 1 + word.Length / 4 ? $" Did you mean '{path}'?" : "";

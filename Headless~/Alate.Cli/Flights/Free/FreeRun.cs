@@ -84,8 +84,12 @@ internal static class FreeRun
             Speed = math.length(middle.Wanted.xz),
             Climb = middle.Wanted.y,
             PitchDegrees = math.degrees(math.asin(math.clamp(ahead.y, -1f, 1f))),
-            Drive = new WingDrive { frequency = (float)middle.Frequency, amplitude = (float)(middle.Amplitude
-                / model.Wings[0].Parameters.amplitude.x) },
+            Drive = new WingDrive
+            {
+                frequency = (float)middle.Frequency,
+                amplitude = (float)(middle.Amplitude
+                / model.Wings[0].Parameters.amplitude.x)
+            },
         };
         return TetheredFlight.Fly(beat);
     }

@@ -82,11 +82,15 @@ internal sealed class Insect
         if (problems.Count > 0)
             throw new UserException($"{skeletonFile}: {problems[0].Message}");
         if (textureFile != null && mesh.Uvs == null)
-            throw new UserException($"{meshFile} has no texture coordinates ('vt') at every corner, so that '{textureFile}' has no place on it.");
+        {
+            throw new UserException(
+                $"{meshFile} has no texture coordinates ('vt') at every corner, so that '{textureFile}' has no place on it.");
+        }
         string picture = textureFile ?? (mesh.Uvs == null ? null : ObjMaterial.FindPicture(meshFile, mesh.Library));
         if (picture != null)
             mesh = TextFile.Read(meshFile, ObjReader.ReadTextured, InputFile.Mesh);
-        return Own(model, plan, mesh.ToSurface(meshFile), mesh.Colours, skeleton, picture == null ? null : WingTexture.Of(PictureFile.Read(picture).Bytes));
+        return Own(model, plan, mesh.ToSurface(meshFile), mesh.Colours, skeleton,
+            picture == null ? null : WingTexture.Of(PictureFile.Read(picture).Bytes));
     }
 
     /// <summary>An insect with the body and the numbers of a species, and a wing of another kind.</summary>
@@ -98,17 +102,19 @@ internal sealed class Insect
     /// <param name="skeleton">Valid for the surface.</param>
     /// <param name="picture">For the surface's texture coordinates; null for none.</param>
     public static Insect OfWing(
-        InsectDefinition definition, FlightPlan plan, string name, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture = null) =>
+        InsectDefinition definition, FlightPlan plan, string name, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton,
+        WingTexture picture = null) =>
         new(name, name, [Own(definition.Wings[0], plan, surface, colours, skeleton, picture)], definition.Body.CreateSurface(1f));
 
-    private static InsectWing Own(WingDefinition model, FlightPlan plan, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture) => new()
-    {
-        Name = model.Name,
-        Preset = model.CreatePreset(plan.Preset, plan.Variant),
-        Skeleton = skeleton,
-        Surface = surface,
-        Colours = colours,
-        Picture = picture,
-        Hinge = model.Hinge,
-    };
+    private static InsectWing Own(
+        WingDefinition model, FlightPlan plan, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture) => new()
+        {
+            Name = model.Name,
+            Preset = model.CreatePreset(plan.Preset, plan.Variant),
+            Skeleton = skeleton,
+            Surface = surface,
+            Colours = colours,
+            Picture = picture,
+            Hinge = model.Hinge,
+        };
 }

@@ -15,7 +15,9 @@ internal sealed record KinematicsFile(string Name, string Source, IReadOnlyDicti
     /// <summary>Hertz, of all wings.</summary>
     public float Frequency => Wings.First().Value.frequency;
 
-    /// <summary>Prescribes the motion of an insect's wings; a wing that is not named beats as its species does, at the file's frequency.</summary>
+    /// <summary>
+    /// Prescribes the motion of an insect's wings; a wing that is not named beats as its species does, at the file's frequency.
+    /// </summary>
     /// <param name="path">The file, for messages.</param>
     /// <param name="wings">The insect's wings.</param>
     /// <exception cref="UserException">The file names a wing that the insect does not have.</exception>
@@ -23,7 +25,10 @@ internal sealed record KinematicsFile(string Name, string Source, IReadOnlyDicti
     {
         string stranger = Wings.Keys.FirstOrDefault(name => name != AllWings && wings.All(wing => wing.Name != name));
         if (stranger != null)
-            throw new UserException($"{path}: wings.{stranger}: the insect has no such wing. It has: {string.Join(", ", wings.Select(wing => wing.Name))}; 'all' is every wing.");
+        {
+            throw new UserException($"{path}: wings.{stranger}: the insect has no such wing. It has: "
+                + $"{string.Join(", ", wings.Select(wing => wing.Name))}; 'all' is every wing.");
+        }
         foreach (InsectWing wing in wings)
         {
             if (Wings.TryGetValue(wing.Name, out PresetKinematics motion) || Wings.TryGetValue(AllWings, out motion))

@@ -21,7 +21,10 @@ internal static class KinematicsJson
         Known(root, "", "name", "source", k_Frequency, k_Angles, "waves", "wings");
         double frequency = Number(Needed(root, "", k_Frequency), k_Frequency);
         if (!(frequency >= WingBounds.MaxFrequency.Min && frequency <= WingBounds.MaxFrequency.Max))
-            throw Wrong(k_Frequency, FormattableString.Invariant($"{frequency} is out of range: {WingBounds.MaxFrequency.Min} to {WingBounds.MaxFrequency.Max} hertz"));
+        {
+            throw Wrong(k_Frequency, FormattableString.Invariant(
+                $"{frequency} is out of range: {WingBounds.MaxFrequency.Min} to {WingBounds.MaxFrequency.Max} hertz"));
+        }
         double unit = Unit(Needed(root, "", k_Angles));
         bool waves = root.TryGetProperty("waves", out JsonElement wave) && Flag(wave, "waves");
         JsonElement all = Needed(root, "", "wings");
@@ -64,8 +67,12 @@ internal static class KinematicsJson
         PresetKinematics motion = default;
         motion.flap = Series(Needed(wing, place, "flap"), $"{place}.flap", unit);
         motion.sweep = Optional(wing, place, "sweep", unit);
-        motion.feather = wing.TryGetProperty("pitch", out JsonElement pitch) ? Turned(Series(pitch, $"{place}.pitch", unit), 0f) : Optional(wing, place, "feather", unit);
-        motion.tilt = wing.TryGetProperty("strokePlane", out JsonElement plane) ? Turned(Series(plane, $"{place}.strokePlane", unit), 90f) : Optional(wing, place, "tilt", unit);
+        motion.feather = wing.TryGetProperty("pitch", out JsonElement pitch)
+            ? Turned(Series(pitch, $"{place}.pitch", unit), 0f)
+            : Optional(wing, place, "feather", unit);
+        motion.tilt = wing.TryGetProperty("strokePlane", out JsonElement plane)
+            ? Turned(Series(plane, $"{place}.strokePlane", unit), 90f)
+            : Optional(wing, place, "tilt", unit);
         return motion;
     }
 
@@ -126,11 +133,18 @@ internal static class KinematicsJson
         if (times[0] != 0 || Math.Abs(times[last] - 1) > k_Even / last)
             throw Wrong(place, FormattableString.Invariant($"it runs from {times[0]} to {times[last]}; it must run from 0 to 1"));
         double[] steps = Enumerable.Range(0, last).Select(k => times[k + 1] - times[k]).ToArray();
-        int hole = Array.FindIndex(steps, step => step > k_Hole * Math.Max(steps.Min(), 0.0)), uneven = Array.FindIndex(steps, step => Math.Abs(step * last - 1) > k_Even * last);
+        int hole = Array.FindIndex(steps, step => step > k_Hole * Math.Max(steps.Min(), 0.0)),
+            uneven = Array.FindIndex(steps, step => Math.Abs(step * last - 1) > k_Even * last);
         if (hole >= 0)
-            throw Wrong(place, FormattableString.Invariant($"there is a hole between {times[hole]} and {times[hole + 1]}; the rows must lie equally apart"));
+        {
+            throw Wrong(place, FormattableString.Invariant(
+                $"there is a hole between {times[hole]} and {times[hole + 1]}; the rows must lie equally apart"));
+        }
         if (uneven >= 0)
-            throw Wrong(place, FormattableString.Invariant($"{times[uneven]} and {times[uneven + 1]} are not {1.0 / last:0.####} apart; the rows must lie equally apart"));
+        {
+            throw Wrong(place, FormattableString.Invariant(
+                $"{times[uneven]} and {times[uneven + 1]} are not {1.0 / last:0.####} apart; the rows must lie equally apart"));
+        }
         double range = Math.Max(angles.Max() - angles.Min(), 1e-6);
         if (Math.Abs(angles[last] - angles[0]) > k_Periodic * range)
             throw Wrong(place, FormattableString.Invariant($"it is not periodic: {angles[0]:0.###}° at 0 and {angles[last]:0.###}° at 1"));
@@ -150,7 +164,9 @@ internal static class KinematicsJson
     private static (double First, double Second) Pair(JsonElement value, string place, string what)
     {
         JsonElement[] two = value.ValueKind == JsonValueKind.Array ? value.EnumerateArray().ToArray() : [];
-        return two.Length == 2 ? (Number(two[0], place), Number(two[1], place)) : throw Wrong(place, $"it must be {what}, not {value.GetRawText()}");
+        return two.Length == 2
+            ? (Number(two[0], place), Number(two[1], place))
+            : throw Wrong(place, $"it must be {what}, not {value.GetRawText()}");
     }
 
     private static IEnumerable<JsonElement> Items(JsonElement value, string place) =>
@@ -178,7 +194,10 @@ internal static class KinematicsJson
         foreach (JsonProperty property in value.EnumerateObject())
         {
             if (!keys.Contains(property.Name))
-                throw Wrong(place.Length == 0 ? property.Name : $"{place}.{property.Name}", $"unknown key; known: {string.Join(", ", keys)}");
+            {
+                throw Wrong(
+                    place.Length == 0 ? property.Name : $"{place}.{property.Name}", $"unknown key; known: {string.Join(", ", keys)}");
+            }
         }
     }
 

@@ -13,7 +13,9 @@ internal readonly record struct WingMount(float3 Hinge, float Length, WingSide S
     /// <summary>A point of the wing frame on the body, metres.</summary>
     public float3 ToBody(float3 wing) => DirectionToBody(Hinge + Length * wing);
 
-    /// <summary>An axis of turning of the wing frame (a moment) on the body: a mirror image keeps it where it turns a direction round.</summary>
+    /// <summary>
+    /// An axis of turning of the wing frame (a moment) on the body: a mirror image keeps it where it turns a direction round.
+    /// </summary>
     public float3 AxisToBody(float3 wing) => IsLeft ? new float3(wing.x, -wing.y, -wing.z) : wing;
 
     /// <summary>A direction of the wing frame on the body.</summary>

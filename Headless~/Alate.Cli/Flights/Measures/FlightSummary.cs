@@ -31,7 +31,10 @@ internal sealed class FlightSummary
     /// <summary>Mean force of the air on all wings in body axes, newtons: right, up, ahead.</summary>
     public float3 MeanForce { get; }
 
-    /// <summary>Mean moment of the air on all wings about the middle of the thorax in body axes, newton metres: nose down, nose right, right wing up.</summary>
+    /// <summary>
+    /// Mean moment of the air on all wings about the middle of the thorax in body axes, newton metres: nose down, nose right, right wing
+    /// up.
+    /// </summary>
     public float3 MeanMoment { get; }
 
     /// <summary>True where some wing is driven outside its limits: beyond 8 % at the 99th percentile or 25 % anywhere.</summary>
@@ -53,7 +56,8 @@ internal sealed class FlightSummary
     public static FlightSummary Of(FlightRecord flight) => new(flight);
 
     // Of a wing over what it bears.
-    private static double Strain(WingSummary wing) => Math.Max(wing.EdgeStretchP99Pct / k_BearableP99, wing.EdgeStretchMaxPct / k_BearableMax);
+    private static double Strain(WingSummary wing) =>
+        Math.Max(wing.EdgeStretchP99Pct / k_BearableP99, wing.EdgeStretchMaxPct / k_BearableMax);
 
     private static (float3 Force, float3 Moment) MeanAir(FlightRecord flight)
     {

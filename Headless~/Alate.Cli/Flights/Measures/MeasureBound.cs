@@ -15,7 +15,8 @@ namespace Alate.Cli;
 /// <param name="IsPublished">True where the range is from a publication; else it is what is expected here.</param>
 /// <param name="Source">Where the range is from.</param>
 /// <param name="Of">Reads it.</param>
-internal sealed record MeasureBound(string Key, string Title, string Unit, double Low, double High, bool IsPublished, string Source, Func<WingSummary, double> Of)
+internal sealed record MeasureBound(
+    string Key, string Title, string Unit, double Low, double High, bool IsPublished, string Source, Func<WingSummary, double> Of)
 {
     /// <summary>Mark of a number that lies outside.</summary>
     public const string Mark = " †";
@@ -29,9 +30,13 @@ internal sealed record MeasureBound(string Key, string Title, string Unit, doubl
     /// <summary>Every number for which there is a range.</summary>
     public static IReadOnlyList<MeasureBound> All { get; } =
     [
-        new("twist_pp_deg", "twist p-p °", "°", 10, 50, false, "expected here; locusts' wings were measured as strongly twisted, Walker, Thomas and Taylor 2009", wing => wing.TwistPpDeg),
-        new("camber_pct", "largest camber %", "%", 2, 15, false, "expected here; locusts' wings were measured as cambered by both signs, Walker, Thomas and Taylor 2009", wing => Math.Max(wing.CamberMaxPct, -wing.CamberMinPct)),
-        new("tip_bend_max_deg", "tip bend max °", "°", 0, 46, true, "blowflies, Lehmann, Gorb, Nasir and Schützner 2011", wing => wing.TipBendMaxDeg),
+        new("twist_pp_deg", "twist p-p °", "°", 10, 50, false,
+            "expected here; locusts' wings were measured as strongly twisted, Walker, Thomas and Taylor 2009", wing => wing.TwistPpDeg),
+        new("camber_pct", "largest camber %", "%", 2, 15, false,
+            "expected here; locusts' wings were measured as cambered by both signs, Walker, Thomas and Taylor 2009",
+            wing => Math.Max(wing.CamberMaxPct, -wing.CamberMinPct)),
+        new("tip_bend_max_deg", "tip bend max °", "°", 0, 46, true, "blowflies, Lehmann, Gorb, Nasir and Schützner 2011",
+            wing => wing.TipBendMaxDeg),
         new("lag_deg", "lag °", "°", 10, 40, false, "expected here", wing => wing.LagDeg),
         new("edge_stretch_max_pct", "stretch max %", "%", 0, 6, false, "what a membrane is allowed here", wing => wing.EdgeStretchMaxPct),
     ];
@@ -40,13 +45,15 @@ internal sealed record MeasureBound(string Key, string Title, string Unit, doubl
     public string Range => RangeOf(InsectVariant.Standard);
 
     /// <summary>Text of the range for a variant.</summary>
-    public string RangeOf(InsectVariant variant) => (Low > 0 ? Text($"{Low}–{High}") : Text($"< {Most(variant)}")) + (IsPublished ? "" : " *");
+    public string RangeOf(InsectVariant variant) =>
+        (Low > 0 ? Text($"{Low}–{High}") : Text($"< {Most(variant)}")) + (IsPublished ? "" : " *");
 
     /// <summary>The bound of a measure; null where there is none.</summary>
     public static MeasureBound Find(string key) => All.FirstOrDefault(bound => bound.Key == key);
 
     /// <summary>Most for a variant.</summary>
-    public double Most(InsectVariant variant) => Key.StartsWith("edge_stretch", StringComparison.Ordinal) && variant == InsectVariant.Expressive ? k_ExpressiveStretch : High;
+    public double Most(InsectVariant variant) =>
+        Key.StartsWith("edge_stretch", StringComparison.Ordinal) && variant == InsectVariant.Expressive ? k_ExpressiveStretch : High;
 
     /// <summary>Returns true where the number of a wing lies in the range, as it is shown.</summary>
     public bool Holds(WingSummary wing, InsectVariant variant)

@@ -44,10 +44,12 @@ internal static class BeatStrip
         page.Text(middle + k_Gap, bottom, 13f, Text($"{1000.0 * turns / flight.Wings[0].Frequency:0.0} ms"), look: "t");
     }
 
-    private static string Title(FlightRecord flight) => $"{flight.Insect.DisplayName}: twelve phases of a beat, seen from {flight.Plan.View.Words}";
+    private static string Title(FlightRecord flight) =>
+        $"{flight.Insect.DisplayName}: twelve phases of a beat, seen from {flight.Plan.View.Words}";
 
     private static string Caption(FlightRecord flight) =>
-        Text($"one beat, {1000.0 / flight.Wings[0].Frequency:0.#} ms at {flight.Wings[0].Frequency:0.#} Hz, flying {flight.Plan.BodySpeed:0.##} m/s");
+        Text($"one beat, {1000.0 / flight.Wings[0].Frequency:0.#} ms at ")
+        + Text($"{flight.Wings[0].Frequency:0.#} Hz, flying {flight.Plan.BodySpeed:0.##} m/s");
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

@@ -18,7 +18,8 @@ internal static class FlightPhoto
         float3[] places = Array.ConvertAll(flight.Insect.Body.positions, place => (float3)place);
         float3[] normals = Array.ConvertAll(flight.Insect.Body.normals, normal => (float3)normal);
         var body = new PhotoPart(PhotoSurface.Of(flight.Insect.Body), 1f, _ => (places, normals));
-        return new PhotoScene(view ?? flight.Plan.View, Reach(flight), [body, .. flight.Wings.Select((wing, k) => Part(wing, (surfaceOf ?? Surface)(k + 1, wing)))]);
+        return new PhotoScene(view ?? flight.Plan.View, Reach(flight),
+            [body, .. flight.Wings.Select((wing, k) => Part(wing, (surfaceOf ?? Surface)(k + 1, wing)))]);
     }
 
     /// <summary>Farthest that a wing comes from the middle of the thorax, metres.</summary>
@@ -31,10 +32,15 @@ internal static class FlightPhoto
     {
         InsectWing own = wing.Wing;
         if (own.Pattern is WingPattern pattern)
-            return Thin(Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale), (place, softness) => Shading.Linear(pattern.ColourAt(place.x, place.z, softness)), true);
+        {
+            return Thin(Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale),
+                (place, softness) => Shading.Linear(pattern.ColourAt(place.x, place.z, softness)), true);
+        }
         if (own.Surface.uvs != null && own.Texture is WingTexture picture)
             return Thin(Array.ConvertAll(own.Surface.uvs, uv => new float4(uv, 0f, 0f)), (place, _) => picture.ColourAt(place.xy), true);
-        return own.Colours != null ? Thin(Array.ConvertAll(own.Colours, colour => Shading.Linear(colour)), (colour, _) => colour) : Thin(new float4[wing.Rest.Length], null);
+        return own.Colours != null
+            ? Thin(Array.ConvertAll(own.Colours, colour => Shading.Linear(colour)), (colour, _) => colour)
+            : Thin(new float4[wing.Rest.Length], null);
 
         PhotoSurface Thin(float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false) =>
             PhotoSurface.Thin(index, wing.Rest, wing.Triangles, values, colourOf, hasPattern);

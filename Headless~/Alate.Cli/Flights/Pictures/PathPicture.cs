@@ -6,7 +6,10 @@ using UnityEngine;
 
 namespace Alate.Cli;
 
-/// <summary>path.png: a flight from above and from the side, with the insect drawn along it, larger than the way by a factor that the reader is told.</summary>
+/// <summary>
+/// path.png: a flight from above and from the side, with the insect drawn along it, larger than the way by a factor that the reader is
+/// told.
+/// </summary>
 internal static class PathPicture
 {
     private const int k_Width = 1400, k_Height = 700, k_Insects = 9;
@@ -47,17 +50,22 @@ internal static class PathPicture
         var grid = new SampleGrid(k_Width, k_Height);
         var shading = new Shading(camera);
         foreach (float3 place in trail)
-            grid.AddDisc(SampleGrid.k_Fineness * (scale * place.xy + shift), k_Dot * SampleGrid.k_Fineness, place.z + extent, PhotoScene.TrailLight);
+        {
+            grid.AddDisc(
+                SampleGrid.k_Fineness * (scale * place.xy + shift), k_Dot * SampleGrid.k_Fineness, place.z + extent, PhotoScene.TrailLight);
+        }
         for (int k = 0; k < k_Insects; k++)
             Insect(grid, shading, camera, flight, flight.Moments[(flight.Moments.Count - 1) * k / (k_Insects - 1)], factor, scale, shift);
         Color32[] pixels = grid.Pixels(Shading.ToLinear(Shading.Paper));
         var labels = new PathLabels(pixels, k_Width);
-        labels.Title(FormattableString.Invariant($"from {view.Words}, {flight.Moments[^1].Time:0.#} s, the insect drawn {factor:0.#} times as large as the way"));
+        labels.Title(FormattableString.Invariant(
+            $"from {view.Words}, {flight.Moments[^1].Time:0.#} s, the insect drawn {factor:0.#} times as large as the way"));
         labels.Scale(scale);
         return pixels;
     }
 
-    private static void Insect(SampleGrid grid, Shading shading, PictureCamera camera, FreeRecord flight, FreeMoment at, float factor, float scale, float2 shift)
+    private static void Insect(
+        SampleGrid grid, Shading shading, PictureCamera camera, FreeRecord flight, FreeMoment at, float factor, float scale, float2 shift)
     {
         float3 Seen(float3 body)
         {
@@ -68,12 +76,14 @@ internal static class PathPicture
         float3 Turned(float3 normal) => math.rotate(at.Rotation, normal);
         SurfaceMesh body = flight.Beat.Insect.Body;
         PhotoSurface.Of(body).Draw(
-            grid, Array.ConvertAll(body.positions, place => Seen(place)), Array.ConvertAll(body.normals, normal => Turned(normal)), shading, 1f);
+            grid, Array.ConvertAll(body.positions, place => Seen(place)),
+            Array.ConvertAll(body.normals, normal => Turned(normal)), shading, 1f);
         int index = 1;
         foreach (RecordedWing wing in flight.Beat.Wings)
         {
             (float3[] positions, float3[] normals) = wing.At(at.Phase / (2.0 * Math.PI));
-            FlightPhoto.Surface(index++, wing).Draw(grid, Array.ConvertAll(positions, Seen), Array.ConvertAll(normals, Turned), shading, k_Softness);
+            FlightPhoto.Surface(index++, wing)
+                .Draw(grid, Array.ConvertAll(positions, Seen), Array.ConvertAll(normals, Turned), shading, k_Softness);
         }
     }
 

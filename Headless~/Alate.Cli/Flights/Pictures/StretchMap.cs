@@ -7,7 +7,9 @@ using Unity.Mathematics;
 
 namespace Alate.Cli;
 
-/// <summary>stretch.png: the wings at rest from above, in colours that say by how much the membrane stretches there in the beat, at most.</summary>
+/// <summary>
+/// stretch.png: the wings at rest from above, in colours that say by how much the membrane stretches there in the beat, at most.
+/// </summary>
 internal static class StretchMap
 {
     private const float k_Width = 760f, k_Header = 74f, k_Edge = 26f, k_RampWidth = 220f, k_RampHeight = 10f, k_Foot = 20f;
@@ -41,8 +43,11 @@ internal static class StretchMap
     {
         RecordedWing wing = flight.Wings.MaxBy(one => largest[one].Max());
         int vertex = Array.IndexOf(largest[wing], largest[wing].Max());
-        float span = wing.Rest.Min(place => place.x) is var low ? (wing.Rest[vertex].x - low) / (wing.Rest.Max(place => place.x) - low) : 0f;
-        return string.Create(CultureInfo.InvariantCulture, $"{100f * largest[wing][vertex]:0.0} % on the {wing.Wing.Name} at {100f * span:0} % of its span");
+        float span = wing.Rest.Min(place => place.x) is var low
+            ? (wing.Rest[vertex].x - low) / (wing.Rest.Max(place => place.x) - low)
+            : 0f;
+        return string.Create(
+            CultureInfo.InvariantCulture, $"{100f * largest[wing][vertex]:0.0} % on the {wing.Wing.Name} at {100f * span:0} % of its span");
     }
 
     private static void Ramp(PixelPage page, float left, float top)
@@ -56,7 +61,8 @@ internal static class StretchMap
         }
 
         page.Text(left, top + 24f, 11f, "0 %", look: "t");
-        page.Text(left + k_RampWidth, top + 24f, 11f, string.Create(CultureInfo.InvariantCulture, $"{100f * k_Most:0} % and more"), "end", "t");
+        page.Text(
+            left + k_RampWidth, top + 24f, 11f, string.Create(CultureInfo.InvariantCulture, $"{100f * k_Most:0} % and more"), "end", "t");
     }
 
     private static float3 ColourOf(float share)

@@ -20,7 +20,8 @@ internal sealed class FlownParameter
     }
 
     /// <summary>A number of the flight.</summary>
-    public FlownParameter(string name, string unit, double min, double max, Func<FlightPlan, double, FlightPlan> planned, bool isWhole = false)
+    public FlownParameter(
+        string name, string unit, double min, double max, Func<FlightPlan, double, FlightPlan> planned, bool isWhole = false)
         : this(name, unit, min, max)
     {
         m_Planned = planned;
@@ -57,8 +58,8 @@ internal sealed class FlownParameter
     public FlightPlan In(FlightPlan plan, double value) => m_Planned(plan, value);
 
     /// <summary>
-    /// Gives the first wing of an insect the value, and moves the others along: by the same factor, or by the same difference where the number may be
-    /// negative or was zero.
+    /// Gives the first wing of an insect the value, and moves the others along: by the same factor, or by the same difference where the
+    /// number may be negative or was zero.
     /// </summary>
     public void Set(IReadOnlyList<WingPreset> wings, float value)
     {

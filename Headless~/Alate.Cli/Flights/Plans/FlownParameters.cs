@@ -20,7 +20,10 @@ internal static class FlownParameters
         .. Fields<PresetStiffness>(preset => ref preset.Stiffness),
     ];
 
-    /// <summary>Everything: first elasticity as a factor on the species', as <c>fly</c> takes it, then the species' sliders, then the flight's numbers.</summary>
+    /// <summary>
+    /// Everything: first elasticity as a factor on the species', as <c>fly</c> takes it, then the species' sliders, then the flight's
+    /// numbers.
+    /// </summary>
     public static IReadOnlyList<FlownParameter> All { get; } =
     [
         FlightNumbers.Elasticity.Swept(),
@@ -36,7 +39,8 @@ internal static class FlownParameters
     /// <exception cref="UserException">There is none; the message lists those there are.</exception>
     public static FlownParameter Find(string name) =>
         All.FirstOrDefault(parameter => Plain(parameter.Name) == Plain(name))
-        ?? throw new UserException($"There is no parameter {Quote.Of(name)}. Known: {string.Join(", ", All.Select(parameter => parameter.Name))}.");
+        ?? throw new UserException(
+            $"There is no parameter {Quote.Of(name)}. Known: {string.Join(", ", All.Select(parameter => parameter.Name))}.");
 
     // Every field of a group is a float.
     private static IEnumerable<FlownParameter> Fields<T>(Group<T> group) where T : struct =>

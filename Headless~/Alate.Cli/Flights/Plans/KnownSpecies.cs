@@ -20,7 +20,8 @@ internal static class KnownSpecies
         InsectDefinition definition = Find(name);
         return definition.Variants.Contains(variant)
             ? definition
-            : throw new UserException($"There is no {Word(variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
+            : throw new UserException(
+                $"There is no {Word(variant)} {definition.Name}. It has: {string.Join(", ", definition.Variants.Select(Word))}.");
     }
 
     /// <summary>The species that are named, each once, or all that have the variant where none is.</summary>
@@ -33,5 +34,6 @@ internal static class KnownSpecies
     public static string Word(InsectVariant variant) => variant.ToString().ToLowerInvariant();
 
     /// <summary>A heading with the variant where that is not the standard one.</summary>
-    public static string Titled(string heading, InsectVariant variant) => variant == InsectVariant.Standard ? heading : $"{heading}, {Word(variant)}";
+    public static string Titled(string heading, InsectVariant variant) =>
+        variant == InsectVariant.Standard ? heading : $"{heading}, {Word(variant)}";
 }

@@ -6,7 +6,8 @@ namespace Alate.Cli;
 /// <summary>Checks of a plan's numbers that the model takes as a product with the species' own.</summary>
 internal static class PlanRange
 {
-    private static readonly WingParameterRange s_Elasticity = Range("elasticity"), s_Density = Range("airDensity"), s_Reference = Range("referenceFrequency");
+    private static readonly WingParameterRange s_Elasticity = Range("elasticity"), s_Density = Range("airDensity"),
+        s_Reference = Range("referenceFrequency");
 
     /// <summary>Refuses a factor on the elasticity that makes too much or too little of the species'.</summary>
     /// <param name="plan">The flight.</param>
@@ -54,8 +55,11 @@ internal static class PlanRange
 
     private static bool Holds(WingPreset wing, FlightPlan plan)
     {
-        if (plan.Change?.Parameter is FlownParameter changed && (changed.Of(wing) < (float)changed.Min || changed.Of(wing) > (float)changed.Max))
+        if (plan.Change?.Parameter is FlownParameter changed
+            && (changed.Of(wing) < (float)changed.Min || changed.Of(wing) > (float)changed.Max))
+        {
             return false;
+        }
         return s_Elasticity.Contains((float)(wing.Stiffness.elasticity * plan.Elasticity))
             && s_Density.Contains(wing.Size.RelativeDensity) && s_Reference.Contains(wing.ReferenceFrequency);
     }

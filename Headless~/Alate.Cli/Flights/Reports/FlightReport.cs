@@ -6,7 +6,8 @@ namespace Alate.Cli;
 /// <summary>Flies a plan, shows how it gets on, and writes what came of it: all of the files or none.</summary>
 internal static class FlightReport
 {
-    private const string k_Strip = "strip.png", k_Map = "stretch.png", k_Glb = "wings.glb", k_Joints = "joints.csv", k_Forces = "forces.csv", k_Summary = "summary.json";
+    private const string k_Strip = "strip.png", k_Map = "stretch.png", k_Glb = "wings.glb", k_Joints = "joints.csv",
+        k_Forces = "forces.csv", k_Summary = "summary.json";
 
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(FlightPlan plan, TextWriter output)

@@ -21,14 +21,19 @@ internal static class FlightTables
         if (flight.Plan.Induced != null)
         {
             float3 induced = flight.InducedVelocity;
-            terminal.Lines.WriteLine(string.Create(CultureInfo.InvariantCulture, $"The wings draw air along at {math.length(induced):0.###} m/s: {-induced.y:0.###} down, {-induced.z:0.###} back."));
+            terminal.Lines.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                $"The wings draw air along at {math.length(induced):0.###} m/s: {-induced.y:0.###} down, {-induced.z:0.###} back."));
         }
 
         terminal.Lines.WriteLine("The last beat:");
         terminal.Lines.Write(SummaryTable(summary));
         terminal.Lines.WriteLine(MeasureBound.Note);
         foreach (MeasureBound bound in MeasureBound.All.Where(bound => summary.Wings.Any(wing => !bound.Holds(wing, flight.Plan.Variant))))
-            terminal.Lines.Profile.Out.Writer.WriteLine($"† {bound.Title} is outside the usual {bound.RangeOf(flight.Plan.Variant)} ({bound.Source})."); // not wrapped
+        {
+            // not wrapped
+            terminal.Lines.Profile.Out.Writer.WriteLine(
+                $"† {bound.Title} is outside the usual {bound.RangeOf(flight.Plan.Variant)} ({bound.Source}).");
+        }
         if (summary.IsOverstretched)
             terminal.Lines.Profile.Out.Writer.WriteLine(Overstretched(summary)); // not wrapped
         terminal.ShowFiles(folder, files);
@@ -54,15 +59,18 @@ internal static class FlightTables
         table.AddColumn(new TableColumn("usual").RightAligned());
         Row(table, summary, "frequency, Hz", wing => Number(wing.FrequencyHz, 2));
         Row(table, summary, "twist, peak to peak, °", wing => Number(wing.TwistPpDeg, 1), MeasureBound.Find("twist_pp_deg"));
-        Row(table, summary, "camber, % of the chord", wing => $"{Number(wing.CamberMinPct, 1)} … {Number(wing.CamberMaxPct, 1)}", MeasureBound.Find("camber_pct"));
+        Row(table, summary, "camber, % of the chord", wing => $"{Number(wing.CamberMinPct, 1)} … {Number(wing.CamberMaxPct, 1)}",
+            MeasureBound.Find("camber_pct"));
         Row(table, summary, "tip bend, peak to peak, °", wing => Number(wing.TipBendPpDeg, 1));
         Row(table, summary, "tip bend, largest, °", wing => Number(wing.TipBendMaxDeg, 1), MeasureBound.Find("tip_bend_max_deg"));
         Row(table, summary, "lag of the trailing edge, °", wing => Number(wing.LagDeg, 1), MeasureBound.Find("lag_deg"));
         Row(table, summary, "lag of the tip, °", wing => Number(wing.TipLagDeg, 1));
-        Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2), MeasureBound.Find("edge_stretch_max_pct"));
+        Row(table, summary, "edge stretch, largest, %", wing => Number(wing.EdgeStretchMaxPct, 2),
+            MeasureBound.Find("edge_stretch_max_pct"));
         Row(table, summary, "edge stretch, 99th percentile, %", wing => Number(wing.EdgeStretchP99Pct, 2));
         Row(table, summary, "stiffness EI of the leading chain, N m²", wing => Scientific(wing.Stiffness.Leading));
-        Row(table, summary, "stiffness EI of all chains, N m²", wing => Scientific(wing.Stiffness.Whole), Scientific(summary.Main.Stiffness.Usual));
+        Row(table, summary, "stiffness EI of all chains, N m²", wing => Scientific(wing.Stiffness.Whole),
+            Scientific(summary.Main.Stiffness.Usual));
         Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));
         Row(table, summary, "mean force right, up, ahead, mN", Milli(summary.MeanForce));
         Row(table, summary, "mean moment nose down, nose right, right wing up, µN m", Milli(1e3f * summary.MeanMoment));

@@ -7,13 +7,15 @@ using Unity.Mathematics;
 namespace Alate.Cli;
 
 /// <summary>
-/// forces.csv: force and moment of the air after every step, newtons and newton metres. Lift is against gravity, drag against the flight; the half stroke is that of the flap.
+/// forces.csv: force and moment of the air after every step, newtons and newton metres. Lift is against gravity, drag against the flight;
+/// the half stroke is that of the flap.
 /// </summary>
 internal static class ForceTable
 {
     private static readonly string[] s_Header =
     [
-        "time_s", "phase_deg", "half_stroke", "force_x_n", "force_y_n", "force_z_n", "moment_x_nm", "moment_y_nm", "moment_z_nm", "lift_n", "drag_n", "power_w",
+        "time_s", "phase_deg", "half_stroke", "force_x_n", "force_y_n", "force_z_n", "moment_x_nm", "moment_y_nm", "moment_z_nm", "lift_n",
+        "drag_n", "power_w",
     ];
 
     /// <summary>Rows of a flight on the spot, body axes about the middle of the thorax; a power is not measured there.</summary>
@@ -41,7 +43,9 @@ internal static class ForceTable
 
     /// <summary>Rows of a free flight, forces along the world's axes, moments in body axes about the centre of mass.</summary>
     public static IEnumerable<IReadOnlyList<string>> Of(FreeRecord flight) => flight.Moments
-        .Select(at => Row(at.Time, at.Phase, at.Force, at.Moment, at.Force.y, -math.dot(at.Force, math.normalizesafe(at.Velocity - at.Wind)), at.Power)).Prepend(s_Header);
+        .Select(at => Row(
+            at.Time, at.Phase, at.Force, at.Moment, at.Force.y, -math.dot(at.Force, math.normalizesafe(at.Velocity - at.Wind)), at.Power))
+        .Prepend(s_Header);
 
     private static string[] Row(double time, double phase, float3 force, float3 moment, double lift, double drag, double power) =>
     [

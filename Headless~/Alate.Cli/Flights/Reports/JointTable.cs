@@ -20,17 +20,20 @@ internal static class JointTable
 
     private static IEnumerable<string[]> Rows(RecordedWing wing, RecordedFrame frame)
     {
-        string time = Number(frame.Time, 7), phase = Number(180.0 / Math.PI * frame.Phase, 4), side = wing.Placement.IsLeft ? "left" : "right";
+        string time = Number(frame.Time, 7), phase = Number(180.0 / Math.PI * frame.Phase, 4),
+            side = wing.Placement.IsLeft ? "left" : "right";
         for (int k = 0; k < frame.Joints.Length; k++)
         {
             int bones = wing.JointsPerChain - 1, chain = k / wing.JointsPerChain, joint = k % wing.JointsPerChain;
             string[] bends = joint == bones ? ["", "", ""] : Numbers(math.degrees(frame.Bends[chain * bones + joint]), 4);
             yield return
-                [time, phase, wing.Wing.Name, side, $"{chain}", $"{joint}", .. Numbers(wing.Placement.ToBody(frame.Joints[k]), 7), .. bends];
+                [time, phase, wing.Wing.Name, side, $"{chain}", $"{joint}",
+                    .. Numbers(wing.Placement.ToBody(frame.Joints[k]), 7), .. bends];
         }
     }
 
-    private static string[] Numbers(float3 value, int digits) => [Number(value.x, digits), Number(value.y, digits), Number(value.z, digits)];
+    private static string[] Numbers(float3 value, int digits) =>
+        [Number(value.x, digits), Number(value.y, digits), Number(value.z, digits)];
 
     private static string Number(double value, int digits) => value.ToString("F" + digits, CultureInfo.InvariantCulture);
 }

@@ -48,10 +48,12 @@ internal sealed class WingsGlb
         if (body.uvs != null)
             attributes["TEXCOORD_0"] = m_Scene.Buffer.AddPairs(Array.ConvertAll(body.uvs, uv => new float2(uv.x, 1f - uv.y)));
         var primitives = new JsonArray();
-        foreach (IGrouping<bool, int[]> part in SurfaceMesh.Turned(body.triangles).Chunk(3).GroupBy(triangle => IsGlass(triangle, body.colours)))
+        foreach (IGrouping<bool, int[]> part in SurfaceMesh.Turned(body.triangles).Chunk(3)
+            .GroupBy(triangle => IsGlass(triangle, body.colours)))
         {
             int[] indices = part.SelectMany(triangle => triangle).ToArray();
-            primitives.Add(m_Scene.Primitive(attributes.DeepClone(), indices, positions.Length, m_Looks.Plain(body.colours != null, part.Key)));
+            primitives.Add(
+                m_Scene.Primitive(attributes.DeepClone(), indices, positions.Length, m_Looks.Plain(body.colours != null, part.Key)));
         }
 
         m_Scene.AddNode("body", new JsonObject { ["name"] = "body", ["primitives"] = primitives });
@@ -67,7 +69,9 @@ internal sealed class WingsGlb
         JsonObject attributes = Attributes(rest, restNormals, texture == null ? wing.Wing.Colours : null);
         if (texture != null)
             attributes["TEXCOORD_0"] = m_Scene.Buffer.AddPairs(Array.ConvertAll(surface.uvs, uv => new float2(uv.x, 1f - uv.y)));
-        int material = texture == null ? m_Looks.Plain(wing.Wing.Colours != null, IsGlass(indices, wing.Wing.Colours)) : m_Looks.Of(texture.Png, texture.IsGlass, wing.Wing.Name);
+        int material = texture == null
+            ? m_Looks.Plain(wing.Wing.Colours != null, IsGlass(indices, wing.Wing.Colours))
+            : m_Looks.Of(texture.Png, texture.IsGlass, wing.Wing.Name);
         JsonObject primitive = m_Scene.Primitive(attributes, indices, rest.Length, material);
         var targets = new JsonArray();
         for (int key = 1; key < k_KeyFrames; key++)
@@ -92,7 +96,8 @@ internal sealed class WingsGlb
 
     private JsonObject Attributes(float3[] positions, float3[] normals, UnityEngine.Color32[] colours)
     {
-        var attributes = new JsonObject { ["POSITION"] = m_Scene.Buffer.AddVectors(positions), ["NORMAL"] = m_Scene.Buffer.AddVectors(normals) };
+        var attributes =
+            new JsonObject { ["POSITION"] = m_Scene.Buffer.AddVectors(positions), ["NORMAL"] = m_Scene.Buffer.AddVectors(normals) };
         if (colours != null)
             attributes["COLOR_0"] = m_Scene.Buffer.AddColours(colours);
         return attributes;
@@ -153,7 +158,8 @@ internal sealed class WingsGlb
             GlbScene.Sampler(times, m_Scene.Buffer.AddScalars(weights)),
             GlbScene.Sampler(times, m_Scene.Buffer.AddVectors(path.Moments.Select(at => FileAxes.ToGltf(path.Thorax(at))).ToList())),
             // A mirror image in x turns the other way about y and z.
-            GlbScene.Sampler(times, m_Scene.Buffer.AddQuadruples(path.Moments.Select(at => at.Rotation.value * new float4(1f, -1f, -1f, 1f)).ToList())),
+            GlbScene.Sampler(
+                times, m_Scene.Buffer.AddQuadruples(path.Moments.Select(at => at.Rotation.value * new float4(1f, -1f, -1f, 1f)).ToList())),
         };
         var channels = new JsonArray { GlbScene.Channel(1, root, "translation"), GlbScene.Channel(2, root, "rotation") };
         foreach (int node in m_WingNodes)

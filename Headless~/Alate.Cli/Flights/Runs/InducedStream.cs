@@ -6,15 +6,17 @@ using Unity.Mathematics;
 namespace Alate.Cli;
 
 /// <summary>
-/// Finds the induced flow of a flight on the spot beat by beat: its momentum is what the mean force of the beat gives to the air, through the sectors that the leading edges of a
-/// pair of wings sweep, a mean over fore and hind pair.
+/// Finds the induced flow of a flight on the spot beat by beat: its momentum is what the mean force of the beat gives to the air, through
+/// the sectors that the leading edges of a pair of wings sweep, a mean over fore and hind pair.
 /// </summary>
 internal sealed class InducedStream
 {
     /// <summary>Places within a step between which a leading edge sweeps triangles.</summary>
     private const int k_Places = 12;
 
-    /// <summary>Bounds of the share of the way to the velocity that the last beat asks for, and the first one: the force falls as the speed rises.</summary>
+    /// <summary>
+    /// Bounds of the share of the way to the velocity that the last beat asks for, and the first one: the force falls as the speed rises.
+    /// </summary>
     private const float k_LeastShare = 0.05f, k_MostShare = 1f, k_FirstShare = 0.5f;
 
     private readonly FlightPlan m_Plan;
@@ -60,7 +62,8 @@ internal sealed class InducedStream
     {
         float3 force = m_Plan.ToWorld(m_Force / m_Substeps);
         // Both half strokes of both wings of each kind.
-        double area = m_Swept / 2 / (m_Wings.All.Count / 2), size = math.length(force), density = m_Plan.Induced.Density ?? m_Wings.All[0].Wing.Preset.Size.fluidDensity;
+        double area = m_Swept / 2 / (m_Wings.All.Count / 2), size = math.length(force),
+            density = m_Plan.Induced.Density ?? m_Wings.All[0].Wing.Preset.Size.fluidDensity;
         m_Force = default;
         m_Swept = 0;
         m_Substeps = 0;

@@ -3,9 +3,10 @@ using System;
 namespace Alate.Cli;
 
 /// <summary>
-/// Speed of the air that a beating wing draws along, as an actuator disc of momentum theory (Rankine 1865, Froude 1889): even and steady. In forward flight by Glauert's
-/// hypothesis (1926): the force is what the stream through the disc gains in momentum, T = 2ρ · w · |flow|. What blows through the disc passes the sectors that the wings sweep;
-/// what blows along it passes the circle of the span, as behind a wing (Prandtl 1918; for flapping wings Pennycuick 1968).
+/// Speed of the air that a beating wing draws along, as an actuator disc of momentum theory (Rankine 1865, Froude 1889): even and steady.
+/// In forward flight by Glauert's hypothesis (1926): the force is what the stream through the disc gains in momentum, T = 2ρ · w · |flow|.
+/// What blows through the disc passes the sectors that the wings sweep; what blows along it passes the circle of the span, as behind a wing
+/// (Prandtl 1918; for flapping wings Pennycuick 1968).
 /// </summary>
 internal static class MomentumTheory
 {
@@ -31,8 +32,8 @@ internal static class MomentumTheory
     }
 
     /// <summary>
-    /// Speed at the disc in a stream, m/s: the root of w² (V² + 2 w Vₙ + w²) = w₀⁴, which falls as the stream gets faster. Where a stream that comes against the wake has several
-    /// roots, the least, as for a windmill.
+    /// Speed at the disc in a stream, m/s: the root of w² (V² + 2 w Vₙ + w²) = w₀⁴, which falls as the stream gets faster. Where a stream
+    /// that comes against the wake has several roots, the least, as for a windmill.
     /// </summary>
     /// <param name="hover">w₀: speed in hover, m/s, at least 0.</param>
     /// <param name="stream">V: speed of the air far ahead against the wings' hinges, m/s, at least 0.</param>

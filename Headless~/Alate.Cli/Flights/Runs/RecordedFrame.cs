@@ -31,7 +31,9 @@ internal sealed class RecordedFrame
     /// <summary>Moment of the air force about the middle of the thorax, wing masses · L²/s².</summary>
     public float3 AirMoment { get; init; }
 
-    /// <summary>[chain · m + joint] Force of the air on each joint in this substep, wing masses · L/s²; null where the plan records no air.</summary>
+    /// <summary>
+    /// [chain · m + joint] Force of the air on each joint in this substep, wing masses · L/s²; null where the plan records no air.
+    /// </summary>
     public float3[] AirLoads { get; init; }
 
     /// <summary>Mean angle of attack about 0.75 of the span, radians; only with <see cref="AirLoads"/>.</summary>

@@ -5,7 +5,9 @@ using Unity.Mathematics;
 
 namespace Alate.Cli;
 
-/// <summary>The wings of an insect on the spot, right and left of each kind in turn: their rigs, their places, and the world that steps them.</summary>
+/// <summary>
+/// The wings of an insect on the spot, right and left of each kind in turn: their rigs, their places, and the world that steps them.
+/// </summary>
 internal sealed class TetheredWings : IDisposable
 {
     private readonly List<WingHandle> m_Handles = [];

@@ -4,7 +4,10 @@ using Unity.Mathematics;
 
 namespace Alate.Cli;
 
-/// <summary>Flexural stiffness of a wing's chains, whether measured or made by the preset's factors: EI of the uniform cantilever that a force on its tip bends as far down, N·m².</summary>
+/// <summary>
+/// Flexural stiffness of a wing's chains, whether measured or made by the preset's factors: EI of the uniform cantilever that a force on
+/// its tip bends as far down, N·m².
+/// </summary>
 /// <param name="Chains">[chain] From the leading to the trailing edge.</param>
 /// <param name="Usual">Of measured wings of the same length.</param>
 internal sealed record WingStiffness(double[] Chains, double Usual)
@@ -36,6 +39,9 @@ internal sealed record WingStiffness(double[] Chains, double Usual)
         return new WingStiffness(chains, UsualOf(size.wingLength));
     }
 
-    /// <summary>EI across the root of whole wings of 16 species against their span, metres: y = 2.97 x + 0.08 of the logarithms (Combes and Daniel 2003, J. exp. Biol. 206:2979, Fig. 4A).</summary>
+    /// <summary>
+    /// EI across the root of whole wings of 16 species against their span, metres: y = 2.97 x + 0.08 of the logarithms (Combes and Daniel
+    /// 2003, J. exp. Biol. 206:2979, Fig. 4A).
+    /// </summary>
     public static double UsualOf(double span) => Math.Pow(10, 0.08) * Math.Pow(span, 2.97);
 }

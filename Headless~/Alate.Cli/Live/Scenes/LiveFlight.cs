@@ -71,7 +71,8 @@ internal sealed class LiveFlight : IDisposable
     {
         WingReading first = m_Wings.Read(0);
         (float lift, float drag) = LiftAndDrag();
-        double turns = Math.Max(first.Beats + first.Phase / (2.0 * Math.PI) - (m_Stepped - Time) * first.Frequency, 0.0), beats = Math.Floor(turns);
+        double turns = Math.Max(first.Beats + first.Phase / (2.0 * Math.PI) - (m_Stepped - Time) * first.Frequency, 0.0),
+            beats = Math.Floor(turns);
         buffer.Add((float)(2.0 * Math.PI * (turns - beats)));
         buffer.Add((uint)beats);
         buffer.Add(first.Frequency);
@@ -129,7 +130,10 @@ internal sealed class LiveFlight : IDisposable
         buffer.Add(reach);
         buffer.Add(FileAxes.ToGltf(Force(wing, reading.AirForce)));
         for (int joint = 0; joint < joints; joint++)
-            buffer.Add(FileAxes.ToGltf(placement.ToBody(reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain, Alpha))));
+        {
+            buffer.Add(FileAxes.ToGltf(
+                placement.ToBody(reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain, Alpha))));
+        }
         for (int joint = 0; joint < joints; joint++)
             buffer.Add(FileAxes.ToGltf(Force(wing, loads[joint])));
         WriteMesh(buffer, wing, reading, reach);
@@ -149,8 +153,10 @@ internal sealed class LiveFlight : IDisposable
         for (int k = 0; k < positions.Length; k++)
         {
             float3 place = math.clamp(FileAxes.ToGltf(placement.ToBody(positions[k])) / reach, -1f, 1f) * k_Steps;
-            (places[4 * k], places[4 * k + 1], places[4 * k + 2]) = ((short)math.round(place.x), (short)math.round(place.y), (short)math.round(place.z));
-            int stretched = (int)math.clamp(k_StrainSteps * strain[k], 0f, 255f), attack = (int)math.degrees(m_Fields[wing].Attack(reading, k, positions));
+            (places[4 * k], places[4 * k + 1], places[4 * k + 2]) =
+                ((short)math.round(place.x), (short)math.round(place.y), (short)math.round(place.z));
+            int stretched = (int)math.clamp(k_StrainSteps * strain[k], 0f, 255f),
+                attack = (int)math.degrees(m_Fields[wing].Attack(reading, k, positions));
             places[4 * k + 3] = (short)(stretched | (math.clamp(attack, 0, 90) << 8));
         }
 
@@ -158,7 +164,8 @@ internal sealed class LiveFlight : IDisposable
         for (int k = 0; k < positions.Length; k++)
         {
             float3 normal = sbyte.MaxValue * FileAxes.Unit(placement.DirectionToBody(frame.DirectionToWing(vertices[k].normal)));
-            (normals[4 * k], normals[4 * k + 1], normals[4 * k + 2], normals[4 * k + 3]) = ((sbyte)normal.x, (sbyte)normal.y, (sbyte)normal.z, 0);
+            (normals[4 * k], normals[4 * k + 1], normals[4 * k + 2], normals[4 * k + 3]) =
+                ((sbyte)normal.x, (sbyte)normal.y, (sbyte)normal.z, 0);
         }
     }
 }

@@ -36,7 +36,8 @@ internal sealed class SceneInsect : IDisposable
     public bool Change(ViewRequest request)
     {
         ViewSettings settings = request.Apply(Settings);
-        bool isOther = settings.Species != Settings.Species || settings.Variant != Settings.Variant || settings.IsCompared != Settings.IsCompared;
+        bool isOther = settings.Species != Settings.Species || settings.Variant != Settings.Variant
+            || settings.IsCompared != Settings.IsCompared;
         OwnWing own = settings.Species != Settings.Species || request.IsCatalogue ? null : m_Own;
         if (isOther || own != m_Own)
         {

@@ -10,7 +10,9 @@ using UnityEngine;
 
 namespace Alate.Cli;
 
-/// <summary>Message that the page gets once: the insects there are, and the meshes and colours of the one that flies. Axes and winding are glTF's.</summary>
+/// <summary>
+/// Message that the page gets once: the insects there are, and the meshes and colours of the one that flies. Axes and winding are glTF's.
+/// </summary>
 internal static class SceneMessage
 {
     /// <summary>Species with their variants, and sliders.</summary>
@@ -52,19 +54,23 @@ internal static class SceneMessage
     /// <param name="columns">The columns, in the order of the states.</param>
     /// <param name="settings">The numbers.</param>
     /// <param name="remark">What the viewer should know; may be empty.</param>
-    public static JsonObject Scene(Insect insect, IReadOnlyList<RecordedWing> wings, IEnumerable<ComparisonColumn> columns, ViewSettings settings, string remark) => new()
-    {
-        ["type"] = "scene",
-        ["name"] = insect.Name,
-        ["title"] = insect.DisplayName,
-        ["remark"] = remark,
-        ["reach"] = Math.Max(wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length), insect.Body.positions.Max(place => math.length(place))),
-        ["settings"] = Settings(settings),
-        ["columns"] = new JsonArray(columns.Select(column => (JsonNode)new JsonObject { ["title"] = column.Title, ["description"] = column.Description }).ToArray()),
-        ["body"] = Body(insect.Body),
-        ["textures"] = new JsonArray(insect.Wings.Select(wing => wing.Texture == null ? null : (JsonNode)Convert.ToBase64String(wing.Texture.Png)).ToArray()),
-        ["wings"] = new JsonArray(wings.Select((wing, k) => (JsonNode)Wing(wing, k / 2)).ToArray()),
-    };
+    public static JsonObject Scene(Insect insect, IReadOnlyList<RecordedWing> wings, IEnumerable<ComparisonColumn> columns,
+        ViewSettings settings, string remark) => new()
+        {
+            ["type"] = "scene",
+            ["name"] = insect.Name,
+            ["title"] = insect.DisplayName,
+            ["remark"] = remark,
+            ["reach"] = Math.Max(wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length),
+            insect.Body.positions.Max(place => math.length(place))),
+            ["settings"] = Settings(settings),
+            ["columns"] = new JsonArray(columns
+            .Select(column => (JsonNode)new JsonObject { ["title"] = column.Title, ["description"] = column.Description }).ToArray()),
+            ["body"] = Body(insect.Body),
+            ["textures"] = new JsonArray(
+            insect.Wings.Select(wing => wing.Texture == null ? null : (JsonNode)Convert.ToBase64String(wing.Texture.Png)).ToArray()),
+            ["wings"] = new JsonArray(wings.Select((wing, k) => (JsonNode)Wing(wing, k / 2)).ToArray()),
+        };
 
     /// <summary>Takes what an insect looks like out of a scene.</summary>
     public static JsonObject TakeLook(JsonObject scene)

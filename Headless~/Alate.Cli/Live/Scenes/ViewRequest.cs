@@ -74,7 +74,8 @@ internal sealed class ViewRequest
                 return variant;
         }
 
-        throw new UserException($"There is no variant {Quote.Of(m_Variant)}. Known: {string.Join(", ", Enum.GetValues<InsectVariant>().Select(KnownSpecies.Word))}.");
+        throw new UserException($"There is no variant {Quote.Of(m_Variant)}. Known: "
+            + $"{string.Join(", ", Enum.GetValues<InsectVariant>().Select(KnownSpecies.Word))}.");
     }
 
     private void Take(JsonProperty property)

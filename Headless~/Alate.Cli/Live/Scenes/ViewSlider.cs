@@ -23,8 +23,10 @@ internal sealed record ViewSlider(
     /// <summary>All sliders in the order of the page.</summary>
     public static IReadOnlyList<ViewSlider> All { get; } =
     [
-        new("slow", "slow motion", "× time", 0.001, 1, true, false, settings => settings.Slow, (settings, value) => settings with { Slow = value }),
-        For(FlightNumbers.Speed), For(FlightNumbers.Wind), For(FlightNumbers.Elasticity), For(FlightNumbers.Lag), For(FlightNumbers.Amplitude),
+        new("slow", "slow motion", "× time", 0.001, 1, true, false, settings => settings.Slow,
+            (settings, value) => settings with { Slow = value }),
+        For(FlightNumbers.Speed), For(FlightNumbers.Wind), For(FlightNumbers.Elasticity), For(FlightNumbers.Lag),
+        For(FlightNumbers.Amplitude),
         For(FlightNumbers.Frequency), For(FlightNumbers.Substeps),
     ];
 
@@ -37,7 +39,10 @@ internal sealed record ViewSlider(
             if (slider.Name != name)
                 continue;
             if (!(value >= slider.Min && value <= slider.Max))
-                throw new UserException(FormattableString.Invariant($"'{name}' must lie between {slider.Min} and {slider.Max}; it is {value}."));
+            {
+                throw new UserException(
+                    FormattableString.Invariant($"'{name}' must lie between {slider.Min} and {slider.Max}; it is {value}."));
+            }
             return slider.With(settings, slider.IsWhole ? Math.Round(value) : value);
         }
 

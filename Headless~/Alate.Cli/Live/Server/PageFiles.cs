@@ -8,7 +8,9 @@ using System.Text;
 
 namespace Alate.Cli;
 
-/// <summary>Files of the page, by their names behind the address: a list of its own, so that no path of a request is ever one of the disk.</summary>
+/// <summary>
+/// Files of the page, by their names behind the address: a list of its own, so that no path of a request is ever one of the disk.
+/// </summary>
 internal sealed class PageFiles
 {
     /// <summary>The page itself.</summary>
@@ -23,16 +25,21 @@ internal sealed class PageFiles
     public PageFiles(ThreeSource three, bool isLive)
     {
         string map = three.ImportMap();
-        foreach (string resource in typeof(PageFiles).Assembly.GetManifestResourceNames().Where(name => name.StartsWith(k_Folder, StringComparison.Ordinal)))
+        foreach (string resource in typeof(PageFiles).Assembly.GetManifestResourceNames()
+            .Where(name => name.StartsWith(k_Folder, StringComparison.Ordinal)))
+        {
             m_Files[resource[k_Folder.Length..]] = () => Resource(resource);
+        }
         byte[] index = Encoding.UTF8.GetBytes(
             Encoding.UTF8.GetString(Resource(k_Folder + Index)).Replace(k_MapMark, map).Replace(k_ModeMark, isLive ? "live" : "baked"));
         m_Files[Index] = () => index;
         foreach (string name in three.Names)
             m_Files[$"three/{name}"] = () => three.Read(name);
         string scripts = three.IsPublic ? " " + ThreeSource.Server : "";
-        SecurityPolicy = $"default-src 'none'; script-src 'self' 'sha256-{Convert.ToBase64String(SHA256.HashData(Encoding.UTF8.GetBytes(map)))}'{scripts}; style-src 'self'; "
-            + "connect-src 'self' ws://127.0.0.1:* ws://localhost:*; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+        SecurityPolicy = "default-src 'none'; script-src 'self' "
+            + $"'sha256-{Convert.ToBase64String(SHA256.HashData(Encoding.UTF8.GetBytes(map)))}'{scripts}; style-src 'self'; "
+            + "connect-src 'self' ws://127.0.0.1:* ws://localhost:*; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; "
+            + "frame-ancestors 'none'";
     }
 
     /// <summary>Sources that the page may load from, as the header of an answer.</summary>

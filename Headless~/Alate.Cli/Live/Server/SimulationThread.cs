@@ -4,7 +4,10 @@ using System.Threading.Tasks;
 
 namespace Alate.Cli;
 
-/// <summary>Lets the many threads of a server use the simulation, which belongs to one thread: that one does their work in the order in which it comes.</summary>
+/// <summary>
+/// Lets the many threads of a server use the simulation, which belongs to one thread: that one does their work in the order in which it
+/// comes.
+/// </summary>
 internal sealed class SimulationThread
 {
     private readonly BlockingCollection<Action> m_Work = [];

@@ -5,7 +5,9 @@ using System.Text.Json.Nodes;
 
 namespace Alate.Cli;
 
-/// <summary>Source that the page loads three.js from: a public server, whose files must have the hashes named here, or a folder of the user's.</summary>
+/// <summary>
+/// Source that the page loads three.js from: a public server, whose files must have the hashes named here, or a folder of the user's.
+/// </summary>
 internal sealed class ThreeSource
 {
     /// <summary>Version of the files on the public server.</summary>
@@ -52,7 +54,8 @@ internal sealed class ThreeSource
         {
             string[] places = [Path.Combine(folder, name), Path.Combine(folder, Path.GetFileName(name))];
             files[name] = places.FirstOrDefault(File.Exists)
-                ?? throw new UserException($"--three: there is no '{name}' in '{folder}'. 'npm install three@{Version}' puts the files into node_modules/three.");
+                ?? throw new UserException(
+                    $"--three: there is no '{name}' in '{folder}'. 'npm install three@{Version}' puts the files into node_modules/three.");
         }
 
         return new ThreeSource(files);
@@ -71,5 +74,6 @@ internal sealed class ThreeSource
         return map.ToJsonString(s_Plain);
     }
 
-    private static readonly System.Text.Json.JsonSerializerOptions s_Plain = new() { Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly System.Text.Json.JsonSerializerOptions s_Plain =
+        new() { Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 }

@@ -17,8 +17,8 @@ using Microsoft.Extensions.DependencyInjection;
 namespace Alate.Cli;
 
 /// <summary>
-/// Serves the live view to browsers of this machine: the page's files, and a web socket for each page that is open. Listens on the loopback alone, and
-/// answers only requests that name it as their host, and sockets that its own page opened.
+/// Serves the live view to browsers of this machine: the page's files, and a web socket for each page that is open. Listens on the loopback
+/// alone, and answers only requests that name it as their host, and sockets that its own page opened.
 /// </summary>
 internal sealed class ViewServer
 {
@@ -79,7 +79,8 @@ internal sealed class ViewServer
         {
             await server.Stop();
             throw new UserException(
-                $"Cannot listen on port {port}: {(problem.InnerException ?? problem).Message.TrimEnd('.')}. Choose another with --port; 0 is any that is free.");
+                $"Cannot listen on port {port}: {(problem.InnerException ?? problem).Message.TrimEnd('.')}. Choose another with --port; 0 "
+                + "is any that is free.");
         }
 
         IServer kestrel = server.m_Application.Services.GetRequiredService<IServer>();

@@ -11,7 +11,8 @@ using Alate.Catalogue;
 namespace Alate.Cli;
 
 /// <summary>One page that is open: its requests come in and the states of its insect go out over one web socket.</summary>
-internal sealed class ViewSession(WebSocket socket, SimulationThread simulation, InsectDefinition species, InsectVariant variant) : IAsyncDisposable
+internal sealed class ViewSession(WebSocket socket, SimulationThread simulation, InsectDefinition species, InsectVariant variant)
+    : IAsyncDisposable
 {
     /// <summary>Longest message of text, and longest file, bytes.</summary>
     public const int LongestText = 4096, LongestFile = 16 << 20;
@@ -80,7 +81,8 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
             }
             else
             {
-                await Send(await simulation.Do(() => m_Insect.Change(request)) ? m_Insect.Scene : SceneMessage.Settings(m_Insect.Settings), stop);
+                await Send(
+                    await simulation.Do(() => m_Insect.Change(request)) ? m_Insect.Scene : SceneMessage.Settings(m_Insect.Settings), stop);
             }
         }
         catch (UserException problem)
@@ -149,7 +151,8 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         }
     }
 
-    private Task Send(JsonObject message, CancellationToken stop) => Send(Encoding.UTF8.GetBytes(message.ToJsonString()), WebSocketMessageType.Text, stop);
+    private Task Send(JsonObject message, CancellationToken stop) =>
+        Send(Encoding.UTF8.GetBytes(message.ToJsonString()), WebSocketMessageType.Text, stop);
 
     // A page that does not read must not hold the insect for ever.
     private async Task Send(ReadOnlyMemory<byte> content, WebSocketMessageType type, CancellationToken stop)
@@ -167,7 +170,8 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
             if (socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
                 await socket.CloseOutputAsync(status, Quote.Bytes(reason, k_LongestReason), patience.Token);
         }
-        catch (Exception problem) when (problem is OperationCanceledException or WebSocketException or IOException or InvalidOperationException)
+        catch (Exception problem) when (problem is OperationCanceledException or WebSocketException or IOException
+            or InvalidOperationException)
         {
             socket.Abort();
         }

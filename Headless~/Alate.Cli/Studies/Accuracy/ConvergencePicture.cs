@@ -16,7 +16,8 @@ internal static class ConvergencePicture
     {
         var sheet = new ChartSheet(
             KnownSpecies.Titled("How far wings are off, and what they cost", species[0].Plan.Variant),
-            $"Distance of the joints from {ConvergencePlan.ReferenceSubsteps} substeps of the same scheme, RMS, % of the wing's length, over the time of a beat, version 0.1 = 1.");
+            $"Distance of the joints from {ConvergencePlan.ReferenceSubsteps} substeps of the same scheme, RMS, % of the wing's length, "
+            + "over the time of a beat, version 0.1 = 1.");
         var legend = new ChartLegend(sheet.Page, sheet.LegendTop);
         legend.Add("second order (default)", ChartSheet.Ink, CurveLook.Discs);
         legend.Add("backward Euler", ChartSheet.Ink, CurveLook.Squares);

@@ -20,9 +20,11 @@ internal static class ConvergenceTable
         ];
         foreach (int substeps in wing.Points.Select(point => point.Substeps).Distinct())
         {
-            IEnumerable<ConvergencePoint> points = ConvergencePlan.Schemes.Select(scheme => wing.By(scheme).First(point => point.Substeps == substeps));
+            IEnumerable<ConvergencePoint> points = ConvergencePlan.Schemes.Select(
+                scheme => wing.By(scheme).First(point => point.Substeps == substeps));
             string mark = substeps == wing.AtDefaults.Substeps ? " (default)" : "";
-            yield return [substeps + mark, .. points.SelectMany(point => new[] { Error(point), point.Cost.ToString("0.00", CultureInfo.InvariantCulture) })];
+            yield return [substeps + mark,
+                .. points.SelectMany(point => new[] { Error(point), point.Cost.ToString("0.00", CultureInfo.InvariantCulture) })];
         }
 
         yield return [$"version 0.1, {wing.Version01.Substeps}", "", "", Error(wing.Version01), "1.00"];
@@ -33,12 +35,16 @@ internal static class ConvergenceTable
     {
         yield return ["", $"at {wing.AtDefaults.Substeps} substeps", $"at {ConvergencePlan.ReferenceSubsteps}", "difference, %"];
         foreach (ConvergedValue value in wing.Values)
-            yield return [value.Title, Number(value.AtDefaults), Number(value.Converged), value.DifferencePct.ToString("+0.0;−0.0;0.0", CultureInfo.InvariantCulture)];
+        {
+            yield return [value.Title, Number(value.AtDefaults), Number(value.Converged),
+                value.DifferencePct.ToString("+0.0;−0.0;0.0", CultureInfo.InvariantCulture)];
+        }
     }
 
     private static IEnumerable<IReadOnlyList<string>> Rows(IReadOnlyList<SpeciesConvergence> species)
     {
-        yield return ["species", "variant", "wing", "model", "scheme", "substeps", "joint_error_pct", "cost_over_version_0_1", "is_default"];
+        yield return ["species", "variant", "wing", "model", "scheme", "substeps", "joint_error_pct", "cost_over_version_0_1",
+            "is_default"];
         foreach (SpeciesConvergence one in species)
         {
             foreach (WingConvergence wing in one.Wings)

@@ -7,7 +7,8 @@ namespace Alate.Cli;
 /// <summary>Error against cost for every kind of wing of an insect, and its numbers beside their limits.</summary>
 internal sealed class SpeciesConvergence
 {
-    private static readonly string[] s_Measures = ["twist_pp_deg", "camber_min_pct", "camber_max_pct", "tip_bend_pp_deg", "tip_bend_max_deg", "lag_deg", "tip_lag_deg"];
+    private static readonly string[] s_Measures =
+        ["twist_pp_deg", "camber_min_pct", "camber_max_pct", "tip_bend_pp_deg", "tip_bend_max_deg", "lag_deg", "tip_lag_deg"];
 
     private SpeciesConvergence(FlightPlan plan, string displayName, IReadOnlyList<WingConvergence> wings)
     {
@@ -53,7 +54,8 @@ internal sealed class SpeciesConvergence
         {
             double[] times = BeatCost.NanosecondsOf(insect.Wings[kind], plans.Append(old));
             var points = plans
-                .Select((one, k) => new ConvergencePoint(one.TimeScheme.Value, one.Substeps.Value, errors[k][kind], times[k] / times[^1])).ToList();
+                .Select((one, k) => new ConvergencePoint(one.TimeScheme.Value, one.Substeps.Value, errors[k][kind], times[k] / times[^1]))
+                .ToList();
             wings.Add(new WingConvergence(
                 now.Wings[kind].Name, points,
                 points.First(point => point.Scheme == ConvergencePlan.Schemes[0] && point.Substeps == defaults.Substeps),
@@ -67,18 +69,21 @@ internal sealed class SpeciesConvergence
     // By every scheme, at every number of substeps once, that of the defaults among them.
     private static List<FlightPlan> Plans(FlightPlan plan, FlightPlan defaults, Insect insect)
     {
-        var substeps = ConvergencePlan.Substeps.Select(count => Taken(plan with { Substeps = count }, insect).Substeps.Value).Append(defaults.Substeps.Value).Distinct().Order().ToList();
+        var substeps = ConvergencePlan.Substeps.Select(count => Taken(plan with { Substeps = count }, insect).Substeps.Value)
+            .Append(defaults.Substeps.Value).Distinct().Order().ToList();
         return ConvergencePlan.Schemes
             .SelectMany(scheme => substeps.Select(count => plan with { TimeScheme = scheme, Substeps = count })).ToList();
     }
 
     // The plan that asks for as many substeps as its wings take, so that no step is more than one of them.
-    private static FlightPlan Taken(FlightPlan plan, Insect insect) => plan with { Substeps = insect.Wings.Max(wing => BeatCost.SubstepsOf(wing, plan)) };
+    private static FlightPlan Taken(FlightPlan plan, Insect insect) =>
+        plan with { Substeps = insect.Wings.Max(wing => BeatCost.SubstepsOf(wing, plan)) };
 
     // [plan][kind of wing]; the limit is the default scheme's.
     private static List<List<double>> Errors(FlightPlan plan, List<FlightPlan> plans, out FlightRecord converged)
     {
-        var flights = ConvergencePlan.Schemes.ToDictionary(scheme => scheme, scheme => new SchemeFlights(plan with { TimeScheme = scheme }));
+        var flights = ConvergencePlan.Schemes.ToDictionary(
+            scheme => scheme, scheme => new SchemeFlights(plan with { TimeScheme = scheme }));
         converged = flights[ConvergencePlan.Schemes[0]].Reference;
         return plans.ConvertAll(one => flights[one.TimeScheme.Value].ErrorsAt(one.Substeps.Value));
     }
@@ -88,8 +93,13 @@ internal sealed class SpeciesConvergence
         foreach (WingMeasure measure in WingMeasure.All.Where(measure => s_Measures.Contains(measure.Key)))
             yield return new ConvergedValue(measure.Key, measure.Title, measure.Of(now), measure.Of(limit));
         if (lift != null)
-            yield return new ConvergedValue("lift_over_weight", FormattableString.Invariant($"lift over weight at pitch {ConvergencePlan.LiftPitch}°"), lift[0], lift[1]);
+        {
+            yield return new ConvergedValue(
+                "lift_over_weight", FormattableString.Invariant($"lift over weight at pitch {ConvergencePlan.LiftPitch}°"),
+                lift[0], lift[1]);
+        }
     }
 
-    private static double Lift(FlightPlan plan) => FlightSummary.Of(TetheredFlight.Fly(plan with { PitchDegrees = ConvergencePlan.LiftPitch })).LiftOverWeight;
+    private static double Lift(FlightPlan plan) =>
+        FlightSummary.Of(TetheredFlight.Fly(plan with { PitchDegrees = ConvergencePlan.LiftPitch })).LiftOverWeight;
 }

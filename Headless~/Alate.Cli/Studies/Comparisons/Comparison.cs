@@ -50,7 +50,8 @@ internal sealed class Comparison
                 return record;
             }).ToArray();
             FlightRecord full = records.First(record => record.Plan.Column == ComparisonColumn.FullModel);
-            comparisons.Add(new Comparison(flight, records.Select(record => ComparedFlight.Of(record, full)).ToList(), FlyFreely(flight), plan.Phases));
+            comparisons.Add(
+                new Comparison(flight, records.Select(record => ComparedFlight.Of(record, full)).ToList(), FlyFreely(flight), plan.Phases));
         }
 
         return comparisons;

@@ -14,7 +14,8 @@ internal static class ComparisonPicture
 
     private static readonly (string Title, Func<WingSummary, double> Of, MeasureBound Bound)[] s_Numbers =
     [
-        ("twist", wing => wing.TwistPpDeg, MeasureBound.Find("twist_pp_deg")), ("camber", wing => wing.CamberMaxPct - wing.CamberMinPct, null),
+        ("twist", wing => wing.TwistPpDeg, MeasureBound.Find("twist_pp_deg")),
+        ("camber", wing => wing.CamberMaxPct - wing.CamberMinPct, null),
         ("tip bend", wing => wing.TipBendPpDeg, null), ("lag", wing => wing.LagDeg, MeasureBound.Find("lag_deg")),
         ("stretch", wing => wing.EdgeStretchMaxPct, MeasureBound.Find("edge_stretch_max_pct")),
     ];
@@ -39,14 +40,18 @@ internal static class ComparisonPicture
             bottom = Numbers(page, comparison.Flights[k], k_Left + (k + 0.5f) * k_Panel, top + 24f);
         page.Text(
             k_Edge, bottom + 12f, 11f,
-            "Peak to peak over the beat: twist and tip bend in degrees, camber in % of the chord; lag of the trailing edge in degrees; largest stretch of an edge in %;",
+            "Peak to peak over the beat: twist and tip bend in degrees, camber in % of the chord; lag of the trailing edge in degrees; "
+            + "largest stretch of an edge in %;",
             look: "t");
-        page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's length. † outside what is expected here: " + Expected(comparison.Plan.Variant), look: "t");
-        return page.Finish(width, bottom + 42f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
+        page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's "
+            + "length. † outside what is expected here: " + Expected(comparison.Plan.Variant), look: "t");
+        return page.Finish(
+            width, bottom + 42f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
     }
 
     private static string Expected(InsectVariant variant) =>
-        string.Join(", ", s_Numbers.Where(number => number.Bound != null).Select(number => $"{number.Title} {number.Bound.RangeOf(variant).TrimEnd('*', ' ')}{(number.Bound.Unit == "%" ? " %" : number.Bound.Unit)}")) + ".";
+        string.Join(", ", s_Numbers.Where(number => number.Bound != null).Select(number => $"{number.Title} "
+            + $"{number.Bound.RangeOf(variant).TrimEnd('*', ' ')}{(number.Bound.Unit == "%" ? " %" : number.Bound.Unit)}")) + ".";
 
     private static void Heading(PixelPage page, ComparisonColumn column, float middle)
     {
@@ -79,7 +84,10 @@ internal static class ComparisonPicture
 
         InsectVariant variant = flight.Summary.Flight.Plan.Variant;
         foreach ((string title, Func<WingSummary, double> of, MeasureBound bound) in s_Numbers)
-            y = Line(page, title, wings.Select(of).ToList(), middle, y, wings.Select(wing => bound?.Holds(wing, variant) == false).ToList());
+        {
+            y = Line(
+                page, title, wings.Select(of).ToList(), middle, y, wings.Select(wing => bound?.Holds(wing, variant) == false).ToList());
+        }
         y = Line(page, "off full", flight.Distances.Select(distance => distance.MeanPct).ToList(), middle, y);
         page.Text(middle - 84f, y, 13f, "lift / weight", look: "t");
         page.Text(middle + 38f, y, 13f, Text(flight.Summary.LiftOverWeight, 2), "end");
@@ -107,6 +115,7 @@ internal static class ComparisonPicture
     {
         FlightRecord flight = comparison.Flights[0].Summary.Flight;
         return string.Create(
-            CultureInfo.InvariantCulture, $"{flight.Wings[0].Frequency:0.#} Hz, at {flight.Plan.BodySpeed:0.##} m/s, seen from {flight.Plan.View.Words}");
+            CultureInfo.InvariantCulture,
+            $"{flight.Wings[0].Frequency:0.#} Hz, at {flight.Plan.BodySpeed:0.##} m/s, seen from {flight.Plan.View.Words}");
     }
 }

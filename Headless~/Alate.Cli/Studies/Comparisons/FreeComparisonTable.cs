@@ -13,8 +13,10 @@ internal static class FreeComparisonTable
 
     private static readonly string[] s_Header =
     [
-        "species", "flight", "variant", "speed_m_s", "climb_m_s", "velocity_error_m_s", "frequency_hz", "flap_deg", "pitch_deg", "pitch_bob_deg", "height_bob_mm",
-        "lift_over_weight", "downstroke_lift_over_weight", "upstroke_support_share", "upstroke_force_share", "power_w", "power_per_mass_w_kg",
+        "species", "flight", "variant", "speed_m_s", "climb_m_s", "velocity_error_m_s", "frequency_hz", "flap_deg", "pitch_deg",
+        "pitch_bob_deg", "height_bob_mm",
+        "lift_over_weight", "downstroke_lift_over_weight", "upstroke_support_share", "upstroke_force_share", "power_w",
+        "power_per_mass_w_kg",
     ];
 
     public static void Write(IReadOnlyList<Comparison> comparisons, Stream stream) =>
@@ -38,7 +40,8 @@ internal static class FreeComparisonTable
         yield return
         [
             plan.Species, "on the spot", plan.Variant.ToString().ToLowerInvariant(),
-            .. Numbers(plan.Speed, plan.Climb, none, wing.Frequency, none, plan.PitchDegrees, 0, 0, held.LiftOverWeight, none, none, none, none, none),
+            .. Numbers(plan.Speed, plan.Climb, none, wing.Frequency, none, plan.PitchDegrees, 0, 0, held.LiftOverWeight, none, none,
+                none, none, none),
         ];
         if (comparison.Free is { } free)
         {
@@ -46,11 +49,13 @@ internal static class FreeComparisonTable
             [
                 plan.Species, "free", "flight",
                 .. Numbers(
-                    free.Speed, free.Climb, free.Error, free.Frequency, free.Flap, free.Pitch, free.PitchBob, free.HeightBob, free.Lift, free.DownLift, free.UpSupport, free.UpForce,
+                    free.Speed, free.Climb, free.Error, free.Frequency, free.Flap, free.Pitch, free.PitchBob, free.HeightBob, free.Lift,
+                    free.DownLift, free.UpSupport, free.UpForce,
                     free.Power, free.PowerPerMass),
             ];
         }
     }
 
-    private static IEnumerable<string> Numbers(params double[] values) => values.Select(value => double.IsNaN(value) ? "" : value.ToString("0.#####", CultureInfo.InvariantCulture));
+    private static IEnumerable<string> Numbers(params double[] values) =>
+        values.Select(value => double.IsNaN(value) ? "" : value.ToString("0.#####", CultureInfo.InvariantCulture));
 }

@@ -42,14 +42,17 @@ internal static class AccuracyTable
     {
         yield return
         [
-            "species", "wing", .. s_Winds.Select(speed => speed > 0.0 ? $"{Number(speed, 0)} m/s" : "still"), "worst from", "version 0.1 at 3 m/s", "tip bend in a head wind of 0, 3, 10 m/s °",
+            "species", "wing", .. s_Winds.Select(speed => speed > 0.0 ? $"{Number(speed, 0)} m/s" : "still"), "worst from",
+            "version 0.1 at 3 m/s", "tip bend in a head wind of 0, 3, 10 m/s °",
         ];
         foreach ((SpeciesWinds one, WingWinds wing) in species.SelectMany(one => one.Wings.Select(wing => (one, wing))))
         {
             yield return
             [
-                one.Plan.Species, wing.Name, .. s_Winds.Select(speed => Stretch(At(wing.Now, one, speed))), At(wing.Now, one, 10).Worst.Name,
-                Number(At(wing.Before, one, 3).StretchMaxPct, 0), string.Join(", ", new[] { 0.0, 3.0, 10.0 }.Select(speed => Number(At(wing.Now, one, speed).HeadBendDeg, 1))),
+                one.Plan.Species, wing.Name, .. s_Winds.Select(speed => Stretch(At(wing.Now, one, speed))),
+                At(wing.Now, one, 10).Worst.Name,
+                Number(At(wing.Before, one, 3).StretchMaxPct, 0),
+                string.Join(", ", new[] { 0.0, 3.0, 10.0 }.Select(speed => Number(At(wing.Now, one, speed).HeadBendDeg, 1))),
             ];
         }
     }
@@ -59,7 +62,8 @@ internal static class AccuracyTable
         ConvergedValue value = wing.Values.FirstOrDefault(one => one.Key == key);
         return value == null
             ? ""
-            : $"{Number(value.AtDefaults, digits)} / {Number(value.Converged, digits)} ({(value.DifferencePct < 0.0 ? "" : "+")}{Number(value.DifferencePct, 1)} %)";
+            : $"{Number(value.AtDefaults, digits)} / {Number(value.Converged, digits)} "
+                + $"({(value.DifferencePct < 0.0 ? "" : "+")}{Number(value.DifferencePct, 1)} %)";
     }
 
     private static WindPoint At(IReadOnlyList<WindPoint> points, SpeciesWinds species, double speed) =>

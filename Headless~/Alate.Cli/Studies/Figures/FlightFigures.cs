@@ -7,13 +7,17 @@ using Alate.Flight;
 
 namespace Alate.Cli;
 
-/// <summary>Flight tables of the documentation's page of results: steady flights of all species, and the monarch's and the dragonfly's beside measurements.</summary>
+/// <summary>
+/// Flight tables of the documentation's page of results: steady flights of all species, and the monarch's and the dragonfly's beside
+/// measurements.
+/// </summary>
 internal static class FlightFigures
 {
     /// <summary>The page, in the documentation's folder.</summary>
     public const string Page = "results.md";
 
-    private const string k_Climbing = "Kang, Sridhar et al. 2020, a monarch that climbs by 0.75 m/s at 1.28 m/s", k_Halves = "Bode-Oke and Dong 2020, a monarch in forward flight";
+    private const string k_Climbing = "Kang, Sridhar et al. 2020, a monarch that climbs by 0.75 m/s at 1.28 m/s",
+        k_Halves = "Bode-Oke and Dong 2020, a monarch in forward flight";
 
     private static readonly float[] s_Speeds = [0f, 0.65f, 1.3f, 2.3f];
 
@@ -30,7 +34,8 @@ internal static class FlightFigures
 
     private static IEnumerable<string[]> Steady()
     {
-        yield return ["", "speed m/s", "pitch", "frequency Hz", "flap", "lift in the downstroke", "upstroke's share of the lift", "power W/kg"];
+        yield return ["", "speed m/s", "pitch", "frequency Hz", "flap", "lift in the downstroke", "upstroke's share of the lift",
+            "power W/kg"];
         foreach (InsectDefinition insect in InsectCatalogue.All.Where(insect => insect.Variants.Contains(InsectVariant.Flight)))
         {
             using FlightModel model = CatalogueFlight.CreateModel(insect);
@@ -40,7 +45,8 @@ internal static class FlightFigures
                 var flight = FlightMeans.Fly(model, table, new FlightCondition(speed, 0f));
                 yield return
                 [
-                    insect.DisplayName, Text($"{speed:0.##}"), Text($"{flight.Pitch:0} ± {flight.PitchBob:0}°"), Text($"{flight.Frequency:0.0}"), Text($"{flight.Flap:0}°"),
+                    insect.DisplayName, Text($"{speed:0.##}"), Text($"{flight.Pitch:0} ± {flight.PitchBob:0}°"),
+                    Text($"{flight.Frequency:0.0}"), Text($"{flight.Flap:0}°"),
                     Percent(flight.DownLift) + " of the weight", Percent(flight.UpSupport), Text($"{flight.PowerPerMass:0}"),
                 ];
             }
@@ -57,11 +63,15 @@ internal static class FlightFigures
         string Climbing(Func<TrimState, double> radians) => climbing != null ? Text($"{180 / Math.PI * radians(climbing):0}°") : missing;
         yield return ["", "model, level at 1.3 m/s", "model, climbing by 0.75 m/s at 1.28 m/s", "measured", "source"];
         yield return ["mean pitch of the thorax", Text($"{level.Pitch:0}°"), Climbing(trim => trim.Pitch), "18.6°", k_Climbing];
-        yield return ["bob of the pitch", Text($"±{level.PitchBob:0.0}°"), climbing != null ? Text($"±{180 / Math.PI * climbing.PitchBob:0.0}°") : "", "±8.3°", k_Climbing];
-        yield return ["stroke plane off the vertical", "", climbing != null ? Climbing(trim => trim.Pitch + trim.Tilt) : "", "25.4°", k_Climbing];
+        yield return ["bob of the pitch", Text($"±{level.PitchBob:0.0}°"),
+            climbing != null ? Text($"±{180 / Math.PI * climbing.PitchBob:0.0}°") : "", "±8.3°", k_Climbing];
+        yield return ["stroke plane off the vertical", "", climbing != null ? Climbing(trim => trim.Pitch + trim.Tilt) : "",
+            "25.4°", k_Climbing];
         yield return ["upstroke's share of the force", Percent(level.UpForce), "", "32 %", k_Halves];
         yield return ["upstroke's share of the weight support", Percent(level.UpSupport), "", "8 %", k_Halves];
-        yield return ["lift of the downstroke over the weight", $"{Percent(level.DownLift)} in the downstroke, {Percent(1 - level.UpSupport)} averaged over the beat", "", "118 %", "Dudley 1991, butterflies"];
+        yield return ["lift of the downstroke over the weight",
+            $"{Percent(level.DownLift)} in the downstroke, {Percent(1 - level.UpSupport)} averaged over the beat",
+            "", "118 %", "Dudley 1991, butterflies"];
         yield return ["power to the air", Text($"{level.PowerPerMass:0} W/kg"), "", "", "no measurement found"];
     }
 
@@ -72,19 +82,25 @@ internal static class FlightFigures
         using FlightModel model = CatalogueFlight.CreateModel(dragonfly);
         using var solver = new TrimSolver(model);
         var bake = new TrimBake(model);
-        yield return ["speed, climb, m/s", "", "frequency Hz", "flap of the fore wing", "of the hind wing", "stroke plane of the fore wing", "of the hind wing", "pitch of the body"];
+        yield return ["speed, climb, m/s", "", "frequency Hz", "flap of the fore wing", "of the hind wing", "stroke plane of the fore wing",
+            "of the hind wing", "pitch of the body"];
         foreach (MeasuredDragonfly measured in MeasuredDragonfly.Flights)
         {
             IReadOnlyList<PresetKinematics> motion = DragonflyRun.Kinematics(measured);
-            using var grid = new TrimTable([.. s_Approach.Where(speed => speed < measured.Speed), (float)measured.Speed], [(float)measured.Climb]);
+            using var grid = new TrimTable(
+                [.. s_Approach.Where(speed => speed < measured.Speed), (float)measured.Speed], [(float)measured.Climb]);
             TrimState trim = bake.Trims(solver, grid)[grid.Speeds.Length - 1, 0];
             string[] beat = [bake.Problem, "", "", "", "", ""];
             if (trim != null)
-                beat = Beat(trim.FrequencyScale * model.Frequency, Flaps(model, trim), Planes(model, trim), Text($"{180 / Math.PI * trim.Pitch:0}°"));
+            {
+                beat = Beat(trim.FrequencyScale * model.Frequency, Flaps(model, trim), Planes(model, trim),
+                    Text($"{180 / Math.PI * trim.Pitch:0}°"));
+            }
             yield return
             [
                 Text($"{measured.Speed:0.0}, {measured.Climb:0.0#}"), "measured",
-                .. Beat(motion[0].frequency, [.. motion.Select(wing => 2.0 * wing.flap.harmonics[0].x)], [.. motion.Select(wing => 90.0 - wing.tilt.mean)], ""),
+                .. Beat(motion[0].frequency, [.. motion.Select(wing => 2.0 * wing.flap.harmonics[0].x)],
+                    [.. motion.Select(wing => 90.0 - wing.tilt.mean)], ""),
             ];
             yield return ["", "trim", .. beat];
         }

@@ -7,14 +7,18 @@ using Unity.Mathematics;
 
 namespace Alate.Cli;
 
-/// <summary>Effect of veins on a wing: the monarch's twist and camber over the beat with all chains alike, with thick veins in front, and with thick veins behind.</summary>
+/// <summary>
+/// Effect of veins on a wing: the monarch's twist and camber over the beat with all chains alike, with thick veins in front, and with thick
+/// veins behind.
+/// </summary>
 internal static class VeinFigure
 {
     private const float k_Width = 1000f, k_Height = 366f, k_ChartWidth = 480f, k_ChartHeight = 250f, k_Top = 108f;
     private const int k_Substeps = 100;
 
     // Looks differ without their colours.
-    private static readonly (string Colour, CurveLook Look)[] s_Looks = [("#6b6455", CurveLook.Dotted), ("#0b5fa5", CurveLook.Plain), ("#c2410c", CurveLook.Dashed)];
+    private static readonly (string Colour, CurveLook Look)[] s_Looks =
+        [("#6b6455", CurveLook.Dotted), ("#0b5fa5", CurveLook.Plain), ("#c2410c", CurveLook.Dashed)];
 
     /// <summary>Widths of the veins at the root of the five chains, from the leading edge on; at the tip they have half.</summary>
     public static IReadOnlyList<(string Name, float[] Widths)> Wings { get; } =
@@ -45,7 +49,8 @@ internal static class VeinFigure
         var page = new SvgPage();
         var wings = Wings.Select(wing => Fly(wing.Widths, k_Substeps)).ToList();
         page.Text(ChartSheet.Edge, 38f, 22f, "Veins of a monarch's wing over the beat", look: "b");
-        page.Text(ChartSheet.Edge, 60f, 13f, "Across the phase from the top of the stroke, in beats. The mean stiffness is the same.", look: "t");
+        page.Text(
+            ChartSheet.Edge, 60f, 13f, "Across the phase from the top of the stroke, in beats. The mean stiffness is the same.", look: "t");
         var legend = new ChartLegend(page, 86f);
         for (int k = 0; k < wings.Count; k++)
             legend.Add(Wings[k].Name, s_Looks[k].Colour, s_Looks[k].Look);
@@ -58,11 +63,15 @@ internal static class VeinFigure
     {
         var curves = wings.Select(wing => wing.Beat.OrderBy(Place).Select(frame => of(wing, frame)).ToArray()).ToList();
         var across = new ChartAxis(0, 1, false, [0, 0.2, 0.4, 0.6, 0.8, 1]);
-        var chart = new PointChart(page, title, across, ChartAxis.Linear(curves.SelectMany(values => values)), 12f + column * (k_ChartWidth + 10f), k_Top, new float2(k_ChartWidth, k_ChartHeight));
+        var chart = new PointChart(page, title, across, ChartAxis.Linear(curves.SelectMany(values => values)),
+            12f + column * (k_ChartWidth + 10f), k_Top, new float2(k_ChartWidth, k_ChartHeight));
         for (int k = 0; k < curves.Count; k++)
         {
             double[] values = curves[k];
-            chart.Draw(new PointCurve(Enumerable.Range(0, values.Length + 1).Select(n => new ChartPoint((double)n / values.Length, values[n % values.Length])).ToList(), s_Looks[k].Colour, s_Looks[k].Look));
+            chart.Draw(new PointCurve(
+                Enumerable.Range(0, values.Length + 1)
+                    .Select(n => new ChartPoint((double)n / values.Length, values[n % values.Length])).ToList(),
+                s_Looks[k].Colour, s_Looks[k].Look));
         }
     }
 

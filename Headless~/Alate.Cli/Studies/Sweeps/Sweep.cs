@@ -52,7 +52,12 @@ internal sealed class Sweep
 
     private static SweepPoint Fly(SweepPlan plan, double value, bool wave)
     {
-        FlightPlan flight = plan.Parameter.In(plan.Flight, value) with { Column = wave ? ComparisonColumn.FullModel : ComparisonColumn.NoWave };
+        FlightPlan flight = plan.Parameter.In(plan.Flight, value) with
+        {
+            Column = wave
+            ? ComparisonColumn.FullModel
+            : ComparisonColumn.NoWave
+        };
         FlightRecord record = TetheredFlight.Fly(flight), driven = TetheredFlight.Fly(flight with { HoldJoints = true });
         var cambers = new List<double>();
         for (int k = 0; k < record.Wings.Count; k++)

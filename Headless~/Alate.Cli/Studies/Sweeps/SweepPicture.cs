@@ -8,7 +8,8 @@ namespace Alate.Cli;
 /// <summary>sweep.png, the insect at some phases for each value, and sweep.svg, charts of what was measured over all values.</summary>
 internal sealed class SweepPicture
 {
-    private const float k_Edge = 26f, k_Left = 56f, k_Header = 98f, k_MostWidth = 210f, k_GridWidth = 1000f, k_ChartHeight = 170f, k_Section = 10f, k_Narrowest = 760f;
+    private const float k_Edge = 26f, k_Left = 56f, k_Header = 98f, k_MostWidth = 210f, k_GridWidth = 1000f, k_ChartHeight = 170f,
+        k_Section = 10f, k_Narrowest = 760f;
     private const int k_MostColumns = 8, k_Charts = 3;
 
     private static readonly double[] s_Phases = [0.0, 0.25, 0.5, 0.75];

@@ -14,7 +14,8 @@ internal static class SweepTable
     private static IEnumerable<IReadOnlyList<string>> Rows(Sweep sweep)
     {
         string parameter = sweep.Plan.Parameter.Name.Replace('-', '_');
-        yield return [parameter, "wave", "wing", .. WingMeasure.All.Select(measure => measure.Key), "camber_load_pp_pct", "lift_over_weight", "resets"];
+        yield return [parameter, "wave", "wing", .. WingMeasure.All.Select(measure => measure.Key), "camber_load_pp_pct",
+            "lift_over_weight", "resets"];
         foreach (SweepPoint point in sweep.Points)
         {
             for (int k = 0; k < point.Summary.Wings.Count; k++)

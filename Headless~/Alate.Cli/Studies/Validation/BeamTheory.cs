@@ -49,7 +49,8 @@ internal static class BeamTheory
     {
         // W = a (cos − cosh) + b (sin − sinh) + sinh/λ, without moment and shear at the tip.
         Complex wave = Wave(ratio, damping);
-        Complex even = Complex.Cos(wave) + Complex.Cosh(wave), sin = Complex.Sin(wave), sinh = Complex.Sinh(wave), cosh = Complex.Cosh(wave);
+        Complex even = Complex.Cos(wave) + Complex.Cosh(wave), sin = Complex.Sin(wave), sinh = Complex.Sinh(wave),
+            cosh = Complex.Cosh(wave);
         Complex under = even * even - (sinh - sin) * (sin + sinh);
         Complex a = (sinh * even - (sin + sinh) * cosh) / (wave * under), b = (even * cosh - (sinh - sin) * sinh) / (wave * under);
         return a * (Complex.Cos(wave) - cosh) + b * (sin - sinh) + sinh / wave - 1;

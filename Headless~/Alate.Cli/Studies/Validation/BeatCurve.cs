@@ -21,7 +21,10 @@ internal sealed class BeatCurve
     /// <summary>Values at t/T = 0, 1/n, …</summary>
     public double[] Even(int count) => Enumerable.Range(0, count).Select(n => At((double)n / count)).ToArray();
 
-    /// <summary>Mean between two moments of the beat, by the trapezoidal rule: frames alone would count one end of it twice and the other not at all.</summary>
+    /// <summary>
+    /// Mean between two moments of the beat, by the trapezoidal rule: frames alone would count one end of it twice and the other not at
+    /// all.
+    /// </summary>
     /// <param name="from">t/T.</param>
     /// <param name="to">t/T, after it.</param>
     public double Mean(double from, double to)
@@ -37,7 +40,8 @@ internal sealed class BeatCurve
         turn -= Math.Floor(turn);
         int after = Array.FindIndex(m_Points, point => point.Turn >= turn);
         (double Turn, double Value) b = after < 0 ? (m_Points[0].Turn + 1, m_Points[0].Value) : m_Points[after];
-        (double Turn, double Value) a = after > 0 ? m_Points[after - 1] : after < 0 ? m_Points[^1] : (m_Points[^1].Turn - 1, m_Points[^1].Value);
+        (double Turn, double Value) a =
+            after > 0 ? m_Points[after - 1] : after < 0 ? m_Points[^1] : (m_Points[^1].Turn - 1, m_Points[^1].Value);
         double share = b.Turn > a.Turn ? (turn - a.Turn) / (b.Turn - a.Turn) : 0;
         return a.Value + share * (b.Value - a.Value);
     }

@@ -58,7 +58,8 @@ internal sealed class DragonflyRun
     /// <param name="wake">Factor of the induced flow; 0 for none.</param>
     /// <param name="addedMass">Whether the air that the wings carry along counts.</param>
     /// <param name="ownDrag">Whether the drag is that of a dragonfly's wing.</param>
-    public static DragonflyRun Fly(MeasuredDragonfly measured, bool rigid, int substeps, double wake = 0, bool addedMass = false, bool ownDrag = false)
+    public static DragonflyRun Fly(
+        MeasuredDragonfly measured, bool rigid, int substeps, double wake = 0, bool addedMass = false, bool ownDrag = false)
     {
         var plan = new FlightPlan
         {
@@ -83,7 +84,8 @@ internal sealed class DragonflyRun
     }
 
     /// <summary>The file with a flight's kinematics.</summary>
-    public static string PathOf(MeasuredDragonfly measured) => Path.Combine(PackageRoot.Find(), "Documentation~", "kinematics", measured.Name + ".json");
+    public static string PathOf(MeasuredDragonfly measured) =>
+        Path.Combine(PackageRoot.Find(), "Documentation~", "kinematics", measured.Name + ".json");
 
     /// <summary>The kinematics of a flight, fore and hind wing.</summary>
     public static IReadOnlyList<PresetKinematics> Kinematics(MeasuredDragonfly measured)
@@ -109,7 +111,8 @@ internal sealed class DragonflyRun
     private static double PowerOf(RecordedWing wing, int k)
     {
         int count = wing.Frames.Count;
-        float3[] before = wing.Frames[(k + count - 1) % count].Joints, after = wing.Frames[(k + 1) % count].Joints, loads = wing.Frames[k].AirLoads;
+        float3[] before = wing.Frames[(k + count - 1) % count].Joints, after = wing.Frames[(k + 1) % count].Joints,
+            loads = wing.Frames[k].AirLoads;
         double rate = 0.5 * count * wing.Frequency;
         return -Enumerable.Range(0, loads.Length).Sum(joint => rate * math.dot(loads[joint], after[joint] - before[joint]));
     }

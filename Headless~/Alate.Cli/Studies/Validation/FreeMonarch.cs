@@ -60,9 +60,13 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         return TrimSolver.Norm(residual) < TrimSolver.Closed ? trim : null;
     }
 
-    /// <summary>Half of the range of the pitch in the climb, radians, where the body bobs by the forces of its beat: at the species' substeps, and from there at more.</summary>
+    /// <summary>
+    /// Half of the range of the pitch in the climb, radians, where the body bobs by the forces of its beat: at the species' substeps, and
+    /// from there at more.
+    /// </summary>
     /// <param name="fineness">Factor on the species' substeps.</param>
-    /// <param name="left">Largest part of what lift, thrust and pitching moment then lack, over weight and weight times wing length.</param>
+    /// <param name="left">Largest part of what lift, thrust and pitching moment then lack, over weight and weight times wing
+    /// length.</param>
     public static (double Bob, double Fine) ClimbingBobs(int fineness, out double left)
     {
         using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
@@ -114,7 +118,10 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
             double turn = reading.Phase / (2 * Math.PI);
             List<double> stroke = Math.Abs(turn - 0.25) < 0.05 ? down : Math.Abs(turn - 0.75) < 0.05 ? up : null;
             if (flight.Beats >= k_Beats / 2)
-                stroke?.Add(Enumerable.Range(0, reading.PatchCount).Average(patch => math.degrees((double)reading.PatchAngleOfAttack(patch))));
+            {
+                stroke?.Add(
+                    Enumerable.Range(0, reading.PatchCount).Average(patch => math.degrees((double)reading.PatchAngleOfAttack(patch))));
+            }
         }
 
         return (down.Average(), up.Average());

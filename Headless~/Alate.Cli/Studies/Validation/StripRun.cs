@@ -5,7 +5,10 @@ using UnityEngine;
 
 namespace Alate.Cli;
 
-/// <summary>A uniform strip of measured stiffness in the wing model, without air: 1 long and a tenth wide, of three chains that carry the strip's stiffness as they carry its mass.</summary>
+/// <summary>
+/// A uniform strip of measured stiffness in the wing model, without air: 1 long and a tenth wide, of three chains that carry the strip's
+/// stiffness as they carry its mass.
+/// </summary>
 /// <param name="bones">Bones of each chain.</param>
 /// <param name="substeps">Substeps of a beat.</param>
 internal sealed class StripRun(int bones, int substeps)
@@ -45,7 +48,8 @@ internal sealed class StripRun(int bones, int substeps)
         {
             // On the clamp the strip feels its acceleration as a weight.
             double phase = 2 * Math.PI * k / substeps;
-            world.SetSurroundings(wing, new WingSurroundings { gravity = new float3(0, (float)(k_Shake * rate * rate * Math.Cos(phase)), 0) });
+            world.SetSurroundings(
+                wing, new WingSurroundings { gravity = new float3(0, (float)(k_Shake * rate * rate * Math.Cos(phase)), 0) });
             world.Step((float)(1 / (frequency * substeps)));
             if (k > (k_Settled - 1) * substeps)
                 tip += 2.0 / substeps / k_Shake * Tip(world.Read(wing)).y * Complex.Exp(new Complex(0, -phase));

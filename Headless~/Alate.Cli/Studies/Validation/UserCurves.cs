@@ -34,14 +34,18 @@ internal static partial class UserCurves
     }
 
     /// <summary>Rows of the curves of --data: correlation and size of the model's last one.</summary>
-    public static IEnumerable<ValidationRow> Rows(IReadOnlyList<ValidationCurve> curves) => curves.Where(curve => curve.Published == k_Data).SelectMany(curve => new[]
+    public static IEnumerable<ValidationRow> Rows(
+        IReadOnlyList<ValidationCurve> curves) => curves.Where(curve => curve.Published == k_Data).SelectMany(curve => new[]
     {
         new ValidationRow(
-            $"tethered dragonfly, {curve.Title}: correlation of {curve.Ours[^1].Name} with the curve of --data", 0.9, 1, "0.9 or more", k_Data,
+            $"tethered dragonfly, {curve.Title}: correlation of {curve.Ours[^1].Name} with the curve of --data", 0.9, 1,
+            "0.9 or more", k_Data,
             DragonflyRows.Correlation(curve.Ours[^1].Values, curve.Measured), double.NaN, "not known"),
         new ValidationRow(
-            $"tethered dragonfly, {curve.Title}: most less least of {curve.Ours[^1].Name} over that of the curve of --data", k_LeastSize, k_MostSize, "1 ± 0.3", k_Data,
-            Size(curve.Ours[^1].Values) / Size(curve.Measured), double.NaN, "not known; about 57 is a sign of radians in place of degrees, about 100 of shares in place of per cent"),
+            $"tethered dragonfly, {curve.Title}: most less least of {curve.Ours[^1].Name} over that of the curve of --data", k_LeastSize,
+            k_MostSize, "1 ± 0.3", k_Data,
+            Size(curve.Ours[^1].Values) / Size(curve.Measured), double.NaN,
+            "not known; about 57 is a sign of radians in place of degrees, about 100 of shares in place of per cent"),
     });
 
     // Between the rows straight, over the end of the beat too; not a number where rows are missing.
@@ -64,9 +68,15 @@ internal static partial class UserCurves
             if (cells.Length != 2 || !Number(cells[0], out double time) || !Number(cells[1], out double value))
                 throw new FormatException($"line {line}: {Quote.Of(text)} is not t/T and a value.");
             if (time < 0 || time > 1 || (rows.Count > 0 && time <= rows[^1].Time))
-                throw new FormatException(FormattableString.Invariant($"line {line}: {time} is not after the row before it and between 0 and 1."));
+            {
+                throw new FormatException(
+                    FormattableString.Invariant($"line {line}: {time} is not after the row before it and between 0 and 1."));
+            }
             if (value < curve.Range.Least || value > curve.Range.Most)
-                throw new FormatException(FormattableString.Invariant($"line {line}: {value} is not between {curve.Range.Least} and {curve.Range.Most} ({curve.Units[0]})."));
+            {
+                throw new FormatException(FormattableString.Invariant(
+                    $"line {line}: {value} is not between {curve.Range.Least} and {curve.Range.Most} ({curve.Units[0]})."));
+            }
             rows.Add((time, value));
         }
 
@@ -86,7 +96,10 @@ internal static partial class UserCurves
             throw new FormatException($"line 1: {Quote.Of(text)} is not a heading of two columns, t/T and value.");
         Match unit = UnitInBrackets().Match(cells[1]);
         if (unit.Success && !units.Contains(unit.Groups[1].Value.Trim()))
-            throw new FormatException($"line 1: the unit {Quote.Of(unit.Groups[1].Value.Trim())} is not one of {string.Join(", ", units)}.");
+        {
+            throw new FormatException(
+                $"line 1: the unit {Quote.Of(unit.Groups[1].Value.Trim())} is not one of {string.Join(", ", units)}.");
+        }
     }
 
     private static double[] Even(List<(double Time, double Value)> rows, int count)

@@ -11,7 +11,8 @@ namespace Alate.Cli;
 /// <param name="Ours">The model's value.</param>
 /// <param name="Fine">The model's value at twice the substeps; not a number where it has none.</param>
 /// <param name="Cause">What is believed to be the cause where it does not agree.</param>
-internal sealed record ValidationRow(string Title, double Low, double High, string Measured, string Source, double Ours, double Fine, string Cause)
+internal sealed record ValidationRow(
+    string Title, double Low, double High, string Measured, string Source, double Ours, double Fine, string Cause)
 {
     /// <summary>Largest change to twice the substeps that counts as converged.</summary>
     public const double Converged = 0.03;

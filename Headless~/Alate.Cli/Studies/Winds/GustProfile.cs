@@ -2,7 +2,10 @@ using System;
 
 namespace Alate.Cli;
 
-/// <summary>Gusts over some beats: two that rise and fall smoothly in a beat each, then one that begins and ends at once and lasts one beat and a half.</summary>
+/// <summary>
+/// Gusts over some beats: two that rise and fall smoothly in a beat each, then one that begins and ends at once and lasts one beat and a
+/// half.
+/// </summary>
 internal static class GustProfile
 {
     /// <summary>Beats from still air to still air.</summary>

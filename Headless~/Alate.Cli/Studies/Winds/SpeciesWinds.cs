@@ -24,7 +24,8 @@ internal sealed record SpeciesWinds(FlightPlan Plan, string DisplayName, double 
             double share = WindPlan.ShareOf(InsectCatalogue.Find(flight.Species));
             var speeds = plan.Speeds.Select(speed => share * speed).ToList();
             var wings = insect.Wings
-                .Select(wing => new WingWinds(wing.Name, Points(flight, wing, speeds, plan.InGusts), Points(flight.AsVersion01(), wing, speeds, plan.InGusts)))
+                .Select(wing => new WingWinds(
+                    wing.Name, Points(flight, wing, speeds, plan.InGusts), Points(flight.AsVersion01(), wing, speeds, plan.InGusts)))
                 .ToList();
             measured.Add(new SpeciesWinds(flight, insect.DisplayName, share, wings));
             progress(measured.Count);

@@ -19,23 +19,27 @@ internal static class WindPicture
         InsectVariant variant = species[0].Plan.Variant;
         var sheet = new ChartSheet(
             KnownSpecies.Titled(inGusts ? "What gusts do to wings" : "What wind does to wings", variant),
-            $"Stretch of the edges, %, over the speed of {(inGusts ? "gusts" : "a steady wind")}, m/s, on top of the insect's own; the worst of 26 directions.");
+            $"Stretch of the edges, %, over the speed of {(inGusts ? "gusts" : "a steady wind")}, m/s, on top of the insect's own; the "
+            + "worst of 26 directions.");
         var legend = new ChartLegend(sheet.Page, sheet.LegendTop);
         legend.Add("largest", ChartSheet.Ink, CurveLook.Discs);
         legend.Add("99th percentile", ChartSheet.Ink, CurveLook.Thin);
         legend.Add("largest, version 0.1", ChartSheet.Ink, CurveLook.Squares);
-        legend.Add($"limit of the largest: {string.Join(", ", WindLimit.Of(variant).Select(limit => LineChart.Label(limit.StretchPct)))} %", k_Bound, CurveLook.Dotted);
+        legend.Add($"limit of the largest: {string.Join(", ", WindLimit.Of(variant).Select(limit => LineChart.Label(limit.StretchPct)))} %",
+            k_Bound, CurveLook.Dotted);
         legend.NextLine();
         legend.AddWings(species.SelectMany(one => one.Wings.Select((_, kind) => (one.Wings.Count, kind))));
         for (int k = 0; k < species.Count; k++)
             Draw(sheet, k, species[k]);
-        return sheet.Finish(species.Count, inGusts ? "Stretch of wings over the speed of gusts" : "Stretch of wings over the speed of wind");
+        return sheet.Finish(
+            species.Count, inGusts ? "Stretch of wings over the speed of gusts" : "Stretch of wings over the speed of wind");
     }
 
     private static void Draw(ChartSheet sheet, int index, SpeciesWinds species)
     {
         var speeds = species.Wings[0].Now.Select(point => point.Speed).ToList();
-        double most = speeds[^1] > 0.0 ? speeds[^1] : 1.0, tick = species.Plan.Variant == InsectVariant.Expressive ? 10.0 : 5.0, high = k_Ticks * tick;
+        double most = speeds[^1] > 0.0 ? speeds[^1] : 1.0, tick = species.Plan.Variant == InsectVariant.Expressive ? 10.0 : 5.0,
+            high = k_Ticks * tick;
         var across = new ChartAxis(0.0, most, false, speeds);
         var up = new ChartAxis(0.0, high, false, Enumerable.Range(0, k_Ticks + 1).Select(k => k * tick).ToList());
         string name = species.DisplayName + (species.SpeedShare < 1.0 ? ", in water" : "");

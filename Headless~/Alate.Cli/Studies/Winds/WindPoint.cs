@@ -7,4 +7,5 @@ namespace Alate.Cli;
 /// <param name="Worst">The side of <paramref name="StretchMaxPct"/>; null in still air.</param>
 /// <param name="HeadBendDeg">Largest bend of the tip in a wind from ahead, degrees.</param>
 /// <param name="Resets">How often a wing fell back to its driven pose.</param>
-internal sealed record WindPoint(double Speed, double StretchMaxPct, double StretchP99Pct, WindDirection Worst, double HeadBendDeg, int Resets);
+internal sealed record WindPoint(
+    double Speed, double StretchMaxPct, double StretchP99Pct, WindDirection Worst, double HeadBendDeg, int Resets);

@@ -38,7 +38,8 @@ internal sealed class WindTunnel : IDisposable
     public WindPoint Measure(double speed, bool inGusts)
     {
         using var world = new WingWorld();
-        var samples = Sides(speed).Select(side => new Sample(side, world.Add(m_Rig, m_Parameters, Surroundings(side, inGusts ? 0.0 : speed)))).ToList();
+        var samples = Sides(speed)
+            .Select(side => new Sample(side, world.Add(m_Rig, m_Parameters, Surroundings(side, inGusts ? 0.0 : speed)))).ToList();
         int substeps = m_Parameters.substepsPerBeat;
         float step = 1f / (world.Read(samples[0].Wing).Frequency * substeps);
         int steps = substeps * (inGusts ? GustProfile.Beats : k_SettledBeats + 1);

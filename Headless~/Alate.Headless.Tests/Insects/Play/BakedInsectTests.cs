@@ -28,22 +28,31 @@ namespace Alate.Tests.Play.Headless
                 mesh.GetUVs(1, coordinates);
                 Assert.That(mesh.vertexCount, Is.EqualTo(reduced[size].Vertices.Length));
                 Assert.That(mesh.indexFormat, Is.EqualTo(IndexFormat.UInt16));
-                Assert.That(baked.Sizes[size].triangles, Is.EqualTo(Enumerable.Range(0, mesh.subMeshCount).Sum(part => mesh.GetTriangles(part).Length / 3)));
+                Assert.That(baked.Sizes[size].triangles,
+                    Is.EqualTo(Enumerable.Range(0, mesh.subMeshCount).Sum(part => mesh.GetTriangles(part).Length / 3)));
                 for (int k = 0; k < coordinates.Count; k += 5)
                 {
                     int vertex = reduced[size].Vertices[k];
-                    Assert.That((mesh.vertices[k], mesh.uv[k], mesh.colors32[k], mesh.normals[k]), Is.EqualTo((bake.Surface.Positions[vertex], bake.Surface.Uvs[vertex], bake.Surface.Colours[vertex], bake.Surface.Normals[vertex])));
+                    Assert.That((mesh.vertices[k], mesh.uv[k], mesh.colors32[k], mesh.normals[k]), Is.EqualTo(
+                        (bake.Surface.Positions[vertex],
+                            bake.Surface.Uvs[vertex], bake.Surface.Colours[vertex], bake.Surface.Normals[vertex])));
                     for (int frame = 0; frame < frames.Length; frame++)
                     {
                         int x = (int)(coordinates[k].x * baked.Texture.width), y = (int)(coordinates[k].y * baked.Texture.height) + frame;
-                        Color place = pixels[y * baked.Texture.width + x], normal = pixels[(y + baked.Texture.height / 2) * baked.Texture.width + x];
-                        Assert.That(math.distance(new float3(place.r, place.g, place.b), frames[frame].Positions[vertex]), Is.LessThan(1e-3f * bake.WingLength), "half-floats");
-                        Assert.That(math.distance(new float3(normal.r, normal.g, normal.b), frames[frame].Normals[vertex]), Is.LessThan(2e-3f));
+                        Color place = pixels[y * baked.Texture.width + x],
+                            normal = pixels[(y + baked.Texture.height / 2) * baked.Texture.width + x];
+                        Assert.That(math.distance(new float3(place.r, place.g, place.b), frames[frame].Positions[vertex]),
+                            Is.LessThan(1e-3f * bake.WingLength), "half-floats");
+                        Assert.That(
+                            math.distance(new float3(normal.r, normal.g, normal.b), frames[frame].Normals[vertex]), Is.LessThan(2e-3f));
                     }
                 }
 
                 for (int part = 0; part < mesh.subMeshCount; part++)
-                    Assert.That(mesh.GetTriangles(part).Select(corner => reduced[size].Vertices[corner]), Is.EqualTo(reduced[size].Parts[part]));
+                {
+                    Assert.That(
+                        mesh.GetTriangles(part).Select(corner => reduced[size].Vertices[corner]), Is.EqualTo(reduced[size].Parts[part]));
+                }
             }
 
             Assert.That(baked.TextureBytes, Is.EqualTo(8L * baked.Texture.width * baked.Texture.height));
@@ -60,8 +69,10 @@ namespace Alate.Tests.Play.Headless
             {
                 BakedClip clip = Scene.Bake.Clips[k];
                 CrowdLoop loop = baked.Loops[k];
-                Assert.That((loop.name, loop.firstFrame, loop.frames, loop.frequency, loop.roll, loop.error), Is.EqualTo((clip.Name, first, clip.Frames.Count, clip.Frequency, clip.Motion.Roll, clip.Error.between)));
-                Assert.That(((float3)loop.velocity, (float3)loop.angularVelocity, (quaternion)loop.attitude, loop.steering), Is.EqualTo((clip.Velocity, clip.AngularVelocity, clip.Attitude, clip.Motion.Steering)));
+                Assert.That((loop.name, loop.firstFrame, loop.frames, loop.frequency, loop.roll, loop.error),
+                    Is.EqualTo((clip.Name, first, clip.Frames.Count, clip.Frequency, clip.Motion.Roll, clip.Error.between)));
+                Assert.That(((float3)loop.velocity, (float3)loop.angularVelocity, (quaternion)loop.attitude, loop.steering),
+                    Is.EqualTo((clip.Velocity, clip.AngularVelocity, clip.Attitude, clip.Motion.Steering)));
                 Assert.That(loop.isFlown, Is.False);
                 first += clip.Frames.Count;
             }
@@ -70,19 +81,22 @@ namespace Alate.Tests.Play.Headless
             Assert.That((baked.Bounds, baked.WingLength), Is.EqualTo((Scene.Bake.Bounds, Scene.Bake.WingLength)));
             foreach (CrowdSize size in baked.Sizes)
             {
-                Assert.That(size.screenHeight, Is.EqualTo(0.01f * Mathf.Sqrt(size.triangles)).Within(1e-6f), "edges of eight pixels of a thousand");
+                Assert.That(
+                    size.screenHeight, Is.EqualTo(0.01f * Mathf.Sqrt(size.triangles)).Within(1e-6f), "edges of eight pixels of a thousand");
                 Assert.That(size.mesh.bounds, Is.EqualTo(baked.Bounds), "all loops, not the shape at rest");
             }
 
             Assert.That(baked.Sizes.Select(size => size.screenHeight), Is.Ordered.Descending);
-            Assert.That(baked.Materials, Is.All.Matches<Material>(material => material.enableInstancing && material.IsKeywordEnabled("_BAKED") && material.GetTexture("_BakeMap") == baked.Texture));
+            Assert.That(baked.Materials, Is.All.Matches<Material>(material => material.enableInstancing
+                && material.IsKeywordEnabled("_BAKED") && material.GetTexture("_BakeMap") == baked.Texture));
         }
 
         [Test]
         public void ErrorsOfAClip_AreThoseOfItsFrames()
         {
             Scene = new CrowdScene("monarch", 1, "cruise");
-            InsectBake bake = Scene.Bake, fine = InsectBaker.Bake(Scene.Prefab, [BakeMotion.Find("cruise")], new BakeSettings(2 * BakeSettings.DefaultFrames));
+            InsectBake bake = Scene.Bake,
+                fine = InsectBaker.Bake(Scene.Prefab, [BakeMotion.Find("cruise")], new BakeSettings(2 * BakeSettings.DefaultFrames));
             BakedClip clip = bake.Clips[0];
             float linear = 0f, between = 0f, turned = 0f;
             var positions = new float3[bake.Surface.VertexCount];
@@ -101,12 +115,14 @@ namespace Alate.Tests.Play.Headless
                         for (int c = 0; c < 4; c++)
                         {
                             BakedJoint pose = clip.Frames[frame].Joints[wing.FirstJoint + wing.VertexJoints[k][c]];
-                            skinned += wing.VertexWeights[k][c] * (pose.position + math.rotate(pose.rotation, (float3)bake.Surface.Positions[vertex] - wing.RestJoints[wing.VertexJoints[k][c]]));
+                            skinned += wing.VertexWeights[k][c] * (pose.position + math.rotate(
+                                pose.rotation, (float3)bake.Surface.Positions[vertex] - wing.RestJoints[wing.VertexJoints[k][c]]));
                         }
 
                         linear = math.max(linear, math.distance(skinned, clip.Frames[frame].Positions[vertex]) / wing.Length);
                         between = math.max(between, math.distance(positions[vertex], middle.Positions[vertex]) / wing.Length);
-                        turned = math.max(turned, math.degrees(math.acos(math.clamp(math.dot(normals[vertex], middle.Normals[vertex]), -1f, 1f))));
+                        turned = math.max(
+                            turned, math.degrees(math.acos(math.clamp(math.dot(normals[vertex], middle.Normals[vertex]), -1f, 1f))));
                     }
                 }
             }
@@ -141,16 +157,21 @@ namespace Alate.Tests.Play.Headless
 
             // Scaled, then a quarter turn to the right: X goes to -Z and Z to X.
             Vector3[] places = corners.Select(corner => surface.Positions[corner]).ToArray();
-            Assert.That(places.Select(place => place - new Vector3(0.01f, 0.02f, 0.03f)), Is.EquivalentTo(new[] { Vector3.zero, new Vector3(0f, 0f, 2f), new Vector3(0.5f, 0f, 0f) }).Using<Vector3>((a, b) => (a - b).magnitude < 1e-5f));
-            Assert.That(Vector3.Cross(places[1] - places[0], places[2] - places[0]).y, Is.GreaterThan(0f), "the side that was seen is seen");
+            Assert.That(places.Select(place => place - new Vector3(0.01f, 0.02f, 0.03f)),
+                Is.EquivalentTo(new[] { Vector3.zero, new Vector3(0f, 0f, 2f), new Vector3(0.5f, 0f, 0f) })
+                    .Using<Vector3>((a, b) => (a - b).magnitude < 1e-5f));
+            Assert.That(
+                Vector3.Cross(places[1] - places[0], places[2] - places[0]).y, Is.GreaterThan(0f), "the side that was seen is seen");
             Assert.That((part.HasColours, part.Material), Is.EqualTo((false, (Material)null)));
             foreach (int corner in corners)
             {
                 Vector3 place = surface.Positions[corner] - new Vector3(0.01f, 0.02f, 0.03f);
-                Vector3 normal = place.magnitude < 1e-5f ? Vector3.up : place.z > 1f ? Vector3.forward : new Vector3(0.8f / 0.5f, 0f, 0.6f / 2f).normalized;
+                Vector3 normal = place.magnitude < 1e-5f
+                    ? Vector3.up : place.z > 1f ? Vector3.forward : new Vector3(0.8f / 0.5f, 0f, 0.6f / 2f).normalized;
                 Assert.That(Vector3.Distance(surface.Normals[corner], normal), Is.LessThan(1e-4f), $"at {place}");
                 Assert.That(surface.Colours[corner], Is.EqualTo(new Color32(255, 255, 255, 255)));
-                Assert.That(surface.Uvs[corner], Is.EqualTo(place.magnitude < 1e-5f ? Vector2.zero : place.z > 1f ? new Vector2(0.25f, 0.75f) : Vector2.one));
+                Assert.That(surface.Uvs[corner],
+                    Is.EqualTo(place.magnitude < 1e-5f ? Vector2.zero : place.z > 1f ? new Vector2(0.25f, 0.75f) : Vector2.one));
             }
         }
 
@@ -175,7 +196,10 @@ namespace Alate.Tests.Play.Headless
                 Assert.That(wing.VertexWeights.Select(weights => math.csum(weights)), Is.All.EqualTo(1f).Within(1e-4f));
                 Assert.That(wing.VertexJoints.Select(indices => math.cmax(indices)), Is.All.LessThan(wing.RestJoints.Length));
                 foreach (float3 joint in wing.RestJoints)
-                    Assert.That(wing.Vertices.Min(vertex => math.distance(joint, bake.Surface.Positions[vertex])), Is.LessThan(0.1f * wing.Length), "joints lie on the wing");
+                {
+                    Assert.That(wing.Vertices.Min(vertex => math.distance(joint, bake.Surface.Positions[vertex])),
+                        Is.LessThan(0.1f * wing.Length), "joints lie on the wing");
+                }
             }
         }
     }

@@ -32,11 +32,13 @@ namespace Alate.Tests.Play.Headless
             var loose = new float3(1e-3f, 1e-3f, 1e-3f);
             for (int k = 0; k < 200; k++)
             {
-                float3 place = Scene.Crowd.transform.InverseTransformPoint(after[k].position), moved = after[k].position - before[k].position;
+                float3 place = Scene.Crowd.transform.InverseTransformPoint(after[k].position),
+                    moved = after[k].position - before[k].position;
                 Assert.That(math.all(math.abs(place) <= new float3(10f, 2f, 5f) + loose), $"{place} is in the box");
                 Assert.That(after[k].scale, Is.InRange(0.85f, 1.15f));
                 Assert.That(math.length(moved) / moment / (speed * after[k].scale), Is.InRange(0.48f, 2.05f));
-                Assert.That(math.dot(math.normalize(moved), math.rotate(after[k].rotation, new float3(0f, 0f, 1f))), Is.GreaterThan(0.95f), "it flies ahead");
+                Assert.That(math.dot(math.normalize(moved), math.rotate(after[k].rotation, new float3(0f, 0f, 1f))), Is.GreaterThan(0.95f),
+                    "it flies ahead");
             }
 
             Assert.That(after.Select(pose => pose.phase).Distinct().Count(), Is.GreaterThan(150));
@@ -45,7 +47,8 @@ namespace Alate.Tests.Play.Headless
             Assert.That(Scene.Crowd.Poses.Select(pose => pose.position), Is.Not.EqualTo(after.Select(pose => pose.position)));
             spawner.Seed = 1;
             spawner.Advance(0f);
-            Assert.That(Scene.Crowd.Poses.Select(pose => pose.position), Is.EqualTo(after.Select(pose => pose.position)), "one seed places all insects alike");
+            Assert.That(Scene.Crowd.Poses.Select(pose => pose.position), Is.EqualTo(after.Select(pose => pose.position)),
+                "one seed places all insects alike");
             spawner.Loop = "dive";
             Assert.That(spawner.Problem, Does.EndWith("has no loop 'dive'."));
         }

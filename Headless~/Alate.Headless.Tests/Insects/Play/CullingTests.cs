@@ -97,7 +97,8 @@ namespace Alate.Tests.Play.Headless
             yield return null;
             yield return null;
 
-            Assert.That(Shown(insect, 0).vertices, Is.Not.EqualTo(WingMesh.vertices), "the first picture shows the wing as it was authored");
+            Assert.That(
+                Shown(insect, 0).vertices, Is.Not.EqualTo(WingMesh.vertices), "the first picture shows the wing as it was authored");
         }
 
         [UnityTest]

@@ -146,11 +146,22 @@ namespace Alate.Tests.Play
                     break;
                 case 14:
                     if (flight.TryGetComponent(out PerchPilot percher))
-                        percher.LandOn(new PerchSpot { position = random.NextInt(5) == 0 ? float.NaN : random.NextFloat3(-5f, 5f), normal = random.NextFloat3Direction() });
+                    {
+                        percher.LandOn(new PerchSpot
+                        {
+                            position = random.NextInt(5) == 0
+                            ? float.NaN
+                            : random.NextFloat3(-5f, 5f),
+                            normal = random.NextFloat3Direction()
+                        });
+                    }
                     break;
                 case 15:
                     if (flight.TryGetComponent(out FollowPilot follower))
-                        follower.GoTo(random.NextInt(5) == 0 ? new Vector3(0f, float.PositiveInfinity, 0f) : (Vector3)random.NextFloat3(-20f, 20f));
+                    {
+                        follower.GoTo(
+                            random.NextInt(5) == 0 ? new Vector3(0f, float.PositiveInfinity, 0f) : (Vector3)random.NextFloat3(-20f, 20f));
+                    }
                     break;
                 case 16:
                     flight.GetComponent<InsectWings>().UpdateMode = (WingUpdateMode)random.NextInt(4);

@@ -22,13 +22,15 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
-        public IEnumerator OutOfSight_ItFliesOn_AndComesBackInFlight([Values] bool hovers, [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode) =>
+        public IEnumerator OutOfSight_ItFliesOn_AndComesBackInFlight(
+            [Values] bool hovers, [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode) =>
             GoAndComeBack("monarch", hovers, mode);
 
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator OutOfSight_AFireflyFliesOn_AndComesBackInFlight([Values] bool hovers, [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode) =>
+        public IEnumerator OutOfSight_AFireflyFliesOn_AndComesBackInFlight(
+            [Values] bool hovers, [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode) =>
             GoAndComeBack("firefly", hovers, mode);
 
         private IEnumerator GoAndComeBack(string name, bool hovers, WingUpdateMode mode)

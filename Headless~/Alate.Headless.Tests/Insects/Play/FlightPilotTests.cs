@@ -127,7 +127,8 @@ namespace Alate.Tests.Play
             flight.Pilot = pilot;
             yield return Frames(150);
             Vector3 place = flight.transform.position;
-            flight.transform.SetPositionAndRotation(place + new Vector3(5f, 1f, 0f), Quaternion.Euler(0f, 90f, 0f) * flight.transform.rotation);
+            flight.transform.SetPositionAndRotation(
+                place + new Vector3(5f, 1f, 0f), Quaternion.Euler(0f, 90f, 0f) * flight.transform.rotation);
             Quaternion turned = flight.transform.rotation;
             yield return Frames(30);
             Assert.That(flight.State, Is.EqualTo(FlightState.Perched));

@@ -13,7 +13,8 @@ namespace Alate.Tests.Play
     {
         [UnityTest]
         public IEnumerator TheWay_GrowsWithTheGamesTime(
-            [Values(0.1f, 1f, 4f)] float scale, [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update, WingUpdateMode.UnscaledTime)] WingUpdateMode mode)
+            [Values(0.1f, 1f, 4f)] float scale,
+            [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update, WingUpdateMode.UnscaledTime)] WingUpdateMode mode)
         {
             InsectFlight flight = Hatch();
             flight.GetComponent<InsectWings>().UpdateMode = mode;
@@ -23,7 +24,8 @@ namespace Alate.Tests.Play
             Vector3 before = flight.Position;
             yield return Frames(60);
             float seconds = 60f * Time.captureDeltaTime * (mode == WingUpdateMode.UnscaledTime ? 1f : scale);
-            Assert.That((flight.Position - before).z / InsectDefinition.UnitsPerMetre, Is.EqualTo(0.6f * seconds).Within(0.1f + 0.1f * seconds));
+            Assert.That(
+                (flight.Position - before).z / InsectDefinition.UnitsPerMetre, Is.EqualTo(0.6f * seconds).Within(0.1f + 0.1f * seconds));
             Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
         }
 

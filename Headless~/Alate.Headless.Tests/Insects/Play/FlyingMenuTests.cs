@@ -16,12 +16,14 @@ namespace Alate.Tests.Play
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator AMonarch_WandersWhereItWasPut_WithoutAid_WhateverItsTrack([NUnit.Framework.Range(4, 27)] int seed) => Wander("monarch", seed);
+        public IEnumerator AMonarch_WandersWhereItWasPut_WithoutAid_WhateverItsTrack([NUnit.Framework.Range(4, 27)] int seed) =>
+            Wander("monarch", seed);
 
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator AnyOtherInsect_WandersWhereItWasPut_WithoutAid([Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string name) => Wander(name, 3);
+        public IEnumerator AnyOtherInsect_WandersWhereItWasPut_WithoutAid(
+            [Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string name) => Wander(name, 3);
 
         private IEnumerator Wander(string name, int seed)
         {

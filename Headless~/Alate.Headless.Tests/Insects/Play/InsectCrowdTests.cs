@@ -135,11 +135,13 @@ namespace Alate.Tests.Play.Headless
             Plane[] planes = GeometryUtility.CalculateFrustumPlanes(Scene.Camera);
             float radius = Scene.Baked.Bounds.extents.magnitude;
             int seen = Enumerable.Range(0, 400).Count(k =>
-                Array.TrueForAll(planes, plane => plane.GetDistanceToPoint((Vector3)Scene.Crowd.Poses[k].position + Scene.Baked.Bounds.center) >= -radius));
+                Array.TrueForAll(planes,
+                    plane => plane.GetDistanceToPoint((Vector3)Scene.Crowd.Poses[k].position + Scene.Baked.Bounds.center) >= -radius));
             Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(seen).And.InRange(50, 350));
             Assert.That(DrawnInstances.Calls.Select(call => call.Mesh).Distinct().Count(), Is.EqualTo(3));
             float[] farthest = Scene.Baked.Sizes.Select(size =>
-                DrawnInstances.Calls.First(call => call.Mesh == size.mesh).Matrices.Max(matrix => Vector3.Distance(matrix.GetColumn(3), Scene.Camera.transform.position))).ToArray();
+                DrawnInstances.Calls.First(call => call.Mesh == size.mesh).Matrices
+                    .Max(matrix => Vector3.Distance(matrix.GetColumn(3), Scene.Camera.transform.position))).ToArray();
             Assert.That(farthest, Is.Ordered.Ascending);
             Assert.That(Scene.Crowd.DrawCalls, Is.EqualTo(DrawnInstances.Calls.Count));
         }
@@ -150,7 +152,8 @@ namespace Alate.Tests.Play.Headless
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator TheNearestFireflies_AreLive_AndNothingJumpsAsTheySwap([Values("hover", "cruise")] string loop) => SwapIn("firefly", loop);
+        public IEnumerator TheNearestFireflies_AreLive_AndNothingJumpsAsTheySwap([Values("hover", "cruise")] string loop) =>
+            SwapIn("firefly", loop);
 
         private IEnumerator SwapIn(string species, string loop)
         {
@@ -162,7 +165,8 @@ namespace Alate.Tests.Play.Headless
         public IEnumerator WhereATurnWasFlownByTrims_NothingJumpsEither() => SwapFlown("turn-left");
 
         [UnityTest, Explicit, Category("Long")]
-        public IEnumerator WhereOtherLoopsWereFlownByTrims_NothingJumpsEither([Values("cruise", "hover", "climb", "turn-right")] string loop) => SwapFlown(loop);
+        public IEnumerator WhereOtherLoopsWereFlownByTrims_NothingJumpsEither(
+            [Values("cruise", "hover", "climb", "turn-right")] string loop) => SwapFlown(loop);
 
         private IEnumerator SwapFlown(string loop)
         {
@@ -211,7 +215,8 @@ namespace Alate.Tests.Play.Headless
                     renderer.sharedMaterial = material;
                 InsectBake bake = InsectBaker.Bake(insect, new[] { BakeMotion.Find("rest") }, BakeSettings.Default);
 
-                Assert.That(() => BakedInsect.Create(bake), Throws.TypeOf<BakeException>().With.Message.Contains("the shader 'Standard', which cannot show baked wings: use Alate/Wing"));
+                Assert.That(() => BakedInsect.Create(bake), Throws.TypeOf<BakeException>().With.Message
+                    .Contains("the shader 'Standard', which cannot show baked wings: use Alate/Wing"));
             }
             finally
             {
@@ -243,7 +248,8 @@ namespace Alate.Tests.Play.Headless
                 yield return null;
             }
 
-            TestContext.Progress.WriteLine($"live against baked, {Scene.Prefab.name}, {loop.name}: {100f * largest:0.00} % of the wing length, first after {swapped} frames");
+            TestContext.Progress.WriteLine($"live against baked, {Scene.Prefab.name}, "
+                + $"{loop.name}: {100f * largest:0.00} % of the wing length, first after {swapped} frames");
             Assert.That(swapped, Is.InRange(30, 120), "after the wings have settled");
             Assert.That(largest, Is.LessThan(5e-3f));
             Assert.That(Scene.Crowd.LiveNow, Is.EqualTo(1));
@@ -263,7 +269,10 @@ namespace Alate.Tests.Play.Headless
                 NativeArray<PackedVertex> vertices = WingSystem.Loop.World.PackedVertices(flown.handle);
                 Matrix4x4 toInsect = live.transform.worldToLocalMatrix * flown.transform.localToWorldMatrix;
                 for (int k = 0; k < wing.Vertices.Length; k++)
-                    apart = math.max(apart, math.distance(positions[wing.Vertices[k]], toInsect.MultiplyPoint3x4(vertices[k].position)) / wing.Length);
+                {
+                    apart = math.max(
+                        apart, math.distance(positions[wing.Vertices[k]], toInsect.MultiplyPoint3x4(vertices[k].position)) / wing.Length);
+                }
             }
 
             return apart;

@@ -100,7 +100,8 @@ namespace Alate.Tests.Play
         {
             InsectFlight flight = Hatch();
             flight.Parts.Clear();
-            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("does not fly: A body needs at least one part with mass"));
+            LogAssert.Expect(
+                LogType.Warning, new System.Text.RegularExpressions.Regex("does not fly: A body needs at least one part with mass"));
             yield return Frames(30);
             Assert.That(flight.Problem, Is.EqualTo(FlightProblem.BadBody));
             Assert.That(flight.GetComponent<InsectWings>().Frequency, Is.GreaterThan(0f));

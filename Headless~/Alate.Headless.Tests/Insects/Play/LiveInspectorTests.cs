@@ -56,7 +56,8 @@ namespace Alate.Tests.Play
 
             BeatSample[] beat = trace.Fold().ToArray();
 
-            // Driven through 60 degrees at rest; the tip bends a few more either way, and is highest early in the beat, lowest after half of it.
+            // Driven through 60 degrees at rest; the tip bends a few more either way, and is highest early in the beat, lowest after half
+            // of it.
             Assert.That(insect.FlapRange, Is.EqualTo(60f).Within(0.5f));
             float swing = beat.Max(s => s.flap) - beat.Min(s => s.flap);
             Assert.That(swing, Is.InRange(45f, 90f));
@@ -100,7 +101,8 @@ namespace Alate.Tests.Play
             Mesh authored = Shown(insect, 0);
             m_Editor = UnityEditor.Editor.CreateEditor(insect);
             yield return Frames(5);
-            m_Editor.serializedObject.FindProperty("m_Wings").GetArrayElementAtIndex(0).FindPropertyRelative("m_PhaseLead").floatValue = 30f;
+            m_Editor.serializedObject.FindProperty("m_Wings").GetArrayElementAtIndex(0)
+                .FindPropertyRelative("m_PhaseLead").floatValue = 30f;
             m_Editor.serializedObject.ApplyModifiedProperties();
             yield return Frames(5);
 
@@ -124,7 +126,8 @@ namespace Alate.Tests.Play
             {
                 Vector3 rest = insect.Wings[1].Skeleton.GetJoint(chain, joint);
                 Vector3 expected = insect.Wings[1].Renderer.transform.TransformPoint(NearestVertex(insect, 1, rest));
-                Assert.That(pen.Dots.Min(dot => (dot.at - expected).magnitude), Is.LessThan(0.02f), $"joint {chain}, {joint} is off the drawn wing");
+                Assert.That(pen.Dots.Min(dot => (dot.at - expected).magnitude), Is.LessThan(0.02f),
+                    $"joint {chain}, {joint} is off the drawn wing");
             }
         }
 

@@ -25,7 +25,13 @@ namespace Alate.Tests.Play
             flight.GetComponent<InsectWings>().Air.wind = k_Gust * new float3(sin, 0f, cos);
             yield return Frames(12);
             flight.GetComponent<InsectWings>().Air.wind = default;
-            pilot.spot = new PerchSpot { position = (float3)flight.Position - new float3(0f, 0.6f, 0f), normal = new float3(0f, 1f, 0f), heading = 0f };
+            pilot.spot = new PerchSpot
+            {
+                position = (float3)flight.Position
+                - new float3(0f, 0.6f, 0f),
+                normal = new float3(0f, 1f, 0f),
+                heading = 0f
+            };
             pilot.sits = true;
             yield return Frames((int)(100f * sat) + 100);
             Assert.That(flight.State, Is.EqualTo(FlightState.Perched));

@@ -8,7 +8,9 @@ using UnityEngine;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Visit of one insect to a slope: its flight there, its stay and its start, with the heights of wings, body and feet over the slope.</summary>
+    /// <summary>
+    /// Visit of one insect to a slope: its flight there, its stay and its start, with the heights of wings, body and feet over the slope.
+    /// </summary>
     internal sealed class PerchVisit
     {
         /// <summary>Seconds within which an insect has landed, sits, its wings folded or basking, and is away.</summary>
@@ -113,7 +115,8 @@ namespace Alate.Tests.Play
                 FeetOffSpot = math.max(FeetOffSpot, math.distance(Flight.transform.TransformPoint(m_Feet), m_Spot.position));
                 float lowest = m_Body.Min(place => Height(Flight.transform.TransformPoint(place)));
                 Assert.That(FeetOffSpot, Is.LessThan(0.01f * m_BodyLength), $"spot {Seed}: feet");
-                Assert.That(Math.Abs(lowest), Is.LessThan(0.01f * m_BodyLength), $"spot {Seed}: the body's lowest point is that of its feet");
+                Assert.That(
+                    Math.Abs(lowest), Is.LessThan(0.01f * m_BodyLength), $"spot {Seed}: the body's lowest point is that of its feet");
             }
 
             if (m_Time <= k_Sitting)
@@ -128,7 +131,8 @@ namespace Alate.Tests.Play
             if (m_Time <= k_Leaving)
                 return;
             Assert.That(Flight.State, Is.EqualTo(FlightState.Flying), $"spot {Seed}");
-            Assert.That(math.distance(Flight.Position, m_Spot.position), Is.GreaterThan(0.5f * m_BodyLength + m_WingLength), $"spot {Seed}: away");
+            Assert.That(
+                math.distance(Flight.Position, m_Spot.position), Is.GreaterThan(0.5f * m_BodyLength + m_WingLength), $"spot {Seed}: away");
             Assert.That(LowestOfWings, Is.GreaterThan(0f), $"spot {Seed}: wings");
             Enter(Stage.Over);
         }

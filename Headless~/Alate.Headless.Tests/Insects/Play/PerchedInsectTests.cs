@@ -14,7 +14,9 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Insects of the catalogue fly to slopes, sit on them with their feet on the spot, and fly off; no wing passes through the slope.</summary>
+    /// <summary>
+    /// Insects of the catalogue fly to slopes, sit on them with their feet on the spot, and fly off; no wing passes through the slope.
+    /// </summary>
     public sealed class PerchedInsectTests : PlayFixture
     {
         /// <summary>Insects that fly at one time.</summary>
@@ -27,19 +29,22 @@ namespace Alate.Tests.Play
         protected override bool KeepsParts => true;
 
         [UnityTest]
-        public IEnumerator OnASlope_AnInsectSits_AndNoWingIsBelowIt([Values("monarch", "swallowtail", "firefly")] string name) => Perch(name, 0.02f, 1);
+        public IEnumerator OnASlope_AnInsectSits_AndNoWingIsBelowIt([Values("monarch", "swallowtail", "firefly")] string name) =>
+            Perch(name, 0.02f, 1);
 
         [UnityTest]
         [Explicit]
         [Category("Long")]
         public IEnumerator OnTwoHundredSlopes_InsectsSit_AndNoWingIsBelowThem(
-            [Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string name, [Values(0.01f, 0.02f)] float step) => Perch(name, step, 200);
+            [Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string name,
+            [Values(0.01f, 0.02f)] float step) => Perch(name, step, 200);
 
         // Makes the recordings of the folder Flights.
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator TheWayToASlope_IsRecorded([Values("swallowtail")] string name, [Values(124)] int seed, [Values(0.01f, 0.02f)] float step)
+        public IEnumerator TheWayToASlope_IsRecorded(
+            [Values("swallowtail")] string name, [Values(124)] int seed, [Values(0.01f, 0.02f)] float step)
         {
             Time.captureDeltaTime = step;
             InsectDefinition species = InsectCatalogue.Find(name);
@@ -68,7 +73,8 @@ namespace Alate.Tests.Play
             var visits = new List<PerchVisit>();
             for (int first = 1; first <= count; first += k_AtOnce)
             {
-                var group = Enumerable.Range(first, Math.Min(k_AtOnce, count + 1 - first)).Select(seed => new PerchVisit(seed, Hatch(species), species, preset)).ToList();
+                var group = Enumerable.Range(first, Math.Min(k_AtOnce, count + 1 - first))
+                    .Select(seed => new PerchVisit(seed, Hatch(species), species, preset)).ToList();
                 KeepParts();
                 yield return Frames(20);
                 group.ForEach(visit => visit.Begin(SlopeBelow(visit.Flight, Random.CreateFromIndex((uint)visit.Seed))));
@@ -84,20 +90,24 @@ namespace Alate.Tests.Play
             }
 
             int[] tumbled = visits.Where(visit => visit.HasTumbled).Select(visit => visit.Seed).ToArray();
-            float lowest = visits.Min(visit => visit.LowestOfWings), offSpot = visits.Max(visit => visit.FeetOffSpot), fastest = visits.Max(visit => visit.LastSpeed);
+            float lowest = visits.Min(visit => visit.LowestOfWings), offSpot = visits.Max(visit => visit.FeetOffSpot),
+                fastest = visits.Max(visit => visit.LastSpeed);
             TestContext.Out.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{name}, {step} s: lowest wing {100f * lowest:0.0} mm over {count} slopes, feet {100f * offSpot:0.000} mm off, "
                 + $"{fastest:0.00} m/s in the last step before the spot, {tumbled.Length} tumbled on the way"));
-            Assert.That(tumbled, Is.SubsetOf(name == "swallowtail" ? s_KnownTumbles : Array.Empty<int>()), "spots on the way to which an insect tumbled");
+            Assert.That(tumbled, Is.SubsetOf(name == "swallowtail" ? s_KnownTumbles : Array.Empty<int>()),
+                "spots on the way to which an insect tumbled");
         }
 
         // Within a metre of the insect, as a slope that it is above.
         private static PerchSpot SlopeBelow(InsectFlight flight, Random random)
         {
-            float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI), from = random.NextFloat(0f, 2f * math.PI);
+            float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI),
+                from = random.NextFloat(0f, 2f * math.PI);
             var normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way));
-            float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, 1.2f) + new float3(0f, random.NextFloat(0.35f, 0.8f), 0f);
+            float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, 1.2f)
+                + new float3(0f, random.NextFloat(0.35f, 0.8f), 0f);
             off -= math.min(math.dot(off, normal) - 0.3f, 0f) * normal;
             return new PerchSpot
             {

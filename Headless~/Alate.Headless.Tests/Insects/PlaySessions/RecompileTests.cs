@@ -71,7 +71,8 @@ namespace Alate.Tests.PlaySessions
 
         // Living meshes come and go with the frames.
         private static int Count() =>
-            Resources.FindObjectsOfTypeAll<Mesh>().Count(mesh => !mesh.name.Contains("(living)")) + Resources.FindObjectsOfTypeAll<Material>().Length
+            Resources.FindObjectsOfTypeAll<Mesh>().Count(mesh => !mesh.name.Contains("(living)"))
+            + Resources.FindObjectsOfTypeAll<Material>().Length
             + Resources.FindObjectsOfTypeAll<Texture2D>().Length + Resources.FindObjectsOfTypeAll<WingSkeleton>().Length
             + Resources.FindObjectsOfTypeAll<ScriptableObject>().Length;
     }

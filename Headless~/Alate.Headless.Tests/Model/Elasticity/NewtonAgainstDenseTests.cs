@@ -44,7 +44,8 @@ namespace Alate.Tests
             {
                 var random = new Random(seed);
                 float elasticity = random.NextFloat(0.5f, 2f);
-                Assert.That(Error(ref random, elasticity, NewtonSolver.Limits.Default), Is.LessThan(1e-4f), $"wing lengths at elasticity {elasticity}, seed {seed}");
+                Assert.That(Error(ref random, elasticity, NewtonSolver.Limits.Default), Is.LessThan(1e-4f),
+                    $"wing lengths at elasticity {elasticity}, seed {seed}");
             }
         }
 
@@ -55,13 +56,14 @@ namespace Alate.Tests
                 var random = new Random(seed);
                 float elasticity = math.pow(10f, random.NextFloat(-2f, 6f));
                 var limits = new NewtonSolver.Limits { newton = 100, tolerance = 1e-7f };
-                Assert.That(Error(ref random, elasticity, limits), Is.LessThan(1e-4f), $"wing lengths at elasticity {elasticity}, seed {seed}");
+                Assert.That(
+                    Error(ref random, elasticity, limits), Is.LessThan(1e-4f), $"wing lengths at elasticity {elasticity}, seed {seed}");
             }
         }
 
         // A random grid in a random pose, moved smoothly out of its plane and a little within it, as between two substeps: our solution
-        // against the dense one. A monarch's joints move by up to 0.012 in the first Newton iteration of a substep. (Joints moved each on its own would compress springs by several per cent; a flat grid then
-        // buckles to either side, and there is more than one minimum.)
+        // against the dense one. A monarch's joints move by up to 0.012 in the first Newton iteration of a substep. (Joints moved each on
+        // its own would compress springs by several per cent; a flat grid then buckles to either side, and there is more than one minimum.)
         private static float Error(ref Random random, float elasticity, NewtonSolver.Limits limits)
         {
             int chains = random.NextInt(3, 9), perChain = random.NextInt(3, 9), joints = chains * perChain;

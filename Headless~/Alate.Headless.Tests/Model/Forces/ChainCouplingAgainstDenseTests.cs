@@ -5,7 +5,9 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>The coupled bends of parallel chains against an independent minimisation of the energy that they are said to minimise.</summary>
+    /// <summary>
+    /// The coupled bends of parallel chains against an independent minimisation of the energy that they are said to minimise.
+    /// </summary>
     public sealed unsafe class ChainCouplingAgainstDenseTests
     {
         private const int k_Bones = 4;
@@ -38,7 +40,8 @@ namespace Alate.Tests
             Assert.That(error, Is.LessThan(k_Off * pull), "bends that are not coupled are off by all of the pull");
         }
 
-        // Far apart, as in a gale, the passes end before the bends are found (they are off by up to two fifths of the largest); the tear is gone all the same.
+        // Far apart, as in a gale, the passes end before the bends are found (they are off by up to two fifths of the largest); the tear is
+        // gone all the same.
         [TestCase(3, 0.5f, 0.3f, 0)]
         [TestCase(5, 0.5f, 0.05f, 0)]
         [TestCase(5, 1f, 0.1f, 0)]
@@ -60,7 +63,8 @@ namespace Alate.Tests
             WingParameters parameters = Monarch.Parameters;
             parameters.jointLimit = 1.5f;
             var random = new Unity.Mathematics.Random(seed);
-            using var fixture = new PackFixture(TestWings.Bake(TestWings.Lattice(chains, 5, 1f, chord), TestWings.Rectangle(12, 6, 1f, chord), 64), parameters);
+            using var fixture = new PackFixture(
+                TestWings.Bake(TestWings.Lattice(chains, 5, 1f, chord), TestWings.Rectangle(12, 6, 1f, chord), 64), parameters);
             int count = chains * k_Bones;
             var bends = new float3[count];
             for (int chain = 0; chain < chains; chain++)

@@ -5,8 +5,8 @@ using MathNet.Numerics.LinearAlgebra;
 namespace Alate.Tests
 {
     /// <summary>
-    /// The bends that minimise Σ ½ (θ − θ*)²/c + Σ ½ K max(|s| − s₀, 0)² with s linear in the bends: by Newton on the set of strips that are beyond s₀, dense and in
-    /// double precision.
+    /// The bends that minimise Σ ½ (θ − θ*)²/c + Σ ½ K max(|s| − s₀, 0)² with s linear in the bends: by Newton on the set of strips that
+    /// are beyond s₀, dense and in double precision.
     /// </summary>
     internal sealed class DenseCoupling
     {

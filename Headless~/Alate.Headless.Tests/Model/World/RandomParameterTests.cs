@@ -4,7 +4,10 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>Wings with any parameters that are allowed, over the whole of their ranges, in any wind and spin: none ever falls back to its driven pose.</summary>
+    /// <summary>
+    /// Wings with any parameters that are allowed, over the whole of their ranges, in any wind and spin: none ever falls back to its driven
+    /// pose.
+    /// </summary>
     public sealed class RandomParameterTests
     {
         private const int k_Steps = 30;
@@ -41,7 +44,9 @@ namespace Alate.Tests
             foreach (WingParameterRange range in WingParameterRange.All)
             {
                 float share = random.NextFloat();
-                float value = range.Minimum > 0f ? range.Minimum * math.pow(range.Maximum / range.Minimum, share) : math.lerp(range.Minimum, range.Maximum, share);
+                float value = range.Minimum > 0f
+                    ? range.Minimum * math.pow(range.Maximum / range.Minimum, share)
+                    : math.lerp(range.Minimum, range.Maximum, share);
                 range.Of(ref p) = range.Clamp(value);
             }
 
@@ -66,7 +71,8 @@ namespace Alate.Tests
             foreach (SkinnedVertex vertex in world.Vertices(wing))
                 Assert.That(math.all(math.isfinite(vertex.position)) && math.all(math.isfinite(vertex.normal)), "a vertex is not finite");
             WingReading reading = world.Read(wing);
-            Assert.That(math.all(math.isfinite(reading.AirForce)) && math.all(math.isfinite(reading.AirMoment)), "the air's force is not finite");
+            Assert.That(
+                math.all(math.isfinite(reading.AirForce)) && math.all(math.isfinite(reading.AirMoment)), "the air's force is not finite");
             return reading.Resets;
         }
     }

@@ -10,14 +10,17 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>Wings that are traced from painted pictures fly with the monarch's preset in still air and in wind: whatever their shape, they hold.</summary>
+    /// <summary>
+    /// Wings that are traced from painted pictures fly with the monarch's preset in still air and in wind: whatever their shape, they hold.
+    /// </summary>
     public sealed class TracedWingWindTests
     {
         private const float k_Wind = 3f;
         private const int k_Side = 400;
 
         private static readonly string[] s_Names =
-            ["monarch", "slender", "tailed", "scalloped", "fan", "butterfly", "hind wing", "oval", "broad butterfly", "broad hind wing", "stalked", "narrow"];
+            ["monarch", "slender", "tailed", "scalloped", "fan", "butterfly", "hind wing", "oval", "broad butterfly", "broad hind wing",
+                "stalked", "narrow"];
 
         private static readonly ConcurrentDictionary<string, WingTrace> s_Traces = new ConcurrentDictionary<string, WingTrace>();
 
@@ -32,7 +35,8 @@ namespace Alate.Tests
             select new TestCaseData(s_Names[shape], variant);
 
         // Every fourth shape, each in one variant.
-        private static bool IsQuick(int shape, InsectVariant variant) => shape % 4 == 1 && variant == (shape % 8 == 1 ? InsectVariant.Standard : InsectVariant.Expressive);
+        private static bool IsQuick(int shape, InsectVariant variant) =>
+            shape % 4 == 1 && variant == (shape % 8 == 1 ? InsectVariant.Standard : InsectVariant.Expressive);
 
         [TestCaseSource(nameof(Some))]
         public void ATracedWing_HoldsInStillAirAndInWind(string name, InsectVariant variant) => AssertHolds(name, variant);
@@ -47,7 +51,8 @@ namespace Alate.Tests
             WingTrace trace = s_Traces.GetOrAdd(name, wing => Trace(Outline(wing)));
             WingPreset preset = InsectCatalogue.Find("monarch").Wings[0].CreatePreset(ModelReading.Physical, variant);
             using var flight = new SpeciesFlight(trace.Skeleton, trace.Surface, preset);
-            WindyFlight.Stretch still = WindyFlight.Steady(flight, 0f), windy = WindyFlight.Steady(flight, k_Wind, WindyFlight.SixDirections);
+            WindyFlight.Stretch still = WindyFlight.Steady(flight, 0f),
+                windy = WindyFlight.Steady(flight, k_Wind, WindyFlight.SixDirections);
             TestContext.Progress.WriteLine($"{name} {variant}: still air {still}; 3 m/s {windy}");
 
             bool isExpressive = variant == InsectVariant.Expressive;

@@ -24,21 +24,25 @@ namespace Alate.Tests
         private static bool IsQuick(string species, int wing, InsectVariant variant) => wing == 0 && s_Some.Contains((species, variant));
 
         [TestCaseSource(nameof(Some))]
-        public void SteadyWindFromAnySide_TearsNoWing(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: false);
+        public void SteadyWindFromAnySide_TearsNoWing(string species, int wing, InsectVariant variant) =>
+            AssertHolds(species, wing, variant, isGusty: false);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void SteadyWindFromAnySide_TearsNoOtherWing(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: false);
+        public void SteadyWindFromAnySide_TearsNoOtherWing(string species, int wing, InsectVariant variant) =>
+            AssertHolds(species, wing, variant, isGusty: false);
 
         [TestCase("fishfly", 1, InsectVariant.Standard)]
         [TestCase("monarch", 0, InsectVariant.Expressive)]
-        public void GustsFromAnySide_TearNoWing(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: true);
+        public void GustsFromAnySide_TearNoWing(string species, int wing, InsectVariant variant) =>
+            AssertHolds(species, wing, variant, isGusty: true);
 
         [TestCaseSource(nameof(All))]
         [Explicit]
         [Category("Long")]
-        public void GustsFromAnySide_TearNoWingOfAll(string species, int wing, InsectVariant variant) => AssertHolds(species, wing, variant, isGusty: true);
+        public void GustsFromAnySide_TearNoWingOfAll(string species, int wing, InsectVariant variant) =>
+            AssertHolds(species, wing, variant, isGusty: true);
 
         // The standard one: the biological beats six times as fast, and 5 m/s are a breeze to it.
         [Test]
@@ -52,20 +56,24 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(Some))]
-        public void AfterAGale_AWingIsBackInItsBeat_WithinFourBeats(string species, int wing, InsectVariant variant) => AssertBack(species, wing, variant);
+        public void AfterAGale_AWingIsBackInItsBeat_WithinFourBeats(string species, int wing, InsectVariant variant) =>
+            AssertBack(species, wing, variant);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void AfterAGale_AnyOtherWingIsBackInItsBeat_WithinFourBeats(string species, int wing, InsectVariant variant) => AssertBack(species, wing, variant);
+        public void AfterAGale_AnyOtherWingIsBackInItsBeat_WithinFourBeats(string species, int wing, InsectVariant variant) =>
+            AssertBack(species, wing, variant);
 
         [TestCaseSource(nameof(Some))]
-        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAWing(string species, int wing, InsectVariant variant) => AssertSoft(species, wing, variant);
+        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAWing(string species, int wing, InsectVariant variant) =>
+            AssertSoft(species, wing, variant);
 
         [TestCaseSource(nameof(Others))]
         [Explicit]
         [Category("Long")]
-        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAnyOtherWing(string species, int wing, InsectVariant variant) => AssertSoft(species, wing, variant);
+        public void InStillAir_NeitherSoftnessNorTopSpeedTearsAnyOtherWing(string species, int wing, InsectVariant variant) =>
+            AssertSoft(species, wing, variant);
 
         // Flutter is chaotic: wings that are hardly softer or stiffer than the species' own meet other moments of it.
         [TestCase("fishfly")]
@@ -158,7 +166,8 @@ namespace Alate.Tests
             using var world = new WingWorld();
             float gale = species == "snailfish" ? 1f : 10f;
             WingHandle still = world.Add(flight.Rig, flight.parameters, flight.Air());
-            WingHandle[] wings = Array.ConvertAll(WindyFlight.Directions, direction => world.Add(flight.Rig, flight.parameters, flight.Air(gale * direction, flight.Speed)));
+            WingHandle[] wings = Array.ConvertAll(
+                WindyFlight.Directions, direction => world.Add(flight.Rig, flight.parameters, flight.Air(gale * direction, flight.Speed)));
             float dt = 1f / (steps * world.Read(still).Frequency);
             for (int k = 0; k < 4 * steps; k++)
                 world.Step(dt);

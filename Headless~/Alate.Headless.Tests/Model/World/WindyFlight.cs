@@ -4,7 +4,10 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>Wings that meet wind from many sides at once, one each, in steps of one of their substeps, and how far the edges of their skins stretch.</summary>
+    /// <summary>
+    /// Wings that meet wind from many sides at once, one each, in steps of one of their substeps, and how far the edges of their skins
+    /// stretch.
+    /// </summary>
     internal static class WindyFlight
     {
         /// <summary>The 26 directions of a cube's corners, edges and faces.</summary>
@@ -37,7 +40,8 @@ namespace Alate.Tests
         /// <param name="beats">How many to fly.</param>
         /// <param name="speed">Of the body, metres a second; null for its cruise.</param>
         public static Stretch Steady(SpeciesFlight flight, float wind, float3[] directions = null, int beats = 6, float? speed = null) =>
-            Fly(flight, wind == 0f ? s_None : directions ?? Directions, direction => _ => flight.Air(wind * direction, speed ?? flight.Speed), beats - 2, beats);
+            Fly(flight, wind == 0f ? s_None : directions ?? Directions,
+                direction => _ => flight.Air(wind * direction, speed ?? flight.Speed), beats - 2, beats);
 
         /// <summary>Two smooth gusts of a beat each and a sharp one of one and a half, over six beats.</summary>
         /// <param name="flight">The wing.</param>
@@ -68,7 +72,8 @@ namespace Alate.Tests
             return largest;
         }
 
-        private static Stretch Fly(SpeciesFlight flight, float3[] directions, Func<float3, Func<float, WingSurroundings>> airOf, int firstBeat, int beats)
+        private static Stretch Fly(
+            SpeciesFlight flight, float3[] directions, Func<float3, Func<float, WingSurroundings>> airOf, int firstBeat, int beats)
         {
             using var world = new WingWorld();
             var edges = new EdgeStretch(flight.Rest, flight.Triangles);
@@ -99,7 +104,8 @@ namespace Alate.Tests
                     if (worst <= largest)
                         continue;
                     largest = worst;
-                    where = FormattableString.Invariant($"to ({directions[k].x:F1}, {directions[k].y:F1}, {directions[k].z:F1}) {Place(flight, skin)}");
+                    where = FormattableString.Invariant(
+                        $"to ({directions[k].x:F1}, {directions[k].y:F1}, {directions[k].z:F1}) {Place(flight, skin)}");
                 }
             }
 
@@ -114,7 +120,8 @@ namespace Alate.Tests
             for (int k = 0; k < flight.Triangles.Length; k++)
             {
                 int a = flight.Triangles[k], b = flight.Triangles[k % 3 == 2 ? k - 2 : k + 1];
-                double length = math.distance(flight.Rest[a], flight.Rest[b]), stretch = Math.Abs(math.distance(skin[a], skin[b]) / length - 1.0);
+                double length = math.distance(flight.Rest[a], flight.Rest[b]),
+                    stretch = Math.Abs(math.distance(skin[a], skin[b]) / length - 1.0);
                 if (!(stretch > most))
                     continue;
                 most = stretch;

@@ -21,7 +21,8 @@ public struct GlobalObjectId : IEquatable<GlobalObjectId>
     {
         id = default;
         return stringValue != null && stringValue.StartsWith(k_Prefix, StringComparison.Ordinal)
-            && int.TryParse(stringValue.AsSpan(k_Prefix.Length), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out id._instance);
+            && int.TryParse(
+                stringValue.AsSpan(k_Prefix.Length), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out id._instance);
     }
 
     public bool Equals(GlobalObjectId other) => _instance == other._instance;

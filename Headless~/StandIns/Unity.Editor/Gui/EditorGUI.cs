@@ -20,7 +20,8 @@ public sealed partial class EditorGUI
     public static bool PropertyField(Rect position, SerializedProperty property) => PropertyField(position, property, null, false);
     public static bool PropertyField(Rect position, SerializedProperty property, bool includeChildren) =>
         PropertyField(position, property, null, includeChildren);
-    public static bool PropertyField(Rect position, SerializedProperty property, GUIContent label) => PropertyField(position, property, label, false);
+    public static bool PropertyField(Rect position, SerializedProperty property, GUIContent label) =>
+        PropertyField(position, property, label, false);
     public static bool PropertyField(
         Rect position,
         SerializedProperty property,

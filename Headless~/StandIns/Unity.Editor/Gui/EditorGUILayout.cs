@@ -28,7 +28,8 @@ public sealed partial class EditorGUILayout
     public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) =>
         Add(ControlKind.Label, new GUIContent(label), label2);
     public static void LabelField(string label, params GUILayoutOption[] options) => Add(ControlKind.Label, new GUIContent(label));
-    public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => Add(ControlKind.Label, new GUIContent(label));
+    public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) =>
+        Add(ControlKind.Label, new GUIContent(label));
     public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) =>
         Add(ControlKind.Label, label, label2.text);
     public static void LabelField(

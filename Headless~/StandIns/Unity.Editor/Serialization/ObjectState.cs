@@ -33,7 +33,8 @@ internal sealed class ObjectState
     public static ObjectState Of(Object target) => new(target ?? throw new ArgumentNullException(nameof(target)));
 
     /// <summary>Static flags of an object; the engine does not know them.</summary>
-    public static StrongBox<StaticEditorFlags> FlagsOf(GameObject target) => s_Flags.GetValue(target, _ => new StrongBox<StaticEditorFlags>());
+    public static StrongBox<StaticEditorFlags> FlagsOf(GameObject target) =>
+        s_Flags.GetValue(target, _ => new StrongBox<StaticEditorFlags>());
 
     public Object Target => _target;
 

@@ -5,8 +5,8 @@ using Object = UnityEngine.Object;
 namespace UnityEditor;
 
 /// <summary>
-/// Records and brings back what objects save, and takes away what was made. Moving objects is done, but not recorded; what was destroyed does
-/// not come back. A frame is what lies between two groups.
+/// Records and brings back what objects save, and takes away what was made. Moving objects is done, but not recorded; what was destroyed
+/// does not come back. A frame is what lies between two groups.
 /// </summary>
 public class Undo
 {

@@ -8,8 +8,8 @@ using Unity.StandIns;
 namespace StandIns;
 
 /// <summary>
-/// Runs the tests of an assembly in the order that an environment variable names: "reversed", or the seed of a shuffle. Namespaces change places within
-/// theirs, fixtures within their namespace, tests within their fixture. Without the variable the order is the usual one.
+/// Runs the tests of an assembly in the order that an environment variable names: "reversed", or the seed of a shuffle. Namespaces change
+/// places within theirs, fixtures within their namespace, tests within their fixture. Without the variable the order is the usual one.
 /// </summary>
 [StandInExtension]
 [AttributeUsage(AttributeTargets.Assembly)]

@@ -52,8 +52,8 @@ public static class TestSession
     }
 
     /// <summary>
-    /// Enters or leaves play mode if the next test needs it; that goes with an empty scene. In play mode a frame passes before the next test: what a class's
-    /// OneTimeTearDown destroyed has gone by then.
+    /// Enters or leaves play mode if the next test needs it; that goes with an empty scene. In play mode a frame passes before the next
+    /// test: what a class's OneTimeTearDown destroyed has gone by then.
     /// </summary>
     private static void SetMode(bool plays)
     {

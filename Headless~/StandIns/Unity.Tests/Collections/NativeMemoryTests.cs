@@ -67,7 +67,8 @@ public sealed unsafe class NativeMemoryTests : SafetyFixture
     public void TrackedMemory_IsSeenByLeakDetection_AndHasAFreeOfItsOwn()
     {
         int unseen = NativeMemoryLedger.UntrackedCount;
-        void* tracked = UnsafeUtility.MallocTracked(8, 8, Allocator.Persistent, 0), plain = UnsafeUtility.Malloc(8, 8, Allocator.Persistent);
+        void* tracked = UnsafeUtility.MallocTracked(8, 8, Allocator.Persistent, 0),
+            plain = UnsafeUtility.Malloc(8, 8, Allocator.Persistent);
         Assert.That(NativeMemoryLedger.UntrackedCount, Is.EqualTo(unseen + 1));
         Assert.That(() => UnsafeUtility.Free(tracked, Allocator.Persistent), Throws.InvalidOperationException);
         Assert.That(() => UnsafeUtility.FreeTracked(plain, Allocator.Persistent), Throws.InvalidOperationException);

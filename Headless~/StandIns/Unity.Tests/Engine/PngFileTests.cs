@@ -36,7 +36,8 @@ public sealed class PngFileTests
 
             bool isGrey = colourType is 0 or 4;
             byte alpha = colourType is 4 or 6 ? Channel(sample.Channels - 1) : (byte)255;
-            Assert.That(png.Pixels[k], Is.EqualTo(new Color32(Channel(0), Channel(isGrey ? 0 : 1), Channel(isGrey ? 0 : 2), alpha)), $"pixel {k}");
+            Assert.That(
+                png.Pixels[k], Is.EqualTo(new Color32(Channel(0), Channel(isGrey ? 0 : 1), Channel(isGrey ? 0 : 2), alpha)), $"pixel {k}");
         }
     }
 

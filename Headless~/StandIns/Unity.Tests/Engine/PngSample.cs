@@ -8,7 +8,8 @@ namespace Unity.Tests.Engine;
 /// <summary>Writes small PNG files of every kind, to read them back.</summary>
 internal sealed class PngSample
 {
-    private static readonly int[,] s_Passes = { { 0, 0, 8, 8 }, { 4, 0, 8, 8 }, { 0, 4, 4, 8 }, { 2, 0, 4, 4 }, { 0, 2, 2, 4 }, { 1, 0, 2, 2 }, { 0, 1, 1, 2 } };
+    private static readonly int[,] s_Passes = { { 0, 0, 8, 8 }, { 4, 0, 8, 8 }, { 0, 4, 4, 8 }, { 2, 0, 4, 4 }, { 0, 2, 2, 4 },
+        { 1, 0, 2, 2 }, { 0, 1, 1, 2 } };
 
     public int Width { get; init; } = 13;
 
@@ -29,7 +30,8 @@ internal sealed class PngSample
     public int Most => (1 << Depth) - 1;
 
     /// <summary>A sample that depends on everything.</summary>
-    public int Sample(int column, int row, int channel) => (column * 37 + row * 91 + channel * 53 + column * row * 7) % (Palette == null ? Most + 1 : Palette.Length / 3);
+    public int Sample(int column, int row, int channel) =>
+        (column * 37 + row * 91 + channel * 53 + column * row * 7) % (Palette == null ? Most + 1 : Palette.Length / 3);
 
     public byte[] Write()
     {
@@ -113,7 +115,8 @@ internal sealed class PngSample
 
     private int Guess(int filter, byte[] bytes, byte[] above, int k)
     {
-        int step = Math.Max(1, Channels * Depth / 8), a = k >= step ? bytes[k - step] : 0, b = above[k], c = k >= step ? above[k - step] : 0;
+        int step = Math.Max(1, Channels * Depth / 8), a = k >= step ? bytes[k - step] : 0, b = above[k],
+            c = k >= step ? above[k - step] : 0;
         int p = a + b - c, pa = Math.Abs(p - a), pb = Math.Abs(p - b), pc = Math.Abs(p - c);
         return filter switch { 1 => a, 2 => b, 3 => (a + b) / 2, 4 => pa <= pb && pa <= pc ? a : pb <= pc ? b : c, _ => 0 };
     }

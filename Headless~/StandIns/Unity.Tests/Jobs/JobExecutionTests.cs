@@ -297,6 +297,7 @@ public sealed class JobExecutionTests : SafetyFixture
     public void WorkerCount_OutOfRange_IsRefused()
     {
         Assert.That(() => JobsUtility.JobWorkerCount = -1, Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That(() => JobsUtility.JobWorkerCount = JobsUtility.JobWorkerMaximumCount + 1, Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(
+            () => JobsUtility.JobWorkerCount = JobsUtility.JobWorkerMaximumCount + 1, Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
 }

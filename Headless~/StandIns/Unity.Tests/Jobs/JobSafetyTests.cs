@@ -223,7 +223,8 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     public void OneArray_MustNotBePassedTwice_IfItIsWritten()
     {
         Assert.That(() => new Copy { source = m_Array, target = m_Array }.Run(), Throws.InvalidOperationException);
-        Assert.That(() => new Copy { source = m_Array.GetSubArray(0, 1), target = m_Array.GetSubArray(1, 1) }.Run(), Throws.InvalidOperationException);
+        Assert.That(() => new Copy { source = m_Array.GetSubArray(0, 1), target = m_Array.GetSubArray(1, 1) }.Run(),
+            Throws.InvalidOperationException);
     }
 
     [Test]
@@ -263,7 +264,8 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void Pointers_NeedTheirAttribute()
     {
-        Assert.That(() => new HasPointer { pointer = null }.Schedule(), Throws.InvalidOperationException.With.Message.Contains("HasPointer.pointer"));
+        Assert.That(() => new HasPointer { pointer = null }.Schedule(),
+            Throws.InvalidOperationException.With.Message.Contains("HasPointer.pointer"));
         int value = 0;
         new HasDeclaredPointer { pointer = &value }.Run();
         Assert.That(value, Is.EqualTo(5));
@@ -272,7 +274,8 @@ public sealed unsafe class JobSafetyTests : SafetyFixture
     [Test]
     public void References_AreNotAllowedInJobs()
     {
-        Assert.That(() => new HasReference { text = "" }.Run(), Throws.InvalidOperationException.With.Message.Contains("HasReference.text"));
+        Assert.That(
+            () => new HasReference { text = "" }.Run(), Throws.InvalidOperationException.With.Message.Contains("HasReference.text"));
     }
 
     [Test]

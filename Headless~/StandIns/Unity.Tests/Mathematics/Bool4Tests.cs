@@ -40,7 +40,8 @@ public sealed class Bool4Tests
     public void Select_TakesTheSecond_WhereTrue_AfterAnyOperator([Range(0, 15)] int bits)
     {
         float4 onFalse = -1f, onTrue = new(1f, 2f, 3f, 4f);
-        var expected = new float4((bits & 1) != 0 ? 1f : -1f, (bits & 2) != 0 ? 2f : -1f, (bits & 4) != 0 ? 3f : -1f, (bits & 8) != 0 ? 4f : -1f);
+        var expected = new float4(
+            (bits & 1) != 0 ? 1f : -1f, (bits & 2) != 0 ? 2f : -1f, (bits & 4) != 0 ? 3f : -1f, (bits & 8) != 0 ? 4f : -1f);
         bool4 indexed = false;
         for (int i = 0; i < 4; i++)
             indexed[i] = (bits >> i & 1) != 0;

@@ -110,7 +110,8 @@ public unsafe partial struct NativeArray<T>
         {
             return new IndexOutOfRangeException(
                 $"Index {index} is outside of what this index of the parallel job may use [{first}..{first + count - 1}] of the {Name}. "
-                + "Mark the field with [ReadOnly], or with [NativeDisableParallelForRestriction] if no two indices write the same element.");
+                + "Mark the field with [ReadOnly], or with [NativeDisableParallelForRestriction] if no two indices write "
+                + "the same element.");
         }
 
         return safety.Exists && (uint)index >= (uint)length

@@ -118,10 +118,16 @@ public unsafe partial struct NativeArray<T>
         if (sourceIndex < 0 || sourceIndex > source || (sourceIndex == source && source > 0))
             throw new ArgumentOutOfRangeException(nameof(sourceIndex), sourceIndex, "srcIndex is outside the range of valid indexes");
         if (destinationIndex < 0 || destinationIndex > destination || (destinationIndex == destination && destination > 0))
-            throw new ArgumentOutOfRangeException(nameof(destinationIndex), destinationIndex, "dstIndex is outside the range of valid indexes");
+        {
+            throw new ArgumentOutOfRangeException(
+                nameof(destinationIndex), destinationIndex, "dstIndex is outside the range of valid indexes");
+        }
         if (sourceIndex + (long)length > source)
             throw new ArgumentException($"length {length} is greater than what the source holds from {sourceIndex} on", nameof(length));
         if (destinationIndex + (long)length > destination)
-            throw new ArgumentException($"length {length} is greater than what the destination holds from {destinationIndex} on", nameof(length));
+        {
+            throw new ArgumentException(
+                $"length {length} is greater than what the destination holds from {destinationIndex} on", nameof(length));
+        }
     }
 }

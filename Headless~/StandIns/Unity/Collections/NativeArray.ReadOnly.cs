@@ -68,7 +68,10 @@ public unsafe partial struct NativeArray<T>
         public readonly NativeArray<U>.ReadOnly Reinterpret<U>() where U : struct
         {
             if (Unsafe.SizeOf<T>() != Unsafe.SizeOf<U>())
-                throw new InvalidOperationException($"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation is not possible.");
+            {
+                throw new InvalidOperationException(
+                    $"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation is not possible.");
+            }
             ReadOnly view = this;
             return Unsafe.As<ReadOnly, NativeArray<U>.ReadOnly>(ref view);
         }

@@ -27,7 +27,10 @@ public unsafe partial struct NativeArray<T>
         if (start < 0)
             throw new ArgumentOutOfRangeException(nameof(start), start, "start must be >= 0");
         if (length < 0 || start + (long)length > m_Length)
-            throw new ArgumentOutOfRangeException(nameof(length), length, $"sub array range {start}-{start + (long)length - 1} is outside the range 0-{m_Length - 1}");
+        {
+            throw new ArgumentOutOfRangeException(
+                nameof(length), length, $"sub array range {start}-{start + (long)length - 1} is outside the range 0-{m_Length - 1}");
+        }
         NativeArray<T> part = this;
         part.m_Buffer = (byte*)m_Buffer + (long)start * Unsafe.SizeOf<T>();
         part.m_Length = length;
@@ -44,7 +47,10 @@ public unsafe partial struct NativeArray<T>
     public readonly NativeArray<U> Reinterpret<U>() where U : struct
     {
         if (Unsafe.SizeOf<T>() != Unsafe.SizeOf<U>())
-            throw new InvalidOperationException($"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation is not possible.");
+        {
+            throw new InvalidOperationException(
+                $"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation is not possible.");
+        }
         return View<U>(m_Length);
     }
 
@@ -53,7 +59,10 @@ public unsafe partial struct NativeArray<T>
     public readonly NativeArray<U> Reinterpret<U>(int expectedTypeSize) where U : struct
     {
         if (expectedTypeSize != Unsafe.SizeOf<T>())
-            throw new InvalidOperationException($"Type {typeof(T)} was expected to be {expectedTypeSize} but is {Unsafe.SizeOf<T>()} bytes");
+        {
+            throw new InvalidOperationException(
+                $"Type {typeof(T)} was expected to be {expectedTypeSize} but is {Unsafe.SizeOf<T>()} bytes");
+        }
         long bytes = (long)m_Length * Unsafe.SizeOf<T>();
         if (bytes % Unsafe.SizeOf<U>() != 0)
             throw new InvalidOperationException($"{bytes} bytes cannot be divided into elements of the type {typeof(U)}");

@@ -18,5 +18,6 @@ public static class IJobForExtensions
 
     public static void Run<T>(this T jobData, int arrayLength) where T : struct, IJobFor => ForJob<T>.Run(ref jobData, arrayLength);
 
-    public static void RunByRef<T>(this ref T jobData, int arrayLength) where T : struct, IJobFor => ForJob<T>.Run(ref jobData, arrayLength);
+    public static void RunByRef<T>(this ref T jobData, int arrayLength)
+        where T : struct, IJobFor => ForJob<T>.Run(ref jobData, arrayLength);
 }

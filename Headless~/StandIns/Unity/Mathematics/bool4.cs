@@ -6,7 +6,9 @@ using System.Runtime.Intrinsics.X86;
 
 namespace Unity.Mathematics;
 
-/// <summary>Four truth values. Each is a lane of a vector register: true has its lowest bit, which the field shows, and its highest, which selects.</summary>
+/// <summary>
+/// Four truth values. Each is a lane of a vector register: true has its lowest bit, which the field shows, and its highest, which selects.
+/// </summary>
 [StructLayout(LayoutKind.Explicit, Size = 16, Pack = 4)]
 public partial struct bool4 : IEquatable<bool4>
 {

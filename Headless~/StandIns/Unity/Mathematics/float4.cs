@@ -122,5 +122,6 @@ public partial struct float4 : IEquatable<float4>, IFormattable
     public override string ToString() => ToString(null, null);
 
     public string ToString(string format, IFormatProvider formatProvider) =>
-        $"float4({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f, {z.ToString(format, formatProvider)}f, {w.ToString(format, formatProvider)}f)";
+        $"float4({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f, "
+        + $"{z.ToString(format, formatProvider)}f, {w.ToString(format, formatProvider)}f)";
 }

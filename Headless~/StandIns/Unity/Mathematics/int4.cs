@@ -129,5 +129,6 @@ public partial struct int4 : IEquatable<int4>, IFormattable
     public override string ToString() => ToString(null, null);
 
     public string ToString(string format, IFormatProvider formatProvider) =>
-        $"int4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
+        $"int4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, "
+        + $"{z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
 }

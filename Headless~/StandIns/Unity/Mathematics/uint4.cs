@@ -125,5 +125,6 @@ public partial struct uint4 : IEquatable<uint4>, IFormattable
     public override string ToString() => ToString(null, null);
 
     public string ToString(string format, IFormatProvider formatProvider) =>
-        $"uint4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
+        $"uint4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, "
+        + $"{z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
 }

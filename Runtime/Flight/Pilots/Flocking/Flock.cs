@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>All pilots that flock: once a step each gets a view of its neighbours as they were when they were last asked for a command.</summary>
+    /// <summary>
+    /// All pilots that flock: once a step each gets a view of its neighbours as they were when they were last asked for a command.
+    /// </summary>
     internal static class Flock
     {
         private static readonly List<FlockPilot> s_Pilots = new List<FlockPilot>();

@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>Flies with its neighbours: keeps apart, flies as they fly, and to their middle. The pilot below this one on the object gives the way; without one the insect flies on.</summary>
+    /// <summary>
+    /// Flies with its neighbours: keeps apart, flies as they fly, and to their middle. The pilot below this one on the object gives the
+    /// way; without one the insect flies on.
+    /// </summary>
     [AddComponentMenu("Alate/Flock Pilot")]
     [DisallowMultipleComponent]
     public sealed class FlockPilot : FlightPilot
@@ -47,7 +50,9 @@ namespace Alate.Flight
             };
 
             FlightPilot below = Below();
-            float3 own = below != null ? below.Command(situation).velocity : settings.speed * math.normalizesafe(situation.referenceVelocity, Ahead(situation.heading));
+            float3 own = below != null
+                ? below.Command(situation).velocity
+                : settings.speed * math.normalizesafe(situation.referenceVelocity, Ahead(situation.heading));
             float speed = math.max(math.length(own), 0.3f);
             float3 wanted = own + settings.separation * speed * View.apart;
             if (View.count > 0)

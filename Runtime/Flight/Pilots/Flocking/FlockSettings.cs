@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>Settings of an insect's flight among others. Distances in wing lengths, so that one setting suits every species; all numbers are chosen for the eye.</summary>
+    /// <summary>
+    /// Settings of an insect's flight among others. Distances in wing lengths, so that one setting suits every species; all numbers are
+    /// chosen for the eye.
+    /// </summary>
     [Serializable]
     public struct FlockSettings
     {

@@ -71,7 +71,10 @@ namespace Alate.Flight
             set => m_Offset = value;
         }
 
-        /// <summary>Points to fly along, world units, relative to <see cref="Origin"/> where there is one. May be changed at any time; <see cref="Restart"/> begins with the first.</summary>
+        /// <summary>
+        /// Points to fly along, world units, relative to <see cref="Origin"/> where there is one. May be changed at any time;
+        /// <see cref="Restart"/> begins with the first.
+        /// </summary>
         public List<Vector3> Points => m_Points;
 
         /// <summary>The object with which the points go; null keeps them in the world.</summary>
@@ -163,7 +166,8 @@ namespace Alate.Flight
             goal = (float3)(m_Target.position + m_Offset);
             if (!OuterBounds.Hold(goal, OuterBounds.Distance))
             {
-                Warn($"The target of '{name}' is at {(Vector3)goal}: it must be finite, within {OuterBounds.Distance} units. It stays where it is.");
+                Warn($"The target of '{name}' is at {(Vector3)goal}: it must be finite, within "
+                    + $"{OuterBounds.Distance} units. It stays where it is.");
                 m_HasSeen = false;
                 return Stay(situation, out goal);
             }
@@ -171,7 +175,9 @@ namespace Alate.Flight
             m_HasHome = false;
             float3 moved = m_HasSeen ? (goal - m_Seen) / (math.max(situation.deltaTime, 1e-4f) * situation.unitsPerMetre) : default;
             moved = math.clamp(moved, -OuterBounds.Speed, OuterBounds.Speed);
-            m_TargetVelocity = m_HasSeen ? math.lerp(m_TargetVelocity, moved, 1f - Elementary.Exp(-situation.deltaTime / k_Smoothing)) : default;
+            m_TargetVelocity = m_HasSeen
+                ? math.lerp(m_TargetVelocity, moved, 1f - Elementary.Exp(-situation.deltaTime / k_Smoothing))
+                : default;
             m_Seen = goal;
             m_HasSeen = true;
             return PathFollower.Towards(situation, goal, m_TargetVelocity, m_Speed);

@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Position loop along straight stretches between points: flies along the stretch, back to it where the insect is beside it, round corners on arcs that it can fly, and
-    /// stops at the last point.
+    /// Position loop along straight stretches between points: flies along the stretch, back to it where the insect is beside it, round
+    /// corners on arcs that it can fly, and stops at the last point.
     /// </summary>
     public sealed class PathFollower
     {
@@ -79,7 +79,10 @@ namespace Alate.Flight
             float gone = math.dot(position - start, tangent) / situation.unitsPerMetre, ahead = length - gone;
             float corner = 0f, lead = 0f;
             if (!isLast)
-                Corner(situation.limits, tangent, math.normalizesafe((float3)points[Index(Next + 1, count, loop)] - goal), speed, out corner, out lead);
+            {
+                Corner(situation.limits, tangent, math.normalizesafe((float3)points[Index(Next + 1, count, loop)] - goal), speed,
+                    out corner, out lead);
+            }
             if (!isLast && ahead <= math.min(lead, 0.5f * length))
             {
                 m_Stretch = Next;
@@ -95,23 +98,28 @@ namespace Alate.Flight
         }
 
         // On the new stretch the insect leaves the corner with the speed of its arc.
-        private float3 Along(in FlightSituation situation, IReadOnlyList<Vector3> points, bool loop, float speed, float3 before, float corner)
+        private float3 Along(
+            in FlightSituation situation, IReadOnlyList<Vector3> points, bool loop, float speed, float3 before, float corner)
         {
             Next = Index(m_Stretch + 1, points.Count, loop);
             float3 tangent = math.normalizesafe((float3)points[Next] - (float3)points[m_Stretch], before);
             return math.max(math.min(corner, speed), k_CornerSpeed) * tangent;
         }
 
-        // The arc that cuts a corner by a distance d has the radius r = d / (1 / cos(turn / 2) - 1), touches the stretches at r tan(turn / 2), and is flown at √(a r).
+        // The arc that cuts a corner by a distance d has the radius r = d / (1 / cos(turn / 2) - 1), touches the stretches at r tan(turn /
+        // 2), and is flown at √(a r).
         private static void Corner(in FlightLimits limits, float3 before, float3 after, float speed, out float corner, out float lead)
         {
             float half = 0.5f * Elementary.Acos(math.clamp(math.dot(before, after), -1f, 1f));
             float cos = math.max(Elementary.Cos(half), 0.05f);
             float radius = k_CornerCut / math.max(1f / cos - 1f, 1e-4f);
             corner = math.clamp(math.sqrt(limits.Acceleration * radius), k_CornerSpeed, math.max(speed, k_CornerSpeed));
-            lead = math.min(corner * corner / limits.Acceleration * math.min(Elementary.Tan(half), 2f) + 0.2f * corner * Elementary.Sin(half), limits.StoppingDistance(corner) + 0.3f);
+            lead = math.min(
+                corner * corner / limits.Acceleration * math.min(Elementary.Tan(half), 2f) + 0.2f * corner * Elementary.Sin(half),
+                limits.StoppingDistance(corner) + 0.3f);
         }
 
-        private static int Index(int index, int count, bool loop) => loop ? (index % count + count) % count : math.clamp(index, 0, count - 1);
+        private static int Index(int index, int count, bool loop) =>
+            loop ? (index % count + count) % count : math.clamp(index, 0, count - 1);
     }
 }

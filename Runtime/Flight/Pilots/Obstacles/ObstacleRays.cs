@@ -53,7 +53,8 @@ namespace Alate.Flight
             {
                 RaycastHit hit = hits[k];
                 bool any = hit.collider != null;
-                s_Asked[k / ObstacleSense.RayCount].SetHit(k % ObstacleSense.RayCount, any ? (float3)hit.normal : default, any ? hit.distance : -1f);
+                s_Asked[k / ObstacleSense.RayCount].SetHit(
+                    k % ObstacleSense.RayCount, any ? (float3)hit.normal : default, any ? hit.distance : -1f);
             }
 
             rays.Dispose();

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Hits of one insect's rays: one along its way and four around it. A wanted velocity loses what would carry the insect into a surface before it can stop, and
-    /// turns to the freest side.
+    /// Hits of one insect's rays: one along its way and four around it. A wanted velocity loses what would carry the insect into a surface
+    /// before it can stop, and turns to the freest side.
     /// </summary>
     internal sealed class ObstacleSense
     {
@@ -69,7 +69,9 @@ namespace Alate.Flight
                 float moved = math.dot(situation.position - From, met.xyz);
                 float off = (met.w * -math.dot(m_Directions[ray], met.xyz) + moved) / situation.unitsPerMetre - clearance;
                 float into = -math.dot(velocity, met.xyz);
-                float most = off >= 0f ? situation.limits.SpeedToStopWithin(off) : -math.min(situation.limits.SpeedToStopWithin(-off), 0.3f);
+                float most = off >= 0f
+                    ? situation.limits.SpeedToStopWithin(off)
+                    : -math.min(situation.limits.SpeedToStopWithin(-off), 0.3f);
                 if (into > most)
                     velocity += (into - most) * met.xyz;
             }
@@ -114,7 +116,8 @@ namespace Alate.Flight
             m_Directions[4] = math.normalize(m_Way - k_Spread * up);
             float speed = math.max(math.length(wanted), math.length(situation.referenceVelocity));
             From = situation.position;
-            Reach = (situation.limits.StoppingDistance(speed) + situation.limits.TurnRadius(speed) + 2f * clearance) * situation.unitsPerMetre;
+            Reach =
+                (situation.limits.StoppingDistance(speed) + situation.limits.TurnRadius(speed) + 2f * clearance) * situation.unitsPerMetre;
             Layers = settings.layers;
             for (int ray = 0; ray < RayCount; ray++)
                 m_Met[ray].w = -1f;

@@ -23,9 +23,11 @@ namespace Alate.Flight
         public float clearance;
 
         /// <summary>All layers that rays meet, 1.5 wing lengths away.</summary>
-        public static ObstacleSettings Default => new ObstacleSettings { avoid = true, layers = Physics.DefaultRaycastLayers, clearance = k_Clearance };
+        public static ObstacleSettings Default =>
+            new ObstacleSettings { avoid = true, layers = Physics.DefaultRaycastLayers, clearance = k_Clearance };
 
         /// <summary>Distance to keep, metres of the insect.</summary>
-        internal float Metres(float wingLength) => NumberRange.Clamp(clearance, k_LeastClearance, k_MostClearance, k_Clearance) * wingLength;
+        internal float Metres(float wingLength) =>
+            NumberRange.Clamp(clearance, k_LeastClearance, k_MostClearance, k_Clearance) * wingLength;
     }
 }

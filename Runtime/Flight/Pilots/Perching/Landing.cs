@@ -4,18 +4,24 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// The way down to one spot: to the top of a line that slopes down to a place above the spot, then along the line, slower and slower, until the insect is held there; on, up and
-    /// once more where it missed that place. Comes in from where the insect is, turned towards the wanted heading and away from a slope that would be in the way.
+    /// The way down to one spot: to the top of a line that slopes down to a place above the spot, then along the line, slower and slower,
+    /// until the insect is held there; on, up and once more where it missed that place. Comes in from where the insect is, turned towards
+    /// the wanted heading and away from a slope that would be in the way.
     /// </summary>
     public sealed class Landing
     {
         /// <summary>Fastest flight, m/s, at which an insect is held; one that is too low to fly on is held at any speed.</summary>
         public const float HoldSpeed = 0.28f;
 
-        /// <summary>Height of the feet over the spot, wing lengths, in which the insect is held: any lower a downstroke of its flight would pass through what it lands on.</summary>
+        /// <summary>
+        /// Height of the feet over the spot, wing lengths, in which the insect is held: any lower a downstroke of its flight would pass
+        /// through what it lands on.
+        /// </summary>
         public const float Clearance = 1.2f;
 
-        /// <summary>Distance from there within which it is held, and within which it does not wait for a nearer place, wing lengths.</summary>
+        /// <summary>
+        /// Distance from there within which it is held, and within which it does not wait for a nearer place, wing lengths.
+        /// </summary>
         private const float k_Reach = 0.4f, k_Close = 0.3f;
 
         /// <summary>Reach aside of one that is too low to fly on, over the reach of the others.</summary>
@@ -30,37 +36,59 @@ namespace Alate.Flight
         /// <summary>Fastest flight along the line, m/s, and growth of the speed with the distance, 1/s.</summary>
         private const float k_LineSpeed = 0.12f, k_FlareRate = 0.8f;
 
-        /// <summary>Slowest flight ahead along the line, m/s, where it is not slower itself, and distance along it, wing lengths, up to which the slip may take it below.</summary>
+        /// <summary>
+        /// Slowest flight ahead along the line, m/s, where it is not slower itself, and distance along it, wing lengths, up to which the
+        /// slip may take it below.
+        /// </summary>
         private const float k_LeastAhead = 0.1f, k_Far = 4f;
 
         /// <summary>Fastest braking where the line is long enough, m/s²: one that brakes as it gets going tumbles.</summary>
         private const float k_Brake = 1f;
 
-        /// <summary>Way before the spot that is flown at the speed of its end, metres: what braking throws off the line is flown out there.</summary>
+        /// <summary>
+        /// Way before the spot that is flown at the speed of its end, metres: what braking throws off the line is flown out there.
+        /// </summary>
         private const float k_Steady = 0.05f;
 
-        /// <summary>Speed at the end of the line: wing lengths a second, and its bounds, m/s. What has a short reach comes slower.</summary>
+        /// <summary>
+        /// Speed at the end of the line: wing lengths a second, and its bounds, m/s. What has a short reach comes slower.
+        /// </summary>
         private const float k_Touch = 5f, k_LeastTouch = 0.05f, k_MostTouch = 0.12f;
 
         /// <summary>Fastest approach to the surface: over the height above it, 1/s, and what is added to it, m/s.</summary>
         private const float k_SettleRate = 3f, k_Settle = 0.02f;
 
-        /// <summary>Most by which the wanted sinking is faster than the flown one, m/s: one that rises while ever more is asked for rocks, and tumbles.</summary>
+        /// <summary>
+        /// Most by which the wanted sinking is faster than the flown one, m/s: one that rises while ever more is asked for rocks, and
+        /// tumbles.
+        /// </summary>
         private const float k_Sink = 0.1f;
 
         /// <summary>Rate at which the insect gets back to the line, 1/s.</summary>
         private const float k_LineRate = 2f;
 
-        /// <summary>Rate at which a steady drift off the line is learned, 1/s², distance from the line within which it is, metres, and the fastest drift, m/s.</summary>
+        /// <summary>
+        /// Rate at which a steady drift off the line is learned, 1/s², distance from the line within which it is, metres, and the fastest
+        /// drift, m/s.
+        /// </summary>
         private const float k_DriftRate = 1f, k_DriftWithin = 0.015f, k_MostDrift = 0.05f;
 
-        /// <summary>Share of the difference between flown and followed velocity that is taken out at once, seconds over which it is averaged, and the most of it, m/s.</summary>
+        /// <summary>
+        /// Share of the difference between flown and followed velocity that is taken out at once, seconds over which it is averaged, and
+        /// the most of it, m/s.
+        /// </summary>
         private const float k_SlipShare = 0.5f, k_SlipTime = 0.1f, k_MostSlip = 0.12f;
 
-        /// <summary>Distance off the line over the distance along it within which the insect begins, and from which it gives up, with what it may be off at the spot, metres.</summary>
+        /// <summary>
+        /// Distance off the line over the distance along it within which the insect begins, and from which it gives up, with what it may be
+        /// off at the spot, metres.
+        /// </summary>
         private const float k_Begin = 0.25f, k_GiveUp = 0.5f, k_Astray = 0.1f;
 
-        /// <summary>Largest turn out of the straight way towards the wanted heading, and angle off the line's heading at which the insect begins, radians.</summary>
+        /// <summary>
+        /// Largest turn out of the straight way towards the wanted heading, and angle off the line's heading at which the insect begins,
+        /// radians.
+        /// </summary>
         private const float k_MostTurn = 0.8f, k_Aligned = 0.6f;
 
         /// <summary>Height of the line over the surface, over its length on the ground: room for wings beside a slope.</summary>
@@ -73,8 +101,8 @@ namespace Alate.Flight
         private const float k_RoundTime = 1.6f, k_RoundSpeed = 0.65f, k_RoundWay = 0.6f;
 
         /// <summary>
-        /// Change of the speed while flying on, m/s², and error of the velocity, m/s, up to which all of it is asked for, and from twice of which none: what was braked hard before still rocks, and
-        /// one that speeds up as it rocks tumbles.
+        /// Change of the speed while flying on, m/s², and error of the velocity, m/s, up to which all of it is asked for, and from twice of
+        /// which none: what was braked hard before still rocks, and one that speeds up as it rocks tumbles.
         /// </summary>
         private const float k_RoundChange = 1f, k_Rocking = 0.12f;
 
@@ -140,8 +168,11 @@ namespace Alate.Flight
             }
 
             float3 beside = off - along * m_Line;
-            if (m_LineTime > k_Patience || gap < -1.5f * reach || along < -2f * reach || math.length(beside) > k_Astray + k_GiveUp * math.max(along, 0f))
+            if (m_LineTime > k_Patience || gap < -1.5f * reach || along < -2f * reach
+                || math.length(beside) > k_Astray + k_GiveUp * math.max(along, 0f))
+            {
                 return GoRound(situation);
+            }
 
             float touch = math.clamp(k_Touch * situation.wingLength, k_LeastTouch, k_MostTouch);
             float speed = along > 0f ? math.min(touch + k_FlareRate * math.max(along - math.max(reach, k_Steady), 0f), k_LineSpeed) : 0f;
@@ -151,22 +182,24 @@ namespace Alate.Flight
                 m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
             float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
-            float3 velocity = OnCourse(-speed * m_Line - back, speed) - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
+            float3 velocity = OnCourse(-speed * m_Line - back, speed)
+                - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
             if (along > k_Far * situation.wingLength)
                 velocity = OnCourse(velocity, speed);
             velocity -= math.min(math.dot(velocity, m_Spot.normal) + (gap > 0f ? k_SettleRate * gap + k_Settle : 0f), 0f) * m_Spot.normal;
             return Wish(FlightWish.Land, velocity, situation);
         }
 
-        // An insect over the line sinks to it and is not slowed down, nor is one asked for less that still brakes: where it is slow its trims change most, and it rocks. Bounded aside
-        // it flies on ahead, and does not stop to turn its nose.
+        // An insect over the line sinks to it and is not slowed down, nor is one asked for less that still brakes: where it is slow its
+        // trims change most, and it rocks. Bounded aside it flies on ahead, and does not stop to turn its nose.
         private float3 OnCourse(float3 velocity, float speed)
         {
             float3 course = math.normalizesafe(new float3(-m_Line.x, 0f, -m_Line.z));
             var right = new float3(course.z, 0f, -course.x);
             float ahead = math.dot(velocity, course), aside = math.dot(velocity, right);
             float least = math.min(speed * math.length(m_Line.xz), k_LeastAhead);
-            return math.max(ahead, least) * course + math.clamp(aside, -NoseFirst.MostAside, NoseFirst.MostAside) * right + new float3(0f, velocity.y, 0f);
+            return math.max(ahead, least) * course + math.clamp(aside, -NoseFirst.MostAside, NoseFirst.MostAside) * right
+                + new float3(0f, velocity.y, 0f);
         }
 
         private FlightCommand Approach(in FlightSituation situation, float3 seat, float3 off)
@@ -183,7 +216,8 @@ namespace Alate.Flight
             float along = math.dot(off, m_Line);
             if (math.length(off.xz) < k_Near && math.dot(off, m_Spot.normal) < 0f)
                 return GoRound(situation);
-            if (along > 0.5f * k_LineLength && math.length(off - along * m_Line) < k_Begin * along && math.abs(Headings.Wrap(situation.heading - m_Heading)) < k_Aligned)
+            if (along > 0.5f * k_LineLength && math.length(off - along * m_Line) < k_Begin * along
+                && math.abs(Headings.Wrap(situation.heading - m_Heading)) < k_Aligned)
             {
                 IsFlaring = true;
                 m_LineTime = -along / (0.5f * k_LineSpeed);
@@ -192,7 +226,8 @@ namespace Alate.Flight
             }
 
             float length = math.max(k_LineLength, situation.limits.StoppingDistance(k_LineSpeed));
-            return Wish(FlightWish.Land, PathFollower.Towards(situation, seat + m_Line * length * situation.unitsPerMetre, default, 0.7f * situation.limits.TopSpeed), situation);
+            return Wish(FlightWish.Land, PathFollower.Towards(
+                situation, seat + m_Line * length * situation.unitsPerMetre, default, 0.7f * situation.limits.TopSpeed), situation);
         }
 
         // Straight in, or, from close by, on and back; turned towards the wanted heading, but not so that the slope is in the way.
@@ -227,7 +262,8 @@ namespace Alate.Flight
             m_RoundTime = k_RoundTime;
             Elementary.SinCos(situation.heading, out float sin, out float cos);
             var ahead = new float3(sin, 0f, cos);
-            m_Round = math.min(k_RoundSpeed, situation.limits.TopSpeed) * math.normalizesafe(ahead + m_Spot.normal * new float3(1f, 0f, 1f)) + new float3(0f, situation.limits.MostClimb, 0f);
+            m_Round = math.min(k_RoundSpeed, situation.limits.TopSpeed) * math.normalizesafe(ahead + m_Spot.normal * new float3(1f, 0f, 1f))
+                + new float3(0f, situation.limits.MostClimb, 0f);
             return Wish(FlightWish.Land, m_Round, situation);
         }
 
@@ -241,11 +277,13 @@ namespace Alate.Flight
         }
 
         private void UpdateSlip(in FlightSituation situation) =>
-            m_Slip += (1f - Elementary.Exp(-situation.deltaTime / k_SlipTime)) * (situation.velocity - situation.referenceVelocity - m_Slip);
+            m_Slip +=
+                (1f - Elementary.Exp(-situation.deltaTime / k_SlipTime)) * (situation.velocity - situation.referenceVelocity - m_Slip);
 
         private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation)
         {
-            FlightCommand command = NoseFirst.Limit(new FlightCommand { velocity = velocity, heading = m_Heading, wish = wish, spot = m_Spot }, situation);
+            FlightCommand command = NoseFirst.Limit(
+                new FlightCommand { velocity = velocity, heading = m_Heading, wish = wish, spot = m_Spot }, situation);
             float sinks = math.max(-(situation.referenceVelocity.y + m_Slip.y), 0f);
             command.velocity.y = math.max(command.velocity.y, -k_Sink - sinks);
             return command;

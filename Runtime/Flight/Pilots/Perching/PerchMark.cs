@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>Marks a place where one insect at a time may sit: its feet at the object's origin, its back towards the object's up, its head towards the object's forward.</summary>
+    /// <summary>
+    /// Marks a place where one insect at a time may sit: its feet at the object's origin, its back towards the object's up, its head
+    /// towards the object's forward.
+    /// </summary>
     [AddComponentMenu("Alate/Perch Mark")]
     [DisallowMultipleComponent]
     public sealed class PerchMark : MonoBehaviour
@@ -17,7 +20,8 @@ namespace Alate.Flight
         public bool IsFree => Guest == null || !Guest.isActiveAndEnabled;
 
         /// <summary>The place.</summary>
-        public PerchSpot Spot => new PerchSpot { position = transform.position, normal = transform.up, heading = Headings.Of(transform.rotation) };
+        public PerchSpot Spot =>
+            new PerchSpot { position = transform.position, normal = transform.up, heading = Headings.Of(transform.rotation) };
 
         /// <summary>The nearest mark that is free, and not farther than a distance, world units; null for none.</summary>
         /// <param name="from">World units.</param>

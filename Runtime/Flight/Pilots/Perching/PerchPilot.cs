@@ -6,8 +6,9 @@ using UnityEngine;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Lands now and then: on a mark (<see cref="PerchMark"/>) or on a surface below, folds the wings as the species does, basks, and takes off when its time is up or something
-    /// comes near. Between landings the pilot below this one on the object flies; without one the insect stays where it is.
+    /// Lands now and then: on a mark (<see cref="PerchMark"/>) or on a surface below, folds the wings as the species does, basks, and takes
+    /// off when its time is up or something comes near. Between landings the pilot below this one on the object flies; without one the
+    /// insect stays where it is.
     /// </summary>
     [AddComponentMenu("Alate/Perch Pilot")]
     [DisallowMultipleComponent]
@@ -140,8 +141,11 @@ namespace Alate.Flight
         {
             var ahead = new Vector3(Elementary.Sin(situation.heading), -1f, Elementary.Cos(situation.heading));
             spot = default;
-            if (!Physics.Raycast(situation.position, ahead, out RaycastHit hit, settings.searchDistance, settings.surfaces, QueryTriggerInteraction.Ignore))
+            if (!Physics.Raycast(
+                situation.position, ahead, out RaycastHit hit, settings.searchDistance, settings.surfaces, QueryTriggerInteraction.Ignore))
+            {
                 return false;
+            }
             spot = new PerchSpot { position = hit.point, normal = hit.normal, heading = situation.heading };
             return Vector3.Angle(hit.normal, Vector3.up) <= settings.steepest;
         }

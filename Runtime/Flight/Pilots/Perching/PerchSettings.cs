@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace Alate.Flight
 {
-    /// <summary>Settings of when an insect lands, how long it stays, and what it does there. Times are chosen; each stay and flight lasts between half and one and a half times as long.</summary>
+    /// <summary>
+    /// Settings of when an insect lands, how long it stays, and what it does there. Times are chosen; each stay and flight lasts between
+    /// half and one and a half times as long.
+    /// </summary>
     [Serializable]
     public struct PerchSettings
     {
@@ -78,9 +81,11 @@ namespace Alate.Flight
             clamped.foldTime = NumberRange.Clamp(foldTime, PerchBounds.FoldTime.Min, PerchBounds.FoldTime.Max, none.foldTime);
             clamped.bask = NumberRange.Clamp(bask, PerchBounds.Bask.Min, PerchBounds.Bask.Max, none.bask);
             clamped.fanRate = NumberRange.Clamp(fanRate, PerchBounds.FanRate.Min, PerchBounds.FanRate.Max, none.fanRate);
-            clamped.searchDistance = NumberRange.Clamp(searchDistance, PerchBounds.SearchDistance.Min, PerchBounds.SearchDistance.Max, none.searchDistance);
+            clamped.searchDistance = NumberRange.Clamp(
+                searchDistance, PerchBounds.SearchDistance.Min, PerchBounds.SearchDistance.Max, none.searchDistance);
             clamped.steepest = NumberRange.Clamp(steepest, PerchBounds.Steepest.Min, PerchBounds.Steepest.Max, none.steepest);
-            clamped.fleeDistance = NumberRange.Clamp(fleeDistance, PerchBounds.FleeDistance.Min, PerchBounds.FleeDistance.Max, none.fleeDistance);
+            clamped.fleeDistance = NumberRange.Clamp(
+                fleeDistance, PerchBounds.FleeDistance.Min, PerchBounds.FleeDistance.Max, none.fleeDistance);
             return clamped;
         }
     }

@@ -3,7 +3,9 @@ using Unity.Mathematics;
 
 namespace Alate.Flight
 {
-    /// <summary>Folding of the wings while an insect sits: closed at first, then open and closed slowly, spread again before it flies.</summary>
+    /// <summary>
+    /// Folding of the wings while an insect sits: closed at first, then open and closed slowly, spread again before it flies.
+    /// </summary>
     public struct WingRest
     {
         private float m_Time;

@@ -5,8 +5,8 @@ using Random = Unity.Mathematics.Random;
 namespace Alate.Flight
 {
     /// <summary>
-    /// The track of a butterfly: straight stretches of random length with random turns between, drawn back to the middle of a volume, and a height that climbs and sinks
-    /// over many beats. One seed gives one track.
+    /// The track of a butterfly: straight stretches of random length with random turns between, drawn back to the middle of a volume, and a
+    /// height that climbs and sinks over many beats. One seed gives one track.
     /// </summary>
     public sealed class ErraticCourse
     {
@@ -14,7 +14,8 @@ namespace Alate.Flight
         private const float k_TurnShare = 0.4f, k_BackShare = 0.8f;
 
         /// <summary>
-        /// Part of the acceleration that is asked for, and part with which the insect counts on its way to the rim: a monarch that uses all of it again and again tumbles.
+        /// Part of the acceleration that is asked for, and part with which the insect counts on its way to the rim: a monarch that uses all
+        /// of it again and again tumbles.
         /// </summary>
         private const float k_Acceleration = 0.45f, k_Rim = 0.3f;
 
@@ -88,7 +89,8 @@ namespace Alate.Flight
         }
 
         // At the end of a stretch, or where the way leads out: once, until the insect is on its new way.
-        private void Turn(in FlightSituation situation, in FlightLimits limits, in FlightVolume volume, in WanderSettings settings, float speed)
+        private void Turn(
+            in FlightSituation situation, in FlightLimits limits, in FlightVolume volume, in WanderSettings settings, float speed)
         {
             m_Left -= situation.deltaTime;
             float3 home = (float3)volume.centre - situation.position;
@@ -107,7 +109,8 @@ namespace Alate.Flight
             else if (m_Left <= 0f)
             {
                 float course = m_WantedCourse + math.radians(settings.turnSpread) * Normal();
-                float3 biased = Along(course) + settings.homing * math.saturate(math.length(home.xz) / (0.5f * math.cmin(math.abs(((float3)volume.size).xz)))) * Along(homeward);
+                float3 biased = Along(course) + settings.homing
+                    * math.saturate(math.length(home.xz) / (0.5f * math.cmin(math.abs(((float3)volume.size).xz)))) * Along(homeward);
                 m_WantedCourse = Elementary.Atan2(biased.x, biased.z);
                 Stretch(settings);
             }
@@ -128,7 +131,8 @@ namespace Alate.Flight
             m_Climb = math.clamp(m_Climb, limits.LeastClimb, limits.MostClimb);
         }
 
-        private float Normal() => math.sqrt(-2f * Elementary.Log(1f - m_Random.NextFloat())) * Elementary.Cos(2f * math.PI * m_Random.NextFloat());
+        private float Normal() =>
+            math.sqrt(-2f * Elementary.Log(1f - m_Random.NextFloat())) * Elementary.Cos(2f * math.PI * m_Random.NextFloat());
 
         private static float3 Along(float course)
         {

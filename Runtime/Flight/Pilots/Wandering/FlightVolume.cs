@@ -48,7 +48,10 @@ namespace Alate.Flight
             return shape == VolumeShape.Box ? math.cmax(math.abs(place)) <= 1f : math.lengthsq(place) <= 1f;
         }
 
-        /// <summary>A velocity, m/s, without what would carry an insect out: towards the rim no faster than it can stop before; back in where it is outside.</summary>
+        /// <summary>
+        /// A velocity, m/s, without what would carry an insect out: towards the rim no faster than it can stop before; back in where it is
+        /// outside.
+        /// </summary>
         /// <param name="velocity">Wanted, m/s.</param>
         /// <param name="point">Where the insect is, world units.</param>
         /// <param name="limits">What the insect can do.</param>
@@ -77,7 +80,9 @@ namespace Alate.Flight
         {
             float3 outward = math.normalizesafe(place / (Half * Half));
             float share = math.length(place / Half);
-            float left = share > 1e-6f ? math.length(place) * (1f / share - 1f) * math.dot(math.normalizesafe(place), outward) : math.cmin(Half);
+            float left = share > 1e-6f
+                ? math.length(place) * (1f / share - 1f) * math.dot(math.normalizesafe(place), outward)
+                : math.cmin(Half);
             return Brake(velocity, outward, left / unitsPerMetre - margin, limits);
         }
 

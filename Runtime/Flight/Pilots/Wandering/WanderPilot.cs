@@ -17,7 +17,8 @@ namespace Alate.Flight
         private Transform m_Around;
 
         [SerializeField]
-        [Tooltip("Counts the middle of the volume from where the insect starts, instead of from the world's origin. Around comes before it.")]
+        [Tooltip(
+            "Counts the middle of the volume from where the insect starts, instead of from the world's origin. Around comes before it.")]
         private bool m_FromStart;
 
         [SerializeField]
@@ -35,7 +36,10 @@ namespace Alate.Flight
         private Vector3 m_Start;
         private bool m_HasStarted;
 
-        /// <summary>Volume in which the insect stays, world units; relative to <see cref="Around"/> where there is one, or else to the start with <see cref="FromStart"/>.</summary>
+        /// <summary>
+        /// Volume in which the insect stays, world units; relative to <see cref="Around"/> where there is one, or else to the start with
+        /// <see cref="FromStart"/>.
+        /// </summary>
         public FlightVolume Volume
         {
             get => m_Volume;
@@ -49,7 +53,9 @@ namespace Alate.Flight
             set => m_Around = value;
         }
 
-        /// <summary>True where the middle of the volume counts from where the insect is when the pilot, once enabled, steers for the first time.</summary>
+        /// <summary>
+        /// True where the middle of the volume counts from where the insect is when the pilot, once enabled, steers for the first time.
+        /// </summary>
         public bool FromStart
         {
             get => m_FromStart;
@@ -87,7 +93,10 @@ namespace Alate.Flight
             }
         }
 
-        /// <summary>Keeps the insect about where it starts and above: sets <see cref="FromStart"/>, and the volume's floor to the height of the start.</summary>
+        /// <summary>
+        /// Keeps the insect about where it starts and above: sets <see cref="FromStart"/>, and the volume's floor to the height of the
+        /// start.
+        /// </summary>
         public void StayAroundStart()
         {
             m_FromStart = true;

@@ -4,9 +4,10 @@ using UnityEngine;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Numbers of an erratic track. Butterflies that look for food fly slow loops, at 1.6 m/s on average, and fast straight stretches between, at 2.9 m/s (Cant et al.
-    /// 2005, by harmonic radar); a random walk that keeps part of its course and is drawn back to its ground describes both (Crone and Schultz 2008; Schtickzelle et al.
-    /// 2007). Times and angles of turns differ with how often a track was sampled: ours are chosen.
+    /// Numbers of an erratic track. Butterflies that look for food fly slow loops, at 1.6 m/s on average, and fast straight stretches
+    /// between, at 2.9 m/s (Cant et al. 2005, by harmonic radar); a random walk that keeps part of its course and is drawn back to its
+    /// ground describes both (Crone and Schultz 2008; Schtickzelle et al. 2007). Times and angles of turns differ with how often a track
+    /// was sampled: ours are chosen.
     /// </summary>
     [Serializable]
     public struct WanderSettings
@@ -56,7 +57,8 @@ namespace Alate.Flight
         internal WanderSettings Clamped() => new WanderSettings
         {
             speed = NumberRange.Clamp(speed, WanderBounds.Speed.Min, WanderBounds.Speed.Max, Default.speed),
-            straightTime = NumberRange.Clamp(straightTime, WanderBounds.StraightTime.Min, WanderBounds.StraightTime.Max, Default.straightTime),
+            straightTime = NumberRange.Clamp(
+                straightTime, WanderBounds.StraightTime.Min, WanderBounds.StraightTime.Max, Default.straightTime),
             turnSpread = NumberRange.Clamp(turnSpread, WanderBounds.TurnSpread.Min, WanderBounds.TurnSpread.Max, Default.turnSpread),
             homing = NumberRange.Clamp(homing, WanderBounds.Homing.Min, WanderBounds.Homing.Max, Default.homing),
             bob = NumberRange.Clamp(bob, WanderBounds.Bob.Min, WanderBounds.Bob.Max, Default.bob),

@@ -42,7 +42,10 @@ namespace Alate
         public WingShape Submesh(int submesh) =>
             IsReadable ? Shape(WingPart.Submesh, submesh) : WingShape.Of(m_Mesh.GetSubMesh(submesh).bounds, m_ToInsect);
 
-        /// <summary>The larger connected parts of a readable mesh that are sheets on one side: shape, a point in mesh space, and submesh, −1 where it reaches over several.</summary>
+        /// <summary>
+        /// The larger connected parts of a readable mesh that are sheets on one side: shape, a point in mesh space, and submesh, −1 where
+        /// it reaches over several.
+        /// </summary>
         public List<(WingShape shape, Vector3 point, int submesh)> Sheets()
         {
             var sheets = new List<(WingShape shape, Vector3 point, int submesh)>();

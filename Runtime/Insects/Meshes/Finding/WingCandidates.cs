@@ -15,7 +15,9 @@ namespace Alate
         {
             m_Renderer = renderer;
             m_Names = new RendererNames(renderer, mesh, root);
-            Matrix4x4 toWorld = renderer is SkinnedMeshRenderer skinned ? SkinnedPose.ToWorld(skinned) : renderer.transform.localToWorldMatrix;
+            Matrix4x4 toWorld = renderer is SkinnedMeshRenderer skinned
+                ? SkinnedPose.ToWorld(skinned)
+                : renderer.transform.localToWorldMatrix;
             m_Mesh = new MeasuredMesh(mesh, root.worldToLocalMatrix * toWorld);
         }
 

@@ -24,7 +24,9 @@ namespace Alate
             (WingWord.Plain, "mesh msh geo geometry model obj object node group grp part skin material mat"),
             (WingWord.Plain, "bone root rig pivot holder parent lod"));
 
-        /// <summary>The meanings of a name's words, together; "forewingL" is three of them. False if a word is unknown; the others still count.</summary>
+        /// <summary>
+        /// The meanings of a name's words, together; "forewingL" is three of them. False if a word is unknown; the others still count.
+        /// </summary>
         public static bool Read(string name, out WingWord meaning)
         {
             meaning = WingWord.Plain;

@@ -14,7 +14,8 @@ namespace Alate
         /// <param name="submesh">From 0; only for <see cref="WingPart.Submesh"/>.</param>
         /// <param name="point">Mesh space; only for <see cref="WingPart.ConnectedPart"/>.</param>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
-        /// <exception cref="ArgumentException">It is not readable, has no such submesh, or the part has no triangles; or the point is not finite.</exception>
+        /// <exception cref="ArgumentException">It is not readable, has no such submesh, or the part has no triangles; or the point is not
+        /// finite.</exception>
         public static MeshSelection Select(Mesh mesh, WingPart part, int submesh, Vector3 point)
         {
             SurfaceMesh.CheckReadable(mesh);
@@ -46,7 +47,10 @@ namespace Alate
             };
         }
 
-        /// <summary>All pieces of a mesh that hang together, in the order of their first vertices, each with a point that tells it from the others, mesh space.</summary>
+        /// <summary>
+        /// All pieces of a mesh that hang together, in the order of their first vertices, each with a point that tells it from the others,
+        /// mesh space.
+        /// </summary>
         /// <exception cref="ArgumentException">The mesh is not readable or has no triangles.</exception>
         public static List<(MeshSelection selection, Vector3 point)> Parts(Mesh mesh)
         {
@@ -155,6 +159,7 @@ namespace Alate
             return corners;
         }
 
-        private static T[] Pick<T>(T[] all, int[] places) => all.Length == 0 ? Array.Empty<T>() : Array.ConvertAll(places, place => all[place]);
+        private static T[] Pick<T>(T[] all, int[] places) =>
+            all.Length == 0 ? Array.Empty<T>() : Array.ConvertAll(places, place => all[place]);
     }
 }

@@ -5,7 +5,9 @@ namespace Alate
     /// <summary>Copies the settings of a renderer, apart from its mesh and materials.</summary>
     internal static class RendererSettings
     {
-        /// <summary>Layer, tag, shadows, probes, sorting, motion vectors and properties, as another renderer has them. Not the materials.</summary>
+        /// <summary>
+        /// Layer, tag, shadows, probes, sorting, motion vectors and properties, as another renderer has them. Not the materials.
+        /// </summary>
         public static void Copy(Renderer from, Renderer to)
         {
             to.gameObject.layer = from.gameObject.layer;

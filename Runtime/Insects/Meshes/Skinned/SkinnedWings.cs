@@ -18,7 +18,9 @@ namespace Alate
             m_Names = new RendererNames(source, m_Mesh, insect);
         }
 
-        /// <summary>The triangles of wings: all if the renderer is called so, else those of such materials, then bones, else thin mirrored parts.</summary>
+        /// <summary>
+        /// The triangles of wings: all if the renderer is called so, else those of such materials, then bones, else thin mirrored parts.
+        /// </summary>
         /// <param name="source">A renderer with a readable mesh.</param>
         /// <param name="insect">Its root: X right, Y up, Z ahead.</param>
         public static TriangleSet Find(SkinnedMeshRenderer source, Transform insect)

@@ -46,7 +46,9 @@ namespace Alate
             Add(weights.boneIndex3, weights.weight3, sums);
         }
 
-        /// <summary>The first bone of the wing that a bone moves: the wings of finer rigs have several, which all hang from the first.</summary>
+        /// <summary>
+        /// The first bone of the wing that a bone moves: the wings of finer rigs have several, which all hang from the first.
+        /// </summary>
         public int RootOf(int bone)
         {
             int root = bone;

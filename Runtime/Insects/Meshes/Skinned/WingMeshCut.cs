@@ -10,7 +10,9 @@ namespace Alate
     {
         private const int k_Channels = 8;
 
-        /// <summary>A mesh of these triangles alone, moved by a matrix; colours and texture coordinates are kept, weights are not.</summary>
+        /// <summary>
+        /// A mesh of these triangles alone, moved by a matrix; colours and texture coordinates are kept, weights are not.
+        /// </summary>
         /// <param name="mesh">The mesh they are taken from; it is not changed.</param>
         /// <param name="shape">Its vertices.</param>
         /// <param name="submeshes">Corners of the triangles by submesh of the new mesh.</param>
@@ -46,7 +48,9 @@ namespace Alate
             return taken;
         }
 
-        /// <summary>A copy of a mesh without some triangles: with all its vertices, weights and blend shapes, and as many submeshes.</summary>
+        /// <summary>
+        /// A copy of a mesh without some triangles: with all its vertices, weights and blend shapes, and as many submeshes.
+        /// </summary>
         /// <param name="mesh">It is not changed.</param>
         /// <param name="isTaken">Whether a triangle of a submesh is left out.</param>
         public static Mesh Without(Mesh mesh, Func<int, int, bool> isTaken)

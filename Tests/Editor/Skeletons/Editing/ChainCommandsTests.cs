@@ -61,7 +61,8 @@ namespace Alate.Editor.Tests
             Assert.That(Measured(), Is.EqualTo("...1."));
         }
 
-        private string Measured() => string.Concat(Skeleton.Chains.Select(chain => ChainValues.AreGiven(chain.flexuralStiffness) ? "1" : "."));
+        private string Measured() =>
+            string.Concat(Skeleton.Chains.Select(chain => ChainValues.AreGiven(chain.flexuralStiffness) ? "1" : "."));
 
         [Test]
         public void ChainAddedBetween_IsTheSame_FromEitherSide()
@@ -140,6 +141,7 @@ namespace Alate.Editor.Tests
         [TestCase("Add Chain Behind")]
         [TestCase("Add Chain Before")]
         [TestCase("Remove Chain")]
-        public void NothingSelected_IsRefused(string command) => Assert.That(Do(command).Message, Does.StartWith("Select a joint of the chain"));
+        public void NothingSelected_IsRefused(string command) =>
+            Assert.That(Do(command).Message, Does.StartWith("Select a joint of the chain"));
     }
 }

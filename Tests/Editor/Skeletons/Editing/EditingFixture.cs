@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>A monarch's right wing under edit, five chains of five joints, mesh units; with its surface and the left wing at hand.</summary>
+    /// <summary>
+    /// A monarch's right wing under edit, five chains of five joints, mesh units; with its surface and the left wing at hand.
+    /// </summary>
     public abstract class EditingFixture
     {
         private readonly List<Object> m_Made = new List<Object>();

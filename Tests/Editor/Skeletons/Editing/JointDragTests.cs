@@ -155,7 +155,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void InThePlaneOfTheWing_TheHeightStays_ThoughTheWingIsScaledUnevenly()
         {
-            Editing.LocalToWorld = Matrix4x4.TRS(Vector3.one, Quaternion.Euler(20f, 30f, 40f), Vector3.one) * Matrix4x4.Scale(new Vector3(1f, 3f, 0.5f));
+            Editing.LocalToWorld =
+                Matrix4x4.TRS(Vector3.one, Quaternion.Euler(20f, 30f, 40f), Vector3.one) * Matrix4x4.Scale(new Vector3(1f, 3f, 0.5f));
             Skeleton.UpAxis = new Vector3(0.2f, 1f, 0.4f);
             Assert.That(WingAxes.TryMake(Skeleton.SpanAxis, Skeleton.UpAxis, out Unity.Mathematics.float3x3 axes));
             Vector3 before = Local(), normal = axes.c1;

@@ -36,7 +36,8 @@ namespace Alate.Editor.Tests
             Editing.Surface = null;
             Assert.That(Do("Lay Out Again").Message, Is.EqualTo("There is no mesh to lay the skeleton out on."));
 
-            Editing.Surface = new SnapSurface(new SurfaceMesh { name = "dot", positions = new[] { Vector3.zero }, triangles = new[] { 0, 0, 0 } });
+            Editing.Surface = new SnapSurface(
+                new SurfaceMesh { name = "dot", positions = new[] { Vector3.zero }, triangles = new[] { 0, 0, 0 } });
             string before = SkeletonText.Of(Skeleton);
             EditOutcome outcome = Do("Lay Out Again");
             Assert.That(outcome.Message, Does.Contain("dot"));

@@ -7,7 +7,10 @@ using Random = System.Random;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Random commands on a pair of wings, five thousand in the long tests: whatever comes, counts stay equal and in range, joints stay finite.</summary>
+    /// <summary>
+    /// Random commands on a pair of wings, five thousand in the long tests: whatever comes, counts stay equal and in range, joints stay
+    /// finite.
+    /// </summary>
     public sealed class RandomCommandsTests : EditingFixture
     {
         private const int k_Commands = 1500, k_ManyCommands = 5000, k_Seed = 20240721;

@@ -89,6 +89,7 @@ namespace Alate.Editor.Tests
 
         [TestCase("Add Joint Row")]
         [TestCase("Remove Joint Row")]
-        public void NothingSelected_IsRefused(string command) => Assert.That(Do(command).Message, Does.StartWith("Select a joint of the row"));
+        public void NothingSelected_IsRefused(string command) =>
+            Assert.That(Do(command).Message, Does.StartWith("Select a joint of the row"));
     }
 }

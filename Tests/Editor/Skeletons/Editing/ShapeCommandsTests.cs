@@ -24,7 +24,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void EvenSpacing_DoesTheSelectedChains_OrAll()
         {
-            Editing.Do("Disturb", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 1), new JointIndex(3, 2) }, 0.01f));
+            Editing.Do(
+                "Disturb", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 1), new JointIndex(3, 2) }, 0.01f));
             Select((3, 0));
             Do("Space Evenly");
 
@@ -119,7 +120,8 @@ namespace Alate.Editor.Tests
 
             Do("Smooth");
 
-            Assert.That(Vector3.Distance(Skeleton.GetJoint(chain, 2), before), Is.LessThan(0.05f * Vector3.Distance(before, Skeleton.GetJoint(chain, 1))));
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(chain, 2), before),
+                Is.LessThan(0.05f * Vector3.Distance(before, Skeleton.GetJoint(chain, 1))));
         }
 
         private float Unevenness(int chain)

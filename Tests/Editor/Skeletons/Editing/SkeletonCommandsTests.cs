@@ -18,7 +18,8 @@ namespace Alate.Editor.Tests
         {
             KeyCode[] taken =
             {
-                KeyCode.Q, KeyCode.W, KeyCode.E, KeyCode.R, KeyCode.T, KeyCode.Y, KeyCode.F, KeyCode.Z, KeyCode.X, KeyCode.V, KeyCode.H, KeyCode.L,
+                KeyCode.Q, KeyCode.W, KeyCode.E, KeyCode.R, KeyCode.T, KeyCode.Y, KeyCode.F, KeyCode.Z, KeyCode.X, KeyCode.V,
+                KeyCode.H, KeyCode.L,
             };
 
             Assert.That(SkeletonCommands.All.Select(command => command.Key).Intersect(taken), Is.Empty);

@@ -38,7 +38,8 @@ namespace Alate.Editor.Tests
                 float distance = Vector3.Distance(surface.ClosestPoint(point), point);
                 for (int t = 0; t < wing.triangles.Length; t += 3)
                 {
-                    Vector3 centre = (wing.positions[wing.triangles[t]] + wing.positions[wing.triangles[t + 1]] + wing.positions[wing.triangles[t + 2]]) / 3f;
+                    Vector3 centre = (wing.positions[wing.triangles[t]] + wing.positions[wing.triangles[t + 1]]
+                        + wing.positions[wing.triangles[t + 2]]) / 3f;
                     Assert.That(distance, Is.LessThanOrEqualTo(Vector3.Distance(centre, point) + 1e-6f));
                 }
             }

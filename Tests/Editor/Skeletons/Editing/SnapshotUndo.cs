@@ -5,7 +5,9 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Undo and redo by copies of what commands record, with Unity's rules: one step a group, a new step ends what could be redone.</summary>
+    /// <summary>
+    /// Undo and redo by copies of what commands record, with Unity's rules: one step a group, a new step ends what could be redone.
+    /// </summary>
     internal sealed class SnapshotUndo : IUndoRecorder
     {
         private readonly Stack<Step> m_Done = new Stack<Step>();

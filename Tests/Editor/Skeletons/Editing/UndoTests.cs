@@ -20,7 +20,8 @@ namespace Alate.Editor.Tests
 
             Assert.That(after, Is.Not.EqualTo(before), "the command changes something");
             Assert.That(Undo.DoneCount, Is.EqualTo(steps + 1), "in one step");
-            Assert.That(Undo.LastName, Is.EqualTo(command.Contains("Select") ? "Select Joints" : command.Replace(" Onto Other Side", " Skeleton")));
+            Assert.That(
+                Undo.LastName, Is.EqualTo(command.Contains("Select") ? "Select Joints" : command.Replace(" Onto Other Side", " Skeleton")));
             Assert.That(Undo.ChangedUnrecorded, Is.False);
             Undo.Undo();
             Assert.That(State(), Is.EqualTo(before));
@@ -90,6 +91,7 @@ namespace Alate.Editor.Tests
         }
 
         private string State() =>
-            SkeletonText.Of(Skeleton) + "\n" + SkeletonText.Of(Left) + "\n" + string.Join(" ", Editing.Selection.Joints.Select(s => s.ToString()));
+            SkeletonText.Of(Skeleton) + "\n" + SkeletonText.Of(Left) + "\n"
+            + string.Join(" ", Editing.Selection.Joints.Select(s => s.ToString()));
     }
 }

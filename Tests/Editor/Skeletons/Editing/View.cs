@@ -26,6 +26,7 @@ namespace Alate.Editor.Tests
         }
 
         public Ray Through(Vector2 pixel) =>
-            new Ray(m_Eye + m_Rotation * new Vector3(pixel.x / k_PixelsPerUnit, pixel.y / k_PixelsPerUnit, 0f), m_Rotation * Vector3.forward);
+            new Ray(
+                m_Eye + m_Rotation * new Vector3(pixel.x / k_PixelsPerUnit, pixel.y / k_PixelsPerUnit, 0f), m_Rotation * Vector3.forward);
     }
 }

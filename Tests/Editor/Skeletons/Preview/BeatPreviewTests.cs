@@ -90,7 +90,8 @@ namespace Alate.Editor.Tests
 
             Assert.That(flight.surroundings.speed, Is.EqualTo(0.65f * monarch.parameters.maxSpeed).Within(1e-5f));
             Assert.That(-flight.surroundings.wind.z * monarch.size.wingLength, Is.EqualTo(flight.surroundings.speed).Within(1e-5f));
-            Assert.That(-flight.surroundings.gravity.y * monarch.size.wingLength, Is.EqualTo(9.81f * monarch.size.gravityShare).Within(1e-4f));
+            Assert.That(
+                -flight.surroundings.gravity.y * monarch.size.wingLength, Is.EqualTo(9.81f * monarch.size.gravityShare).Within(1e-4f));
         }
 
         private void Bake() => m_Preview.Bake(Skeleton, Surface(), PreviewFlight.Of(new PresetValues(null)));

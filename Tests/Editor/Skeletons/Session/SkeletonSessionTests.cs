@@ -138,7 +138,8 @@ namespace Alate.Editor.Tests
         [Test]
         public void WithoutItsMesh_TheWingHasNoWeaknessesEither()
         {
-            m_Session.Group.Active.Do("Slide", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 4), new JointIndex(0, 3) }, -0.15f));
+            m_Session.Group.Active.Do(
+                "Slide", (draft, selected) => SlideCommands.By(draft, new[] { new JointIndex(0, 4), new JointIndex(0, 3) }, -0.15f));
             m_Session.Place();
             Assert.That(m_Session.Overlay.Problems, Is.Not.Empty);
 

@@ -127,7 +127,8 @@ namespace Alate.Editor.Tests
             var states = new List<string> { State() };
             foreach (int joint in new[] { 1, 2, 3 })
             {
-                m_Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, new[] { new JointIndex(2, joint) }, new Vector3(0f, 0.01f, 0f)));
+                m_Editing.Do(
+                    "Move", (draft, selected) => MoveCommands.By(draft, new[] { new JointIndex(2, joint) }, new Vector3(0f, 0.01f, 0f)));
                 states.Add(State());
             }
 

@@ -23,13 +23,15 @@ namespace Alate.Editor.Tests
         [Test]
         public void EveryActWithAKey_IsDoneByIt()
         {
-            foreach (EditCommand command in SkeletonCommands.All.Where(command => command.Key != KeyCode.None && command.Name != "Mirror Onto Other Side"))
+            foreach (EditCommand command in SkeletonCommands.All.Where(
+                command => command.Key != KeyCode.None && command.Name != "Mirror Onto Other Side"))
             {
                 Right.Skeleton.Chains[2].joints[2] += new Vector3(0.004f, 0.01f, 0.002f);
                 Right.Skeleton.SpanAxis = new Vector3(1f, 0f, 0.2f);
                 int steps = m_Undo.DoneCount;
 
-                Assert.That(SkeletonKeys.Press(m_Session, command.Key, command.Shift ? EventModifiers.Shift : EventModifiers.None), command.Name);
+                Assert.That(
+                    SkeletonKeys.Press(m_Session, command.Key, command.Shift ? EventModifiers.Shift : EventModifiers.None), command.Name);
 
                 Assert.That(m_Session.LastRefusal, Is.Null, command.Name);
                 Assert.That(m_Undo.DoneCount, Is.EqualTo(steps + 1), command.Name);
@@ -38,7 +40,8 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
-        public void KeysWithCtrlOrAlt_AreLeftToTheEditor([Values(EventModifiers.Control, EventModifiers.Alt, EventModifiers.Command)] EventModifiers held)
+        public void KeysWithCtrlOrAlt_AreLeftToTheEditor(
+            [Values(EventModifiers.Control, EventModifiers.Alt, EventModifiers.Command)] EventModifiers held)
         {
             Assert.That(SkeletonKeys.Press(m_Session, KeyCode.C, held), Is.False);
             Assert.That(Right.Skeleton.ChainCount, Is.EqualTo(5));

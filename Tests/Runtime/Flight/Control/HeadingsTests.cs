@@ -12,7 +12,8 @@ namespace Alate.Tests.Flight
         [TestCase(4f, 4f - 2f * math.PI)]
         [TestCase(-4f, 2f * math.PI - 4f)]
         [TestCase(20f, 20f - 6f * math.PI)]
-        public void Wrap_TakesWholeTurnsAway(float angle, float expected) => Assert.That(Headings.Wrap(angle), Is.EqualTo(expected).Within(1e-5f));
+        public void Wrap_TakesWholeTurnsAway(float angle, float expected) =>
+            Assert.That(Headings.Wrap(angle), Is.EqualTo(expected).Within(1e-5f));
 
         [TestCase(0f)]
         [TestCase(1f)]

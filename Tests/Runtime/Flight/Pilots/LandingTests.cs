@@ -17,8 +17,10 @@ namespace Alate.Tests.Flight
             PerchSpot spot = RandomSpot(ref random);
             var flyer = new PointFlyer();
             var way = new float3(random.NextFloat(-20f, 20f), random.NextFloat(5f, 20f), random.NextFloat(-20f, 20f));
-            flyer.situation.position = spot.position + (math.dot(way, spot.normal) > 0f ? way : way - 2f * math.dot(way, spot.normal) * spot.normal) + 2f * spot.normal;
-            flyer.situation.referenceVelocity = flyer.situation.velocity = new float3(random.NextFloat(-1f, 1f), 0f, random.NextFloat(-1f, 1f));
+            flyer.situation.position = spot.position
+                + (math.dot(way, spot.normal) > 0f ? way : way - 2f * math.dot(way, spot.normal) * spot.normal) + 2f * spot.normal;
+            flyer.situation.referenceVelocity = flyer.situation.velocity = new float3(
+                random.NextFloat(-1f, 1f), 0f, random.NextFloat(-1f, 1f));
             var landing = new Landing(spot, k_Stand);
             for (int step = 0; step < 40 * 50; step++)
             {
@@ -28,12 +30,14 @@ namespace Alate.Tests.Flight
                     float3 off = (flyer.situation.position - spot.position) / 10f;
                     Assert.That(math.length(flyer.situation.velocity), Is.LessThan(0.3f));
                     float height = k_Stand + Landing.Clearance * flyer.situation.wingLength;
-                    Assert.That(math.length(off - height * spot.normal), Is.LessThan(0.4f * flyer.situation.wingLength), "where the wings clear the spot");
+                    Assert.That(math.length(off - height * spot.normal), Is.LessThan(0.4f * flyer.situation.wingLength),
+                        "where the wings clear the spot");
                     return;
                 }
 
                 Assert.That(command.wish, Is.EqualTo(FlightWish.Land));
-                Assert.That(math.dot(flyer.situation.position - spot.position, spot.normal), Is.GreaterThan(-0.05f), "the body stays above the surface");
+                Assert.That(math.dot(flyer.situation.position - spot.position, spot.normal), Is.GreaterThan(-0.05f),
+                    "the body stays above the surface");
                 flyer.Fly(command);
             }
 

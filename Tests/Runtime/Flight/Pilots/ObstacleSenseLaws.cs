@@ -16,7 +16,7 @@ namespace Alate.Tests.Flight
         public void RaysLookAheadAndToAllSides_AsFarAsItTakesToStopAndToTurn([Values(1f, 10f)] float units)
         {
             var sense = new ObstacleSense();
-            float3 wanted = new float3(0.6f, 0f, 0.8f);
+            var wanted = new float3(0.6f, 0f, 0.8f);
             Assert.That(sense.Avoid(wanted, At(s_Place, units), ObstacleSettings.Default), Is.EqualTo(wanted), "nothing is met yet");
 
             Assert.That(math.distance(sense.Direction(0), wanted), Is.LessThan(1e-5f));
@@ -110,7 +110,7 @@ namespace Alate.Tests.Flight
             Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead),
                 "away from a surface");
             sense.SetHit(0, -s_Ahead, 0.1f);
-            var settings = ObstacleSettings.Default;
+            ObstacleSettings settings = ObstacleSettings.Default;
             settings.avoid = false;
             Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), settings), Is.EqualTo(s_Ahead));
             sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near);
@@ -127,7 +127,11 @@ namespace Alate.Tests.Flight
 
         private static FlightSituation At(float3 position, float units) => new FlightSituation
         {
-            position = position, rotation = quaternion.identity, limits = s_Limits, wingLength = k_Length, unitsPerMetre = units,
+            position = position,
+            rotation = quaternion.identity,
+            limits = s_Limits,
+            wingLength = k_Length,
+            unitsPerMetre = units,
         };
     }
 }

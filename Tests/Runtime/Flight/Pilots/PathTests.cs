@@ -10,7 +10,8 @@ namespace Alate.Tests.Flight
     /// <summary>The position loop along points.</summary>
     public sealed class PathTests
     {
-        private static readonly Vector3[] s_Square = { new Vector3(0f, 5f, 0f), new Vector3(30f, 5f, 0f), new Vector3(30f, 8f, 30f), new Vector3(0f, 6f, 30f) };
+        private static readonly Vector3[] s_Square = { new Vector3(0f, 5f, 0f), new Vector3(30f, 5f, 0f), new Vector3(30f, 8f, 30f),
+            new Vector3(0f, 6f, 30f) };
 
         [Test]
         public void Follower_FliesNearThePath_AndStopsAtItsEnd([Values(0.3f, 0.8f, 1.3f)] float speed)
@@ -27,7 +28,8 @@ namespace Alate.Tests.Flight
                 farthest = math.max(farthest, DistanceToPath(flyer.situation.position, s_Square, false) / 10f);
             }
 
-            TestContext.Progress.WriteLine(FormattableString.Invariant($"{speed} m/s: {farthest:0.00} m from the path at most, there after {step / 50f:0.0} s"));
+            TestContext.Progress.WriteLine(
+                FormattableString.Invariant($"{speed} m/s: {farthest:0.00} m from the path at most, there after {step / 50f:0.0} s"));
             Assert.That(path.HasArrived, Is.True);
             Assert.That(farthest, Is.LessThan(0.3f));
             for (int more = 0; more < 200; more++)

@@ -11,13 +11,16 @@ using Is = UnityEngine.TestTools.Constraints.Is;
 
 namespace Alate.Tests.Play.Flight
 {
-    /// <summary>The pilots as components: colliders, marks, neighbours, goals that are none. A point with an insect's limits flies.</summary>
+    /// <summary>
+    /// The pilots as components: colliders, marks, neighbours, goals that are none. A point with an insect's limits flies.
+    /// </summary>
     public sealed class PilotTests : PlayFixture
     {
         [UnityTest]
         public IEnumerator Wanderer_FliesIntoNoWall([Values(1, 2, 3)] int seed)
         {
-            BoxCollider[] walls = new[] { Wall(new Vector3(6f, 5f, 0f), new Vector3(1f, 8f, 6f)), Wall(new Vector3(-5f, 4f, 4f), new Vector3(5f, 5f, 1f)), Wall(new Vector3(0f, -0.5f, 0f), new Vector3(60f, 1f, 60f)) };
+            BoxCollider[] walls = new[] { Wall(new Vector3(6f, 5f, 0f), new Vector3(1f, 8f, 6f)),
+                Wall(new Vector3(-5f, 4f, 4f), new Vector3(5f, 5f, 1f)), Wall(new Vector3(0f, -0.5f, 0f), new Vector3(60f, 1f, 60f)) };
             WanderPilot pilot = Made<WanderPilot>();
             pilot.Seed = seed;
             pilot.Volume = new FlightVolume(VolumeShape.Box, new Vector3(0f, 5f, 0f), new Vector3(30f, 8f, 30f));
@@ -115,7 +118,10 @@ namespace Alate.Tests.Play.Flight
                 target.position = new Vector3(10f * Mathf.Sin(0.5f * time), 5f, 10f * Mathf.Cos(0.5f * time));
                 flyer.Fly(pilot);
                 if (frame > 400)
-                    Assert.That(math.distance(flyer.situation.position, (float3)target.position + new float3(0f, 2f, 0f)) / 10f, Is.LessThan(0.25f));
+                {
+                    Assert.That(math.distance(flyer.situation.position, (float3)target.position + new float3(0f, 2f, 0f)) / 10f,
+                        Is.LessThan(0.25f));
+                }
                 yield return null;
             }
         }

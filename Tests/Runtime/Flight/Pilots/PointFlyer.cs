@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Alate.Tests
 {
     /// <summary>
-    /// A point that obeys an insect's limits: its reference changes no faster than the acceleration, above 0.3 m/s its course turns no faster than a/v, and the point follows
-    /// the reference a filter later.
+    /// A point that obeys an insect's limits: its reference changes no faster than the acceleration, above 0.3 m/s its course turns no
+    /// faster than a/v, and the point follows the reference a filter later.
     /// </summary>
     internal sealed class PointFlyer
     {
@@ -34,7 +34,8 @@ namespace Alate.Tests
         {
             FlightLimits limits = situation.limits;
             float dt = situation.deltaTime;
-            situation.state = command.wish == FlightWish.Perch ? FlightState.Perched : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
+            situation.state = command.wish == FlightWish.Perch
+                ? FlightState.Perched : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
             if (situation.state == FlightState.Perched)
             {
                 situation.velocity = situation.referenceVelocity = default;
@@ -67,10 +68,14 @@ namespace Alate.Tests
             situation.referenceVelocity = reference + change;
             situation.velocity += (situation.referenceVelocity - situation.velocity) * (1f - math.exp(-dt / k_Filter));
             situation.position += situation.velocity * (dt * situation.unitsPerMetre);
-            float heading = math.length(situation.referenceVelocity.xz) > k_SlowSpeed || !math.isfinite(command.heading) && math.length(situation.referenceVelocity.xz) > 0.1f
+            float heading = math.length(situation.referenceVelocity.xz) > k_SlowSpeed
+                || !math.isfinite(command.heading) && math.length(situation.referenceVelocity.xz) > 0.1f
                 ? math.atan2(situation.referenceVelocity.x, situation.referenceVelocity.z) : command.heading;
             if (math.isfinite(heading))
-                situation.heading += math.clamp(k_TurnRate * Headings.Wrap(heading - situation.heading), -k_MostTurning, k_MostTurning) * dt;
+            {
+                situation.heading +=
+                    math.clamp(k_TurnRate * Headings.Wrap(heading - situation.heading), -k_MostTurning, k_MostTurning) * dt;
+            }
             situation.time += dt;
         }
     }

@@ -8,10 +8,13 @@ using UnityEngine;
 
 namespace Alate.Tests.Flight
 {
-    /// <summary>The erratic track: it stays in its volume, is the same for the same seed, and spreads as a correlated random walk does.</summary>
+    /// <summary>
+    /// The erratic track: it stays in its volume, is the same for the same seed, and spreads as a correlated random walk does.
+    /// </summary>
     public sealed class WanderTests
     {
-        private static readonly FlightVolume s_Garden = new FlightVolume(VolumeShape.Box, new Vector3(0f, 8f, 0f), new Vector3(50f, 14f, 40f));
+        private static readonly FlightVolume s_Garden = new FlightVolume(
+            VolumeShape.Box, new Vector3(0f, 8f, 0f), new Vector3(50f, 14f, 40f));
 
         [Test]
         public void Wanderer_StaysWithinItsVolume([Values] VolumeShape shape, [NUnit.Framework.Range(1, 8)] int seed)
@@ -23,7 +26,8 @@ namespace Alate.Tests.Flight
             for (int step = 0; step < 60 * 50; step++)
             {
                 flyer.Fly(FlightCommand.Fly(course.Next(flyer.situation, volume, WanderSettings.Default)));
-                Assert.That(volume.Contains(flyer.situation.position), Is.True, $"{flyer.situation.position} after {flyer.situation.time} s");
+                Assert.That(
+                    volume.Contains(flyer.situation.position), Is.True, $"{flyer.situation.position} after {flyer.situation.time} s");
             }
         }
 
@@ -54,12 +58,14 @@ namespace Alate.Tests.Flight
         [Test]
         public void OneSeed_GivesOneTrack_AnotherAnother()
         {
-            List<float3> one = Track(7, 10f, s_Garden, WanderSettings.Default, 2.5f), again = Track(7, 10f, s_Garden, WanderSettings.Default, 2.5f);
+            List<float3> one = Track(7, 10f, s_Garden, WanderSettings.Default, 2.5f),
+                again = Track(7, 10f, s_Garden, WanderSettings.Default, 2.5f);
             Assert.That(again, Is.EqualTo(one));
             Assert.That(math.distance(Track(8, 10f, s_Garden, WanderSettings.Default, 2.5f).Last(), one.Last()), Is.GreaterThan(1f));
         }
 
-        // Kareiva and Shigesada 1983, Eq. 6 for symmetric turns: E(R²) = n E(l²) + 2 E(l)² c/(1-c) (n - (1 - cⁿ)/(1 - c)); l of exponential length with a pace of ±30 %, c = E(cos turn).
+        // Kareiva and Shigesada 1983, Eq. 6 for symmetric turns: E(R²) = n E(l²) + 2 E(l)² c/(1-c) (n - (1 - cⁿ)/(1 - c)); l of exponential
+        // length with a pace of ±30 %, c = E(cos turn).
         [TestCase(30f)]
         [TestCase(55f)]
         [TestCase(80f)]
@@ -82,14 +88,17 @@ namespace Alate.Tests.Flight
             double n = k_Seconds / settings.straightTime, c = Math.Exp(-0.5 * Math.Pow(spread * Math.PI / 180.0, 2.0));
             double length = settings.speed * settings.straightTime, squared = 2.0 * length * length * 1.03;
             double expected = n * squared + 2.0 * length * length * c / (1.0 - c) * (n - (1.0 - Math.Pow(c, n)) / (1.0 - c));
-            TestContext.Progress.WriteLine(FormattableString.Invariant($"spread {spread}°: {sum / k_Tracks:0.0} m², a correlated random walk's {expected:0.0} m²"));
+            TestContext.Progress.WriteLine(
+                FormattableString.Invariant($"spread {spread}°: {sum / k_Tracks:0.0} m², a correlated random walk's {expected:0.0} m²"));
             Assert.That(sum / k_Tracks, Is.EqualTo(expected).Within(20).Percent);
         }
 
         [Test]
         public void Height_ClimbsAndSinks_OverManyBeats()
         {
-            float[] height = Track(2, 200f, new FlightVolume(VolumeShape.Box, Vector3.zero, 1e6f * Vector3.one), WanderSettings.Default, 2.5f).Select(place => place.y / 10f).ToArray();
+            float[] height = Track(
+                2, 200f, new FlightVolume(VolumeShape.Box, Vector3.zero, 1e6f * Vector3.one), WanderSettings.Default, 2.5f)
+                .Select(place => place.y / 10f).ToArray();
             float[] climb = new float[height.Length - 1];
             for (int k = 0; k < climb.Length; k++)
                 climb[k] = (height[k + 1] - height[k]) / 0.02f;
@@ -103,7 +112,15 @@ namespace Alate.Tests.Flight
         [Test]
         public void SettingsThatAreNoNumbers_AreTheDefaults()
         {
-            var broken = new WanderSettings { speed = float.NaN, straightTime = float.NaN, turnSpread = float.NaN, homing = float.NaN, bob = float.NaN, bobTime = float.NaN };
+            var broken = new WanderSettings
+            {
+                speed = float.NaN,
+                straightTime = float.NaN,
+                turnSpread = float.NaN,
+                homing = float.NaN,
+                bob = float.NaN,
+                bobTime = float.NaN,
+            };
             Assert.That(Track(7, 5f, s_Garden, broken, 2.5f), Is.EqualTo(Track(7, 5f, s_Garden, WanderSettings.Default, 2.5f)));
         }
 

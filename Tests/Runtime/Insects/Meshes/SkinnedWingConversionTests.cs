@@ -126,7 +126,8 @@ namespace Alate.Tests
                 sketch.Wing(Hinge(side), side, 0.4f, 8, 8).Wing(Hinge(side) - new Vector3(0f, 0f, 0.4f), 0.8f * side, 0.3f, 8, 8);
             foreach (string name in new[] { "forewing_r", "hindwing_r", "forewing_l", "hindwing_l" })
                 m_Insect.Bone("chest/" + name, Hinge(name.EndsWith("r") ? 1f : -1f));
-            SkinnedMeshRenderer source = m_Insect.Skin("Wings", sketch, p => SkinnedSketch.One((p.x > 0f ? 1 : 3) + (p.z < Hinge(1f).z - 0.4f ? 1 : 0)));
+            SkinnedMeshRenderer source = m_Insect.Skin(
+                "Wings", sketch, p => SkinnedSketch.One((p.x > 0f ? 1 : 3) + (p.z < Hinge(1f).z - 0.4f ? 1 : 0)));
 
             m_Result = SkinnedWingConversion.Convert(source);
 

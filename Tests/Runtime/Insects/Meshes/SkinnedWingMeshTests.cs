@@ -93,7 +93,8 @@ namespace Alate.Tests
         {
             SkinnedMeshRenderer source = Winged("Fly", Body().Wing(Hinge(1f), 1f, 0.5f).Wing(Hinge(-1f), -1f, 0.5f), Blended);
             Mesh mesh = source.sharedMesh;
-            (Vector3[] positions, int[] triangles, BoneWeight[] weights, Vector3[] normals) = (mesh.vertices, mesh.triangles, mesh.boneWeights, mesh.normals);
+            (Vector3[] positions, int[] triangles, BoneWeight[] weights, Vector3[] normals) =
+                (mesh.vertices, mesh.triangles, mesh.boneWeights, mesh.normals);
 
             m_Result = SkinnedWingConversion.Convert(source, m_Insect.Root);
 

@@ -129,7 +129,8 @@ namespace Alate.Tests.Play
             InsectWings insect = Insect();
             insect.Motion.source = VelocitySource.Script;
             yield return Frames(10);
-            foreach (Vector3 velocity in new[] { new Vector3(float.NaN, 0f, 0f), new Vector3(0f, float.PositiveInfinity, 0f), 1e30f * Vector3.one, 1e5f * Vector3.one })
+            foreach (Vector3 velocity in new[] { new Vector3(float.NaN, 0f, 0f), new Vector3(0f, float.PositiveInfinity, 0f),
+                1e30f * Vector3.one, 1e5f * Vector3.one })
             {
                 insect.Velocity = velocity;
                 yield return Frames(10);

@@ -92,7 +92,8 @@ namespace Alate.Tests.Play
 
             yield return Frames(3);
             Assert.That(last.State, Is.EqualTo(InsectState.Ready));
-            Assert.That(last.Live.meshes[0].template, Is.SameAs(last.Live.meshes[1].template), "one mesh and skeleton, and yet two templates");
+            Assert.That(
+                last.Live.meshes[0].template, Is.SameAs(last.Live.meshes[1].template), "one mesh and skeleton, and yet two templates");
             Assert.That(last.Live.meshes[0].template.Source, Is.SameAs(WingMesh));
         }
 

@@ -37,7 +37,8 @@ namespace Alate.Tests.Play
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator LeftAndRightWing_OfAnyOtherSpecies_AreMirrorImages([Values("swallowtail", "firefly", "painted-lichen-moth", "snailfish")] string name) => AssertMirrored(name);
+        public IEnumerator LeftAndRightWing_OfAnyOtherSpecies_AreMirrorImages(
+            [Values("swallowtail", "firefly", "painted-lichen-moth", "snailfish")] string name) => AssertMirrored(name);
 
         [UnityTest]
         public IEnumerator InsectsOfOneSpecies_ShareEverythingButTheirLivingMeshes()
@@ -106,8 +107,11 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Made("firefly");
             yield return null;
-            foreach (Object part in new Object[] { BodyOf(insect), insect.Preset, insect.Wings[0].Skeleton, insect.Wings[0].Renderer.sharedMaterial })
+            foreach (Object part
+                in new Object[] { BodyOf(insect), insect.Preset, insect.Wings[0].Skeleton, insect.Wings[0].Renderer.sharedMaterial })
+            {
                 Assert.That(part.hideFlags, Is.EqualTo(HideFlags.HideAndDontSave), part.name);
+            }
         }
 
         [UnityTest]
@@ -125,7 +129,8 @@ namespace Alate.Tests.Play
         public void WhatIsNotInTheCatalogue_IsRefusedByName_AndNothingIsLeft()
         {
             int before = Count();
-            Assert.That(() => InsectFactory.Create("dragon"), Throws.ArgumentException.With.Message.Contains("dragon").And.Message.Contains("monarch"));
+            Assert.That(() => InsectFactory.Create("dragon"), Throws.ArgumentException.With.Message.Contains("dragon").And.Message
+                .Contains("monarch"));
             Assert.That(() => InsectFactory.Create("monarch", InsectVariant.Biological),
                 Throws.ArgumentException.With.Message.Contains("Biological").And.Message.Contains("Standard"));
             Assert.That(() => InsectFactory.Create((InsectDefinition)null), Throws.ArgumentNullException);
@@ -179,7 +184,8 @@ namespace Alate.Tests.Play
         private static Mesh BodyOf(InsectWings insect) => insect.transform.Find("Body").GetComponent<MeshFilter>().sharedMesh;
 
         private static int Count() =>
-            Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length
+            Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length
+            + Resources.FindObjectsOfTypeAll<Texture2D>().Length
             + Resources.FindObjectsOfTypeAll<WingSkeleton>().Length + Resources.FindObjectsOfTypeAll<WingPreset>().Length;
     }
 }

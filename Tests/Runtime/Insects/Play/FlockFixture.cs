@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Play-mode tests of small insects: two elliptic wings of one mesh each, the left one mirrored by its scale. A wing is one unit long.</summary>
+    /// <summary>
+    /// Play-mode tests of small insects: two elliptic wings of one mesh each, the left one mirrored by its scale. A wing is one unit long.
+    /// </summary>
     public abstract class FlockFixture : PlayFixture
     {
         /// <summary>The wing that all insects of the test share.</summary>

@@ -10,7 +10,8 @@ namespace Alate.Tests.Play
     {
         private const float k_Seconds = 2f, k_Span = 0.61f;
 
-        private static readonly WingUpdateMode[] s_Modes = { WingUpdateMode.FixedUpdate, WingUpdateMode.Update, WingUpdateMode.UnscaledTime };
+        private static readonly WingUpdateMode[] s_Modes = { WingUpdateMode.FixedUpdate, WingUpdateMode.Update,
+            WingUpdateMode.UnscaledTime };
 
         private Vector3[] m_Drawn;
 

@@ -186,7 +186,8 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator AChangeOfOneWing_LeavesTheOtherAlone_AndInPhase([Values("mesh", "skeleton", "edited skeleton", "measured skeleton", "renderer")] string what)
+        public IEnumerator AChangeOfOneWing_LeavesTheOtherAlone_AndInPhase(
+            [Values("mesh", "skeleton", "edited skeleton", "measured skeleton", "renderer")] string what)
         {
             WingSkeleton own = Keep(TestWings.Fan());
             InsectWings insect = Hatch(made => made.Wings[0].Skeleton = own), twin = Hatch();

@@ -57,7 +57,8 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator EverythingElseOfTheMesh_IsThatOfTheAuthoredOne([Values(IndexFormat.UInt16, IndexFormat.UInt32)] IndexFormat format)
+        public IEnumerator EverythingElseOfTheMesh_IsThatOfTheAuthoredOne(
+            [Values(IndexFormat.UInt16, IndexFormat.UInt32)] IndexFormat format)
         {
             Mesh whole = Keep(Insect(format));
             InsectWings insect = Hatch(made => Compose(made, whole, WingPart.Submesh));
@@ -162,7 +163,8 @@ namespace Alate.Tests.Play
         {
             SurfaceMesh wing = TestWings.Ellipse();
             int count = wing.positions.Length;
-            var positions = new List<Vector3> { new Vector3(-0.1f, 0f, -1f), new Vector3(-0.1f, 0f, 0.5f), new Vector3(0.1f, 0f, 0.5f), new Vector3(0.1f, 0f, -1f) };
+            var positions = new List<Vector3> { new Vector3(-0.1f, 0f, -1f), new Vector3(-0.1f, 0f, 0.5f), new Vector3(0.1f, 0f, 0.5f),
+                new Vector3(0.1f, 0f, -1f) };
             positions.AddRange(System.Array.ConvertAll(wing.positions, p => p + new Vector3(0.2f, 0.1f, 0f)));
             positions.AddRange(System.Array.ConvertAll(wing.positions, p => new Vector3(-p.x - 0.2f, p.y + 0.1f, p.z)));
             var mesh = new Mesh { name = "whole insect", indexFormat = format };
@@ -203,7 +205,8 @@ namespace Alate.Tests.Play
             Vector3 Move(Vector3 joint) => new Vector3(side * (joint.x + 0.2f), joint.y + 0.1f, joint.z);
             skeleton.Hinge = Move(skeleton.Hinge);
             skeleton.SpanAxis = side * Vector3.right;
-            skeleton.Chains = System.Array.ConvertAll(skeleton.Chains, chain => new JointChain(System.Array.ConvertAll(chain.joints, Move)));
+            skeleton.Chains = System.Array.ConvertAll(
+                skeleton.Chains, chain => new JointChain(System.Array.ConvertAll(chain.joints, Move)));
             return skeleton;
         }
     }

@@ -9,7 +9,8 @@ namespace Alate.Tests.Play
     public sealed class OrbitCameraTests : PlayFixture
     {
         [UnityTest]
-        public IEnumerator ThePoint_IsInTheMiddleOfThePicture_AtItsDistance([Values(-170f, 0f, 145f)] float yaw, [Values(-60f, 25f)] float pitch)
+        public IEnumerator ThePoint_IsInTheMiddleOfThePicture_AtItsDistance(
+            [Values(-170f, 0f, 145f)] float yaw, [Values(-60f, 25f)] float pitch)
         {
             var target = new Vector3(1f, 2f, -3f);
             OrbitCamera orbit = Made(target, 4f);
@@ -22,7 +23,8 @@ namespace Alate.Tests.Play
             Assert.That(seen.y, Is.EqualTo(0.5f).Within(1e-4f));
             Assert.That(seen.z, Is.EqualTo(4f).Within(1e-4f));
             Assert.That(orbit.transform.up.y, Is.GreaterThan(0f), "the picture stands on its head");
-            Assert.That(Mathf.Sign(orbit.transform.position.y - target.y), Is.EqualTo(Mathf.Sign(pitch)), "a camera that looks down is above");
+            Assert.That(
+                Mathf.Sign(orbit.transform.position.y - target.y), Is.EqualTo(Mathf.Sign(pitch)), "a camera that looks down is above");
         }
 
         [UnityTest]
@@ -55,6 +57,7 @@ namespace Alate.Tests.Play
             Assert.That(orbit.Distance, Is.GreaterThan(0f));
         }
 
-        private OrbitCamera Made(Vector3 target, float distance) => OrbitCamera.Create(Keep(new GameObject("stage")).transform, target, distance);
+        private OrbitCamera Made(Vector3 target, float distance) =>
+            OrbitCamera.Create(Keep(new GameObject("stage")).transform, target, distance);
     }
 }

@@ -15,7 +15,8 @@ namespace Alate.Tests.Play
         private readonly List<string> m_Kept = new List<string>();
 
         /// <summary>
-        /// True where the parts of generated insects stay from one test of the class to the next: making them takes longer than most tests of insects.
+        /// True where the parts of generated insects stay from one test of the class to the next: making them takes longer than most tests
+        /// of insects.
         /// </summary>
         protected virtual bool KeepsParts => false;
 
@@ -53,7 +54,8 @@ namespace Alate.Tests.Play
             Assert.That(WingSystem.Loop, Is.Null, "the system has outlived its insects");
             Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
             Assert.That(
-                GeneratedAssets.InUse.Select(assets => (assets.Species, assets.Users)), Is.EquivalentTo(m_Kept.Select(species => (species, 1))), "parts of generated insects were left behind");
+                GeneratedAssets.InUse.Select(assets => (assets.Species, assets.Users)),
+                Is.EquivalentTo(m_Kept.Select(species => (species, 1))), "parts of generated insects were left behind");
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
         }
 

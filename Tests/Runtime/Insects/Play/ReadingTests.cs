@@ -54,7 +54,8 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator AListener_MayDestroyDisableOrMakeInsects([Values("destroy", "immediately", "disable", "other", "make", "step")] string deed)
+        public IEnumerator AListener_MayDestroyDisableOrMakeInsects(
+            [Values("destroy", "immediately", "disable", "other", "make", "step")] string deed)
         {
             InsectWings insect = Hatch(), other = Hatch(), witness = Hatch(), made = null;
             int calls = 0, witnessed = 0;
@@ -140,7 +141,8 @@ namespace Alate.Tests.Play
             Assert.That(insect.FlapRange, Is.EqualTo(60f).Within(1e-3f), "half of the monarch's 120 degrees, at rest");
             float before = insect.Phase;
             yield return Frames(6);
-            Assert.That(Mathf.Repeat(insect.Phase - before, 360f), Is.EqualTo(Mathf.Repeat(8.8f * 0.1f * 360f, 360f)).Within(0.02f * 8.8f * 360f));
+            Assert.That(
+                Mathf.Repeat(insect.Phase - before, 360f), Is.EqualTo(Mathf.Repeat(8.8f * 0.1f * 360f, 360f)).Within(0.02f * 8.8f * 360f));
             Assert.That(insect.Read(0).JointPosition(0, 0).y, Is.EqualTo(0f).Within(0.05f));
         }
 

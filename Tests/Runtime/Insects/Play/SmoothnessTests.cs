@@ -31,7 +31,8 @@ namespace Alate.Tests.Play
                 largest = Mathf.Max(largest, (tips[k + 1] - 2f * tips[k] + tips[k - 1]).magnitude);
             }
 
-            // A point that swings by half the flapping range at this rate is accelerated by no more than ω²A; flexing adds to it, a jump would multiply it.
+            // A point that swings by half the flapping range at this rate is accelerated by no more than ω²A; flexing adds to it, a jump
+            // would multiply it.
             float rate = 2f * Mathf.PI * insect.Frequency, amplitude = 0.61f * Mathf.Deg2Rad * 0.5f * insect.FlapRange;
             float swing = rate * rate * amplitude / (k_FrameRate * k_FrameRate);
             Assert.That(largest, Is.LessThan(2f * swing), $"{largest / swing} of a swing's");

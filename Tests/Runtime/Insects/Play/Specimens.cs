@@ -12,7 +12,10 @@ namespace Alate.Tests.Play
             return kind.CreateSurface(side, unitsPerMetre).ToMesh(kind.Name + " " + side);
         }
 
-        /// <summary>A mesh that no wing can be made of: "empty", "lines", "needle", "point", "not a number", "endless" or "huge", which is also its name.</summary>
+        /// <summary>
+        /// A mesh that no wing can be made of: "empty", "lines", "needle", "point", "not a number", "endless" or "huge", which is also its
+        /// name.
+        /// </summary>
         public static UnityEngine.Mesh NoWing(string kind)
         {
             var mesh = new UnityEngine.Mesh { name = kind };

@@ -21,7 +21,8 @@ namespace Alate.Tests.Play
         public void RestoreTheFixedStep() => Time.fixedDeltaTime = m_FixedDeltaTime;
 
         [UnityTest]
-        public IEnumerator WhileTheGameIsPaused_NothingMoves([Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode)
+        public IEnumerator WhileTheGameIsPaused_NothingMoves(
+            [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode)
         {
             InsectWings insect = Hatch(made => made.UpdateMode = mode);
             yield return Frames(30);
@@ -40,7 +41,8 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator AfterAPause_TheWingsGoOnWithoutAKick([Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode)
+        public IEnumerator AfterAPause_TheWingsGoOnWithoutAKick(
+            [Values(WingUpdateMode.FixedUpdate, WingUpdateMode.Update)] WingUpdateMode mode)
         {
             InsectWings insect = Hatch(made => made.UpdateMode = mode);
             yield return Frames(60);
@@ -137,7 +139,8 @@ namespace Alate.Tests.Play
                 unscaledTime += Mathf.Min(Time.unscaledDeltaTime, 0.25f);
             }
 
-            Assert.That(Beats(scaled) - scaledStart, Is.EqualTo(k_RestingFrequency * scaledTime).Within(0.05f * timeScale * k_RestingFrequency + 0.2f));
+            Assert.That(Beats(scaled) - scaledStart,
+                Is.EqualTo(k_RestingFrequency * scaledTime).Within(0.05f * timeScale * k_RestingFrequency + 0.2f));
             Assert.That(Beats(unscaled) - unscaledStart, Is.EqualTo(k_RestingFrequency * unscaledTime).Within(0.05f * k_RestingFrequency));
         }
 
@@ -152,7 +155,8 @@ namespace Alate.Tests.Play
             float worst = 0f;
             foreach (WingUpdateMode mode in new[]
             {
-                WingUpdateMode.Update, WingUpdateMode.UnscaledTime, WingUpdateMode.FixedUpdate, WingUpdateMode.UnscaledTime, WingUpdateMode.Update,
+                WingUpdateMode.Update, WingUpdateMode.UnscaledTime, WingUpdateMode.FixedUpdate, WingUpdateMode.UnscaledTime,
+                WingUpdateMode.Update,
                 WingUpdateMode.FixedUpdate,
             })
             {

@@ -135,7 +135,14 @@ namespace Alate.Tests.Play
                 wing.transform.SetParent(root.transform, false);
                 wing.transform.localScale = new Vector3(side == 0 ? 1f : -1f, 1f, 1f);
                 wing.AddComponent<MeshFilter>().sharedMesh = m_Meshes[m_Random.Next(3)];
-                insect.Wings.Add(new Wing { Renderer = wing.AddComponent<MeshRenderer>(), Side = (WingSide)side, Skeleton = m_Skeletons[m_Random.Next(2)] });
+                insect.Wings.Add(
+                    new Wing
+                    {
+                        Renderer = wing.AddComponent<MeshRenderer>(),
+                        Side = (WingSide)side,
+                        Skeleton = m_Skeletons[m_Random.Next(
+                        2)]
+                    });
             }
 
             insect.Quality.culling = (WingCulling)m_Random.Next(3);

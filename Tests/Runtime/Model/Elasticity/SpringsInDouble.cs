@@ -2,7 +2,10 @@ using System;
 
 namespace Alate.Tests
 {
-    /// <summary>Newton's method in double precision for a chain whose first joint is pinned at the origin: what the solver of the elastic step is compared with.</summary>
+    /// <summary>
+    /// Newton's method in double precision for a chain whose first joint is pinned at the origin: what the solver of the elastic step is
+    /// compared with.
+    /// </summary>
     internal sealed class SpringsInDouble
     {
         private readonly double m_Stiffness, m_Length;

@@ -53,7 +53,8 @@ namespace Alate.Tests
             });
         }
 
-        // Pitched about the leading edge in a stream U along the chord: the non-circulatory lift of thin aerofoils, ρ π/4 c² (U α̇ + c/2 α̈), U cos α for larger angles.
+        // Pitched about the leading edge in a stream U along the chord: the non-circulatory lift of thin aerofoils, ρ π/4 c² (U α̇ + c/2
+        // α̈), U cos α for larger angles.
         [Test]
         public void APitchingPlateInAStream_HasTheNonCirculatoryLiftOfThinAerofoils()
         {
@@ -61,7 +62,8 @@ namespace Alate.Tests
             WingParameters parameters = Driven(DrivenAngle.Feather, (float)amplitude);
             Compare(parameters, new float3(0f, 0f, -(float)stream), (phase, force) =>
             {
-                double attack = -amplitude * Math.Cos(phase), rate = amplitude * k_Omega * Math.Sin(phase), acceleration = amplitude * k_Omega * k_Omega * Math.Cos(phase);
+                double attack = -amplitude * Math.Cos(phase), rate = amplitude * k_Omega * Math.Sin(phase),
+                    acceleration = amplitude * k_Omega * k_Omega * Math.Cos(phase);
                 double across = Math.Cos(attack) * force.y - Math.Sin(attack) * force.z;
                 return (across, Carried(parameters) * (stream * Math.Cos(attack) * rate + 0.5 * RigidPlate.k_Chord * acceleration));
             });
@@ -97,7 +99,8 @@ namespace Alate.Tests
             }
         }
 
-        // In the first moment after gravity sets in nothing but inertia holds a hinge: I of the wing, and of the air only across the surface.
+        // In the first moment after gravity sets in nothing but inertia holds a hinge: I of the wing, and of the air only across the
+        // surface.
         [TestCase(0f, -1f, 0f)]
         [TestCase(0f, 0f, -1f)]
         public void AHingeLetGo_TurnsWithTheInertiaOfWingAndAir(float x, float y, float z)
@@ -141,7 +144,8 @@ namespace Alate.Tests
             }
         }
 
-        private static double Carried(in WingParameters parameters) => 0.25 * Math.PI * RigidPlate.k_Chord * RigidPlate.k_Chord * parameters.airDensity;
+        private static double Carried(in WingParameters parameters) =>
+            0.25 * Math.PI * RigidPlate.k_Chord * RigidPlate.k_Chord * parameters.airDensity;
 
         private static WingParameters Driven(DrivenAngle angle, float amplitude)
         {

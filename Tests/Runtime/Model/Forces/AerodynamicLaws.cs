@@ -55,7 +55,8 @@ namespace Alate.Tests
                 float3 force = Force(wind, normal), turned = Force(math.rotate(turn, wind), math.rotate(turn, normal));
 
                 // Near right angles the tangential speed is a small difference of large squares: single precision holds it to about 1e-4.
-                Assert.That(math.distance(math.rotate(turn, force), turned), Is.LessThanOrEqualTo(2e-4f * (1f + math.length(force))), $"seed {seed}");
+                Assert.That(math.distance(math.rotate(turn, force), turned), Is.LessThanOrEqualTo(2e-4f * (1f + math.length(force))),
+                    $"seed {seed}");
             }
         }
 
@@ -66,7 +67,8 @@ namespace Alate.Tests
             {
                 var random = new Random(seed);
                 float3 wind = random.NextFloat3(-10f, 10f), normal = random.NextFloat3Direction(), force = Force(wind, normal);
-                Assert.That(math.distance(force, Force(wind, -normal)), Is.LessThanOrEqualTo(1e-5f * (1f + math.length(force))), $"seed {seed}");
+                Assert.That(
+                    math.distance(force, Force(wind, -normal)), Is.LessThanOrEqualTo(1e-5f * (1f + math.length(force))), $"seed {seed}");
             }
         }
 

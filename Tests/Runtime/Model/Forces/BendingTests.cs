@@ -13,7 +13,8 @@ namespace Alate.Tests
             Bending.Hinge(0.01f, 0.2f, 0.05f, 5f, 0.3f, math.radians(30f), 0.004f, rate, 0.02f, ref rate);
 
             // ((I + c_a dt) ω + dt (τ - k θ)) / (I + (c + c_a) dt + k dt²)
-            const double dt = 0.004, expected = ((0.01 + 0.05 * dt) * -1.0 + dt * (0.3 - 5.0 * 0.02)) / (0.01 + (0.2 + 0.05) * dt + 5.0 * dt * dt);
+            const double dt = 0.004,
+                expected = ((0.01 + 0.05 * dt) * -1.0 + dt * (0.3 - 5.0 * 0.02)) / (0.01 + (0.2 + 0.05) * dt + 5.0 * dt * dt);
             Assert.That(rate.x, Is.EqualTo(expected).Within(-expected * Lanes.CheckTolerance));
         }
 

@@ -18,17 +18,21 @@ namespace Alate.Tests
         public void EveryPatch_MeetsTheWindLessTheTurningOfItsPlace(
             float windX, float windY, float windZ, float spinX, float spinY, float spinZ, float hingeX, float hingeY, float hingeZ)
         {
-            float3 wind = new float3(windX, windY, windZ), spin = new float3(spinX, spinY, spinZ), hinge = new float3(hingeX, hingeY, hingeZ);
+            float3 wind = new float3(windX, windY, windZ), spin = new float3(spinX, spinY, spinZ),
+                hinge = new float3(hingeX, hingeY, hingeZ);
             foreach (int side in new[] { 1, -1 })
             {
                 // A left wing is read as a right one in a mirror: x of vectors, y and z of turns and moments.
                 float3 mirror = new float3(side, 1f, 1f), turned = new float3(1f, side, side), at = mirror * hinge;
-                RigidPlate.Read(new WingSurroundings { wind = mirror * wind, angularVelocity = turned * spin, hinge = hinge }, out float3 force, out float3 moment);
+                RigidPlate.Read(new WingSurroundings { wind = mirror * wind, angularVelocity = turned * spin, hinge = hinge },
+                    out float3 force, out float3 moment);
                 RigidPlate.Sum(side, wind, spin, at, out float3 wantedForce, out float3 wantedMoment);
 
                 Assert.That(math.length(wantedForce), Is.GreaterThan(1f));
-                Assert.That(math.distance(mirror * force, wantedForce), Is.LessThan(k_Same * math.length(wantedForce)), $"force, side {side}: {mirror * force}, not {wantedForce}");
-                Assert.That(math.distance(turned * moment, wantedMoment), Is.LessThan(k_Same * math.length(wantedMoment)), $"moment, side {side}: {turned * moment}, not {wantedMoment}");
+                Assert.That(math.distance(mirror * force, wantedForce), Is.LessThan(k_Same * math.length(wantedForce)),
+                    $"force, side {side}: {mirror * force}, not {wantedForce}");
+                Assert.That(math.distance(turned * moment, wantedMoment), Is.LessThan(k_Same * math.length(wantedMoment)),
+                    $"moment, side {side}: {turned * moment}, not {wantedMoment}");
             }
         }
 
@@ -39,7 +43,8 @@ namespace Alate.Tests
         public void PatchesBeyondTheChains_MeetTheTurningOfTheirOwnPlace(float spinX, float spinY, float spinZ)
         {
             float3 wind = new float3(2f, 5f, -11f), spin = new float3(spinX, spinY, spinZ), hinge = new float3(0.15f, 0.05f, 0.2f);
-            RigidPlate.Read(new WingSurroundings { wind = wind, angularVelocity = spin, hinge = hinge }, out float3 force, out _, 0.5f * RigidPlate.k_Chord);
+            RigidPlate.Read(new WingSurroundings { wind = wind, angularVelocity = spin, hinge = hinge }, out float3 force, out _,
+                0.5f * RigidPlate.k_Chord);
             RigidPlate.Sum(1, wind, spin, hinge, out float3 wanted, out _);
 
             Assert.That(math.distance(force, wanted), Is.LessThan(k_Same * math.length(wanted)), $"{force}, not {wanted}");
@@ -96,7 +101,8 @@ namespace Alate.Tests
             }
         }
 
-        // Of both wings about the middle of the body, mean over a beat: the left one turns as a right one with y and z of the spin reversed.
+        // Of both wings about the middle of the body, mean over a beat: the left one turns as a right one with y and z of the spin
+        // reversed.
         private static float3 Moment(float3 spin)
         {
             var mirror = new float3(1f, -1f, -1f);

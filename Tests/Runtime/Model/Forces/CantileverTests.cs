@@ -10,7 +10,9 @@ namespace Alate.Tests
     {
         private const float k_Width = 0.1f;
 
-        /// <summary>1 N·m², the flexural stiffness of the whole strip, in wing masses times cubed wing lengths per squared second.</summary>
+        /// <summary>
+        /// 1 N·m², the flexural stiffness of the whole strip, in wing masses times cubed wing lengths per squared second.
+        /// </summary>
         private const double k_Stiffness = 1e4;
 
         [TestCase(5, 0.002)]
@@ -110,7 +112,11 @@ namespace Alate.Tests
                 for (int k = 1; k <= k_PerPeriod * k_Periods; k++)
                 {
                     double phase = 2 * Math.PI * k / k_PerPeriod;
-                    world.SetSurroundings(wing, new WingSurroundings { gravity = new float3(0f, (float)(shake * frequency * frequency * Math.Cos(phase)), 0f) });
+                    world.SetSurroundings(wing, new WingSurroundings
+                    {
+                        gravity = new float3(
+                        0f, (float)(shake * frequency * frequency * Math.Cos(phase)), 0f)
+                    });
                     world.Step((float)dt);
                     if (k > k_PerPeriod * (k_Periods - 1))
                         sum += world.Read(wing).JointPosition(1, joints - 1).y * Complex.Exp(new Complex(0, -phase));
@@ -148,7 +154,8 @@ namespace Alate.Tests
             }
         }
 
-        // EI θ' = M, M' = −w (1 − s) cos θ along the arc, by the midpoint rule and bisection of the moment at the root, until none is left at the tip.
+        // EI θ' = M, M' = −w (1 − s) cos θ along the arc, by the midpoint rule and bisection of the moment at the root, until none is left
+        // at the tip.
         private static (double x, double y) Elastica(double load, Func<double, double> stiffness)
         {
             double low = 0.0, high = load;
@@ -173,7 +180,8 @@ namespace Alate.Tests
             for (int k = 0; k < k_Steps; k++)
             {
                 double middle = (k + 0.5) * h;
-                double halfAngle = angle + 0.5 * h * moment / stiffness(k * h), halfMoment = moment - 0.5 * h * load * (1.0 - k * h) * Math.Cos(angle);
+                double halfAngle = angle + 0.5 * h * moment / stiffness(k * h),
+                    halfMoment = moment - 0.5 * h * load * (1.0 - k * h) * Math.Cos(angle);
                 x += h * Math.Cos(halfAngle);
                 y += h * Math.Sin(halfAngle);
                 angle += h * halfMoment / stiffness(middle);

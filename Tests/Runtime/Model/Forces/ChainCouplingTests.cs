@@ -23,7 +23,10 @@ namespace Alate.Tests
             m_Fixture = new PackFixture(TestWings.Bake(TestWings.Lattice(), TestWings.Rectangle(), 64), parameters);
             m_Random = new Unity.Mathematics.Random(17);
             for (int bone = 0; bone < k_Chains * k_Bones; bone++)
-                m_Fixture.scratch.compliances[bone] = Lanes.All(m_Random.NextFloat(2f, 4f), m_Random.NextFloat(0.1f, 0.2f), 1f) * (1f / m_Fixture.Pack.bendStiffness[0]);
+            {
+                m_Fixture.scratch.compliances[bone] =
+                    Lanes.All(m_Random.NextFloat(2f, 4f), m_Random.NextFloat(0.1f, 0.2f), 1f) * (1f / m_Fixture.Pack.bendStiffness[0]);
+            }
         }
 
         [TearDown]
@@ -67,7 +70,8 @@ namespace Alate.Tests
         [Test]
         public void AStripsForce_ActsOnBothChainsOppositely_OutOfPlaneAndInPlane()
         {
-            // Parallel chains: what a strip does to a hinge of one chain, it does to the hinge beside it the other way. So the torques of a row of hinges cancel.
+            // Parallel chains: what a strip does to a hinge of one chain, it does to the hinge beside it the other way. So the torques of a
+            // row of hinges cancel.
             BendAtRandom(0.3f);
             float3[] before = Angles();
             Couple();
@@ -106,7 +110,8 @@ namespace Alate.Tests
             for (int bone = 0; bone < before.Length; bone++)
             {
                 float3 wanted = (Angles()[bone] - before[bone]) / step.length.x;
-                Assert.That(math.distance(m_Fixture.Pack.bendRates[bone][0], wanted), Is.LessThan(1e-4f * (1f + math.length(wanted))), $"bone {bone}");
+                Assert.That(math.distance(m_Fixture.Pack.bendRates[bone][0], wanted), Is.LessThan(1e-4f * (1f + math.length(wanted))),
+                    $"bone {bone}");
             }
         }
 
@@ -214,7 +219,10 @@ namespace Alate.Tests
                 {
                     float height = 0f;
                     for (int bone = 0; bone < joint; bone++)
-                        height += 0.25f * (joint - bone) * (angles[chain * k_Bones + bone][axis] - angles[(chain + 1) * k_Bones + bone][axis]);
+                    {
+                        height +=
+                            0.25f * (joint - bone) * (angles[chain * k_Bones + bone][axis] - angles[(chain + 1) * k_Bones + bone][axis]);
+                    }
                     steepest = math.max(steepest, math.abs(height) / k_Width);
                 }
             }

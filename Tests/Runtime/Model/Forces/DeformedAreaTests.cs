@@ -16,14 +16,18 @@ namespace Alate.Tests
             {
                 float[] rest = Areas(fixture);
                 for (int joint = 0; joint < fixture.rig.JointCount; joint++)
-                    fixture.Pack.pose[joint].position = new SoaFloat3(fixture.rig.RestJoints[joint] * new float3(alongSpan, 1f, alongChord));
+                {
+                    fixture.Pack.pose[joint].position = new SoaFloat3(
+                        fixture.rig.RestJoints[joint] * new float3(alongSpan, 1f, alongChord));
+                }
                 float[] stretched = Areas(fixture);
 
                 float sum = 0f;
                 for (int patch = 0; patch < rest.Length; patch++)
                 {
                     sum += rest[patch];
-                    Assert.That(stretched[patch], Is.EqualTo(alongSpan * alongChord * rest[patch]).Within(1e-4f * rest[patch]), $"patch {patch}");
+                    Assert.That(
+                        stretched[patch], Is.EqualTo(alongSpan * alongChord * rest[patch]).Within(1e-4f * rest[patch]), $"patch {patch}");
                 }
 
                 Assert.That(sum, Is.EqualTo(fixture.rig.Area).Within(1e-4f * fixture.rig.Area), "at rest");

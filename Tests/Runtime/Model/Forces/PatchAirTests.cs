@@ -151,7 +151,8 @@ namespace Alate.Tests
         // The polynomials of Fig. 6, the angle in degrees.
         private static double PaperLift(double angle) => -0.34182 + 0.090635 * angle - 0.00095953 * angle * angle;
 
-        private static double PaperDrag(double angle) => 0.51127 + 0.0063148 * angle + 0.0011527 * angle * angle - 0.0000079518 * angle * angle * angle;
+        private static double PaperDrag(double angle) =>
+            0.51127 + 0.0063148 * angle + 0.0011527 * angle * angle - 0.0000079518 * angle * angle * angle;
 
         // Dickinson, Lehmann and Sane (1999).
         private static double DickinsonLift(double angle) => 0.225 + 1.58 * Math.Sin((2.13 * angle - 7.20) * Math.PI / 180.0);
@@ -161,14 +162,16 @@ namespace Alate.Tests
         // Fit to Azuma and Watanabe (1988).
         private static double DragonflyDrag(double s) => 0.094 + 1.906 * s + s * (1.0 - s) * (-0.388 + 0.168 * s + 2.14 * s * s);
 
-        // Eq. 9 and 10 for the element of Load in double precision: V without its part along the span, drag along V, lift (not below 0) across
-        // it on the side of the normal that the air blows to. Damping is (1 + s²) ½ρA|V| max(0, C_L cos α + C_D s) / s, s = sin α, at least 0.05.
+        // Eq. 9 and 10 for the element of Load in double precision: V without its part along the span, drag along V, lift (not below 0)
+        // across it on the side of the normal that the air blows to. Damping is (1 + s²) ½ρA|V| max(0, C_L cos α + C_D s) / s, s = sin α,
+        // at least 0.05.
         private static ElementInDouble Element(CoefficientSet set)
         {
             double[] normal = Unit(0.1, 1.0, -0.2), wind = { 3.0, -2.0, -10.0 };
             double[] flat = Without(new[] { 1.0, -0.1, 0.0 }, normal), span = Unit(flat[0], flat[1], flat[2]);
             wind = Without(wind, span);
-            double speed = Math.Sqrt(Dot(wind, wind)), sine = Math.Abs(Dot(wind, normal)) / speed, angle = Math.Asin(sine) * 180.0 / Math.PI;
+            double speed = Math.Sqrt(Dot(wind, wind)), sine = Math.Abs(Dot(wind, normal)) / speed,
+                angle = Math.Asin(sine) * 180.0 / Math.PI;
             (double lift, double drag) = set == CoefficientSet.Paper ? (Math.Max(0.0, PaperLift(angle)), PaperDrag(angle))
                 : set == CoefficientSet.FlatPlate ? (1.8 * Math.Sin(angle * Math.PI / 90.0), 0.05 + 1.9 * sine * sine)
                 : (DickinsonLift(angle), set == CoefficientSet.Dragonfly ? DragonflyDrag(sine * sine) : DickinsonDrag(angle));

@@ -5,7 +5,9 @@ namespace Alate.Tests
     /// <summary>The load on one patch, as <see cref="Aerodynamics"/> puts it together for the patches of a cell.</summary>
     internal static class PatchLoads
     {
-        /// <summary>Eq. 9 and 10 for one element of four wings, at once; a wing's many elements take the three steps one after the other.</summary>
+        /// <summary>
+        /// Eq. 9 and 10 for one element of four wings, at once; a wing's many elements take the three steps one after the other.
+        /// </summary>
         /// <param name="options">Coefficients and tangent.</param>
         /// <param name="wind">V, air minus surface velocity.</param>
         /// <param name="normal">Unit normal of the element.</param>

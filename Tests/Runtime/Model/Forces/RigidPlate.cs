@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate.Tests
 {
     /// <summary>
-    /// A flat rectangular wing that neither beats nor bends, and what the air does to it: by the package, and summed over its triangles here, in double precision and
-    /// in the body's own axes, for a right and for a left wing.
+    /// A flat rectangular wing that neither beats nor bends, and what the air does to it: by the package, and summed over its triangles
+    /// here, in double precision and in the body's own axes, for a right and for a left wing.
     /// </summary>
     internal static class RigidPlate
     {
@@ -15,7 +15,8 @@ namespace Alate.Tests
 
         /// <summary>One patch a triangle.</summary>
         /// <param name="chord">Of the skeleton; the plate overhangs a narrower one.</param>
-        public static WingRig Rig(float chord = k_Chord) => TestWings.Bake(TestWings.Lattice(chord: chord), TestWings.Rectangle(k_Columns, k_Rows), 0);
+        public static WingRig Rig(float chord = k_Chord) =>
+            TestWings.Bake(TestWings.Lattice(chord: chord), TestWings.Rectangle(k_Columns, k_Rows), 0);
 
         public static WingParameters Parameters
         {
@@ -57,11 +58,13 @@ namespace Alate.Tests
             SurfaceMesh plate = TestWings.Rectangle(k_Columns, k_Rows);
             for (int k = 0; k < plate.triangles.Length; k += 3)
             {
-                Vector3 centre = (plate.positions[plate.triangles[k]] + plate.positions[plate.triangles[k + 1]] + plate.positions[plate.triangles[k + 2]]) / 3f;
+                Vector3 centre = (plate.positions[plate.triangles[k]] + plate.positions[plate.triangles[k + 1]]
+                    + plate.positions[plate.triangles[k + 2]]) / 3f;
                 float3 r = new float3(side * centre.x, centre.y, centre.z) + hinge;
 
                 // The stream without its part along the span, x; the plate's normal is y.
-                double vy = wind.y - (spin.z * (double)r.x - spin.x * (double)r.z), vz = wind.z - (spin.x * (double)r.y - spin.y * (double)r.x);
+                double vy = wind.y - (spin.z * (double)r.x - spin.x * (double)r.z),
+                    vz = wind.z - (spin.x * (double)r.y - spin.y * (double)r.x);
                 double speed = Math.Sqrt(vy * vy + vz * vz);
                 double angle = Math.Atan2(Math.Abs(vy), Math.Abs(vz)) * 180.0 / Math.PI;
                 double lift = 0.225 + 1.58 * Math.Sin((2.13 * angle - 7.20) * Math.PI / 180.0);

@@ -9,7 +9,8 @@ namespace Alate.Tests
     {
         private static readonly float3[] s_Directions =
         {
-            new float3(0f, 0f, -1f), new float3(1f, 0f, 0f), math.normalize(new float3(-1f, 2f, -3f)), math.normalize(new float3(5f, -1f, 0.2f)),
+            new float3(0f, 0f, -1f), new float3(1f, 0f, 0f), math.normalize(new float3(-1f, 2f, -3f)),
+            math.normalize(new float3(5f, -1f, 0.2f)),
         };
 
         private PackFixture m_Fixture;
@@ -38,7 +39,8 @@ namespace Alate.Tests
                 for (float share = 0.01f; share < 0.78f; share += 0.076f)
                 {
                     float3 wind = direction * (share * Strongest);
-                    Assert.That(math.distance(Felt(wind), wind), Is.LessThan(1e-3f * math.length(wind)), $"{share} of the strongest, {direction}");
+                    Assert.That(
+                        math.distance(Felt(wind), wind), Is.LessThan(1e-3f * math.length(wind)), $"{share} of the strongest, {direction}");
                 }
             }
         }
@@ -51,7 +53,8 @@ namespace Alate.Tests
                 for (float share = 0.5f; share < 1e4f; share *= 1.7f)
                 {
                     float3 felt = Felt(direction * (share * Strongest));
-                    Assert.That(math.dot(felt, direction), Is.EqualTo(math.length(felt)).Within(1e-5f * math.length(felt)), $"{share} of the strongest");
+                    Assert.That(math.dot(felt, direction), Is.EqualTo(math.length(felt)).Within(1e-5f * math.length(felt)),
+                        $"{share} of the strongest");
                 }
             }
         }

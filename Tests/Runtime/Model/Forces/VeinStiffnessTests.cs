@@ -20,7 +20,10 @@ namespace Alate.Tests
             });
 
             for (int bone = 0; bone < k_Bones; bone++)
-                Assert.That(veined[bone] / plain[bone] / (veined[k_Bones + bone] / plain[k_Bones + bone]), Is.EqualTo(new float2(8f, 8f)).Using<float2>((a, b) => math.cmax(math.abs(a - b)) < 1e-3f ? 0 : 1));
+            {
+                Assert.That(veined[bone] / plain[bone] / (veined[k_Bones + bone] / plain[k_Bones + bone]),
+                    Is.EqualTo(new float2(8f, 8f)).Using<float2>((a, b) => math.cmax(math.abs(a - b)) < 1e-3f ? 0 : 1));
+            }
             Assert.That(veined.Sum(joint => joint.x), Is.EqualTo(plain.Sum(joint => joint.x)).Within(1e-3).Percent);
         }
 
@@ -32,7 +35,8 @@ namespace Alate.Tests
 
             Assert.That(factors[0] / factors[2 * k_Bones], Is.EqualTo(1f).Within(1e-4f), "membrane in front and behind");
             Assert.That(factors[k_Bones], Is.GreaterThan(10f * factors[0]));
-            Assert.That(factors[k_Bones + 3] / factors[k_Bones], Is.EqualTo(Math.Pow(0.625, 3)).Within(0.1).Percent, "the last joint stands at three quarters of the way");
+            Assert.That(factors[k_Bones + 3] / factors[k_Bones], Is.EqualTo(Math.Pow(0.625, 3)).Within(0.1).Percent,
+                "the last joint stands at three quarters of the way");
         }
 
         [Test]
@@ -47,7 +51,8 @@ namespace Alate.Tests
             });
 
             Assert.That(veined.Take(k_Bones), Is.EqualTo(measured.Take(k_Bones)));
-            Assert.That(veined.Skip(k_Bones).Sum(joint => joint.x), Is.EqualTo(measured.Skip(k_Bones).Sum(joint => joint.x)).Within(1e-3).Percent);
+            Assert.That(
+                veined.Skip(k_Bones).Sum(joint => joint.x), Is.EqualTo(measured.Skip(k_Bones).Sum(joint => joint.x)).Within(1e-3).Percent);
         }
 
         private static float2[] Stiffness(Action<WingSkeleton> change)

@@ -102,7 +102,8 @@ namespace Alate.Tests
             // Each chordwise place heaves like the leading edge, later in proportion to its distance from it.
             WingDeformation beat = Measure(
                 s_NoStroke,
-                (place, phase) => place + new float3(0f, 0.2f * place.x * math.cos(phase + degrees * k_Degree * place.z / Sheet.Chord), 0f));
+                (place, phase) =>
+                    place + new float3(0f, 0.2f * place.x * math.cos(phase + degrees * k_Degree * place.z / Sheet.Chord), 0f));
 
             // A root that does not turn has no phase of its own, so the whole delay counts.
             Assert.That(beat.Lag / k_Degree, Is.EqualTo(degrees).Within(0.2f));

@@ -90,7 +90,8 @@ namespace Alate.Tests
             return narrowest;
         }
 
-        // The delay that a strip is wanted to have by Eq. 2, and the most that it bears; as much as is wanted where no joint has a foot on the other chain.
+        // The delay that a strip is wanted to have by Eq. 2, and the most that it bears; as much as is wanted where no joint has a foot on
+        // the other chain.
         private static (double Wanted, double Most) Strip(PackFixture fixture, in WingParameters p, int strip, double spread)
         {
             float* ratio = fixture.rig.View.chainRatio;

@@ -62,7 +62,10 @@ namespace Alate.Tests
                 using (var fixture = new PackFixture(TestWings.Bake(TestWings.Lattice(), TestWings.Rectangle(), 64), parameters))
                 {
                     for (int chain = 1; chain < 5; chain++)
-                        Assert.That(fixture.Pack.chainDelays[chain].x, Is.EqualTo(chain * most * Borne(share)).Within(1e-4f * Borne(share)), $"{share}, chain {chain}");
+                    {
+                        Assert.That(fixture.Pack.chainDelays[chain].x, Is.EqualTo(chain * most * Borne(share)).Within(1e-4f * Borne(share)),
+                            $"{share}, chain {chain}");
+                    }
                 }
             }
         }
@@ -116,7 +119,8 @@ namespace Alate.Tests
             for (int chain = 0; chain < fixture.rig.ChainCount; chain++)
             {
                 float ratio = math.distance(fixture.rig.RestJoints[chain * joints], first) / whole;
-                Assert.That(fixture.Pack.chainDelays[chain].x, Is.EqualTo(chordDelay * math.PI * ratio).Within(2e-5f), $"{species}, chain {chain}");
+                Assert.That(
+                    fixture.Pack.chainDelays[chain].x, Is.EqualTo(chordDelay * math.PI * ratio).Within(2e-5f), $"{species}, chain {chain}");
             }
         }
     }

@@ -37,7 +37,8 @@ namespace Alate.Tests
             Evaluate();
 
             // d/dp of A(p) cos p at p = 1 - 0.3.
-            double p = 0.7, x = p / Math.PI, amplitude = 30.0 + (60.0 - 30.0) * Smooth(x), glide = (60.0 - 30.0) * 6.0 * x * (1.0 - x) / Math.PI;
+            double p = 0.7, x = p / Math.PI, amplitude = 30.0 + (60.0 - 30.0) * Smooth(x),
+                glide = (60.0 - 30.0) * 6.0 * x * (1.0 - x) / Math.PI;
             double expected = (glide * Math.Cos(p) - amplitude * Math.Sin(p)) * Math.PI / 180.0;
             Assert.That(m_Fixture.scratch.angleRate[0].x.x, Is.EqualTo(expected).Within(-expected * Lanes.CheckTolerance));
         }
@@ -62,7 +63,8 @@ namespace Alate.Tests
             Set(60f, 60f, 60f, phase: 3f, delay: 0f, keepDelay: true);
             Evaluate();
             int bone = 3 * (m_Fixture.rig.JointsPerChain - 1);
-            Assert.That(3f - m_Fixture.scratch.localPhase[bone].x, Is.EqualTo(0.75 * Math.PI).Within(0.75 * Math.PI * Lanes.CheckTolerance));
+            Assert.That(
+                3f - m_Fixture.scratch.localPhase[bone].x, Is.EqualTo(0.75 * Math.PI).Within(0.75 * Math.PI * Lanes.CheckTolerance));
         }
 
         [Test]

@@ -26,7 +26,10 @@ namespace Alate.Tests
                     for (int more = 0; more < 7; more++)
                         Advance(fixture, dt);
                     for (int bone = 0; bone < fixture.rig.BoneCount; bone++)
-                        Assert.That(math.distance(fixture.scratch.angle[bone][0], Settled(fixture, p, bone)), Is.LessThan(2e-4f), $"bone {bone}, substep {k}");
+                    {
+                        Assert.That(math.distance(fixture.scratch.angle[bone][0], Settled(fixture, p, bone)), Is.LessThan(2e-4f),
+                            $"bone {bone}, substep {k}");
+                    }
                 }
             }
         }
@@ -52,7 +55,10 @@ namespace Alate.Tests
                     {
                         float3 angle = fixture.scratch.angle[bone][0];
                         if (k > 0)
-                            Assert.That(math.all(math.abs(angle - last[bone]) <= most), $"substep {k}, bone {bone}: {last[bone]} to {angle}");
+                        {
+                            Assert.That(
+                                math.all(math.abs(angle - last[bone]) <= most), $"substep {k}, bone {bone}: {last[bone]} to {angle}");
+                        }
                         last[bone] = angle;
                     }
                 }

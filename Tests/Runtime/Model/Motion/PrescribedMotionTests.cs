@@ -48,11 +48,14 @@ namespace Alate.Tests
                     for (int k = 0; k < 3; k++)
                     {
                         double before = Series(k, phase - h), now = Series(k, phase), after = Series(k, phase + h);
-                        Assert.That(Component(fixture.scratch.angleRate[5][0], k), Is.EqualTo((after - before) / (2 * h)).Within(1e-4), $"rate of {k} at {phase}");
-                        Assert.That(Component(fixture.scratch.angleCurvature[5][0], k), Is.EqualTo((after - 2 * now + before) / (h * h)).Within(1e-3), $"curvature of {k} at {phase}");
+                        Assert.That(Component(fixture.scratch.angleRate[5][0], k), Is.EqualTo((after - before) / (2 * h)).Within(1e-4),
+                            $"rate of {k} at {phase}");
+                        Assert.That(Component(fixture.scratch.angleCurvature[5][0], k),
+                            Is.EqualTo((after - 2 * now + before) / (h * h)).Within(1e-3), $"curvature of {k} at {phase}");
                     }
 
-                    Assert.That(fixture.scratch.means->tiltRate[0], Is.EqualTo(-(Series(3, phase + h) - Series(3, phase - h)) / (2 * h)).Within(1e-4));
+                    Assert.That(fixture.scratch.means->tiltRate[0],
+                        Is.EqualTo(-(Series(3, phase + h) - Series(3, phase - h)) / (2 * h)).Within(1e-4));
                 }
             }
         }
@@ -70,7 +73,8 @@ namespace Alate.Tests
                     for (int joint = 0; joint < before.Length; joint++)
                     {
                         float3 expected = (after[joint] - before[joint]) * (float)(fixture.Pack.beat->rate.x / (2 * h));
-                        Assert.That(math.distance(fixture.scratch.drivenVelocities[joint][0], expected), Is.LessThan(0.3f), $"joint {joint} at {phase}");
+                        Assert.That(math.distance(fixture.scratch.drivenVelocities[joint][0], expected), Is.LessThan(0.3f),
+                            $"joint {joint} at {phase}");
                     }
                 }
             }
@@ -156,7 +160,10 @@ namespace Alate.Tests
             {
                 kinematics.SetMean((DrivenAngle)angle, math.radians((float)s_Means[angle]));
                 for (int k = 0; k < s_Amplitudes[angle].Length; k++)
-                    kinematics.SetHarmonic((DrivenAngle)angle, k + 1, math.radians((float)s_Amplitudes[angle][k]), math.radians((float)s_Phases[angle][k]));
+                {
+                    kinematics.SetHarmonic(
+                        (DrivenAngle)angle, k + 1, math.radians((float)s_Amplitudes[angle][k]), math.radians((float)s_Phases[angle][k]));
+                }
             }
 
             return kinematics;

@@ -17,8 +17,10 @@ namespace Alate.Tests
                 Evaluate(fixture, 0f);
                 for (int joint = k_Joints; joint < k_Chains * k_Joints; joint++)
                 {
-                    float3 position = fixture.scratch.drivenPositions[joint][0], leading = Leading(fixture, fixture.rig.RestJoints[joint].x);
-                    Assert.That(math.distance(position.xy, leading.xy), Is.LessThan(2e-3f), $"joint {joint} at {position}, the leading chain there at {leading}");
+                    float3 position = fixture.scratch.drivenPositions[joint][0],
+                        leading = Leading(fixture, fixture.rig.RestJoints[joint].x);
+                    Assert.That(math.distance(position.xy, leading.xy), Is.LessThan(2e-3f),
+                        $"joint {joint} at {position}, the leading chain there at {leading}");
                 }
             }
         }
@@ -31,8 +33,12 @@ namespace Alate.Tests
                 Evaluate(fixture, 0f);
                 int last = k_Chains * k_Joints - 1;
                 for (int j = 0; j + 1 < k_Joints; j++)
-                    Assert.That(fixture.scratch.angle[last - k_Joints - k_Chains + 2 + j].x.x, Is.EqualTo(fixture.scratch.angle[j].x.x).Within(1e-6f));
-                Assert.That(math.distance(fixture.scratch.drivenPositions[last][0].xy, Leading(fixture, fixture.rig.RestJoints[last].x).xy), Is.GreaterThan(0.01f));
+                {
+                    Assert.That(fixture.scratch.angle[last - k_Joints - k_Chains + 2 + j].x.x,
+                        Is.EqualTo(fixture.scratch.angle[j].x.x).Within(1e-6f));
+                }
+                Assert.That(math.distance(fixture.scratch.drivenPositions[last][0].xy, Leading(fixture, fixture.rig.RestJoints[last].x).xy),
+                    Is.GreaterThan(0.01f));
             }
         }
 
@@ -68,13 +74,17 @@ namespace Alate.Tests
         {
             var chains = new JointChain[k_Chains];
             for (int i = 0; i < k_Chains; i++)
-                chains[i] = TestWings.Chain(new UnityEngine.Vector3(0f, 0f, -k_Gap * i), new UnityEngine.Vector3(1f - 0.1f * i, 0f, -k_Gap * i), k_Joints);
+            {
+                chains[i] = TestWings.Chain(
+                    new UnityEngine.Vector3(0f, 0f, -k_Gap * i), new UnityEngine.Vector3(1f - 0.1f * i, 0f, -k_Gap * i), k_Joints);
+            }
             WingParameters parameters = Monarch.Parameters;
             parameters.amplitude = new float3(parameters.amplitude.x, 0.2f, 0f);
             parameters.chordDelay = 0f;
             parameters.spanDelay = 0f;
             parameters.options.coupling = coupling;
-            return new PackFixture(TestWings.Bake(TestWings.Skeleton(chains), TestWings.Rectangle(12, 6, 1f, (k_Chains - 1) * k_Gap), 64), parameters);
+            return new PackFixture(
+                TestWings.Bake(TestWings.Skeleton(chains), TestWings.Rectangle(12, 6, 1f, (k_Chains - 1) * k_Gap), 64), parameters);
         }
 
         private static void Evaluate(PackFixture fixture, float phase)

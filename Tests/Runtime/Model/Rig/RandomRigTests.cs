@@ -80,7 +80,8 @@ namespace Alate.Tests
             foreach (Vector3 position in surface.positions)
                 tip = math.max(tip, rig.Frame.ToWing(position).x);
             Assert.That(tip, Is.EqualTo(1f).Within(1e-5f), given);
-            Assert.That(rig.RestJoints[0].z, Is.GreaterThan(rig.RestJoints[rig.JointCount - 1].z), $"the leading edge lies forward, {given}");
+            Assert.That(
+                rig.RestJoints[0].z, Is.GreaterThan(rig.RestJoints[rig.JointCount - 1].z), $"the leading edge lies forward, {given}");
         }
 
         private static (WingSkeleton, SurfaceMesh) Wing(ref Random random)

@@ -85,7 +85,8 @@ namespace Alate.Tests
         [TestCase(-1f, null, "Chain 2 has a flexural stiffness of -1 N·m² (value 0); it must be between 1E-15 and 1000.")]
         [TestCase(float.NaN, null, "Chain 2 has a flexural stiffness of NaN N·m² (value 0); it must be between 1E-15 and 1000.")]
         [TestCase(0f, null, "Chain 2 has a flexural stiffness of 0 N·m² (value 0); it must be between 1E-15 and 1000.")]
-        [TestCase(1e-6f, float.PositiveInfinity, "Chain 2 has a torsional stiffness of Infinity N·m² (value 0); it must be between 1E-15 and 1000.")]
+        [TestCase(1e-6f, float.PositiveInfinity,
+            "Chain 2 has a torsional stiffness of Infinity N·m² (value 0); it must be between 1E-15 and 1000.")]
         [TestCase(null, 1e-6f, "Chain 2 has a torsional stiffness but no flexural stiffness; give both, or the flexural one alone.")]
         public void AMeasuredStiffness_IsChecked(float? flexural, float? torsional, string expected)
         {
@@ -93,7 +94,8 @@ namespace Alate.Tests
             skeleton.Chains[2].flexuralStiffness = flexural is float bend ? new[] { bend } : null;
             skeleton.Chains[2].torsionalStiffness = torsional is float twist ? new[] { twist } : null;
 
-            Assert.That(skeleton.Validate().Select(problem => problem.Message), Is.EqualTo(expected == null ? new string[0] : new[] { expected }));
+            Assert.That(
+                skeleton.Validate().Select(problem => problem.Message), Is.EqualTo(expected == null ? new string[0] : new[] { expected }));
             if (expected != null)
                 Assert.That(Only(skeleton).Kind, Is.EqualTo(SkeletonProblemKind.InvalidStiffness));
         }

@@ -37,7 +37,8 @@ namespace Alate.Tests
 
         private static unsafe void AssertPoint(CellBlend blend, float v)
         {
-            var quad = new SkinQuad { u = 0.4f, v = v, px = 0.3f, py = 0.4f, pz = 0.5f, nx = 0f, ny = 1f, nz = 0f, target = new int4(0, 1, 2, 3) };
+            var quad =
+                new SkinQuad { u = 0.4f, v = v, px = 0.3f, py = 0.4f, pz = 0.5f, nx = 0f, ny = 1f, nz = 0f, target = new int4(0, 1, 2, 3) };
             SkinnedVertex* vertices = stackalloc SkinnedVertex[5];
             var target = new SkinTarget { vertices = vertices };
             target.rig.skinQuads = &quad;
@@ -53,7 +54,8 @@ namespace Alate.Tests
             }
         }
 
-        // Kavan and others (2007): real and dual parts are blended and divided by the length of the real one; a dual part is half of translation times rotation.
+        // Kavan and others (2007): real and dual parts are blended and divided by the length of the real one; a dual part is half of
+        // translation times rotation.
         private static Rotation Blended(double v)
         {
             Rotation first = Rotation.About(0, 0, 1, 40), second = Rotation.About(1, 0, 0, -20);

@@ -97,7 +97,8 @@ namespace Alate.Tests
 
         private static double Degrees(float3 a, float3 b)
         {
-            double x = (double)a.y * b.z - (double)a.z * b.y, y = (double)a.z * b.x - (double)a.x * b.z, z = (double)a.x * b.y - (double)a.y * b.x;
+            double x = (double)a.y * b.z - (double)a.z * b.y, y = (double)a.z * b.x - (double)a.x * b.z,
+                z = (double)a.x * b.y - (double)a.y * b.x;
             double cosine = (double)a.x * b.x + (double)a.y * b.y + (double)a.z * b.z;
             return Math.Atan2(Math.Sqrt(x * x + y * y + z * z), cosine) * 180.0 / Math.PI;
         }

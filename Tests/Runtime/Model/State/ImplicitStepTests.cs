@@ -68,7 +68,8 @@ namespace Alate.Tests
         [TestCase(1.5, 2.0)]
         public void Error_FallsWithTheSquareOfTheSubstep_ForEqualAndAlternatingOnes(double rate, double alternation)
         {
-            double coarse = Error(rate, 32, alternation, TimeScheme.SecondOrder), fine = Error(rate, 128, alternation, TimeScheme.SecondOrder);
+            double coarse = Error(rate, 32, alternation, TimeScheme.SecondOrder),
+                fine = Error(rate, 128, alternation, TimeScheme.SecondOrder);
 
             Assert.That(0.5 * Math.Log(coarse / fine, 2.0), Is.EqualTo(2.0).Within(0.15), $"{coarse} to {fine}");
         }

@@ -10,7 +10,8 @@ namespace Alate.Tests
     {
         private const int k_Beats = 12, k_Fine = 480;
 
-        // Per cent of a wing length at the species' own substeps; a seventh above what was measured. The last number: by how much 0.1 was worse at its 24.
+        // Per cent of a wing length at the species' own substeps; a seventh above what was measured. The last number: by how much 0.1 was
+        // worse at its 24.
         private static IEnumerable<TestCaseData> Bounds()
         {
             yield return new TestCaseData("monarch", 0, 0.29, 2.0);
@@ -24,7 +25,8 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(Bounds))]
-        public void AtItsOwnSubsteps_AWingIsNearerToItsConvergedMotion_ThanInVersion01(string species, int wing, double bound, double better)
+        public void AtItsOwnSubsteps_AWingIsNearerToItsConvergedMotion_ThanInVersion01(
+            string species, int wing, double bound, double better)
         {
             using (var flight = new SpeciesFlight(InsectCatalogue.Find(species).Wings[wing]))
             {
@@ -37,8 +39,9 @@ namespace Alate.Tests
             }
         }
 
-        // The first-order term that is left: the air sees the deformation's velocity as the mean over the last substep, one and a half substeps before the end of
-        // the new one. Extrapolating it is unstable on soft wings. (Against 480 substeps a term of first order reads as 1.12, one of second order as 2.03.)
+        // The first-order term that is left: the air sees the deformation's velocity as the mean over the last substep, one and a half
+        // substeps before the end of the new one. Extrapolating it is unstable on soft wings. (Against 480 substeps a term of first order
+        // reads as 1.12, one of second order as 2.03.)
         [Test]
         public void Error_FallsAtLeastWithTheSubstep_InAir()
         {
@@ -71,13 +74,15 @@ namespace Alate.Tests
             Assert.That(order, Is.LessThan(1.4));
         }
 
-        // Between 24 and 96 substeps, against 480. Finer still, what Newton's method leaves undone adds up over the substeps to a hundredth of a per cent.
+        // Between 24 and 96 substeps, against 480. Finer still, what Newton's method leaves undone adds up over the substeps to a hundredth
+        // of a per cent.
         private static double Order(Func<SpeciesFlight, WingParameters> of)
         {
             using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             {
                 WingParameters parameters = of(flight);
-                double coarse = Error(flight, parameters, 24), fine = Error(flight, parameters, 96), order = 0.5 * Math.Log(coarse / fine, 2.0);
+                double coarse = Error(flight, parameters, 24), fine = Error(flight, parameters, 96),
+                    order = 0.5 * Math.Log(coarse / fine, 2.0);
                 TestContext.Progress.WriteLine(FormattableString.Invariant($"24, 96 substeps: {coarse:F4}, {fine:F4} %, order {order:F2}"));
                 return order;
             }

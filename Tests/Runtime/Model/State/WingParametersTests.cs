@@ -11,7 +11,8 @@ namespace Alate.Tests
         {
             WingParameters parameters = WingParameters.Default;
             parameters.options.coefficients = (CoefficientSet)7;
-            Assert.That(parameters.FindProblem(), Is.EqualTo("options.coefficients is 7; it must be one of Dickinson1999, Paper, FlatPlate, Dragonfly."));
+            Assert.That(parameters.FindProblem(),
+                Is.EqualTo("options.coefficients is 7; it must be one of Dickinson1999, Paper, FlatPlate, Dragonfly."));
             Assert.That(parameters.Clamped().options, Is.EqualTo(WingParameters.Default.options));
             parameters = WingParameters.Default;
             parameters.options.timeScheme = (TimeScheme)(-1);
@@ -32,7 +33,8 @@ namespace Alate.Tests
         {
             foreach (WingParameterRange range in WingParameterRange.All)
             {
-                foreach (float bad in new[] { range.Minimum - 1f, range.Maximum * 2f + 1f, float.NaN, float.PositiveInfinity, float.NegativeInfinity })
+                foreach (float bad in new[] { range.Minimum - 1f, range.Maximum * 2f + 1f, float.NaN, float.PositiveInfinity,
+                    float.NegativeInfinity })
                 {
                     WingParameters parameters = WingParameters.Default;
                     range.Of(ref parameters) = bad;

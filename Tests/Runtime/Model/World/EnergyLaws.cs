@@ -38,7 +38,8 @@ namespace Alate.Tests
             }
         }
 
-        // Every substep of backward Euler dissipates. The second-order step measures energy over two substeps: it may rise in one, but not over a few.
+        // Every substep of backward Euler dissipates. The second-order step measures energy over two substeps: it may rise in one, but not
+        // over a few.
         [TestCase(TimeScheme.BackwardEuler, MembraneCoupling.OneWay, 1f)]
         [TestCase(TimeScheme.SecondOrder, MembraneCoupling.OneWay, 1.25f)]
         [TestCase(TimeScheme.SecondOrder, MembraneCoupling.TwoWay, 1.25f)]
@@ -122,7 +123,8 @@ namespace Alate.Tests
                 float k = fixture.Pack.bendStiffness[bone].x;
                 float dorsal = angle.x > 0f ? p.numbers.dorsalAsymmetry.x : 1f;
                 energy += 0.5f * fixture.rig.View.jointInertias[bone] * math.lengthsq(rate);
-                energy += 0.5f * k * (dorsal * angle.x * angle.x + p.numbers.inPlaneFactor.x * angle.y * angle.y + p.numbers.torsionFactor.x * angle.z * angle.z);
+                energy += 0.5f * k * (dorsal * angle.x * angle.x + p.numbers.inPlaneFactor.x * angle.y * angle.y
+                    + p.numbers.torsionFactor.x * angle.z * angle.z);
             }
 
             return energy;
@@ -134,7 +136,8 @@ namespace Alate.Tests
             for (int joint = 0; joint < fixture.rig.JointCount; joint++)
             {
                 float mass = fixture.rig.JointMasses[joint];
-                energy += 0.5f * mass * (anchor * anchor * math.lengthsq(fixture.Pack.offsets[joint][0]) + math.lengthsq(fixture.Pack.offsetRates[joint][0]));
+                energy += 0.5f * mass * (anchor * anchor * math.lengthsq(fixture.Pack.offsets[joint][0])
+                    + math.lengthsq(fixture.Pack.offsetRates[joint][0]));
             }
 
             return energy;

@@ -6,12 +6,15 @@ using Unity.Mathematics;
 namespace Alate.Tests
 {
     /// <summary>
-    /// The time scheme remembers the substep before. Whatever interrupts a wing, it stays finite and is back on the path of a wing that nothing interrupted within
-    /// a few beats, at the same phase.
+    /// The time scheme remembers the substep before. Whatever interrupts a wing, it stays finite and is back on the path of a wing that
+    /// nothing interrupted within a few beats, at the same phase.
     /// </summary>
     public sealed class HistoryTests
     {
-        /// <summary>Frames of a beat of four substeps each, of three with fewer substeps; and of one substep each, whose lengths are those of the frames.</summary>
+        /// <summary>
+        /// Frames of a beat of four substeps each, of three with fewer substeps; and of one substep each, whose lengths are those of the
+        /// frames.
+        /// </summary>
         private const int k_Steps = 4, k_ShortSteps = 24;
 
         private const int k_Settling = 6, k_Back = 4;
@@ -60,7 +63,8 @@ namespace Alate.Tests
             using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             using (WingWorld one = new WingWorld(), other = new WingWorld())
             {
-                WingHandle steady = one.Add(flight.Rig, flight.parameters, flight.Air()), halted = other.Add(flight.Rig, flight.parameters, flight.Air());
+                WingHandle steady = one.Add(flight.Rig, flight.parameters, flight.Air()),
+                    halted = other.Add(flight.Rig, flight.parameters, flight.Air());
                 float dt = 1f / (k_Steps * one.Read(steady).Frequency);
                 Step(one, dt, k_Settling * k_Steps);
                 Step(other, dt, k_Settling * k_Steps);
@@ -115,7 +119,8 @@ namespace Alate.Tests
         [TestCase(TimeScheme.BackwardEuler, MembraneCoupling.TwoWay)]
         [TestCase(TimeScheme.SecondOrder, MembraneCoupling.OneWay)]
         [TestCase(TimeScheme.BackwardEuler, MembraneCoupling.OneWay)]
-        public void AfterATimeInAnotherModel_TheWingIsSoonBackInItsBeat(TimeScheme scheme, MembraneCoupling coupling) => AssertBack((world, wing, dt) =>
+        public void AfterATimeInAnotherModel_TheWingIsSoonBackInItsBeat(
+            TimeScheme scheme, MembraneCoupling coupling) => AssertBack((world, wing, dt) =>
         {
             WingParameters own = Monarch.Parameters, other = own;
             other.options.timeScheme = scheme;
@@ -155,7 +160,8 @@ namespace Alate.Tests
             {
                 one.Add(flight.Rig, flight.parameters, flight.Air(new float3(0f, 0f, -1f), flight.Speed));
                 WingHandle leaves = other.Add(flight.Rig, flight.parameters, flight.Air(new float3(0f, 0f, -1f), flight.Speed));
-                WingHandle stays = one.Add(flight.Rig, flight.parameters, flight.Air()), moves = other.Add(flight.Rig, flight.parameters, flight.Air());
+                WingHandle stays = one.Add(flight.Rig, flight.parameters, flight.Air()),
+                    moves = other.Add(flight.Rig, flight.parameters, flight.Air());
                 float dt = 1f / (k_Steps * one.Read(stays).Frequency);
                 Step(one, dt, 50);
                 Step(other, dt, 50);
@@ -166,20 +172,23 @@ namespace Alate.Tests
                 {
                     one.Step(dt);
                     other.Step(dt);
-                    Assert.That(SpeciesFlight.Joints(other.Read(moves)), Is.EqualTo(SpeciesFlight.Joints(one.Read(stays))), $"step {k} after it");
+                    Assert.That(
+                        SpeciesFlight.Joints(other.Read(moves)), Is.EqualTo(SpeciesFlight.Joints(one.Read(stays))), $"step {k} after it");
                 }
             }
         }
 
         private static void AssertBack(Action<WingWorld, WingHandle, float> interrupt) => AssertBack(k_Steps, interrupt);
 
-        // Interrupts one of two settled wings and flies the other one on for as long; both are at the same phase then, a reset one after whole beats.
+        // Interrupts one of two settled wings and flies the other one on for as long; both are at the same phase then, a reset one after
+        // whole beats.
         private static void AssertBack(int steps, Action<WingWorld, WingHandle, float> interrupt)
         {
             using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             using (WingWorld one = new WingWorld(), other = new WingWorld())
             {
-                WingHandle steady = one.Add(flight.Rig, flight.parameters, flight.Air()), interrupted = other.Add(flight.Rig, flight.parameters, flight.Air());
+                WingHandle steady = one.Add(flight.Rig, flight.parameters, flight.Air()),
+                    interrupted = other.Add(flight.Rig, flight.parameters, flight.Air());
                 float dt = 1f / (steps * one.Read(steady).Frequency);
                 Step(one, dt, k_Settling * steps);
                 Step(other, dt, k_Settling * steps);
@@ -197,7 +206,8 @@ namespace Alate.Tests
             {
                 one.Step(dt);
                 other.Step(dt);
-                double distance = SpeciesFlight.Distance(SpeciesFlight.Joints(one.Read(steady)), SpeciesFlight.Joints(other.Read(interrupted)));
+                double distance = SpeciesFlight.Distance(
+                    SpeciesFlight.Joints(one.Read(steady)), SpeciesFlight.Joints(other.Read(interrupted)));
                 Assert.That(distance, Is.LessThan(0.5), $"step {k}");
                 if (k < steps)
                     first = Math.Max(first, distance);
@@ -207,7 +217,8 @@ namespace Alate.Tests
 
             Assert.That(other.Read(interrupted).Resets, Is.Zero);
             Assert.That(Apart(one.Read(steady).Phase, other.Read(interrupted).Phase), Is.LessThan(1e-3f));
-            TestContext.Progress.WriteLine(FormattableString.Invariant($"{TestContext.CurrentContext.Test.Name}: off by {first:P3} in the first beat, {last:P4} after {k_Back}"));
+            TestContext.Progress.WriteLine(FormattableString.Invariant(
+                $"{TestContext.CurrentContext.Test.Name}: off by {first:P3} in the first beat, {last:P4} after {k_Back}"));
             Assert.That(first, Is.GreaterThan(k_Felt), "what interrupts is felt");
             Assert.That(last, Is.LessThan(k_Same));
         }

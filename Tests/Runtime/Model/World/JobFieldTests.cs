@@ -6,7 +6,9 @@ using Unity.Collections.LowLevel.Unsafe;
 namespace Alate.Tests
 {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-    /// <summary>Fields of the two jobs of a frame, which are checked before they are scheduled where Unity's safety checks are on.</summary>
+    /// <summary>
+    /// Fields of the two jobs of a frame, which are checked before they are scheduled where Unity's safety checks are on.
+    /// </summary>
     public sealed unsafe class JobFieldTests
     {
         private NativeArray<WingPack> m_Packs;
@@ -30,7 +32,13 @@ namespace Alate.Tests
             m_List[1] = 1;
             m_Groups[0] = new PackGroup { packCount = 1 };
             m_Groups[1] = new PackGroup { firstPack = 1, packCount = 1 };
-            m_Targets[0] = new SkinTarget { rig = new RigView { quadCount = 9, vertexCount = 33 }, pack = 1, lane = 3, vertices = (SkinnedVertex*)m_Memory };
+            m_Targets[0] = new SkinTarget
+            {
+                rig = new RigView { quadCount = 9, vertexCount = 33 },
+                pack = 1,
+                lane = 3,
+                vertices = (SkinnedVertex*)m_Memory,
+            };
             m_Chunks[0] = new SkinChunk { endQuad = 5 };
             m_Chunks[1] = new SkinChunk { firstQuad = 5, endQuad = 9 };
         }
@@ -73,7 +81,8 @@ namespace Alate.Tests
             Expect(() => Skin(ClockTimes.All(new ClockTime { alpha = alpha })).Validate(2), "The time within a step that is drawn");
 
         [Test]
-        public void AStep_OfMoreGroupsThanThereAre_IsRefused() => Expect(() => Step(Due(0.02f)).Validate(3), "StepWingsJob.groups has room for 2; the job needs 3.");
+        public void AStep_OfMoreGroupsThanThereAre_IsRefused() =>
+            Expect(() => Step(Due(0.02f)).Validate(3), "StepWingsJob.groups has room for 2; the job needs 3.");
 
         [Test]
         public void AStep_OfPacksThatDoNotExist_IsRefused()
@@ -145,7 +154,8 @@ namespace Alate.Tests
             packs = m_Packs,
         };
 
-        private SkinWingsJob Skin(ClockTimes clocks) => new SkinWingsJob { clocks = clocks, chunks = m_Chunks, targets = m_Targets, packs = m_Packs, bounds = m_Bounds };
+        private SkinWingsJob Skin(ClockTimes clocks) =>
+            new SkinWingsJob { clocks = clocks, chunks = m_Chunks, targets = m_Targets, packs = m_Packs, bounds = m_Bounds };
     }
 #endif
 }

@@ -15,7 +15,9 @@ namespace Alate.Tests
         /// <summary>The wing's parameters.</summary>
         public static WingParameters Parameters => InsectCatalogue.Find("monarch").Wings[0].CreatePreset().ToParameters();
 
-        /// <summary>The wing by <see cref="SpeciesFlight.FirstOrder"/>: what the check values of simulated flight were computed with.</summary>
+        /// <summary>
+        /// The wing by <see cref="SpeciesFlight.FirstOrder"/>: what the check values of simulated flight were computed with.
+        /// </summary>
         public static WingParameters FirstOrder => SpeciesFlight.FirstOrder(Parameters);
 
         /// <summary>Surroundings at a speed and a pitch of the body.</summary>
@@ -48,7 +50,8 @@ namespace Alate.Tests
 
         private static WingRig Bake(WingDefinition wing, SurfaceMesh mesh, int patches)
         {
-            var surface = new SurfaceMesh { name = wing.Name, positions = mesh.positions, normals = mesh.normals, triangles = mesh.triangles };
+            var surface =
+                new SurfaceMesh { name = wing.Name, positions = mesh.positions, normals = mesh.normals, triangles = mesh.triangles };
             return WingRig.Bake(wing.CreateSkeleton(WingSide.Right), surface, new WingRigSettings { patchCount = patches });
         }
     }

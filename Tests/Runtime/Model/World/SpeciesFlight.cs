@@ -66,7 +66,9 @@ namespace Alate.Tests
         /// <summary>Of the body at its fastest, m/s.</summary>
         public float TopSpeed { get; }
 
-        /// <summary>Parameters of version 0.1's standard wings: backward Euler in 24 substeps, chains that bend each by itself, wind as it is.</summary>
+        /// <summary>
+        /// Parameters of version 0.1's standard wings: backward Euler in 24 substeps, chains that bend each by itself, wind as it is.
+        /// </summary>
         public static WingParameters FirstOrder(WingParameters parameters)
         {
             parameters.options.timeScheme = TimeScheme.BackwardEuler;

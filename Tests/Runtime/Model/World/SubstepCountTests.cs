@@ -12,13 +12,17 @@ namespace Alate.Tests
         public void InStillAir_TheBeatDecides()
         {
             using (var fixture = new PackFixture(Monarch.Rig(16), Monarch.Parameters))
-                Assert.That(Count(fixture), Is.EqualTo((int)math.ceil(k_Frame * fixture.Pack.beat->frequency.x * Monarch.Parameters.substepsPerBeat)));
+            {
+                Assert.That(Count(fixture),
+                    Is.EqualTo((int)math.ceil(k_Frame * fixture.Pack.beat->frequency.x * Monarch.Parameters.substepsPerBeat)));
+            }
         }
 
         [Test]
         public void InAGale_TheAirDecides_ButNotForWavesAlone()
         {
-            using (PackFixture calm = new PackFixture(Monarch.Rig(16), Monarch.Parameters), windy = new PackFixture(Monarch.Rig(16), Monarch.Parameters, Gale))
+            using (PackFixture calm = new PackFixture(Monarch.Rig(16), Monarch.Parameters),
+                windy = new PackFixture(Monarch.Rig(16), Monarch.Parameters, Gale))
             {
                 Assert.That(Count(windy), Is.GreaterThan(Count(calm)));
                 windy.Pack.detail = WingDetail.WavesOnly;
@@ -42,8 +46,11 @@ namespace Alate.Tests
             resting.frequencyFloor = 0f;
             WingSurroundings gale = Gale;
             gale.speed = 0f;
-            using (PackFixture slow = new PackFixture(Monarch.Rig(16), resting, gale), fast = new PackFixture(Monarch.Rig(16), Monarch.Parameters, gale))
+            using (PackFixture slow = new PackFixture(Monarch.Rig(16), resting, gale),
+                fast = new PackFixture(Monarch.Rig(16), Monarch.Parameters, gale))
+            {
                 Assert.That(Count(slow), Is.EqualTo(Count(fast)).Within(1));
+            }
         }
 
         private static WingSurroundings Gale => new WingSurroundings { wind = new float3(0f, 0f, -5000f), speed = 1f };

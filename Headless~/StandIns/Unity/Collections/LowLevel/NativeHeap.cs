@@ -51,7 +51,10 @@ internal static unsafe class NativeHeap
     public static void Free(void* memory, Allocator allocator, bool isTracked)
     {
         if (NativeMemoryLedger.Find((nint)memory) is { } entry && (entry.isTracked != isTracked || entry.allocator != allocator))
-            throw new InvalidOperationException($"{entry.Source} of Allocator.{entry.allocator} must be freed by its own method, with the allocator it was allocated with.");
+        {
+            throw new InvalidOperationException($"{entry.Source} of Allocator.{entry.allocator} must be freed by its own method, with the "
+                + "allocator it was allocated with.");
+        }
         Free(memory);
     }
 

@@ -16,7 +16,8 @@ public static unsafe class UnsafeUtility
     }
 
     /// <summary>Memory that Unity's leak detection does not see.</summary>
-    public static void* Malloc(long size, int alignment, Allocator allocator) => NativeHeap.Allocate(size, alignment, allocator, null, null, isTracked: false);
+    public static void* Malloc(long size, int alignment, Allocator allocator) =>
+        NativeHeap.Allocate(size, alignment, allocator, null, null, isTracked: false);
 
     public static void Free(void* memory, Allocator allocator) => NativeHeap.Free(memory, allocator, isTracked: false);
 

@@ -8,7 +8,8 @@ public static unsafe class ProfilerUnsafeUtility
     public const ushort CategoryScripts = 1;
 
     /// <summary>Memory for one value that is looked at at the end of each frame; only whole numbers of four bytes here.</summary>
-    public static void* CreateCounterValue(out IntPtr counterPtr, string name, ushort categoryId, MarkerFlags flags, byte dataType, byte dataUnit,
+    public static void* CreateCounterValue(out IntPtr counterPtr, string name, ushort categoryId, MarkerFlags flags, byte dataType,
+        byte dataUnit,
         int dataSize, ProfilerCounterOptions counterOptions)
     {
         if (dataType != (byte)ProfilerMarkerDataType.Int32 || dataSize != sizeof(int))

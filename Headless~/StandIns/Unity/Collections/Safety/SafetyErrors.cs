@@ -15,12 +15,14 @@ internal static class SafetyErrors
         {
             (string job, string field) = JobLayout.Describe(handle.slot);
             return new InvalidOperationException(
-                $"The {name} {job}.{field} is declared {(writes ? "[ReadOnly]" : "[WriteOnly]")} in the job, which must not {(writes ? "write" : "read")} it.");
+                $"The {name} {job}.{field} is declared {(writes ? "[ReadOnly]" : "[WriteOnly]")} in the job, which must not "
+                + $"{(writes ? "write" : "read")} it.");
         }
 
         JobRecord pending = ContainerSafety.Of(handle).FindConflict(writes, default, out bool otherWrites);
         return new InvalidOperationException(
-            $"The scheduled job {pending?.Name} {(otherWrites ? "writes to" : "reads from")} the {name}. Call Complete() on the job's handle "
+            $"The scheduled job {pending?.Name} {(otherWrites ? "writes to" : "reads from")} the "
+            + $"{name}. Call Complete() on the job's handle "
             + $"before you {(writes ? "write to" : "read from")} it.");
     }
 

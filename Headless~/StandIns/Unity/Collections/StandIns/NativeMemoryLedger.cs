@@ -21,7 +21,8 @@ public static class NativeMemoryLedger
         public ContainerSafety safety;
         public bool isTracked;
 
-        public readonly string Source => type != null ? $"NativeArray<{type.Name}>" : isTracked ? "UnsafeUtility.MallocTracked" : "UnsafeUtility.Malloc";
+        public readonly string Source =>
+            type != null ? $"NativeArray<{type.Name}>" : isTracked ? "UnsafeUtility.MallocTracked" : "UnsafeUtility.Malloc";
     }
 
     private static readonly object s_Gate = new();

@@ -18,7 +18,8 @@ public class Application
     public static int targetFrameRate { get; set; } = -1;
     public static bool runInBackground { get; set; } = true;
     public static RuntimePlatform platform => RuntimePlatform.LinuxEditor;
-    public static string persistentDataPath => System.IO.Path.Combine(System.IO.Path.GetTempPath(), $"alate-player-{Environment.ProcessId}");
+    public static string persistentDataPath =>
+        System.IO.Path.Combine(System.IO.Path.GetTempPath(), $"alate-player-{Environment.ProcessId}");
     public static string unityVersion => "2022.3.0f1";
 
     /// <summary>Returns true where an object is part of the playing world.</summary>

@@ -23,7 +23,8 @@ public struct Color : IEquatable<Color>
 
     public float this[int index]
     {
-        get => index switch { 0 => r, 1 => g, 2 => b, 3 => a, _ => throw new IndexOutOfRangeException("Invalid Color index(" + index + ")!") };
+        get =>
+            index switch { 0 => r, 1 => g, 2 => b, 3 => a, _ => throw new IndexOutOfRangeException("Invalid Color index(" + index + ")!") };
         set
         {
             switch (index)

@@ -14,7 +14,8 @@ public class Graphics
     }
 
     public static void RenderMeshInstanced<T>(
-        RenderParams rparams, Mesh mesh, int submeshIndex, NativeArray<T> instanceData, int instanceCount = -1, int startInstance = 0) where T : unmanaged
+        RenderParams rparams, Mesh mesh, int submeshIndex, NativeArray<T> instanceData, int instanceCount = -1, int startInstance = 0)
+            where T : unmanaged
     {
         if (mesh == null)
             throw new System.ArgumentNullException(nameof(mesh));

@@ -53,7 +53,8 @@ public class Collider : Component, IStateful
         scale = new Vector3(Mathf.Abs(scale.x), Mathf.Abs(scale.y), Mathf.Abs(scale.z));
         if (isRound)
             scale = Mathf.Max(scale.x, Mathf.Max(scale.y, scale.z)) * Vector3.one;
-        return new PhysicsShape(GetInstanceID(), gameObject.layer, isTrigger, transform.TransformPoint(centre), transform.rotation, Vector3.Scale(half, scale), isRound);
+        return new PhysicsShape(GetInstanceID(), gameObject.layer, isTrigger, transform.TransformPoint(centre), transform.rotation,
+            Vector3.Scale(half, scale), isRound);
     }
 
     private protected virtual void CopyShapeTo(Collider copy)

@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Rays and spheres against the colliders of the scene. Colliders are where their transforms are, without a step between.</summary>
+/// <summary>
+/// Rays and spheres against the colliders of the scene. Colliders are where their transforms are, without a step between.
+/// </summary>
 public class Physics
 {
     public const int DefaultRaycastLayers = -5;
@@ -13,7 +15,8 @@ public class Physics
     public static Vector3 gravity { get; set; } = new(0f, -9.81f, 0f);
 
     public static bool Raycast(
-        Vector3 origin, Vector3 direction, out RaycastHit hitInfo, float maxDistance, int layerMask, QueryTriggerInteraction queryTriggerInteraction)
+        Vector3 origin, Vector3 direction, out RaycastHit hitInfo, float maxDistance, int layerMask,
+        QueryTriggerInteraction queryTriggerInteraction)
     {
         Collider.Shapes(s_Shapes);
         return Nearest(s_Shapes, origin, direction, maxDistance, layerMask, queryTriggerInteraction, out hitInfo);
@@ -32,7 +35,8 @@ public class Physics
     }
 
     internal static bool Nearest(
-        List<PhysicsShape> shapes, Vector3 origin, Vector3 direction, float maxDistance, int layerMask, QueryTriggerInteraction triggers, out RaycastHit hit)
+        List<PhysicsShape> shapes, Vector3 origin, Vector3 direction, float maxDistance, int layerMask, QueryTriggerInteraction triggers,
+        out RaycastHit hit)
     {
         hit = default;
         float length = direction.magnitude;

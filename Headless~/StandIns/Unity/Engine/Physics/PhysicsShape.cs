@@ -3,7 +3,8 @@ using System;
 namespace UnityEngine;
 
 /// <summary>A box or a sphere in the world, as rays and spheres meet it.</summary>
-internal readonly record struct PhysicsShape(int Collider, int Layer, bool IsTrigger, Vector3 Centre, Quaternion Rotation, Vector3 Half, bool IsRound)
+internal readonly record struct PhysicsShape(
+    int Collider, int Layer, bool IsTrigger, Vector3 Centre, Quaternion Rotation, Vector3 Half, bool IsRound)
 {
     /// <summary>Returns true where a query looks at it.</summary>
     public bool IsMet(int layerMask, QueryTriggerInteraction triggers) =>
@@ -20,7 +21,13 @@ internal readonly record struct PhysicsShape(int Collider, int Layer, bool IsTri
         if (!(at >= 0f && at <= distance))
             return false;
         Vector3 place = start + at * along;
-        hit = new RaycastHit(Collider) { distance = at, point = from + at * direction, normal = Rotation * (IsRound ? place.normalized : normal) };
+        hit = new RaycastHit(Collider)
+        {
+            distance = at,
+            point = from
+            + at * direction,
+            normal = Rotation * (IsRound ? place.normalized : normal)
+        };
         return true;
     }
 

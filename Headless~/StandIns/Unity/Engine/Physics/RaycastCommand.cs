@@ -42,7 +42,8 @@ public struct RaycastCommand
         public void Execute(int index)
         {
             RaycastCommand ray = commands[index];
-            Physics.Nearest(Shapes, ray.from, ray.direction, ray.distance, ray.queryParameters.layerMask, ray.queryParameters.hitTriggers, out RaycastHit hit);
+            Physics.Nearest(Shapes, ray.from, ray.direction, ray.distance, ray.queryParameters.layerMask, ray.queryParameters.hitTriggers,
+                out RaycastHit hit);
             results[index] = hit;
         }
     }

@@ -17,7 +17,8 @@ internal static class SerializedFields
     /// Returns true where a field keeps its value when scripts are compiled again: private ones do too, where their type can be written.
     /// </summary>
     public static bool SurvivesReload(FieldInfo field) =>
-        IsSaved(field) || (!field.IsInitOnly && !field.IsDefined(typeof(NonSerializedAttribute)) && IsWritable(field.FieldType, inList: false));
+        IsSaved(field)
+        || (!field.IsInitOnly && !field.IsDefined(typeof(NonSerializedAttribute)) && IsWritable(field.FieldType, inList: false));
 
     /// <summary>A struct or class whose fields are saved in place.</summary>
     public static bool IsInline(Type type) =>

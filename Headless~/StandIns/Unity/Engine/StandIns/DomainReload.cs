@@ -11,8 +11,8 @@ namespace Unity.StandIns;
 public static class DomainReload
 {
     /// <summary>
-    /// Objects hear OnDisable, lose what Unity cannot write, and hear OnEnable, but neither Awake nor Start. Static state begins again: the methods that clear it when
-    /// play begins without a reload stand for that.
+    /// Objects hear OnDisable, lose what Unity cannot write, and hear OnEnable, but neither Awake nor Start. Static state begins again: the
+    /// methods that clear it when play begins without a reload stand for that.
     /// </summary>
     public static void Run()
     {

@@ -6,7 +6,8 @@ namespace Unity.StandIns;
 
 /// <summary>One call that drew instances of a mesh.</summary>
 [StandInExtension]
-public sealed record DrawnBatch(Mesh Mesh, int Submesh, Material Material, Matrix4x4[] Matrices, IReadOnlyDictionary<string, Vector4[]> Properties);
+public sealed record DrawnBatch(
+    Mesh Mesh, int Submesh, Material Material, Matrix4x4[] Matrices, IReadOnlyDictionary<string, Vector4[]> Properties);
 
 /// <summary>Instances that were drawn, kept while a test looks.</summary>
 [StandInExtension]
@@ -15,7 +16,8 @@ public static class DrawnInstances
     /// <summary>Calls since it was set; null keeps none.</summary>
     public static List<DrawnBatch> Calls { get; set; }
 
-    internal static void Note<T>(in RenderParams parameters, Mesh mesh, int submesh, NativeArray<T> instances, int count, int start) where T : unmanaged
+    internal static void Note<T>(in RenderParams parameters, Mesh mesh, int submesh, NativeArray<T> instances, int count, int start)
+        where T : unmanaged
     {
         if (Calls == null)
             return;

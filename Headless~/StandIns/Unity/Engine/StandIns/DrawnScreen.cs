@@ -6,8 +6,8 @@ using UnityEngine;
 namespace StandIns;
 
 /// <summary>
-/// The screen that OnGUI of playing scripts draws on, at the end of each frame: once for what a test does to it, then for layout and for repaint, which must have
-/// the same controls. Areas lie on the screen and hold their lines, and every group is closed.
+/// The screen that OnGUI of playing scripts draws on, at the end of each frame: once for what a test does to it, then for layout and for
+/// repaint, which must have the same controls. Areas lie on the screen and hold their lines, and every group is closed.
 /// </summary>
 [Unity.StandIns.StandInExtension]
 public static class DrawnScreen
@@ -53,8 +53,11 @@ public static class DrawnScreen
 
         List<DrawnControl> layout = Pass(sendAll, new ScreenPage(null), new Event { type = EventType.Layout });
         List<DrawnControl> repaint = Pass(sendAll, new ScreenPage(null), new Event { type = EventType.Repaint });
-        if (!layout.Select(control => control.Kind).SequenceEqual(repaint.Where(control => control.Kind != ControlKind.Area).Select(control => control.Kind)))
+        if (!layout.Select(control => control.Kind)
+            .SequenceEqual(repaint.Where(control => control.Kind != ControlKind.Area).Select(control => control.Kind)))
+        {
             throw new InvalidOperationException("Layout and repaint have other controls.");
+        }
         s_Controls = repaint;
     }
 

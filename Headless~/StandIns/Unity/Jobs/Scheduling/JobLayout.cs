@@ -116,7 +116,10 @@ internal sealed unsafe class JobLayout
     {
         SafetyHandle* handle = Handle(data, container);
         if (handle->cell == null)
-            throw new InvalidOperationException($"{What(container)} has not been created. All containers of a job must be when it is scheduled.");
+        {
+            throw new InvalidOperationException(
+                $"{What(container)} has not been created. All containers of a job must be when it is scheduled.");
+        }
         if (!handle->Exists)
             throw new ObjectDisposedException(What(container), $"{What(container)} has been disposed of, so the job cannot be scheduled.");
         var safety = ContainerSafety.Of(*handle);
@@ -132,7 +135,8 @@ internal sealed unsafe class JobLayout
         {
             throw new InvalidOperationException(
                 $"The scheduled job {pending.Name} {(otherWrites ? "writes to" : "reads from")} the {safety.Name} that the new job "
-                + $"{(container.readOnly ? "reads from" : "writes to")} as {What(container)}. Make the new job depend on it, or complete it first.");
+                + $"{(container.readOnly ? "reads from" : "writes to")} as "
+                + $"{What(container)}. Make the new job depend on it, or complete it first.");
         }
 
         for (int i = 0; i < index; i++)
@@ -141,7 +145,8 @@ internal sealed unsafe class JobLayout
             if (other.exempt || (other.readOnly && container.readOnly) || Handle(data, other)->cell != handle->cell)
                 continue;
             throw new InvalidOperationException(
-                $"{What(container)} is the same {safety.Name} as {What(other)}, and the job may write it: containers of a job must not overlap.");
+                $"{What(container)} is the same {safety.Name} as {What(other)}, and the job may write it: containers of a job "
+                + "must not overlap.");
         }
     }
 

@@ -33,7 +33,8 @@ public sealed class PngFile
     public Color32[] Pixels { get; private set; }
 
     /// <summary>Reads a whole file.</summary>
-    /// <exception cref="FormatException">It is no PNG picture or a damaged one; the message says why, in one line that begins with "it".</exception>
+    /// <exception cref="FormatException">It is no PNG picture or a damaged one; the message says why, in one line that begins with
+    /// "it".</exception>
     public static PngFile Read(ReadOnlyMemory<byte> file)
     {
         if (file.Length == 0)

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Unity.StandIns;
 
-/// <summary>Turns the unpacked rows of a PNG picture into pixels: undoes the filters, and puts the passes of an interlaced one together.</summary>
+/// <summary>
+/// Turns the unpacked rows of a PNG picture into pixels: undoes the filters, and puts the passes of an interlaced one together.
+/// </summary>
 internal sealed class PngScanlines(PngHeader header, PngColours colours)
 {
     public Color32[] Read(byte[] bytes)
